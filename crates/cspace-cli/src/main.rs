@@ -1,0 +1,3 @@
+//! The command `cspace`.
+
+fn main() {}

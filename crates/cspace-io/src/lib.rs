@@ -1,0 +1,1 @@
+//! Model files for `cspace`, and writers for contact spaces.

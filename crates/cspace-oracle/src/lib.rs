@@ -1,0 +1,1 @@
+//! What the library is judged by: brute force, and drawn shapes.

@@ -1,0 +1,9 @@
+//! Points, vectors, rotations and configurations of the plane.
+
+mod configuration;
+mod point;
+mod rotation;
+
+pub use configuration::Configuration;
+pub use point::{Point, Vector};
+pub use rotation::Rotation;

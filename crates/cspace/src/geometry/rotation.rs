@@ -1,0 +1,54 @@
+//! Rotations of the plane.
+
+use core::ops::Mul;
+
+use super::{Point, Vector};
+
+/// A rotation about the origin, kept as the cosine and sine of its angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotation {
+    /// Cosine of the angle.
+    pub cos: f64,
+    /// Sine of the angle.
+    pub sin: f64,
+}
+
+impl Rotation {
+    /// The rotation by nothing.
+    pub const IDENTITY: Self = Self { cos: 1.0, sin: 0.0 };
+
+    /// The rotation by `angle` radians, counter-clockwise.
+    #[inline]
+    pub fn by(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { cos, sin }
+    }
+
+    /// The rotation the other way.
+    #[inline]
+    pub const fn inverse(self) -> Self {
+        Self {
+            cos: self.cos,
+            sin: -self.sin,
+        }
+    }
+}
+
+impl Mul<Vector> for Rotation {
+    type Output = Vector;
+    #[inline]
+    fn mul(self, v: Vector) -> Vector {
+        Vector::new(
+            self.cos * v.x - self.sin * v.y,
+            self.sin * v.x + self.cos * v.y,
+        )
+    }
+}
+
+impl Mul<Point> for Rotation {
+    type Output = Point;
+    #[inline]
+    fn mul(self, p: Point) -> Point {
+        Point::ORIGIN + self * p.to_vector()
+    }
+}

@@ -1,0 +1,70 @@
+//! Edges of a loop, oriented so that material is on the left.
+
+use crate::geometry::{Point, Vector};
+
+/// A line segment or circular arc of a part's boundary; travelling it, material is on the left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Edge {
+    /// Where the edge starts.
+    pub start: Point,
+    /// Where it ends.
+    pub end: Point,
+    /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
+    pub bulge: f64,
+    /// Index, in the loop as given, of the vertex whose bulge describes this edge.
+    pub index: usize,
+}
+
+impl Edge {
+    /// Whether the edge is a line segment.
+    #[inline]
+    pub fn is_line(&self) -> bool {
+        self.bulge == 0.0
+    }
+
+    /// The arc's centre: midpoint + left(chord) (1 − b²) / (4 b). Not finite for a line.
+    #[inline]
+    pub fn center(&self) -> Point {
+        let chord = self.end - self.start;
+        self.start.midpoint(self.end)
+            + chord.left() * ((1.0 - self.bulge) * (1.0 + self.bulge) / (4.0 * self.bulge))
+    }
+
+    /// The arc's radius: chord (1 + b²) / (4 |b|). Infinite for a line.
+    #[inline]
+    pub fn radius(&self) -> f64 {
+        let chord = self.end - self.start;
+        chord.x.hypot(chord.y) * (1.0 + self.bulge * self.bulge) / (4.0 * self.bulge.abs())
+    }
+
+    /// The arc's sweep in radians, positive counter-clockwise; 0 for a line.
+    #[inline]
+    pub fn sweep(&self) -> f64 {
+        4.0 * self.bulge.atan()
+    }
+
+    /// The unit direction of travel at the start.
+    ///
+    /// It is the chord turned clockwise by half the sweep: with b = tan(sweep/4),
+    /// cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
+    #[inline]
+    pub fn start_direction(&self) -> Vector {
+        let (cos, sin) = self.half_sweep();
+        let d = (self.end - self.start).unit();
+        Vector::new(cos * d.x + sin * d.y, cos * d.y - sin * d.x)
+    }
+
+    /// The unit direction of travel at the end: the chord turned counter-clockwise by half the sweep.
+    #[inline]
+    pub fn end_direction(&self) -> Vector {
+        let (cos, sin) = self.half_sweep();
+        let d = (self.end - self.start).unit();
+        Vector::new(cos * d.x - sin * d.y, cos * d.y + sin * d.x)
+    }
+
+    fn half_sweep(&self) -> (f64, f64) {
+        let b = self.bulge;
+        let q = 1.0 + b * b;
+        ((1.0 - b) * (1.0 + b) / q, 2.0 * b / q)
+    }
+}

@@ -1,0 +1,38 @@
+//! One vertex of a loop, with the edge that leaves it.
+
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::Point;
+
+/// A corner of a loop. The bulge belongs to the edge that leaves it.
+///
+/// The bulge is tan(sweep / 4): positive counter-clockwise, 0 a line, ±1 a half circle (as in DXF).
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Vertex {
+    /// First coordinate.
+    pub x: f64,
+    /// Second coordinate.
+    pub y: f64,
+    /// tan(sweep / 4) of the edge that leaves the vertex.
+    pub bulge: f64,
+}
+
+impl Vertex {
+    /// A vertex from which an arc leaves, or a line when `bulge` is 0.
+    #[inline]
+    pub const fn new(x: f64, y: f64, bulge: f64) -> Self {
+        Self { x, y, bulge }
+    }
+
+    /// A vertex from which a line leaves.
+    #[inline]
+    pub const fn line(x: f64, y: f64) -> Self {
+        Self::new(x, y, 0.0)
+    }
+
+    /// Where the vertex lies.
+    #[inline]
+    pub const fn point(self) -> Point {
+        Point::new(self.x, self.y)
+    }
+}
