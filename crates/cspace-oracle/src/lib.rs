@@ -1,1 +1,13 @@
-//! What the library is judged by: brute force, and drawn shapes.
+//! What the library is judged by: brute force at single configurations, and drawn shapes.
+//!
+//! Nothing here knows of configuration spaces, and of the library only the input types are used:
+//! [`Oracle`] decides whether two parts overlap by intersecting their boundaries and testing points,
+//! and works from the vertices as given, not from the edges the library derives from them.
+
+// The shapes are constants of the tests: one that is no part is a mistake in this crate, to be heard at once.
+#![allow(clippy::expect_used, clippy::panic)]
+
+pub mod judge;
+pub mod shapes;
+
+pub use judge::{Oracle, Verdict, judge};

@@ -1,0 +1,242 @@
+//! Two boundaries in one frame.
+
+use super::curve::Mark;
+use super::outline::Outline;
+use super::plane::Place;
+use super::real::Real;
+
+/// How two boundaries lie to each other.
+#[derive(Debug)]
+pub(super) struct Finding {
+    /// Whether they were found to meet.
+    pub(super) meeting: bool,
+    /// The distance between them, if they do not meet.
+    pub(super) clearance: f64,
+    /// How far some boundary point of one was found to lie inside the other; 0 if none was.
+    pub(super) depth: f64,
+    /// Points, with a normal there, of stretches that belong to both boundaries.
+    pub(super) shared: Vec<(Place<f64>, Place<f64>)>,
+}
+
+/// Cuts at which a curve is split: by curve, then along it.
+type Cuts<S> = Vec<(usize, Mark<S>)>;
+
+/// Finds the distance of the boundaries, or how deep a point of one is inside the other.
+///
+/// `slack` bounds the rounding errors of doubles here. When `thorough`, more points are tried, shared stretches are
+/// looked for, and the search goes on to the greatest depth; otherwise it ends at a depth that is good enough.
+pub(super) fn compare<S: Real>(
+    a: &Outline<S>,
+    b: &Outline<S>,
+    slack: f64,
+    size: f64,
+    thorough: bool,
+) -> Finding {
+    let mut cuts: [Cuts<S>; 2] = [Vec::new(), Vec::new()];
+    let mut clearance = f64::INFINITY;
+    let mut meeting = false;
+    // Pairs of curves whose boxes are farther from each other than this do not matter.
+    let mut reach = least_vertex_distance(a, b) + slack;
+    let tie = 1e-9 * size;
+    for (i, p) in a.curves.iter().enumerate() {
+        let frame = a.frames[i];
+        if frame.distance_squared(&b.frame) > reach * reach {
+            continue;
+        }
+        for (j, other) in b.frames.iter().enumerate() {
+            let gap = frame.distance_squared(other);
+            if gap > reach * reach {
+                continue;
+            }
+            let q = &b.curves[j];
+            let mut met = false;
+            if gap <= slack * slack {
+                p.meet(q, |x| {
+                    met = true;
+                    cuts[0].push((i, p.mark(x)));
+                    cuts[1].push((j, q.mark(x)));
+                });
+                if thorough {
+                    for x in [q.start, q.end] {
+                        let (foot, distance) = p.nearest(x);
+                        if distance.to_f64() < tie {
+                            cuts[0].push((i, p.mark(foot)));
+                        }
+                    }
+                    for x in [p.start, p.end] {
+                        let (foot, distance) = q.nearest(x);
+                        if distance.to_f64() < tie {
+                            cuts[1].push((j, q.mark(foot)));
+                        }
+                    }
+                }
+            }
+            if met {
+                meeting = true;
+                reach = slack;
+            } else if !meeting {
+                clearance = clearance.min(p.distance(q).to_f64());
+                reach = reach.min(clearance + slack);
+            }
+        }
+    }
+    let mut found = Finding {
+        meeting,
+        clearance,
+        depth: 0.0,
+        shared: Vec::new(),
+    };
+    if !meeting && clearance > slack {
+        // Each loop is wholly inside or outside the other part.
+        let inside = |a: &Outline<S>, b: &Outline<S>| {
+            a.loops.iter().any(|&first| {
+                let p = a.curves[first].start;
+                let r = p.rough();
+                r.x >= b.frame.low[0] - slack
+                    && r.x <= b.frame.high[0] + slack
+                    && r.y >= b.frame.low[1] - slack
+                    && r.y <= b.frame.high[1] + slack
+                    && b.holds(p)
+            })
+        };
+        if inside(a, b) || inside(b, a) {
+            found.depth = clearance;
+        }
+        return found;
+    }
+    let enough = if thorough { f64::INFINITY } else { 1e-3 * size };
+    let [mut cut_a, mut cut_b] = cuts;
+    for cuts in [&mut cut_a, &mut cut_b] {
+        cuts.sort_by(|x, y| {
+            x.0.cmp(&y.0).then(
+                x.1.0
+                    .partial_cmp(&y.1.0)
+                    .unwrap_or(core::cmp::Ordering::Equal),
+            )
+        });
+    }
+    let mut search = Search {
+        slack,
+        enough,
+        thorough,
+        touching: 1e-15 * size,
+        found: &mut found,
+    };
+    // The cut curves first: there something will be inside if anything is.
+    let _ = search.pieces(a, b, &cut_a, true)
+        || search.pieces(b, a, &cut_b, true)
+        || (!thorough && search.found.depth > slack)
+        || search.pieces(a, b, &cut_a, false)
+        || search.pieces(b, a, &cut_b, false);
+    found
+}
+
+struct Search<'a> {
+    slack: f64,
+    enough: f64,
+    thorough: bool,
+    touching: f64,
+    found: &'a mut Finding,
+}
+
+impl Search<'_> {
+    /// Tries a point of each piece of the curves of `a` that are cut, or of those that are not.
+    /// Whether it found enough.
+    fn pieces<S: Real>(
+        &mut self,
+        a: &Outline<S>,
+        b: &Outline<S>,
+        cuts: &Cuts<S>,
+        cut: bool,
+    ) -> bool {
+        let mut next = 0;
+        for (i, curve) in a.curves.iter().enumerate() {
+            let first = next;
+            while next < cuts.len() && cuts[next].0 == i {
+                next += 1;
+            }
+            if (next > first) != cut {
+                continue;
+            }
+            let [mut from, end] = curve.ends();
+            let ends = cuts[first..next].iter().map(|c| c.1);
+            for to in ends.chain([end]) {
+                let middle = curve.between(from, to);
+                let points = if self.thorough {
+                    vec![
+                        middle,
+                        curve.between(from, middle),
+                        curve.between(middle, to),
+                    ]
+                } else {
+                    vec![middle]
+                };
+                for p in points {
+                    if self.point(b, p.1) {
+                        return true;
+                    }
+                }
+                if self.thorough
+                    && (to.1 - from.1).length().to_f64() > self.slack
+                    && b.distance(middle.1, self.slack) <= self.touching
+                {
+                    self.found
+                        .shared
+                        .push((middle.1.rough(), curve.normal(middle.1).rough()));
+                }
+                from = to;
+            }
+        }
+        false
+    }
+
+    /// Tries one point.
+    fn point<S: Real>(&mut self, b: &Outline<S>, p: Place<S>) -> bool {
+        if b.holds(p) {
+            self.found.depth = self.found.depth.max(b.distance(p, self.slack));
+        }
+        self.found.depth > self.enough
+    }
+}
+
+/// How far inside one part some point is that is inside both, looking on both sides of a boundary point of both.
+pub(super) fn overlap_beside(
+    a: &Outline<f64>,
+    b: &Outline<f64>,
+    p: Place<f64>,
+    normal: Place<f64>,
+    size: f64,
+    trust: f64,
+) -> f64 {
+    let mut best = 0.0_f64;
+    let mut step = 0.25 * size;
+    while step > 2.0 * trust {
+        for side in [step, -step] {
+            let q = p + normal.times(side);
+            if a.holds(q) && b.holds(q) {
+                let (d, e) = (a.distance(q, 0.0), b.distance(q, 0.0));
+                if d.min(e) > trust {
+                    best = best.max(d.max(e));
+                }
+            }
+        }
+        if best > 0.0 {
+            break;
+        }
+        step *= 0.1;
+    }
+    best
+}
+
+fn least_vertex_distance<S: Real>(a: &Outline<S>, b: &Outline<S>) -> f64 {
+    let ends: Vec<Place<f64>> = b.curves.iter().map(|c| c.start.rough()).collect();
+    let mut best = f64::INFINITY;
+    for p in &a.curves {
+        let p = p.start.rough();
+        for q in &ends {
+            let (x, y) = (p.x - q.x, p.y - q.y);
+            best = best.min(x * x + y * y);
+        }
+    }
+    best.sqrt()
+}

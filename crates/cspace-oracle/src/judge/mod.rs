@@ -1,0 +1,183 @@
+//! Whether two parts overlap at one configuration, by brute force.
+//!
+//! The boundaries are cut where they meet, and a point of each piece is tested for being inside the other part.
+//! It is done in doubles; what is too close to contact for them is done again in pairs of doubles.
+
+mod compare;
+mod curve;
+mod outline;
+mod plane;
+mod real;
+
+use cspace::{Configuration, Part, Point};
+
+use compare::{Finding, compare, overlap_beside};
+use outline::Outline;
+use plane::Place;
+use real::{Double, Real};
+
+/// What the [`Oracle`] says of one configuration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Verdict {
+    /// Whether the open interiors meet. Parts that merely touch do not overlap: penetration of less than
+    /// 1e-15 times [`Oracle::size`] counts as touching, being less than the rounding of the input.
+    pub overlap: bool,
+    /// The distance between the boundaries; 0 where they meet, and when the parts overlap.
+    pub clearance: f64,
+    /// No translation shorter than this changes the verdict. Free: the clearance. Overlapping: how far some point of
+    /// one part lies inside the other. A verdict is certain when this exceeds 1e-12 times [`Oracle::size`].
+    pub margin: f64,
+}
+
+/// Two parts, prepared for many questions.
+#[derive(Debug, Clone)]
+pub struct Oracle {
+    /// A point amid each part; all is computed relative to it.
+    centers: [Point; 2],
+    fixed: Outline<f64>,
+    moving: Outline<f64>,
+    fixed_fine: Outline<Double>,
+    moving_fine: Outline<Double>,
+    size: f64,
+    /// Doubles decide what is clearer than this.
+    trust: f64,
+}
+
+/// Whether two parts overlap at one configuration. For many configurations of a pair use [`Oracle`].
+pub fn judge(fixed: &Part, moving: &Part, c: Configuration) -> Verdict {
+    Oracle::new(fixed, moving).judge(c)
+}
+
+impl Oracle {
+    /// Prepares the pair.
+    pub fn new(fixed: &Part, moving: &Part) -> Self {
+        let centers = [middle(fixed), middle(moving)];
+        let fixed_fine = Outline::<Double>::new(fixed, centers[0]);
+        let moving_fine = Outline::<Double>::new(moving, centers[1]);
+        let size = fixed_fine
+            .frame
+            .diagonal()
+            .max(moving_fine.frame.diagonal());
+        let radius = fixed_fine
+            .largest_radius()
+            .max(moving_fine.largest_radius());
+        Self {
+            centers,
+            fixed: fixed_fine.rough(),
+            moving: moving_fine.rough(),
+            fixed_fine,
+            moving_fine,
+            size,
+            trust: 1e-13 * (size + radius),
+        }
+    }
+
+    /// The larger of the diagonals of the boxes about the two parts: what margins are measured by.
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// Where the middle of the box about the fixed part is, in its own frame.
+    pub fn fixed_center(&self) -> Point {
+        self.centers[0]
+    }
+
+    /// Where the middle of the box about the moving part is, in its own frame.
+    pub fn moving_center(&self) -> Point {
+        self.centers[1]
+    }
+
+    /// Whether the parts overlap at the configuration, and by how much.
+    pub fn judge(&self, c: Configuration) -> Verdict {
+        let turn = f64::sin_cos(c.theta);
+        let [f, m] = self.centers;
+        let far = [f, m, c.position()]
+            .iter()
+            .any(|p| p.x.abs() + p.y.abs() > 4.0 * self.size);
+        let shift = if far {
+            self.shift::<Double>(c).rough()
+        } else {
+            self.shift::<f64>(c)
+        };
+        let trust = self.trust + 1e-14 * (shift.x.abs() + shift.y.abs());
+        let moving = self.moving.moved(turn, shift);
+        let found = compare(&self.fixed, &moving, trust, self.size, false);
+        if found.meeting {
+            if found.depth > trust {
+                return inside(found.depth);
+            }
+        } else if found.clearance > trust {
+            return apart(&found);
+        }
+        self.judge_finely(c, &moving, trust)
+    }
+
+    /// The verdict where doubles do not suffice.
+    fn judge_finely(&self, c: Configuration, rough: &Outline<f64>, trust: f64) -> Verdict {
+        let turn = <Double as Real>::sin_cos(c.theta);
+        let moving = self.moving_fine.moved(turn, self.shift(c));
+        let found = compare(&self.fixed_fine, &moving, trust, self.size, true);
+        let touching = 1e-15 * self.size;
+        if !found.meeting && found.clearance > touching {
+            return apart(&found);
+        }
+        let mut depth = found.depth;
+        if depth <= touching {
+            // Shared stretches of boundary: their own points are inside nothing, points beside them may be.
+            depth = found
+                .shared
+                .iter()
+                .map(|(p, n)| overlap_beside(&self.fixed, rough, *p, *n, self.size, trust))
+                .fold(0.0, f64::max);
+        }
+        if depth > touching {
+            return inside(depth);
+        }
+        let clearance = if found.meeting { 0.0 } else { found.clearance };
+        Verdict {
+            overlap: false,
+            clearance,
+            margin: clearance,
+        }
+    }
+
+    /// From the fixed part's centre to the moving part's: (x, y) + R m − f.
+    fn shift<S: Real>(&self, c: Configuration) -> Place<S> {
+        let [f, m] = self.centers.map(|p| Place::new(S::of(p.x), S::of(p.y)));
+        m.moved(S::sin_cos(c.theta), Place::new(S::of(c.x), S::of(c.y))) - f
+    }
+}
+
+fn inside(depth: f64) -> Verdict {
+    Verdict {
+        overlap: true,
+        clearance: 0.0,
+        margin: depth,
+    }
+}
+
+/// The verdict on boundaries that do not meet.
+fn apart(found: &Finding) -> Verdict {
+    let overlap = found.depth > 0.0;
+    Verdict {
+        overlap,
+        clearance: if overlap { 0.0 } else { found.clearance },
+        margin: found.clearance.max(found.depth),
+    }
+}
+
+/// The middle of the box about the part.
+fn middle(part: &Part) -> Point {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for v in part.loops().iter().flat_map(|l| l.vertices()) {
+        low = [low[0].min(v.x), low[1].min(v.y)];
+        high = [high[0].max(v.x), high[1].max(v.y)];
+    }
+    // A rough box, from a corner of it, where rounding does not matter, to the box of the arcs as well.
+    let corner = Point::new(low[0], low[1]);
+    let f = Outline::<f64>::new(part, corner).frame;
+    Point::new(
+        corner.x + 0.5 * (f.low[0] + f.high[0]),
+        corner.y + 0.5 * (f.low[1] + f.high[1]),
+    )
+}
