@@ -1,10 +1,166 @@
 //! What can be wrong with a part.
 
-/// Why loops do not make a part. Loops and vertices are counted from 0, as given.
+use crate::geometry::Point;
+
+use super::tolerance::{FULL_BULGE, MAX_COORDINATE, MAX_OFFSET, MAX_VERTICES, MIN_SIZE};
+
+/// Why loops do not make a part. Loops, vertices and edges are counted from 0, as given; an edge
+/// has the number of the vertex it leaves.
+///
+/// ```
+/// use cspace::{Part, PartError, Vertex};
+/// let there_and_back = vec![Vertex::line(0.0, 0.0), Vertex::line(1.0, 0.0)];
+/// assert_eq!(
+///     Part::new("flat", vec![there_and_back]),
+///     Err(PartError::TooFewVertices { loop_index: 0, count: 2 })
+/// );
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PartError {
     /// There is no loop.
-    #[error("the part has no loops")]
+    #[error("the part has no loops: give at least one closed loop of vertices")]
     Empty,
+
+    /// There are more vertices than are checked.
+    #[error(
+        "the part has {count} vertices, more than {MAX_VERTICES}: replace runs of short lines by arcs, or split the part"
+    )]
+    TooManyVertices {
+        /// The number of vertices of all loops.
+        count: usize,
+    },
+
+    /// A loop has fewer than two vertices, or two that are joined by lines only.
+    #[error(
+        "loop {loop_index} has {count} vertices and encloses nothing: give three, or two of which one has a bulge"
+    )]
+    TooFewVertices {
+        /// The loop.
+        loop_index: usize,
+        /// Its number of vertices.
+        count: usize,
+    },
+
+    /// A coordinate is not a finite number.
+    #[error(
+        "loop {loop_index}, vertex {vertex_index}: a coordinate is not a finite number: give numbers for x and y"
+    )]
+    BadCoordinate {
+        /// The loop.
+        loop_index: usize,
+        /// The vertex.
+        vertex_index: usize,
+    },
+
+    /// A vertex, or the arc that leaves it, reaches too far for squares to be computed.
+    #[error(
+        "loop {loop_index}, vertex {vertex_index}: the vertex or its edge reaches beyond {MAX_COORDINATE:e}: choose a larger unit of length or a smaller bulge"
+    )]
+    CoordinateTooLarge {
+        /// The loop.
+        loop_index: usize,
+        /// The vertex.
+        vertex_index: usize,
+    },
+
+    /// A bulge is not a finite number or gives no arc.
+    #[error(
+        "loop {loop_index}, vertex {vertex_index}: the bulge {bulge} gives no arc: give tan(sweep / 4), of magnitude at most {FULL_BULGE:e}; draw a full circle as two half circles of bulge 1"
+    )]
+    BadBulge {
+        /// The loop.
+        loop_index: usize,
+        /// The vertex.
+        vertex_index: usize,
+        /// The bulge.
+        bulge: f64,
+    },
+
+    /// The part is too small for squares to be computed.
+    #[error("the part's size is {size:e}, less than {MIN_SIZE:e}: choose a smaller unit of length")]
+    TooSmall {
+        /// The diagonal of the part's box.
+        size: f64,
+    },
+
+    /// The part is so far from the origin that its coordinates are coarse.
+    #[error(
+        "the part, of size {size:e}, is {distance:e} from the origin, more than {MAX_OFFSET:e} sizes: move it nearer to the origin"
+    )]
+    TooFar {
+        /// The diagonal of the part's box.
+        size: f64,
+        /// The largest coordinate of the box.
+        distance: f64,
+    },
+
+    /// A vertex and the next are one place.
+    #[error(
+        "loop {loop_index}, vertex {vertex_index}: the next vertex, {next_index}, is at the same place: remove one of them"
+    )]
+    CoincidentVertices {
+        /// The loop.
+        loop_index: usize,
+        /// The vertex.
+        vertex_index: usize,
+        /// The vertex after it.
+        next_index: usize,
+    },
+
+    /// The edges before and after a vertex leave it in the same direction.
+    #[error(
+        "loop {loop_index}, vertex {vertex_index}: the boundary turns back on itself here: remove the spike, or open its angle"
+    )]
+    Spike {
+        /// The loop.
+        loop_index: usize,
+        /// The vertex.
+        vertex_index: usize,
+    },
+
+    /// Two edges cross.
+    #[error(
+        "loop {loop_index}, edge {edge_index} crosses loop {other_loop}, edge {other_edge} near ({}, {}): move the vertices so that the edges stay apart",
+        at.x, at.y
+    )]
+    Crossing {
+        /// The loop of the first edge.
+        loop_index: usize,
+        /// The first edge, by the vertex it leaves.
+        edge_index: usize,
+        /// The loop of the second edge.
+        other_loop: usize,
+        /// The second edge, by the vertex it leaves.
+        other_edge: usize,
+        /// Where they cross.
+        at: Point,
+    },
+
+    /// Two edges touch, or overlap, elsewhere than at the vertex they share.
+    #[error(
+        "loop {loop_index}, edge {edge_index} touches loop {other_loop}, edge {other_edge} near ({}, {}): move them apart, or merge the loops there",
+        at.x, at.y
+    )]
+    Touching {
+        /// The loop of the first edge.
+        loop_index: usize,
+        /// The first edge, by the vertex it leaves.
+        edge_index: usize,
+        /// The loop of the second edge.
+        other_loop: usize,
+        /// The second edge, by the vertex it leaves.
+        other_edge: usize,
+        /// Where they touch.
+        at: Point,
+    },
+
+    /// A loop is given twice, perhaps from another vertex or the other way around.
+    #[error("loop {other_loop} is loop {loop_index} again: remove one of them")]
+    RepeatedLoop {
+        /// The loop.
+        loop_index: usize,
+        /// The same loop.
+        other_loop: usize,
+    },
 }

@@ -1,6 +1,11 @@
 //! Parts and their loops.
 
-use super::{Edge, PartError, Vertex};
+use super::check::{check_extent, check_numbers};
+use super::corner::check_corners;
+use super::nearness::check_vertices;
+use super::outline::Outline;
+use super::sweep::check_meetings;
+use super::{Bounds, Edge, PartError, Vertex};
 
 /// A closed loop of a part, as it was given.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,10 +20,12 @@ pub struct Loop {
 pub struct Part {
     name: String,
     loops: Vec<Loop>,
+    /// The box of the loops' edges; kept because it is asked for with every point.
+    pub(super) bounds: Bounds,
 }
 
 impl Loop {
-    /// The vertices, as given.
+    /// The vertices, as given, but with bulge 0 where it cannot be told from 0.
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices
     }
@@ -56,23 +63,49 @@ impl Loop {
 impl Part {
     /// Checks the loops and finds on which side of each the material lies.
     ///
+    /// The material is the even-odd interior: what an odd number of the loops enclose. Loops may
+    /// come in either direction, in any order, nested to any depth; they may not cross or touch
+    /// themselves or each other. What counts as touching is told by [`RESOLUTION`]. A bulge of
+    /// magnitude up to [`FLAT_BULGE`] is taken for 0, a line.
+    ///
+    /// Takes time in proportion to n log n for n vertices, of which there may be [`MAX_VERTICES`].
+    ///
     /// # Errors
-    /// Says which loop and vertex is wrong and why.
-    pub fn new(name: impl Into<String>, loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
-        if loops.is_empty() {
-            return Err(PartError::Empty);
-        }
-        // Provisional: direction by signed area, no nesting.
+    /// Says which loop and vertex is wrong, why, and what to do. Of several errors one is told.
+    ///
+    /// ```
+    /// use cspace::{Part, PartError, Vertex};
+    /// let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)];
+    /// let plate: Vec<_> = corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect();
+    /// let hole = |x: f64| vec![Vertex::new(x - 1.0, 2.0, 1.0), Vertex::new(x + 1.0, 2.0, 1.0)];
+    ///
+    /// let part = Part::new("plate", vec![plate.clone(), hole(2.0)])?;
+    /// assert!((part.area() - (16.0 - core::f64::consts::PI)).abs() < 1e-14);
+    ///
+    /// let error = Part::new("plate", vec![plate, hole(3.5)]);
+    /// assert!(matches!(error, Err(PartError::Crossing { loop_index: 0, other_loop: 1, .. })));
+    /// # Ok::<(), PartError>(())
+    /// ```
+    ///
+    /// [`RESOLUTION`]: super::tolerance::RESOLUTION
+    /// [`FLAT_BULGE`]: super::tolerance::FLAT_BULGE
+    /// [`MAX_VERTICES`]: super::tolerance::MAX_VERTICES
+    pub fn new(name: impl Into<String>, mut loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
+        check_numbers(&mut loops)?;
+        let bounds = check_extent(&loops)?;
+        let outline = Outline::new(&loops, bounds);
+        check_corners(&outline)?;
+        check_vertices(&outline, &loops)?;
+        let reversed = check_meetings(&outline)?;
         let loops = loops
             .into_iter()
-            .map(|vertices| Loop {
-                reversed: signed_area(&vertices) < 0.0,
-                vertices,
-            })
+            .zip(reversed)
+            .map(|(vertices, reversed)| Loop { vertices, reversed })
             .collect();
         Ok(Self {
             name: name.into(),
             loops,
+            bounds,
         })
     }
 
@@ -90,22 +123,4 @@ impl Part {
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         self.loops.iter().flat_map(Loop::edges)
     }
-}
-
-fn signed_area(vertices: &[Vertex]) -> f64 {
-    let n = vertices.len();
-    (0..n)
-        .map(|i| {
-            let (a, b) = (vertices[i], vertices[(i + 1) % n]);
-            let chord = b.point() - a.point();
-            let sweep = 4.0 * a.bulge.atan();
-            let r = chord.length() * (1.0 + a.bulge * a.bulge) / (4.0 * a.bulge.abs());
-            let segment = if a.bulge == 0.0 {
-                0.0
-            } else {
-                0.5 * r * r * (sweep - sweep.sin())
-            };
-            0.5 * a.point().to_vector().cross(b.point().to_vector()) + segment
-        })
-        .sum()
 }

@@ -1,0 +1,482 @@
+//! All sheets of a pair of parts in a window of orientations.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::feature::tolerance::{NARROWEST_BAND, SMALLEST_CIRCLE};
+use crate::feature::{Feature, Outline, unwrap_near};
+use crate::geometry::Vector;
+
+use super::sheet::{EndAngle, Seam, Sheet, SheetKind, Spiral};
+
+/// The window of orientations, in radians.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Span {
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    /// Whether it is a full turn whose two ends are the same orientation.
+    pub(crate) full: bool,
+}
+
+impl Span {
+    /// A full turn that is not cut at an orientation where two normals oppose each other.
+    pub(crate) fn full_turn(fixed: &Outline, moving: &Outline) -> Self {
+        const CLEAR: f64 = 1e-7;
+        // Irrational steps: some cut is clear unless the normals are dense on that scale.
+        let cuts = (0..64).map(|i| -PI + 0.01234 + 0.000_761_3 * f64::from(i));
+        let clear = |cut: f64| {
+            fixed.joints.iter().all(|a| {
+                moving.joints.iter().all(|b| {
+                    let t = (a.angle - b.angle - PI - cut) / TAU;
+                    (t - t.round()).abs() * TAU > CLEAR
+                })
+            })
+        };
+        let lo = cuts.clone().find(|&c| clear(c)).unwrap_or(-PI + 0.01234);
+        Self {
+            lo,
+            hi: lo + TAU,
+            full: true,
+        }
+    }
+}
+
+/// The sheets, and who shares their ends.
+#[derive(Debug)]
+pub(crate) struct Contacts {
+    pub(crate) sheets: Vec<Sheet>,
+    pub(crate) span: Span,
+    /// Names from here on belong to two vertices.
+    pub(crate) first_vertex_name: u32,
+    /// For every end name, sheets that end there and sheets that start there; sorted by name.
+    ends: Vec<(u32, u32)>,
+    starts: Vec<(u32, u32)>,
+}
+
+impl Contacts {
+    /// The sheets that end at a name.
+    pub(crate) fn ending_at(&self, name: u32) -> impl Iterator<Item = u32> + '_ {
+        run(&self.ends, name)
+    }
+
+    /// The sheets that start at a name.
+    pub(crate) fn starting_at(&self, name: u32) -> impl Iterator<Item = u32> + '_ {
+        run(&self.starts, name)
+    }
+
+    /// Finds every sheet of the pair in the window.
+    pub(crate) fn new(fixed: &Outline, moving: &Outline, span: Span) -> Self {
+        let mut builder = Builder {
+            fixed,
+            moving,
+            span,
+            fixed_vertex: fixed.vertex_of_joint(),
+            moving_vertex: moving.vertex_of_joint(),
+            fixed_line: fixed.line_of_joint(),
+            moving_line: moving.line_of_joint(),
+            sheets: Vec::new(),
+        };
+        for a in 0..fixed.features.len() as u32 {
+            for b in 0..moving.features.len() as u32 {
+                builder.add(a, b);
+            }
+        }
+        let first_vertex_name = builder.first_vertex_name();
+        let sheets = builder.sheets;
+        let index = |name: fn(&Sheet) -> u32| {
+            let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
+            list.sort_unstable();
+            list
+        };
+        let (starts, ends) = (index(|s| s.start_name), index(|s| s.end_name));
+        Self {
+            sheets,
+            span,
+            first_vertex_name,
+            ends,
+            starts,
+        }
+    }
+}
+
+fn run(list: &[(u32, u32)], name: u32) -> impl Iterator<Item = u32> + '_ {
+    let from = list.partition_point(|e| e.0 < name);
+    list[from..]
+        .iter()
+        .take_while(move |e| e.0 == name)
+        .map(|e| e.1)
+}
+
+struct Builder<'a> {
+    fixed: &'a Outline,
+    moving: &'a Outline,
+    span: Span,
+    fixed_vertex: Vec<Option<u32>>,
+    moving_vertex: Vec<Option<u32>>,
+    fixed_line: Vec<Option<u32>>,
+    moving_line: Vec<Option<u32>>,
+    sheets: Vec<Sheet>,
+}
+
+/// A bound of an interval of orientations, with what lies beyond.
+#[derive(Clone, Copy)]
+struct Bound {
+    theta: f64,
+    seam: Seam,
+}
+
+impl Builder<'_> {
+    fn add(&mut self, ia: u32, ib: u32) {
+        let (a, b) = (
+            self.fixed.features[ia as usize],
+            self.moving.features[ib as usize],
+        );
+        match (a.is_line(), b.is_line()) {
+            (true, true) => {}
+            (true, false) if b.radius() >= 0.0 => self.add_line_round(ia, ib, &a, &b),
+            (false, true) if a.radius() >= 0.0 => self.add_round_line(ia, ib, &a, &b),
+            (false, false) => self.add_round_round(ia, ib, &a, &b),
+            _ => {}
+        }
+    }
+
+    /// The orientation at which a normal of the fixed part opposes one of the moving part, nearest to `near`.
+    ///
+    /// Reduced to the window first, so that the same pair of normals always gives the same number.
+    fn alignment(&self, fixed_angle: f64, moving_angle: f64, near: f64) -> f64 {
+        let t = fixed_angle - moving_angle - PI;
+        let t = t - TAU * ((t - self.span.lo) / TAU).floor();
+        t + TAU * ((near - t) / TAU).round()
+    }
+
+    fn joint_alignment(&self, fixed_joint: u32, moving_joint: u32, near: f64) -> f64 {
+        self.alignment(
+            self.fixed.joints[fixed_joint as usize].angle,
+            self.moving.joints[moving_joint as usize].angle,
+            near,
+        )
+    }
+
+    fn line_seam(&self, line: u32, moving_joint: u32) -> Seam {
+        match self.moving_line[moving_joint as usize] {
+            Some(other) => Seam::Lines(line, other),
+            None => Seam::LineJoint(line, moving_joint),
+        }
+    }
+
+    fn joint_seam(&self, fixed_joint: u32, line: u32) -> Seam {
+        match self.fixed_line[fixed_joint as usize] {
+            Some(other) => Seam::Lines(other, line),
+            None => Seam::JointLine(fixed_joint, line),
+        }
+    }
+
+    fn add_line_round(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
+        let (b_lo, b_hi) = b.joints_by_angle();
+        let (theta_lo, theta_hi) = (a.lo + PI - b.hi, a.lo + PI - b.lo);
+        let (lo_seam, hi_seam) = (self.line_seam(ia, b_hi), self.line_seam(ia, b_lo));
+        let normal = self.fixed.start(a).normal;
+        let sheet = Sheet {
+            kind: SheetKind::LineRound,
+            fixed: ia,
+            moving: ib,
+            lo: 0.0,
+            hi: 0.0,
+            fixed_point: self.fixed.start(a).point,
+            moving_point: b.center(),
+            normal,
+            radius: b.radius(),
+            start: self.fixed_joint_spiral(a.start, b),
+            end: self.fixed_joint_spiral(a.end, b),
+            start_name: self.fixed_joint_name(a.start, ib, b),
+            end_name: self.fixed_joint_name(a.end, ib, b),
+            start_angle: EndAngle {
+                offset: 0.0,
+                turns: false,
+            },
+            end_angle: EndAngle {
+                offset: 0.0,
+                turns: false,
+            },
+            bottom: lo_seam,
+            top: hi_seam,
+        };
+        let angle_a = a.lo;
+        self.instances(theta_lo, theta_hi, |this, shift, k| {
+            let near = |t: f64| t + shift;
+            let lo = this.alignment(
+                angle_a,
+                this.moving.joints[b_hi as usize].angle,
+                near(theta_lo),
+            );
+            let hi = this.alignment(
+                angle_a,
+                this.moving.joints[b_lo as usize].angle,
+                near(theta_hi),
+            );
+            this.push(
+                sheet,
+                Bound {
+                    theta: lo,
+                    seam: lo_seam,
+                },
+                Bound {
+                    theta: hi,
+                    seam: hi_seam,
+                },
+                k,
+                0,
+            );
+        });
+    }
+
+    fn add_round_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
+        let (a_lo, a_hi) = a.joints_by_angle();
+        let (theta_lo, theta_hi) = (a.lo - b.lo - PI, a.hi - b.lo - PI);
+        let (lo_seam, hi_seam) = (self.joint_seam(a_lo, ib), self.joint_seam(a_hi, ib));
+        let sheet = Sheet {
+            kind: SheetKind::RoundLine,
+            fixed: ia,
+            moving: ib,
+            lo: 0.0,
+            hi: 0.0,
+            fixed_point: a.center(),
+            moving_point: self.moving.start(b).point,
+            normal: -self.moving.start(b).normal,
+            radius: a.radius(),
+            start: self.moving_joint_spiral(a, b.start),
+            end: self.moving_joint_spiral(a, b.end),
+            start_name: self.moving_joint_name(ia, a, b.start),
+            end_name: self.moving_joint_name(ia, a, b.end),
+            start_angle: EndAngle {
+                offset: 0.0,
+                turns: false,
+            },
+            end_angle: EndAngle {
+                offset: 0.0,
+                turns: false,
+            },
+            bottom: lo_seam,
+            top: hi_seam,
+        };
+        let angle_b = b.lo;
+        self.instances(theta_lo, theta_hi, |this, shift, k| {
+            let lo = this.alignment(
+                this.fixed.joints[a_lo as usize].angle,
+                angle_b,
+                theta_lo + shift,
+            );
+            let hi = this.alignment(
+                this.fixed.joints[a_hi as usize].angle,
+                angle_b,
+                theta_hi + shift,
+            );
+            this.push(
+                sheet,
+                Bound {
+                    theta: lo,
+                    seam: lo_seam,
+                },
+                Bound {
+                    theta: hi,
+                    seam: hi_seam,
+                },
+                k,
+                0,
+            );
+        });
+    }
+
+    fn add_round_round(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
+        let radius = a.radius() + b.radius();
+        let convex = a.radius() >= 0.0 && b.radius() >= 0.0;
+        let concave = a.radius() < 0.0 && b.radius() < 0.0;
+        if concave || (convex && radius < SMALLEST_CIRCLE) || (!convex && radius > -SMALLEST_CIRCLE)
+        {
+            return;
+        }
+        let (a_lo, a_hi) = a.joints_by_angle();
+        let (b_lo, b_hi) = b.joints_by_angle();
+        let (theta_lo, theta_hi) = (a.lo - b.hi - PI, a.hi - b.lo - PI);
+        // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.
+        let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
+        self.instances(theta_lo, theta_hi, |this, shift, k| {
+            let switch_low = this.joint_alignment(a_lo, b_lo, low_switch + shift);
+            let switch_high = this.joint_alignment(a_hi, b_hi, high_switch + shift);
+            let point = |theta| Bound {
+                theta,
+                seam: Seam::Point,
+            };
+            let first = point(this.joint_alignment(a_lo, b_hi, theta_lo + shift));
+            let last = point(this.joint_alignment(a_hi, b_lo, theta_hi + shift));
+            let (m1, m2) = (switch_low.min(switch_high), switch_low.max(switch_high));
+            let inner = |theta, which| Bound {
+                theta,
+                seam: Seam::Same(ia, ib, k, which),
+            };
+            let bounds = [first, inner(m1, 0), inner(m2, 1), last];
+            for piece in 0..3u8 {
+                let (from, to) = (bounds[usize::from(piece)], bounds[usize::from(piece) + 1]);
+                let middle = 0.5 * (from.theta + to.theta);
+                let low = if middle < switch_low {
+                    this.fixed_end(ib, a, b, a_lo, radius, a.lo)
+                } else {
+                    this.moving_end(ia, a, b, b_lo, radius, b.lo + PI - shift)
+                };
+                let high = if middle < switch_high {
+                    this.moving_end(ia, a, b, b_hi, radius, b.hi + PI - shift)
+                } else {
+                    this.fixed_end(ib, a, b, a_hi, radius, a.hi)
+                };
+                // Travel goes with the normal's angle on convex circles, against it on concave ones.
+                let (start, end) = if radius > 0.0 {
+                    (low, high)
+                } else {
+                    (high, low)
+                };
+                let sheet = Sheet {
+                    kind: SheetKind::RoundRound,
+                    fixed: ia,
+                    moving: ib,
+                    lo: 0.0,
+                    hi: 0.0,
+                    fixed_point: a.center(),
+                    moving_point: b.center(),
+                    normal: Vector::ZERO,
+                    radius,
+                    start: start.0,
+                    end: end.0,
+                    start_name: start.1,
+                    end_name: end.1,
+                    start_angle: start.2,
+                    end_angle: end.2,
+                    bottom: from.seam,
+                    top: to.seam,
+                };
+                this.push(sheet, from, to, k, piece);
+            }
+        });
+    }
+
+    /// Calls `add` with every shift by whole turns that brings the interval into the window.
+    fn instances(&mut self, lo: f64, hi: f64, mut add: impl FnMut(&mut Self, f64, i32)) {
+        let first = ((self.span.lo - hi) / TAU).floor() as i32;
+        let last = ((self.span.hi - lo) / TAU).ceil() as i32;
+        for k in first..=last {
+            let shift = f64::from(k) * TAU;
+            if hi + shift > self.span.lo && lo + shift < self.span.hi {
+                add(self, shift, k);
+            }
+        }
+    }
+
+    /// Cuts a sheet to the window and keeps it if anything is left.
+    fn push(&mut self, mut sheet: Sheet, from: Bound, to: Bound, k: i32, piece: u8) {
+        (sheet.lo, sheet.bottom) = (from.theta, from.seam);
+        (sheet.hi, sheet.top) = (to.theta, to.seam);
+        let span = self.span;
+        if sheet.lo < span.lo {
+            sheet.lo = span.lo;
+            sheet.bottom = if span.full {
+                Seam::Wrap(sheet.fixed, sheet.moving, k, piece)
+            } else {
+                Seam::Window
+            };
+        }
+        if sheet.hi > span.hi {
+            sheet.hi = span.hi;
+            sheet.top = if span.full {
+                Seam::Wrap(sheet.fixed, sheet.moving, k - 1, piece)
+            } else {
+                Seam::Window
+            };
+        }
+        if sheet.hi - sheet.lo > NARROWEST_BAND {
+            self.sheets.push(sheet);
+        }
+    }
+
+    /// X + ρ n − R Q: contact of a moving round feature at a joint of the fixed part.
+    fn fixed_joint_spiral(&self, joint: u32, b: &Feature) -> Spiral {
+        let j = self.fixed.joints[joint as usize];
+        Spiral {
+            u: j.point + j.normal * b.radius(),
+            w: -b.center().to_vector(),
+        }
+    }
+
+    /// P − R (Y + ρ n): contact of a fixed round feature at a joint of the moving part.
+    fn moving_joint_spiral(&self, a: &Feature, joint: u32) -> Spiral {
+        let j = self.moving.joints[joint as usize];
+        Spiral {
+            u: a.center(),
+            w: -(j.point + j.normal * a.radius()).to_vector(),
+        }
+    }
+
+    fn fixed_end(
+        &self,
+        ib: u32,
+        a: &Feature,
+        b: &Feature,
+        joint: u32,
+        radius: f64,
+        near: f64,
+    ) -> SheetEnd {
+        let spiral = self.fixed_joint_spiral(joint, b);
+        let v = (spiral.u - a.center()) * radius.signum();
+        let offset = unwrap_near(v.angle(), near);
+        let angle = EndAngle {
+            offset,
+            turns: false,
+        };
+        (spiral, self.fixed_joint_name(joint, ib, b), angle)
+    }
+
+    fn moving_end(
+        &self,
+        ia: u32,
+        a: &Feature,
+        b: &Feature,
+        joint: u32,
+        radius: f64,
+        near: f64,
+    ) -> SheetEnd {
+        let spiral = self.moving_joint_spiral(a, joint);
+        let v = (spiral.w + b.center().to_vector()) * radius.signum();
+        let offset = unwrap_near(v.angle(), near);
+        let angle = EndAngle {
+            offset,
+            turns: true,
+        };
+        (spiral, self.moving_joint_name(ia, a, joint), angle)
+    }
+
+    fn fixed_joint_name(&self, joint: u32, ib: u32, b: &Feature) -> u32 {
+        match self.fixed_vertex[joint as usize] {
+            Some(vertex) if b.is_vertex() => self.vertex_name(vertex, ib),
+            _ => joint * self.moving.features.len() as u32 + ib,
+        }
+    }
+
+    fn moving_joint_name(&self, ia: u32, a: &Feature, joint: u32) -> u32 {
+        match self.moving_vertex[joint as usize] {
+            Some(vertex) if a.is_vertex() => self.vertex_name(ia, vertex),
+            _ => {
+                let before = self.fixed.joints.len() * self.moving.features.len();
+                before as u32 + ia * self.moving.joints.len() as u32 + joint
+            }
+        }
+    }
+
+    fn first_vertex_name(&self) -> u32 {
+        let (fixed, moving) = (self.fixed, self.moving);
+        (fixed.joints.len() * moving.features.len() + fixed.features.len() * moving.joints.len())
+            as u32
+    }
+
+    fn vertex_name(&self, ia: u32, ib: u32) -> u32 {
+        self.first_vertex_name() + ia * self.moving.features.len() as u32 + ib
+    }
+}
+
+type SheetEnd = (Spiral, u32, EndAngle);

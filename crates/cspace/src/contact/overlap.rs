@@ -1,0 +1,128 @@
+//! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
+
+use crate::feature::{Outline, Shape, winding};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::part::{Edge, Part};
+
+use super::crossing::{crossing, roots};
+use super::curve::{Curve, CurveShape};
+
+/// One part, ready to be tested: its boundary as curves, and one point of every loop.
+#[derive(Debug)]
+pub(crate) struct Body {
+    curves: Vec<Curve>,
+    bounds: Vec<(Point, Point)>,
+    edges: Vec<Edge>,
+    samples: Vec<Point>,
+}
+
+impl Body {
+    pub(crate) fn new(outline: &Outline, part: &Part, center: Point, scale: f64) -> Self {
+        let curves: Vec<Curve> = outline
+            .features
+            .iter()
+            .filter(|f| !f.is_vertex())
+            .map(|f| Curve {
+                start: outline.start(f).point,
+                end: outline.end(f).point,
+                shape: match f.shape {
+                    Shape::Line { normal } => CurveShape::Line { normal },
+                    Shape::Round { center, radius } => CurveShape::Circle {
+                        center,
+                        radius,
+                        mid_angle: 0.5 * (f.lo + f.hi),
+                        half: 0.5 * (f.hi - f.lo),
+                    },
+                },
+            })
+            .collect();
+        let place = |p: Point| Point::ORIGIN + (p - center) * scale;
+        let in_frame = |e: Edge| Edge {
+            start: place(e.start),
+            end: place(e.end),
+            ..e
+        };
+        let edges = part.edges().map(in_frame).collect();
+        let samples = part
+            .loops()
+            .iter()
+            .filter_map(|l| l.edges().next())
+            .map(|e| place(e.start))
+            .collect();
+        let bounds = curves.iter().map(Curve::bounds).collect();
+        Self {
+            curves,
+            bounds,
+            edges,
+            samples,
+        }
+    }
+
+    fn contains(&self, p: Point) -> bool {
+        winding(&self.edges, p) != 0
+    }
+}
+
+fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve {
+    let place = |q: Point| turn * q + p;
+    Curve {
+        start: place(c.start),
+        end: place(c.end),
+        shape: match c.shape {
+            CurveShape::Line { normal } => CurveShape::Line {
+                normal: turn * normal,
+            },
+            CurveShape::Circle {
+                center,
+                radius,
+                mid_angle,
+                half,
+            } => CurveShape::Circle {
+                center: place(center),
+                radius,
+                mid_angle: mid_angle + theta,
+                half,
+            },
+        },
+    }
+}
+
+fn apart(a: &(Point, Point), b: &(Point, Point)) -> bool {
+    a.1.x < b.0.x || b.1.x < a.0.x || a.1.y < b.0.y || b.1.y < a.0.y
+}
+
+fn cross(f: &Curve, g: &Curve) -> bool {
+    let (half_f, half_g) = (f.half_length(), g.half_length());
+    (0..roots(f, g)).any(|root| {
+        crossing(f, g, root).is_some_and(|c| {
+            f.position(c.point).abs() < half_f && g.position(c.point).abs() < half_g
+        })
+    })
+}
+
+/// Whether the moving body at position `p` and orientation `theta` overlaps the fixed one.
+///
+/// Certain when the boundaries do not merely graze each other; the caller picks configurations that are away from
+/// contact.
+pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool {
+    let turn = Rotation::by(theta);
+    let shift = p.to_vector();
+    for g in &moving.curves {
+        let g = placed(g, shift, theta, turn);
+        let g_bounds = g.bounds();
+        for (f, f_bounds) in fixed.curves.iter().zip(&fixed.bounds) {
+            if !apart(f_bounds, &g_bounds) && cross(f, &g) {
+                return true;
+            }
+        }
+    }
+    let back = turn.inverse();
+    moving
+        .samples
+        .iter()
+        .any(|&q| fixed.contains(turn * q + shift))
+        || fixed
+            .samples
+            .iter()
+            .any(|&q| moving.contains(back * (q - shift)))
+}

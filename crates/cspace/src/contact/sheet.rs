@@ -1,0 +1,186 @@
+//! The surface on which two features touch, before it is cut where other features are in the way.
+
+use crate::geometry::{Point, Rotation, Vector};
+
+use super::curve::{Curve, CurveShape};
+
+/// Which features touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SheetKind {
+    /// A line of the fixed part and an arc or vertex of the moving part: the normal is constant.
+    LineRound,
+    /// An arc or vertex of the fixed part and a line of the moving part: the normal turns with θ.
+    RoundLine,
+    /// Arcs or vertices of both.
+    RoundRound,
+}
+
+/// How an end of every contact curve moves: p(θ) = u + `R_θ` w.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spiral {
+    pub(crate) u: Point,
+    pub(crate) w: Vector,
+}
+
+impl Spiral {
+    #[inline]
+    pub(crate) fn at(&self, turn: Rotation) -> Point {
+        self.u + turn * self.w
+    }
+}
+
+/// The angle of the contact normal at an end of a circular contact curve: constant, or turning with θ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct EndAngle {
+    pub(crate) offset: f64,
+    pub(crate) turns: bool,
+}
+
+impl EndAngle {
+    #[inline]
+    pub(crate) fn at(&self, theta: f64) -> f64 {
+        if self.turns {
+            self.offset + theta
+        } else {
+            self.offset
+        }
+    }
+}
+
+/// What a sheet meets where its orientations end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) enum Seam {
+    /// The curve shrinks to a point there.
+    Point,
+    /// Two lines are parallel there: fixed line, moving line.
+    Lines(u32, u32),
+    /// A fixed line is tangent at a joint between two moving features, neither of them a line.
+    LineJoint(u32, u32),
+    /// The same with the roles exchanged.
+    JointLine(u32, u32),
+    /// The end moves from one joint to another; the sheet goes on: fixed, moving feature, turn, which.
+    Same(u32, u32, i32, u8),
+    /// The sheet goes on at the other end of the full turn: fixed, moving feature, turn, which.
+    Wrap(u32, u32, i32, u8),
+    /// The window ends.
+    Window,
+}
+
+/// The contact of one feature pair over an interval of orientations in which its ends keep their identity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sheet {
+    pub(crate) kind: SheetKind,
+    pub(crate) fixed: u32,
+    pub(crate) moving: u32,
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    /// Centre of the fixed round feature, or a point of the fixed line.
+    pub(crate) fixed_point: Point,
+    /// Centre of the moving round feature, or a point of the moving line.
+    pub(crate) moving_point: Point,
+    /// Normal on the fixed part: of the fixed line, or minus the normal of the moving line (to be turned).
+    pub(crate) normal: Vector,
+    /// Sum of the signed radii.
+    pub(crate) radius: f64,
+    pub(crate) start: Spiral,
+    pub(crate) end: Spiral,
+    /// Identity of the end: equal for the two sheets that share it.
+    pub(crate) start_name: u32,
+    pub(crate) end_name: u32,
+    /// Only for circles.
+    pub(crate) start_angle: EndAngle,
+    pub(crate) end_angle: EndAngle,
+    pub(crate) bottom: Seam,
+    pub(crate) top: Seam,
+}
+
+/// The ends that two sheets have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SharedEnds {
+    /// The curves are one carrier or tangent: they do not cross.
+    pub(crate) tangent: bool,
+    /// Ends at which they cross, but only there.
+    pub(crate) corners: [Option<Spiral>; 2],
+}
+
+impl Sheet {
+    /// The ends that two sheets share.
+    ///
+    /// Where normals agree (every shared end but that of two vertices) the curves are tangent there and have no other
+    /// crossing. Where two vertices touch, they cross at the shared end, which is no crossing of interiors.
+    pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
+        let mut shared = SharedEnds {
+            tangent: self.fixed == other.fixed && self.moving == other.moving,
+            corners: [None; 2],
+        };
+        for (slot, (mine, theirs, spiral)) in [
+            (self.end_name, other.start_name, self.end),
+            (self.start_name, other.end_name, self.start),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            if mine == theirs {
+                if mine >= first_vertex_name {
+                    shared.corners[slot] = Some(spiral);
+                } else {
+                    shared.tangent = true;
+                }
+            }
+        }
+        shared
+    }
+
+    /// Whether its curves are circles.
+    #[inline]
+    pub(crate) fn is_circle(&self) -> bool {
+        self.kind == SheetKind::RoundRound
+    }
+
+    /// The outward normal of the fixed line, or of the turning one, at an orientation. Not for circles.
+    #[inline]
+    pub(crate) fn normal_at(&self, turn: Rotation) -> Vector {
+        match self.kind {
+            SheetKind::RoundLine => turn * self.normal,
+            _ => self.normal,
+        }
+    }
+
+    /// The circle's centre P − R Q, a spiral too.
+    #[inline]
+    pub(crate) fn center(&self) -> Spiral {
+        Spiral {
+            u: self.fixed_point,
+            w: -self.moving_point.to_vector(),
+        }
+    }
+
+    /// Its curve at one orientation.
+    pub(crate) fn curve(&self, theta: f64, turn: Rotation) -> Curve {
+        let (start, end) = (self.start.at(turn), self.end.at(turn));
+        let shape = if self.is_circle() {
+            let (from, to) = (self.start_angle.at(theta), self.end_angle.at(theta));
+            CurveShape::Circle {
+                center: self.center().at(turn),
+                radius: self.radius,
+                mid_angle: 0.5 * (from + to),
+                half: 0.5 * (to - from).abs(),
+            }
+        } else {
+            CurveShape::Line {
+                normal: self.normal_at(turn),
+            }
+        };
+        Curve { start, end, shape }
+    }
+
+    /// The contact function at a position (equations 1–3 of the paper): distance from contact, positive on the free side.
+    #[cfg(test)]
+    pub(crate) fn contact_function(&self, p: Point, turn: Rotation) -> f64 {
+        if self.is_circle() {
+            (p.distance(self.center().at(turn)) - self.radius.abs()) * self.radius.signum()
+        } else {
+            self.normal_at(turn).dot(p - self.start.at(turn))
+        }
+    }
+}

@@ -1,0 +1,306 @@
+//! From a part's loops to features and joints.
+
+use core::f64::consts::{PI, TAU};
+
+use super::inscribed::inscribed_disc;
+use super::outline::{Feature, FeatureKind, FeatureName, Joint, Outline, Shape};
+use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SMOOTH};
+use crate::geometry::{Point, Vector};
+use crate::part::{Edge, Part};
+
+/// An edge in the pair's frame, on its way to becoming a feature.
+struct Piece {
+    edge: Edge,
+    /// `None` for a line.
+    arc: Option<(Point, f64)>,
+    start_direction: Vector,
+    end_direction: Vector,
+    sweep: f64,
+}
+
+/// How two consecutive edges meet.
+enum Corner {
+    Smooth,
+    Convex { turn: f64 },
+    Concave { turn: f64 },
+}
+
+/// One end of an edge after growth: its joint and, for an arc, how far its sweep was lengthened.
+#[derive(Clone, Copy)]
+struct End {
+    joint: u32,
+    extra_sweep: f64,
+}
+
+impl Outline {
+    /// Features of a part, about `center` and scaled; grown by [`GROWTH`] when `grown`.
+    pub(crate) fn new(part: &Part, center: Point, scale: f64, grown: bool) -> Self {
+        let growth = if grown { GROWTH } else { 0.0 };
+        let mut outline = Self {
+            features: Vec::new(),
+            joints: Vec::new(),
+            feature_count: 0,
+            disc: (Point::ORIGIN, 0.0),
+        };
+        for (loop_index, boundary) in part.loops().iter().enumerate() {
+            let mut pieces: Vec<Piece> = boundary
+                .edges()
+                .map(|e| Piece::new(&e, center, scale))
+                .collect();
+            share_direction_along_lines(&mut pieces);
+            outline.add_loop(loop_index as u32, &pieces, boundary.is_reversed(), growth);
+        }
+        outline.disc = inscribed_disc(part, center, scale);
+        outline
+    }
+
+    fn add_loop(&mut self, loop_index: u32, pieces: &[Piece], reversed: bool, growth: f64) {
+        let n = pieces.len();
+        self.feature_count += n;
+        let mut starts = vec![
+            End {
+                joint: 0,
+                extra_sweep: 0.0
+            };
+            n
+        ];
+        let mut ends = starts.clone();
+        let mut vertices = Vec::new();
+        for i in 0..n {
+            let j = (i + 1) % n;
+            let (before, after) = (&pieces[i], &pieces[j]);
+            let point = before.edge.end;
+            let (n1, n2) = (before.end_direction.right(), after.start_direction.right());
+            match corner(before, after) {
+                Corner::Smooth => {
+                    // The line's normal, if there is one, is the joint's.
+                    let normal = if before.arc.is_none() { n1 } else { n2 };
+                    let joint = self.add_joint(point + normal * growth, normal);
+                    ends[i] = End {
+                        joint,
+                        extra_sweep: 0.0,
+                    };
+                    starts[j] = ends[i];
+                }
+                Corner::Convex { turn } => {
+                    self.feature_count += 1;
+                    let apex = mitre(point, n1, n2, growth);
+                    let first = self.add_joint(apex, before.normal_at(apex, n1, growth));
+                    let second = self.add_joint(apex, after.normal_at(apex, n2, growth));
+                    ends[i] = End {
+                        joint: first,
+                        extra_sweep: 0.0,
+                    };
+                    starts[j] = End {
+                        joint: second,
+                        extra_sweep: 0.0,
+                    };
+                    // The vertex is the one `after` leaves as given, or `before` if travelled backwards.
+                    let index = if reversed { before } else { after }.edge.index as u32;
+                    vertices.push((first, second, turn, index));
+                }
+                Corner::Concave { turn } => {
+                    self.feature_count += 1;
+                    let further = OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0);
+                    ends[i] = self.carry_on(before, point, n1, growth, further);
+                    starts[j] = self.carry_on(after, point, n2, growth, -further);
+                }
+            }
+        }
+        for (i, piece) in pieces.iter().enumerate() {
+            self.add_edge(loop_index, piece, starts[i], ends[i], growth);
+        }
+        for (start, end, turn, index) in vertices {
+            let lo = self.joints[start as usize].angle;
+            let hi = unwrap_near(self.joints[end as usize].angle, lo + turn);
+            self.features.push(Feature {
+                shape: Shape::Round {
+                    center: self.joints[start as usize].point,
+                    radius: 0.0,
+                },
+                lo,
+                hi: hi.max(lo),
+                start,
+                end,
+                name: FeatureName {
+                    kind: FeatureKind::Vertex,
+                    loop_index,
+                    index,
+                },
+            });
+        }
+    }
+
+    fn add_edge(&mut self, loop_index: u32, piece: &Piece, start: End, end: End, growth: f64) {
+        let start_joint = self.joints[start.joint as usize];
+        let end_joint = self.joints[end.joint as usize];
+        let (shape, kind, lo, hi) = match piece.arc {
+            None => {
+                // The joints of a line carry its normal, unless two lines meet smoothly; then the first one's rules.
+                let normal = start_joint.normal;
+                let angle = start_joint.angle;
+                (Shape::Line { normal }, FeatureKind::Line, angle, angle)
+            }
+            Some((center, radius)) => {
+                let radius = radius + growth;
+                let shape = Shape::Round { center, radius };
+                let sweep =
+                    piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
+                let from = start_joint.angle;
+                let to = unwrap_near(end_joint.angle, from + sweep);
+                if piece.sweep > 0.0 {
+                    (shape, FeatureKind::ConvexArc, from, to)
+                } else {
+                    // Travelled with decreasing normal: the canonical angle is the start's, the upper one.
+                    (shape, FeatureKind::ConcaveArc, to, from)
+                }
+            }
+        };
+        self.features.push(Feature {
+            shape,
+            lo,
+            hi,
+            start: start.joint,
+            end: end.joint,
+            name: FeatureName {
+                kind,
+                loop_index,
+                index: piece.edge.index as u32,
+            },
+        });
+    }
+
+    fn add_joint(&mut self, point: Point, normal: Vector) -> u32 {
+        let angle = normal.angle();
+        self.joints.push(Joint {
+            point,
+            normal,
+            angle,
+        });
+        (self.joints.len() - 1) as u32
+    }
+
+    /// The end of an edge in a concave corner, carried on by `further` (backwards when negative).
+    fn carry_on(
+        &mut self,
+        piece: &Piece,
+        point: Point,
+        normal: Vector,
+        growth: f64,
+        further: f64,
+    ) -> End {
+        match piece.arc {
+            None => End {
+                joint: self.add_joint(point + normal * growth + normal.left() * further, normal),
+                extra_sweep: 0.0,
+            },
+            Some((center, radius)) => {
+                let radius = radius + growth;
+                // Travel turns the normal by length / signed radius; never by more than what closes the circle.
+                let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
+                let by = (further / radius).clamp(-room, room);
+                let normal = crate::geometry::Rotation::by(by) * normal;
+                End {
+                    joint: self.add_joint(center + normal * radius, normal),
+                    extra_sweep: by.abs(),
+                }
+            }
+        }
+    }
+}
+
+impl Piece {
+    fn new(edge: &Edge, center: Point, scale: f64) -> Self {
+        let place = |p: Point| Point::ORIGIN + (p - center) * scale;
+        let mut edge = Edge {
+            start: place(edge.start),
+            end: place(edge.end),
+            ..*edge
+        };
+        let sweep = edge.sweep();
+        if sweep.abs() < SMOOTH {
+            edge.bulge = 0.0;
+        }
+        let arc = (!edge.is_line()).then(|| (edge.center(), edge.radius() * edge.bulge.signum()));
+        Self {
+            edge,
+            arc,
+            start_direction: edge.start_direction(),
+            end_direction: edge.end_direction(),
+            sweep: edge.sweep(),
+        }
+    }
+
+    /// The normal with which this edge ends at a grown corner.
+    fn normal_at(&self, apex: Point, normal: Vector, growth: f64) -> Vector {
+        match self.arc {
+            Some((center, radius)) if growth > 0.0 => (apex - center).unit() * radius.signum(),
+            _ => normal,
+        }
+    }
+
+    fn curvature(&self) -> f64 {
+        self.arc.map_or(0.0, |(_, radius)| 1.0 / radius)
+    }
+}
+
+/// Lines that follow each other smoothly share one direction, that of the first.
+fn share_direction_along_lines(pieces: &mut [Piece]) {
+    let n = pieces.len();
+    let smooth_lines = |before: &Piece, after: &Piece| {
+        before.arc.is_none()
+            && after.arc.is_none()
+            && matches!(corner(before, after), Corner::Smooth)
+    };
+    let Some(first) = (0..n).find(|&i| !smooth_lines(&pieces[(i + n - 1) % n], &pieces[i])) else {
+        return;
+    };
+    for step in 1..n {
+        let (i, j) = ((first + step - 1) % n, (first + step) % n);
+        if smooth_lines(&pieces[i], &pieces[j]) {
+            let direction = pieces[i].end_direction;
+            pieces[j].start_direction = direction;
+            pieces[j].end_direction = direction;
+        }
+    }
+}
+
+fn corner(before: &Piece, after: &Piece) -> Corner {
+    let (d1, d2) = (before.end_direction, after.start_direction);
+    let turn = d1.cross(d2).atan2(d1.dot(d2));
+    if turn.abs() < SMOOTH {
+        return Corner::Smooth;
+    }
+    if turn.abs() > PI - SMOOTH {
+        // A cusp: material lies between the edges if the one arriving, seen backwards, bends further left.
+        return if -before.curvature() > after.curvature() {
+            Corner::Convex { turn: PI }
+        } else {
+            Corner::Concave { turn: -PI }
+        };
+    }
+    if turn > 0.0 {
+        Corner::Convex { turn }
+    } else {
+        Corner::Concave { turn }
+    }
+}
+
+/// The corner of two carriers that are both moved outward by `growth`: V + g (n₁ + n₂) / (1 + n₁·n₂).
+fn mitre(point: Point, n1: Vector, n2: Vector, growth: f64) -> Point {
+    if growth == 0.0 {
+        return point;
+    }
+    let sum = n1 + n2;
+    let reach = 1.0 + n1.dot(n2);
+    // |n₁ + n₂|² = 2 (1 + n₁·n₂), so the mitre's length is g √(2 / reach).
+    if 2.0 > MITRE * MITRE * reach {
+        return point + n1.left() * (growth * MITRE);
+    }
+    point + sum * (growth / reach)
+}
+
+/// The angle that differs from `angle` by whole turns and is nearest to `near`.
+pub(crate) fn unwrap_near(angle: f64, near: f64) -> f64 {
+    angle + TAU * ((near - angle) / TAU).round()
+}

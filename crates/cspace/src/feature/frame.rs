@@ -1,0 +1,105 @@
+//! The frame in which a pair is computed.
+
+use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::part::{Edge, Part};
+
+/// Both parts about their own centres, scaled by a power of two into the unit disc.
+///
+/// With centres c and d of the fixed and the moving part, and scale s, a configuration (p, θ) of the pair is at
+/// s (p − c + `R_θ` d) in this frame. The scale is a power of two, so scaling is exact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PairFrame {
+    pub(crate) fixed_center: Point,
+    pub(crate) moving_center: Point,
+    pub(crate) scale: f64,
+}
+
+impl PairFrame {
+    pub(crate) fn new(fixed: &Part, moving: &Part) -> Self {
+        let (fixed_center, fixed_radius) = center_and_radius(fixed);
+        let (moving_center, moving_radius) = center_and_radius(moving);
+        let radius = fixed_radius.max(moving_radius);
+        let scale = if radius > 0.0 && radius.is_finite() {
+            (-radius.log2().ceil()).exp2()
+        } else {
+            1.0
+        };
+        Self {
+            fixed_center,
+            moving_center,
+            scale,
+        }
+    }
+
+    /// From a configuration's position to this frame.
+    pub(crate) fn inner_from_outer(&self, c: Configuration) -> Point {
+        let turned = Rotation::by(c.theta) * self.moving_center.to_vector();
+        let v = (c.position() - self.fixed_center) + turned;
+        Point::ORIGIN + v * self.scale
+    }
+
+    /// From this frame to a configuration's position.
+    pub(crate) fn outer_from_inner(&self, p: Point, theta: f64) -> Configuration {
+        let turned = Rotation::by(theta) * self.moving_center.to_vector();
+        let q = self.fixed_center + (p.to_vector() * (1.0 / self.scale) - turned);
+        Configuration::new(q.x, q.y, theta)
+    }
+
+    /// From a length of this frame to the model's unit.
+    pub(crate) fn outer_length(&self, length: f64) -> f64 {
+        length / self.scale
+    }
+
+    /// The same frame seen from a displacement of the configuration.
+    pub(crate) fn inner_vector(&self, v: Vector) -> Vector {
+        v * self.scale
+    }
+}
+
+/// The centre of the bounding box of the edges, and the largest distance of the boundary from it (at most).
+fn center_and_radius(part: &Part) -> (Point, f64) {
+    let (mut lo, mut hi) = (
+        Point::new(f64::INFINITY, f64::INFINITY),
+        Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+    );
+    let mut take = |p: Point| {
+        lo = Point::new(lo.x.min(p.x), lo.y.min(p.y));
+        hi = Point::new(hi.x.max(p.x), hi.y.max(p.y));
+    };
+    for edge in part.edges() {
+        extent(&edge).for_each(&mut take);
+    }
+    let center = lo.midpoint(hi);
+    let radius = part
+        .edges()
+        .map(|e| {
+            let far_end = center.distance(e.start).max(center.distance(e.end));
+            far_end + sagitta(&e)
+        })
+        .fold(0.0, f64::max);
+    (center, radius)
+}
+
+fn sagitta(edge: &Edge) -> f64 {
+    0.5 * edge.start.distance(edge.end) * edge.bulge.abs()
+}
+
+/// Points whose bounding box contains the edge: its ends, and the corners of its bulge.
+fn extent(edge: &Edge) -> impl Iterator<Item = Point> {
+    let chord = edge.end - edge.start;
+    let up = chord.right() * (0.5 * edge.bulge);
+    // An arc beyond a half circle is wider than its chord by its radius less half the chord, on either side.
+    let wide = if edge.bulge.abs() > 1.0 {
+        let excess = edge.radius() / chord.length() - 0.5;
+        chord * excess
+    } else {
+        Vector::ZERO
+    };
+    [
+        edge.start + (-wide),
+        edge.end + wide,
+        edge.start + up + (-wide),
+        edge.end + up + wide,
+    ]
+    .into_iter()
+}

@@ -1,0 +1,132 @@
+//! A disc inside a part's material.
+
+use crate::geometry::{Point, Vector};
+use crate::part::{Edge, Part};
+
+/// Points tried along each side of the bounding box.
+const GRID: usize = 12;
+/// Rounds of halving the step around the best point.
+const ROUNDS: usize = 8;
+
+/// A large disc inside the material, in the pair's frame: centre and radius, 0 if none was found.
+///
+/// Where the discs of two parts meet, the parts overlap for certain, and nothing there needs to be looked at.
+pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, f64) {
+    let place = |p: Point| Point::ORIGIN + (p - center) * scale;
+    let edges: Vec<Edge> = part
+        .edges()
+        .map(|e| Edge {
+            start: place(e.start),
+            end: place(e.end),
+            ..e
+        })
+        .collect();
+    if edges.len() > 4000 {
+        return (Point::ORIGIN, 0.0);
+    }
+    let depth = |p: Point| {
+        let distance = edges
+            .iter()
+            .map(|e| distance(e, p))
+            .fold(f64::INFINITY, f64::min);
+        if winding(&edges, p) == 0 {
+            -distance
+        } else {
+            distance
+        }
+    };
+    let (mut lo, mut hi) = (Point::ORIGIN, Point::ORIGIN);
+    for e in &edges {
+        lo = Point::new(lo.x.min(e.start.x), lo.y.min(e.start.y));
+        hi = Point::new(hi.x.max(e.start.x), hi.y.max(e.start.y));
+    }
+    let mut best = (Point::ORIGIN, depth(Point::ORIGIN));
+    let mut consider = |p: Point, best: &mut (Point, f64)| {
+        let d = depth(p);
+        if d > best.1 + 1e-9 {
+            *best = (p, d);
+        }
+    };
+    // The centre of a wheel cannot be bettered by much: skip the search when it fills a good part of the box.
+    let step = 0.5 * (hi - lo).length() / GRID as f64;
+    if best.1 < 0.5 * (hi.x - lo.x).min(hi.y - lo.y) * 0.6 {
+        for i in 0..=GRID {
+            for j in 0..=GRID {
+                let s = |k: usize| (k as f64 + 0.37) / (GRID as f64 + 0.74);
+                let p = Point::new(lo.x + (hi.x - lo.x) * s(i), lo.y + (hi.y - lo.y) * s(j));
+                consider(p, &mut best);
+            }
+        }
+        let mut step = step;
+        for _ in 0..ROUNDS {
+            let at = best.0;
+            for d in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+                consider(at + Vector::new(d.0, d.1) * step, &mut best);
+            }
+            step *= 0.6;
+        }
+    }
+    // Rounding is far below this allowance.
+    let radius = best.1 - 1e-9;
+    if radius > 0.0 {
+        (best.0, radius)
+    } else {
+        (Point::ORIGIN, 0.0)
+    }
+}
+
+/// Distance of a point from an edge.
+fn distance(edge: &Edge, p: Point) -> f64 {
+    let ends = p.distance(edge.start).min(p.distance(edge.end));
+    let chord = edge.end - edge.start;
+    if edge.is_line() {
+        let s = (p - edge.start).dot(chord);
+        let len2 = chord.length_squared();
+        if s <= 0.0 || s >= len2 {
+            return ends;
+        }
+        return chord.cross(p - edge.start).abs() / len2.sqrt();
+    }
+    let c = edge.center();
+    let v = p - c;
+    let (mut from, mut to) = (edge.start - c, edge.end - c);
+    if edge.bulge < 0.0 {
+        core::mem::swap(&mut from, &mut to);
+    }
+    let inside = if edge.bulge.abs() <= 1.0 {
+        from.cross(v) >= 0.0 && v.cross(to) >= 0.0
+    } else {
+        from.cross(v) >= 0.0 || v.cross(to) >= 0.0
+    };
+    if inside {
+        (v.length() - edge.radius()).abs()
+    } else {
+        ends
+    }
+}
+
+/// Winding number of the boundary about a point off it.
+pub(crate) fn winding(edges: &[Edge], p: Point) -> i32 {
+    let mut total = 0;
+    for e in edges {
+        let (a, b) = (e.start - p, e.end - p);
+        if (a.y <= 0.0) != (b.y <= 0.0) {
+            let left = a.cross(b) > 0.0;
+            if b.y > a.y && left {
+                total += 1;
+            } else if b.y <= a.y && !left {
+                total -= 1;
+            }
+        }
+        if !e.is_line() {
+            // The region between chord and arc: right of the chord for a positive bulge.
+            let c = e.center();
+            let in_circle = p.distance(c) < e.radius();
+            let right_of_chord = (e.end - e.start).cross(p - e.start) < 0.0;
+            if in_circle && right_of_chord == (e.bulge > 0.0) {
+                total += if e.bulge > 0.0 { 1 } else { -1 };
+            }
+        }
+    }
+    total
+}

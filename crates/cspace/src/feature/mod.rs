@@ -1,0 +1,16 @@
+//! Features of a part: the lines, arcs and convex vertices that can touch, and the joints between them.
+//!
+//! Two parts of a pair are brought to a common frame first: each about its own centre, both scaled by one power of
+//! two so that they fit the unit disc. All tolerances of the kernel are therefore lengths relative to the pair's size.
+
+mod extract;
+mod frame;
+mod inscribed;
+mod outline;
+pub(crate) mod tolerance;
+
+pub(crate) use extract::unwrap_near;
+pub(crate) use frame::PairFrame;
+pub(crate) use inscribed::winding;
+pub(crate) use outline::{Feature, Joint, Outline, Shape};
+pub use outline::{FeatureKind, FeatureName};

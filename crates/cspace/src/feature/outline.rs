@@ -1,0 +1,147 @@
+//! Features and joints of one part in the pair's frame.
+
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::{Point, Vector};
+
+/// What a feature is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FeatureKind {
+    /// A line segment.
+    Line,
+    /// A circular arc with material on the side of its centre.
+    ConvexArc,
+    /// A circular arc with material on the side away from its centre.
+    ConcaveArc,
+    /// A corner with less than half a turn of material.
+    Vertex,
+}
+
+/// A feature of a part, by its place in the part as given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct FeatureName {
+    /// What it is.
+    pub kind: FeatureKind,
+    /// The loop, counted from 0 in the order given.
+    pub loop_index: u32,
+    /// For a vertex its index in the loop as given, for a line or arc the index of the vertex it leaves.
+    pub index: u32,
+}
+
+/// The carrier of a feature.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Shape {
+    /// A line with its outward unit normal.
+    Line { normal: Vector },
+    /// An arc about a centre: signed radius > 0 convex, < 0 concave, 0 a vertex.
+    Round { center: Point, radius: f64 },
+}
+
+/// Where two features meet: one point and one outward normal, shared by both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Joint {
+    pub(crate) point: Point,
+    pub(crate) normal: Vector,
+    /// Angle of the normal, in (−π, π].
+    pub(crate) angle: f64,
+}
+
+/// A line, arc or convex vertex.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Feature {
+    pub(crate) shape: Shape,
+    /// Outward normals: angles from `lo` to `hi`, unwrapped; equal for a line.
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    /// Joint at which travel along the feature starts, and ends.
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+    pub(crate) name: FeatureName,
+}
+
+/// A part as the kernel sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Outline {
+    pub(crate) features: Vec<Feature>,
+    pub(crate) joints: Vec<Joint>,
+    /// Number of lines, arcs and vertices that are not smooth joints.
+    pub(crate) feature_count: usize,
+    /// A disc inside the material: centre and radius (0 if none was found).
+    pub(crate) disc: (Point, f64),
+}
+
+impl Feature {
+    pub(crate) fn is_vertex(&self) -> bool {
+        self.name.kind == FeatureKind::Vertex
+    }
+
+    pub(crate) fn is_line(&self) -> bool {
+        self.name.kind == FeatureKind::Line
+    }
+
+    /// The centre of a round feature; not finite for a line.
+    pub(crate) fn center(&self) -> Point {
+        match self.shape {
+            Shape::Line { .. } => Point::new(f64::NAN, f64::NAN),
+            Shape::Round { center, .. } => center,
+        }
+    }
+
+    /// The joint at the lower end of the normals, and at the upper.
+    pub(crate) fn joints_by_angle(&self) -> (u32, u32) {
+        if self.name.kind == FeatureKind::ConcaveArc {
+            (self.end, self.start)
+        } else {
+            (self.start, self.end)
+        }
+    }
+
+    /// The signed radius; 0 for a line.
+    pub(crate) fn radius(&self) -> f64 {
+        match self.shape {
+            Shape::Line { .. } => 0.0,
+            Shape::Round { radius, .. } => radius,
+        }
+    }
+}
+
+impl Outline {
+    pub(crate) fn start(&self, feature: &Feature) -> &Joint {
+        &self.joints[feature.start as usize]
+    }
+
+    /// For every joint the vertex it belongs to, if any.
+    pub(crate) fn vertex_of_joint(&self) -> Vec<Option<u32>> {
+        let mut owner = vec![None; self.joints.len()];
+        for (i, f) in self
+            .features
+            .iter()
+            .enumerate()
+            .filter(|(_, f)| f.is_vertex())
+        {
+            owner[f.start as usize] = Some(i as u32);
+            owner[f.end as usize] = Some(i as u32);
+        }
+        owner
+    }
+
+    /// For every joint a line that starts or ends there, if any.
+    pub(crate) fn line_of_joint(&self) -> Vec<Option<u32>> {
+        let mut line = vec![None; self.joints.len()];
+        for (i, f) in self
+            .features
+            .iter()
+            .enumerate()
+            .filter(|(_, f)| f.is_line())
+        {
+            line[f.start as usize] = Some(i as u32);
+            line[f.end as usize] = Some(i as u32);
+        }
+        line
+    }
+
+    pub(crate) fn end(&self, feature: &Feature) -> &Joint {
+        &self.joints[feature.end as usize]
+    }
+}

@@ -1,0 +1,41 @@
+//! The tolerances of the kernel, each with its unit and reason. There are no others.
+//!
+//! Lengths are in units of the pair's frame, in which both parts fit the unit disc.
+
+/// By how much the fixed part is grown before anything is computed (length, about 9.1e-13).
+///
+/// The regularised meaning of a contact in numbers: where parts leave each other less than this, they leave nothing.
+/// It turns every coincidence that would last over a range of orientations (zero clearance, equal radii, a corner
+/// that exactly fills another) into a definite overlap some thousand times larger than the rounding of f64.
+pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// Two edges that meet at an angle below this are smoothly joined (radians, about 1.5e-8).
+///
+/// The error made on the boundary is of second order: radius × SMOOTH² / 2, below the rounding of f64.
+pub(crate) const SMOOTH: f64 = 1.0 / (1u64 << 26) as f64;
+
+/// The longest mitre of a grown convex corner, in units of [`GROWTH`]; sharper corners are cut off there.
+pub(crate) const MITRE: f64 = 1024.0;
+
+/// How far edges that meet in a concave corner are carried on into the material, in units of [`GROWTH`].
+///
+/// Nothing can touch a concave corner, so contact curves end there in blocked space. Carrying them on makes them
+/// cross each other properly instead of sharing an end point.
+pub(crate) const OVERSHOOT: f64 = 64.0;
+
+/// The separation that carrying on must give at nearly smooth concave corners (length, about 1.4e-14).
+pub(crate) const OVERSHOOT_SEPARATION: f64 = 1.0 / (1u64 << 46) as f64;
+
+/// Circles on which a contact curve could lie and that are smaller than this are no contact (length).
+///
+/// A pin in a socket with less play than this is held to be an exact fit.
+pub(crate) const SMALLEST_CIRCLE: f64 = 8.0 * GROWTH;
+
+/// Critical orientations nearer to each other than this are one (radians): bands are at least this wide.
+pub(crate) const NARROWEST_BAND: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// Rounding error of an angle or of a length near one, after a handful of operations.
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Vertical neighbours must share at least this length of a patch to be linked (length).
+pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;

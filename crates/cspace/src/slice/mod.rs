@@ -1,0 +1,7 @@
+//! One slice of the contact space, computed from nothing but the two parts at one orientation.
+
+mod arrange;
+mod types;
+
+pub(crate) use arrange::{Arrangement, GapEnd};
+pub use types::{CurveGeometry, Slice, SliceCurve};

@@ -1,0 +1,251 @@
+//! A slice as the user sees it: the boundary of free space at one orientation.
+
+use core::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+use crate::contact::{Curve, CurveShape, Geometry};
+use crate::feature::{FeatureName, PairFrame};
+use crate::geometry::{Point, Vector};
+use crate::part::Part;
+
+use super::arrange::Arrangement;
+
+/// A directed segment or circular arc.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum CurveGeometry {
+    /// From start to end.
+    Segment {
+        /// Where it starts.
+        start: Point,
+        /// Where it ends.
+        end: Point,
+    },
+    /// From `start_angle` by `sweep` radians about the centre, counter-clockwise if positive.
+    Arc {
+        /// Centre of the circle.
+        center: Point,
+        /// Radius of the circle, positive.
+        radius: f64,
+        /// Direction from the centre to the start, radians.
+        start_angle: f64,
+        /// Angle travelled, radians.
+        sweep: f64,
+    },
+}
+
+/// A piece of the boundary of free space in a slice: blocked space is on its left, free space on its right.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SliceCurve {
+    /// The feature of the fixed part that touches.
+    pub fixed: FeatureName,
+    /// The feature of the moving part that touches.
+    pub moving: FeatureName,
+    /// Positions (x, y) of the moving part.
+    pub geometry: CurveGeometry,
+    /// The patch of the contact space this is a slice of; `None` if the slice was computed on its own.
+    pub patch: Option<u32>,
+    /// The curve of the slice that follows around the boundary.
+    pub next: u32,
+}
+
+/// All positions at one orientation, split into free and blocked by closed loops of contact curves.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Slice {
+    /// The orientation in radians.
+    pub theta: f64,
+    /// The pieces of the boundary of free space.
+    pub curves: Vec<SliceCurve>,
+    /// Closed loops, each as indices of its curves in order of travel, beginning with the smallest.
+    pub loops: Vec<Vec<u32>>,
+}
+
+impl CurveGeometry {
+    /// The point at fraction `s` of the way, 0 the start and 1 the end.
+    pub fn point(&self, s: f64) -> Point {
+        match *self {
+            Self::Segment { start, end } => start.lerp(end, s),
+            Self::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => center + Vector::from_angle(start_angle + s * sweep) * radius,
+        }
+    }
+
+    /// Length of the curve.
+    pub fn length(&self) -> f64 {
+        match *self {
+            Self::Segment { start, end } => start.distance(end),
+            Self::Arc { radius, sweep, .. } => radius * sweep.abs(),
+        }
+    }
+
+    /// The unit normal towards free space (right of travel) at fraction `s`.
+    pub fn free_normal(&self, s: f64) -> Vector {
+        match *self {
+            Self::Segment { start, end } => (end - start).unit().right(),
+            Self::Arc {
+                start_angle, sweep, ..
+            } => Vector::from_angle(start_angle + s * sweep) * sweep.signum(),
+        }
+    }
+
+    /// From a curve of the pair's frame.
+    pub(crate) fn from_inner(
+        curve: &Curve,
+        from: f64,
+        to: f64,
+        frame: &PairFrame,
+        theta: f64,
+    ) -> Self {
+        let outer = |p: Point| frame.outer_from_inner(p, theta).position();
+        match curve.shape {
+            CurveShape::Line { .. } => Self::Segment {
+                start: outer(curve.point(from)),
+                end: outer(curve.point(to)),
+            },
+            CurveShape::Circle {
+                center,
+                radius,
+                mid_angle,
+                ..
+            } => {
+                let half_turn = if radius > 0.0 {
+                    0.0
+                } else {
+                    core::f64::consts::PI
+                };
+                let start = mid_angle + half_turn + from / radius;
+                Self::Arc {
+                    center: outer(center),
+                    radius: frame.outer_length(radius.abs()),
+                    start_angle: start - TAU * (start / TAU).round(),
+                    sweep: (to - from) / radius,
+                }
+            }
+        }
+    }
+
+    /// The first distance along the ray from `p` in the unit direction `d` at which the curve is met, and the
+    /// product of the direction with the normal towards free space there.
+    fn hit(&self, p: Point, d: Vector) -> Option<(f64, f64)> {
+        match *self {
+            Self::Segment { start, end } => {
+                let v = end - start;
+                let slope = d.cross(v);
+                let t = (start - p).cross(v) / slope;
+                let s = (start - p).cross(d) / slope;
+                (t > 0.0 && (0.0..=1.0).contains(&s)).then(|| (t, d.dot(v.right())))
+            }
+            Self::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => {
+                let v = center - p;
+                let (along, across) = (v.dot(d), v.cross(d));
+                let square = (radius - across) * (radius + across);
+                if square < 0.0 {
+                    return None;
+                }
+                let half = square.sqrt();
+                [along - half, along + half].into_iter().find_map(|t| {
+                    let q = (p + d * t) - center;
+                    let turned = (q.angle() - start_angle) * sweep.signum();
+                    let turned = turned - TAU * (turned / TAU).floor();
+                    (t > 0.0 && turned <= sweep.abs()).then(|| (t, d.dot(q) * sweep.signum()))
+                })
+            }
+        }
+    }
+}
+
+impl Slice {
+    /// Computes the slice of a pair at one orientation from scratch.
+    ///
+    /// If `theta` is a critical orientation exactly, the slice just above it is meant, within rounding.
+    ///
+    /// ```
+    /// use cspace::{Part, Slice, Vertex};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let slice = Slice::compute(&square("fixed", 2.0)?, &square("moving", 1.0)?, 0.1);
+    /// assert_eq!(slice.loops.len(), 1);
+    /// assert_eq!(slice.curves.len(), 8);
+    /// # Ok::<(), cspace::PartError>(())
+    /// ```
+    pub fn compute(fixed: &Part, moving: &Part, theta: f64) -> Self {
+        let geometry = Geometry::new(fixed, moving, Some((theta - 0.25, theta + 0.25)));
+        Self::from_arrangement(&Arrangement::new(&geometry, theta), &geometry, theta)
+    }
+
+    pub(crate) fn from_arrangement(
+        arrangement: &Arrangement,
+        geometry: &Geometry,
+        theta: f64,
+    ) -> Self {
+        let curves = arrangement
+            .gaps
+            .iter()
+            .map(|gap| {
+                let sheet = &geometry.contacts.sheets[gap.sheet as usize];
+                SliceCurve {
+                    fixed: geometry.fixed.features[sheet.fixed as usize].name,
+                    moving: geometry.moving.features[sheet.moving as usize].name,
+                    geometry: CurveGeometry::from_inner(
+                        &gap.curve,
+                        gap.from_position,
+                        gap.to_position,
+                        &geometry.frame,
+                        theta,
+                    ),
+                    patch: None,
+                    next: gap.next,
+                }
+            })
+            .collect();
+        Self::from_curves(theta, curves)
+    }
+
+    /// Finds the loops of curves that know their successors.
+    pub(crate) fn from_curves(theta: f64, curves: Vec<SliceCurve>) -> Self {
+        let mut seen = vec![false; curves.len()];
+        let mut loops = Vec::new();
+        for first in 0..curves.len() {
+            let mut walk = Vec::new();
+            let mut at = first;
+            while at < curves.len() && !seen[at] {
+                seen[at] = true;
+                walk.push(at as u32);
+                at = curves[at].next as usize;
+            }
+            if !walk.is_empty() {
+                loops.push(walk);
+            }
+        }
+        Self {
+            theta,
+            curves,
+            loops,
+        }
+    }
+
+    /// Whether a position of the moving part is free at this orientation: the first contact curve a ray meets is met
+    /// from its free side, or none is.
+    pub fn is_free(&self, position: Point) -> bool {
+        // Any direction does; this one is no engineer's.
+        let d = Vector::from_angle(1.234_567_89);
+        let first = self
+            .curves
+            .iter()
+            .filter_map(|c| c.geometry.hit(position, d))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        first.is_none_or(|(_, towards_free)| towards_free < 0.0)
+    }
+}
