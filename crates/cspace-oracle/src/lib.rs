@@ -8,6 +8,10 @@
 #![allow(clippy::expect_used, clippy::panic)]
 
 pub mod judge;
+pub mod near;
+pub mod pairs;
 pub mod shapes;
 
 pub use judge::{Oracle, Verdict, judge};
+pub use near::{NearContact, near_contact, near_contact_about};
+pub use pairs::{Pair, pair, pairs};

@@ -5,6 +5,7 @@
 
 mod compare;
 mod curve;
+mod gap;
 mod outline;
 mod plane;
 mod real;
@@ -12,6 +13,8 @@ mod real;
 use cspace::{Configuration, Part, Point};
 
 use compare::{Finding, compare, overlap_beside};
+pub use gap::area;
+pub(crate) use gap::least_gap;
 use outline::Outline;
 use plane::Place;
 use real::{Double, Real};
