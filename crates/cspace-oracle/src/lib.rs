@@ -5,7 +5,7 @@
 //! and works from the vertices as given, not from the edges the library derives from them.
 
 // The shapes are constants of the tests: one that is no part is a mistake in this crate, to be heard at once.
-#![allow(clippy::expect_used, clippy::panic)]
+#![allow(clippy::panic)]
 
 pub mod judge;
 pub mod near;

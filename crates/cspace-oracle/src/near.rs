@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use cspace::{Configuration, Point};
+use cspace::{Configuration, Point, Vector};
 use rand::Rng;
 
 use crate::{Oracle, Verdict};
@@ -14,10 +14,10 @@ pub struct NearContact {
     pub configuration: Configuration,
     /// Whether it is on the free side.
     pub free: bool,
-    /// How far it was moved from contact, as a share of the pair's size: lengths over it, or radians. Its distance to
-    /// contact is at most that.
+    /// How far it was moved from contact: a length as a share of the pair's size, or an angle in radians. Contact is no
+    /// farther than that, but may be nearer.
     pub step: f64,
-    /// Whether it was moved by turning alone.
+    /// Whether it was moved by turning alone: in θ only, or about its own centre if drawn far from its origin.
     pub turned: bool,
     /// What the oracle says of it; certain.
     pub verdict: Verdict,
@@ -28,14 +28,14 @@ pub struct NearContact {
 /// The steps from contact, as shares of the pair's size.
 const STEPS: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 
-/// At least `n` configurations near contact, on both sides of it, at random places of contact space; fewer when the
-/// pair has hardly any contact to be found.
+/// About `n` configurations near contact, on both sides of it, four about each of random places of contact space; fewer
+/// when the pair has hardly any contact to be found.
 pub fn near_contact(oracle: &Oracle, rng: &mut impl Rng, n: usize) -> Vec<NearContact> {
     near_contact_about(oracle, &[], rng, n)
 }
 
-/// As [`near_contact`], where half of the searches begin about the given configurations, as near as 1e-7 of the size: for pockets
-/// of free space that would never be met by chance.
+/// As [`near_contact`], where half of the searches begin about the given configurations, as near as 1e-7 of the size:
+/// for pockets of free space that would never be met by chance.
 pub fn near_contact_about(
     oracle: &Oracle,
     about: &[Configuration],
@@ -47,117 +47,143 @@ pub fn near_contact_about(
         if found.len() >= n {
             break;
         }
-        let first = start(oracle, about, rng);
-        let turning = rng.random_bool(0.3);
-        let second = other(oracle, first, turning, rng);
-        let overlaps = [first, second].map(|c| oracle.judge(c).overlap);
-        let (blocked, free) = match overlaps {
-            [true, false] => (first, second),
-            [false, true] => (second, first),
-            _ => continue,
+        let pivot = pivot(oracle);
+        // How near the two ends of a search may be, as a power of ten.
+        let (first, nearest) = if !about.is_empty() && rng.random_bool(0.5) {
+            let c = about[rng.random_range(0..about.len())];
+            (near(oracle, c, rng), -7.0)
+        } else {
+            (anywhere(oracle, rng), -2.0)
         };
-        step_off(oracle, blocked, free, &mut found);
+        let path = Path::random(oracle, pivot, first, nearest, rng);
+        let overlaps = [0.0, 1.0].map(|s| oracle.judge(path.at(s)).overlap);
+        if overlaps[0] != overlaps[1] {
+            step_off(oracle, &path, overlaps[0], rng, &mut found);
+        }
     }
     found
 }
 
-/// The configuration a share of the way from one to another.
-fn on_the_way(a: Configuration, b: Configuration, s: f64) -> Configuration {
-    Configuration::new(
-        a.x + s * (b.x - a.x),
-        a.y + s * (b.y - a.y),
-        a.theta + s * (b.theta - a.theta),
-    )
-}
-
-/// A random configuration: anywhere the parts may meet, or about one of those given.
-fn start(oracle: &Oracle, about: &[Configuration], rng: &mut impl Rng) -> Configuration {
-    let size = oracle.size();
-    if !about.is_empty() && rng.random_bool(0.5) {
-        let c = about[rng.random_range(0..about.len())];
-        let scale = 10f64.powf(rng.random_range(-7.0..0.0));
-        let mut share = || scale * rng.random_range(-1.0..1.0);
-        return Configuration::new(
-            c.x + size * share(),
-            c.y + size * share(),
-            c.theta + share(),
-        );
+/// The point of the moving part to turn about: its frame's origin, so that turning changes θ alone, unless the part is
+/// drawn far from there.
+fn pivot(oracle: &Oracle) -> Point {
+    let center = oracle.moving_center();
+    if center.distance(Point::ORIGIN) > oracle.size() {
+        center
+    } else {
+        Point::ORIGIN
     }
-    // Seen from its centre, so that parts drawn anywhere meet.
-    let theta = rng.random_range(-PI..PI);
-    let turned = Configuration::new(0.0, 0.0, theta).fixed_from_moving(oracle.moving_center());
-    let at: Point = oracle.fixed_center();
-    Configuration::new(
-        at.x - turned.x + size * rng.random_range(-1.0..1.0),
-        at.y - turned.y + size * rng.random_range(-1.0..1.0),
-        theta,
-    )
 }
 
-/// Another configuration, near or far, of the same orientation, or of the same place when `turning`.
-fn other(oracle: &Oracle, c: Configuration, turning: bool, rng: &mut impl Rng) -> Configuration {
+/// A configuration at random anywhere the parts may meet.
+fn anywhere(oracle: &Oracle, rng: &mut impl Rng) -> Configuration {
+    let (at, size) = (oracle.fixed_center(), oracle.size());
+    let mut share = || size * rng.random_range(-1.0..1.0);
+    let at = Point::new(at.x + share(), at.y + share());
+    carrying(oracle.moving_center(), at, rng.random_range(-PI..PI))
+}
+
+/// A configuration at random about another.
+fn near(oracle: &Oracle, c: Configuration, rng: &mut impl Rng) -> Configuration {
     let scale = 10f64.powf(rng.random_range(-7.0..0.0));
-    let direction = rng.random_range(-PI..PI);
-    if turning {
-        // About the moving part's centre, not its frame's origin.
-        let q = c.fixed_from_moving(oracle.moving_center());
-        let theta = c.theta + scale * direction;
-        let p = Configuration::new(0.0, 0.0, theta).fixed_from_moving(oracle.moving_center());
-        let moved = Configuration::new(q.x - p.x, q.y - p.y, theta);
-        let far = oracle.moving_center().distance(Point::ORIGIN) > oracle.size();
-        return if far {
-            moved
-        } else {
-            Configuration::new(c.x, c.y, theta)
-        };
-    }
-    let length = scale * oracle.size();
-    Configuration::new(
-        c.x + length * direction.cos(),
-        c.y + length * direction.sin(),
-        c.theta,
-    )
+    let mut share = || scale * rng.random_range(-1.0..1.0);
+    let (dx, dy, turn) = (share(), share(), share());
+    let size = oracle.size();
+    Configuration::new(c.x + size * dx, c.y + size * dy, c.theta + turn)
 }
 
+/// The configuration of the given orientation that takes a point of the moving part to one of the fixed part.
+fn carrying(q: Point, to: Point, theta: f64) -> Configuration {
+    let turned = Configuration::new(0.0, 0.0, theta).fixed_from_moving(q);
+    Configuration::new(to.x - turned.x, to.y - turned.y, theta)
+}
+
+/// A motion along which a point of the moving part goes straight, or stays while the part turns about it.
+struct Path {
+    pivot: Point,
+    from: Point,
+    by: Vector,
+    theta: f64,
+    turn: f64,
+    /// Its length, as a share of the pair's size, or its angle.
+    length: f64,
+}
+
+impl Path {
+    fn random(
+        oracle: &Oracle,
+        pivot: Point,
+        first: Configuration,
+        nearest: f64,
+        rng: &mut impl Rng,
+    ) -> Self {
+        let length = 10f64.powf(rng.random_range(nearest..0.0));
+        let turns = rng.random_bool(0.4);
+        let direction = rng.random_range(-PI..PI);
+        let (by, turn) = if turns {
+            (Vector::ZERO, length * direction.signum())
+        } else {
+            (
+                Vector::from_angle(direction) * (length * oracle.size()),
+                0.0,
+            )
+        };
+        Self {
+            pivot,
+            from: first.fixed_from_moving(pivot),
+            by,
+            theta: first.theta,
+            turn,
+            length,
+        }
+    }
+
+    fn at(&self, s: f64) -> Configuration {
+        carrying(
+            self.pivot,
+            self.from + self.by * s,
+            self.theta + s * self.turn,
+        )
+    }
+}
+
+/// Finds contact on a path whose ends differ, and what is near there.
 fn step_off(
     oracle: &Oracle,
-    mut blocked: Configuration,
-    mut free: Configuration,
+    path: &Path,
+    begins_blocked: bool,
+    rng: &mut impl Rng,
     found: &mut Vec<NearContact>,
 ) {
-    let size = oracle.size();
-    let (dx, dy, turn) = (
-        free.x - blocked.x,
-        free.y - blocked.y,
-        free.theta - blocked.theta,
-    );
-    let length = (dx.hypot(dy) / size).max(turn.abs());
-    let mut left = length;
-    while left > 1e-15 {
-        let middle = on_the_way(blocked, free, 0.5);
+    let (mut blocked, mut free) = if begins_blocked {
+        (0.0, 1.0)
+    } else {
+        (1.0, 0.0)
+    };
+    while f64::abs(free - blocked) * path.length > 1e-15 {
+        let middle = 0.5 * (blocked + free);
         if middle == blocked || middle == free {
             break;
         }
-        if oracle.judge(middle).overlap {
+        if oracle.judge(path.at(middle)).overlap {
             blocked = middle;
         } else {
             free = middle;
         }
-        left *= 0.5;
     }
-    for step in STEPS {
+    for _ in 0..2 {
+        let step = STEPS[rng.random_range(0..STEPS.len())];
         for side in [step, -step] {
-            let s = side / length;
-            let c = Configuration::new(free.x + s * dx, free.y + s * dy, free.theta + s * turn);
+            let c = path.at(free + side / path.length);
             let verdict = oracle.judge(c);
-            if verdict.margin > 1e-12 * size {
+            if verdict.margin > 1e-12 * oracle.size() {
                 found.push(NearContact {
                     configuration: c,
                     free: !verdict.overlap,
                     step,
-                    turned: turn != 0.0,
+                    turned: path.turn != 0.0,
                     verdict,
-                    contact: free,
+                    contact: path.at(free),
                 });
             }
         }

@@ -91,7 +91,11 @@ fn plain(all: &mut Vec<Pair>) {
         "racks",
         rack(4, 1.0),
         turned(&rack(3, 1.0), PI),
-        &[at(0.0, 0.01, 0.0), at(PI, 2.0, 0.0), at(1.5 * PI, 0.1, 0.0)],
+        &[
+            at(0.5 * PI, 0.0, 0.0),
+            at(PI, 2.0, 0.0),
+            at(1.5 * PI, 0.1, 0.0),
+        ],
     );
 }
 
@@ -313,20 +317,19 @@ fn round(all: &mut Vec<Pair>) {
 
 /// Parts of several loops.
 fn pieces(all: &mut Vec<Pair>) {
-    let third = at(1.0, 0.0, 0.0);
     add(
         all,
         "three pegs in three holes",
         three_holes(1.0, 0.3),
         three_pegs(1.0, 0.25),
-        &[at(0.0, 0.0, 0.0), at(0.0, 0.0, PI), third],
+        &[at(0.0, 0.0, 0.0), at(0.0, 0.0, PI)],
     );
     add(
         all,
         "three pegs that fill three holes",
         three_holes(1.0, 0.3),
         three_pegs(1.0, 0.3),
-        &[at(0.0, 0.0, 0.0), at(0.0, 0.0, PI), third],
+        &[at(0.0, 0.0, 0.0), at(0.0, 0.0, PI)],
     );
     add(
         all,
@@ -393,14 +396,14 @@ fn wheels(all: &mut Vec<Pair>) {
         "rack and gear",
         rack(6, 1.0),
         gear(12, 1.0),
-        &[at(0.0, 6.05, 0.0)],
+        &[at(0.5 * PI, 6.02, 0.0)],
     );
     add(
         all,
         "ratchet 20 and pawl",
         ratchet(20),
         pawl(),
-        &[at(0.0, 4.0, -0.5)],
+        &[at(5.5465, -1.1207, 2.803)],
     );
     add(all, "ratchet 8 and pawl", ratchet(8), pawl(), &[]);
 }

@@ -4,7 +4,9 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use cspace::{Configuration, Part, Point};
 use cspace_oracle::shapes::*;
-use cspace_oracle::{Oracle, Verdict, judge};
+use cspace_oracle::{Oracle, Verdict, judge, near_contact};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
 
 fn at(x: f64, y: f64, theta: f64) -> Configuration {
     Configuration::new(x, y, theta)
@@ -23,10 +25,6 @@ fn blocked(v: Verdict, least: f64) {
         v.overlap && v.margin >= least && v.clearance == 0.0,
         "{v:?}"
     );
-}
-
-fn plate(outer: f64, hole: &Part) -> Part {
-    together("plate", &[square(outer), hole.clone()])
 }
 
 #[test]
@@ -69,7 +67,7 @@ fn equal_parts_overlap() {
 
 #[test]
 fn the_square_that_fills_its_hole_is_free() {
-    let p = plate(4.0, &square(2.0));
+    let p = plate(4.0, &[&square(2.0)]);
     let s = square(2.0);
     for k in 0..4 {
         free(judge(&p, &s, at(0.0, 0.0, FRAC_PI_2 * f64::from(k))), 0.0);
@@ -83,7 +81,7 @@ fn the_square_that_fills_its_hole_is_free() {
 
 #[test]
 fn the_pin_that_fills_its_hole_is_free() {
-    let p = plate(4.0, &circle(1.0));
+    let p = plate(4.0, &[&circle(1.0)]);
     for k in 0..20 {
         let v = judge(&p, &circle(1.0), at(0.0, 0.0, 0.3 * f64::from(k)));
         assert!(!v.overlap && v.clearance < 1e-15, "{v:?}");
@@ -126,7 +124,7 @@ fn nearly_full_arcs() {
 
 #[test]
 fn far_from_the_origin() {
-    let p = shifted(&plate(4.0, &square(2.0)), 1e6, -2e6);
+    let p = shifted(&plate(4.0, &[&square(2.0)]), 1e6, -2e6);
     let s = shifted(&square(1.0), -3e6, 1e6);
     let oracle = Oracle::new(&p, &s);
     let theta = 0.7;
@@ -179,12 +177,40 @@ fn gears_mesh() {
 
 #[test]
 fn direction_of_drawing_does_not_matter() {
-    let (g, r) = (gear(9, 1.0), plate(8.0, &circle(3.0)));
+    let (g, r) = (gear(9, 1.0), plate(8.0, &[&circle(3.0)]));
     for i in 0..50 {
         let c = at(0.2 * f64::from(i), 0.1 * f64::from(i), f64::from(i));
         assert_eq!(
             judge(&g, &r, c).overlap,
             judge(&backwards(&g), &backwards(&r), c).overlap
         );
+    }
+}
+
+#[test]
+fn contact_is_found_where_it_is_known_to_be() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let (a, b) = (circle(1.0), shifted(&circle(0.7), 0.5, 0.0));
+    for n in near_contact(&Oracle::new(&a, &b), &mut rng, 200) {
+        let center = n.contact.fixed_from_moving(Point::new(0.5, 0.0));
+        let distance = center.to_vector().length();
+        assert!((distance - 1.7).abs() < 2e-14, "{distance}");
+        let moved = n.configuration.fixed_from_moving(Point::new(0.5, 0.0));
+        assert_eq!(n.free, moved.to_vector().length() > 1.7);
+        assert!((n.verdict.clearance - (moved.to_vector().length() - 1.7).max(0.0)).abs() < 1e-14);
+    }
+    // Squares: their centres' difference is on an octagon, the sum of the one and the other turned.
+    let s = square(2.0);
+    for n in near_contact(&Oracle::new(&s, &s), &mut rng, 400) {
+        let beyond = |c: Configuration| {
+            let reach = 1.0 + c.theta.sin().abs() + c.theta.cos().abs();
+            let (sin, cos) = c.theta.sin_cos();
+            let seen = [c.x, c.y, cos * c.x + sin * c.y, cos * c.y - sin * c.x];
+            seen.iter()
+                .map(|s| s.abs() - reach)
+                .fold(f64::MIN, f64::max)
+        };
+        assert!(beyond(n.contact).abs() < 3e-14, "{n:?}");
+        assert_eq!(n.free, beyond(n.configuration) > 0.0, "{n:?}");
     }
 }

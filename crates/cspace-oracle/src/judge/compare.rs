@@ -23,8 +23,9 @@ type Cuts<S> = Vec<(usize, Mark<S>)>;
 
 /// Finds the distance of the boundaries, or how deep a point of one is inside the other.
 ///
-/// `slack` bounds the rounding errors of doubles here. When `thorough`, more points are tried, shared stretches are
-/// looked for, and the search goes on to the greatest depth; otherwise it ends at a depth that is good enough.
+/// `slack` bounds the rounding errors of doubles here, and a depth much above it is enough. `thorough` is for numbers
+/// better than doubles, when doubles have found no point as deep as that: only the curves near the other boundary are
+/// looked at, at more points, and shared stretches are noted.
 pub(super) fn compare<S: Real>(
     a: &Outline<S>,
     b: &Outline<S>,
@@ -74,9 +75,17 @@ pub(super) fn compare<S: Real>(
             if met {
                 meeting = true;
                 reach = slack;
-            } else if !meeting {
-                clearance = clearance.min(p.distance(q).to_f64());
-                reach = reach.min(clearance + slack);
+            } else if thorough || !meeting {
+                let distance = p.distance(q).to_f64();
+                clearance = clearance.min(distance);
+                if thorough && distance < tie {
+                    // A cut where the curves begin, to say that they matter.
+                    cuts[0].push((i, p.ends()[0]));
+                    cuts[1].push((j, q.ends()[0]));
+                }
+                if !meeting {
+                    reach = reach.min(clearance + slack);
+                }
             }
         }
     }
@@ -96,7 +105,7 @@ pub(super) fn compare<S: Real>(
                     && r.x <= b.frame.high[0] + slack
                     && r.y >= b.frame.low[1] - slack
                     && r.y <= b.frame.high[1] + slack
-                    && b.holds(p)
+                    && b.holds(p, slack)
             })
         };
         if inside(a, b) || inside(b, a) {
@@ -104,7 +113,7 @@ pub(super) fn compare<S: Real>(
         }
         return found;
     }
-    let enough = if thorough { f64::INFINITY } else { 1e-3 * size };
+    let enough = if thorough { 100.0 * slack } else { 1e-3 * size };
     let [mut cut_a, mut cut_b] = cuts;
     for cuts in [&mut cut_a, &mut cut_b] {
         cuts.sort_by(|x, y| {
@@ -125,7 +134,8 @@ pub(super) fn compare<S: Real>(
     // The cut curves first: there something will be inside if anything is.
     let _ = search.pieces(a, b, &cut_a, true)
         || search.pieces(b, a, &cut_b, true)
-        || (!thorough && search.found.depth > slack)
+        || thorough
+        || search.found.depth > slack
         || search.pieces(a, b, &cut_a, false)
         || search.pieces(b, a, &cut_b, false);
     found
@@ -162,19 +172,13 @@ impl Search<'_> {
             let ends = cuts[first..next].iter().map(|c| c.1);
             for to in ends.chain([end]) {
                 let middle = curve.between(from, to);
-                let points = if self.thorough {
-                    vec![
-                        middle,
-                        curve.between(from, middle),
-                        curve.between(middle, to),
-                    ]
-                } else {
-                    vec![middle]
-                };
-                for p in points {
-                    if self.point(b, p.1) {
-                        return true;
-                    }
+                if self.point(b, middle.1)
+                    || !cut && self.point(b, curve.start)
+                    || self.thorough
+                        && (self.point(b, curve.between(from, middle).1)
+                            || self.point(b, curve.between(middle, to).1))
+                {
+                    return true;
                 }
                 if self.thorough
                     && (to.1 - from.1).length().to_f64() > self.slack
@@ -192,7 +196,7 @@ impl Search<'_> {
 
     /// Tries one point.
     fn point<S: Real>(&mut self, b: &Outline<S>, p: Place<S>) -> bool {
-        if b.holds(p) {
+        if b.holds(p, self.slack) {
             self.found.depth = self.found.depth.max(b.distance(p, self.slack));
         }
         self.found.depth > self.enough
@@ -213,7 +217,7 @@ pub(super) fn overlap_beside(
     while step > 2.0 * trust {
         for side in [step, -step] {
             let q = p + normal.times(side);
-            if a.holds(q) && b.holds(q) {
+            if a.holds(q, trust) && b.holds(q, trust) {
                 let (d, e) = (a.distance(q, 0.0), b.distance(q, 0.0));
                 if d.min(e) > trust {
                     best = best.max(d.max(e));

@@ -1,12 +1,12 @@
-//! Whether loops make a part, as far as random drawing needs to know.
+//! Whether loops make a part, as far as random drawing needs to know, and the area of a part.
 
 use cspace::{Part, Point, Vertex};
 
 use super::curve::Curve;
 use super::plane::Place;
 
-/// The least distance between two edges of the loops that do not follow each other, or between an edge and what is
-/// not near the corner of the next; 0 when edges cross, loops fall into corners sharper than about 15°, or an edge is shorter than 0.05.
+/// The least distance between two edges that do not follow each other; 0 when edges cross, or when a corner has less
+/// than 0.25 radians on either side, or an edge is shorter than 0.05.
 pub(crate) fn least_gap(loops: &[Vec<Vertex>]) -> f64 {
     let mut edges: Vec<(usize, usize, usize, Curve<f64>)> = Vec::new();
     for (l, vertices) in loops.iter().enumerate() {

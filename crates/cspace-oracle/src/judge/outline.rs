@@ -60,9 +60,19 @@ impl<S: Real> Outline<S> {
         }
     }
 
-    /// Whether the point is in the interior. Of no use for points on the boundary.
-    pub(super) fn holds(&self, p: Place<S>) -> bool {
-        self.curves.iter().filter(|c| c.flips(p)).count() % 2 == 1
+    /// Whether the point is in the interior. Of no use for points on the boundary. `slack` is the boxes' precision.
+    pub(super) fn holds(&self, p: Place<S>, slack: f64) -> bool {
+        let rough = p.rough();
+        let mut inside = false;
+        for (curve, frame) in self.curves.iter().zip(&self.frames) {
+            if rough.y >= frame.low[1] - slack
+                && rough.y <= frame.high[1] + slack
+                && rough.x <= frame.high[0] + slack
+            {
+                inside ^= curve.flips(p);
+            }
+        }
+        inside
     }
 
     /// The distance from the point to the boundary, to within `slack` of the boxes' precision.
