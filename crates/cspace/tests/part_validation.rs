@@ -1,5 +1,5 @@
 //! Which loops make a part, and what is said of those that do not.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use core::f64::consts::{PI, TAU};
 
@@ -236,7 +236,7 @@ fn consecutive_edges_cross_again() {
     // The arc leaves the end of the line and comes back through it.
     let shape = vec![
         Vertex::line(0.0, 0.0),
-        Vertex::new(4.0, 0.0, -2.0),
+        Vertex::new(4.0, 0.0, 2.0),
         Vertex::line(3.0, -0.5),
         Vertex::line(2.0, -3.0),
     ];
@@ -358,7 +358,7 @@ fn arcs_of_one_circle_overlap() {
     let (edges, crossing) = meeting(vec![part(0.0, 1.0), circle(0.0, 0.0, 1.0)]);
     assert!(!crossing, "{edges:?}");
     // Two consecutive arcs of one circle that together pass a full turn.
-    let sweep = 4.0;
+    let sweep = 4.0_f64;
     let around = vec![
         Vertex::new(1.0, 0.0, 1.0_f64.tan()),
         Vertex::new(sweep.cos(), sweep.sin(), 1.0_f64.tan()),
@@ -464,8 +464,9 @@ fn is_part(loops: Vec<Loop>, area: f64) {
 fn a_circle_of_two_half_circles() {
     is_part(vec![circle(1.0, 2.0, 3.0)], 9.0 * PI);
     let part = make(vec![circle(1.0, 2.0, 3.0)]).unwrap();
-    assert_eq!(part.bounds().min, Point::new(-2.0, -1.0));
-    assert_eq!(part.bounds().max, Point::new(4.0, 5.0));
+    let bounds = part.bounds();
+    assert!(bounds.min.distance(Point::new(-2.0, -1.0)) < 1e-14);
+    assert!(bounds.max.distance(Point::new(4.0, 5.0)) < 1e-14);
 }
 
 #[test]
@@ -646,10 +647,10 @@ fn long_slivers_side_by_side() {
 
 #[test]
 fn a_star_of_crossing_edges() {
-    let n = 100_001;
+    let n = 100_001_u64;
     let crossing: Loop = (0..n)
         .map(|i| {
-            let angle = TAU * ((i * (n / 2)) % n) as f64 / n as f64;
+            let angle = TAU * (i * 50_000 % n) as f64 / n as f64;
             Vertex::line(angle.cos(), angle.sin())
         })
         .collect();

@@ -1,6 +1,6 @@
 //! Consecutive edges: they share a vertex and must not meet elsewhere.
 
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 
 use super::meeting::{Meeting, by_curvature, facing};
 use super::outline::Outline;
@@ -14,7 +14,7 @@ use super::{Edge, PartError};
 pub(super) fn check_corners(outline: &Outline) -> Result<(), PartError> {
     for arriving in &outline.edges {
         let leaving = &outline.edges[outline.after(arriving.index)];
-        if is_spike(arriving, leaving) {
+        if is_spike(arriving, leaving, outline.tolerance()) {
             let (loop_index, vertex_index) = outline.name(leaving.index);
             return Err(PartError::Spike {
                 loop_index,
@@ -28,10 +28,14 @@ pub(super) fn check_corners(outline: &Outline) -> Result<(), PartError> {
     Ok(())
 }
 
-/// Whether two consecutive edges leave their common vertex in one direction.
-fn is_spike(arriving: &Edge, leaving: &Edge) -> bool {
-    let (back, on) = (-arriving.end_direction(), leaving.start_direction());
-    back.dot(on) > 0.0 && back.cross(on).abs() <= RESOLUTION
+/// Whether two consecutive edges leave their common vertex in one direction, or nearly so and cross
+/// again before they are apart.
+fn is_spike(arriving: &Edge, leaving: &Edge, tolerance: f64) -> bool {
+    let back = arriving.reversed();
+    let (out, on) = (back.start_direction(), leaving.start_direction());
+    out.dot(on) > 0.0
+        && (out.cross(on).abs() <= RESOLUTION
+            || second_crossing(&back, leaving).is_some_and(|way| way.length() <= tolerance))
 }
 
 /// Where two consecutive edges meet away from the vertices they share.
@@ -69,22 +73,23 @@ fn second_meeting(outline: &Outline, arriving: &Edge, leaving: &Edge) -> Option<
         return Some(Meeting::Touching(p));
     }
     second_crossing(&back, leaving)
+        .map(|way| leaving.start + way)
         .filter(|&p| !is_shared(p))
         .map(Meeting::Crossing)
 }
 
-/// The other crossing of two edges that start at one point, if they have one.
+/// The way to the other crossing of two edges that start at one point, if they have one.
 ///
 /// From that point, the lines or circles are κ p² / 2 = n · p, with left normals n and curvatures
 /// κ at the start. So both lie on the line through it along the left normal of κ′ n − κ n′ =: m,
 /// at 2 (n × n′) / m² times that.
-fn second_crossing(a: &Edge, b: &Edge) -> Option<Point> {
+fn second_crossing(a: &Edge, b: &Edge) -> Option<Vector> {
     let (n, l) = (a.start_direction().left(), b.start_direction().left());
     let m = n * b.curvature() - l * a.curvature();
     let square = m.length_squared();
     if square == 0.0 {
         return None; // Two lines, or one circle.
     }
-    let p = a.start + m.left() * (2.0 * n.cross(l) / square);
-    (a.covers(p) && b.covers(p)).then_some(p)
+    let way = m.left() * (2.0 * n.cross(l) / square);
+    (a.covers_way(way) && b.covers_way(way)).then_some(way)
 }

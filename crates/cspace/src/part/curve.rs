@@ -88,17 +88,23 @@ impl Edge {
         if self.is_line() {
             return bounds;
         }
-        // From the start, the arc rises along u by r (1 − cos φ) when it has turned by φ to where
-        // it is square to u.
+        // From the start, the arc rises along u by r (1 − cos φ) = r sin² φ / (1 + cos φ) when it
+        // has turned by φ to where it is square to u; of the two the one that does not cancel.
         let rise = |u: Vector| {
             let heading = if self.bulge > 0.0 {
                 u.left()
             } else {
                 u.right()
             };
-            let s = self.fraction_heading(heading)?;
-            let sine = (0.5 * s * self.sweep()).sin();
-            Some(2.0 * self.radius() * sine * sine)
+            self.fraction_heading(heading)?;
+            let from = self.start_direction();
+            let (cos, sin) = (from.dot(heading), from.cross(heading));
+            let share = if cos > 0.0 {
+                sin * sin / (1.0 + cos)
+            } else {
+                1.0 - cos
+            };
+            Some(self.radius() * share)
         };
         if let Some(rise) = rise(Vector::new(1.0, 0.0)) {
             bounds.max.x = bounds.max.x.max(self.start.x + rise);
@@ -154,17 +160,26 @@ impl Edge {
 
     /// Whether a point of the line or circle that carries the edge lies on the edge.
     pub(super) fn covers(&self, p: Point) -> bool {
-        let (b, c, q) = (self.bulge.abs(), self.end - self.start, p - self.start);
+        self.covers_way(p - self.start)
+    }
+
+    /// Whether the point at way `q` from the start lies on the edge, if it lies on its line or circle.
+    pub(super) fn covers_way(&self, q: Vector) -> bool {
+        let (b, c) = (self.bulge.abs(), self.end - self.start);
+        let height = -self.bulge.signum() * c.cross(q);
+        if (0.5..=2.0).contains(&b) {
+            // The circle meets the chord at a wide angle: the arc is what lies on its own side.
+            return height >= 0.0;
+        }
         let along = c.dot(q);
         let beside = 0.0 <= along && along <= c.length_squared();
         if b == 0.0 {
             return beside;
         }
-        // An arc of at most half a turn lies beside its chord, on the chord's side of the centre,
+        // An arc of less than half a turn lies beside its chord, on the chord's side of the centre,
         // which is (1 − b²) / (4 b) chords from the chord. A longer one is the rest of the circle.
-        let height = -self.bulge.signum() * c.cross(q);
         let center = (1.0 - b) * (1.0 + b) / (4.0 * b) * c.length_squared();
-        if b <= 1.0 {
+        if b < 1.0 {
             beside && height >= -center
         } else {
             !(beside && height <= -center)

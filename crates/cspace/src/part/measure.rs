@@ -28,7 +28,7 @@ impl Part {
     /// ```
     pub fn area(&self) -> f64 {
         let origin = self.bounds.center();
-        self.edges().map(|edge| area_swept(&edge, origin)).sum()
+        sum(self.edges().map(|edge| area_swept(&edge, origin)))
     }
 
     /// Whether a point lies in the material. On the boundary, to rounding, the answer is either.
@@ -64,8 +64,18 @@ impl Loop {
     /// ```
     pub fn signed_area(&self) -> f64 {
         let origin = self.vertices().first().map_or(Point::ORIGIN, |v| v.point());
-        self.edges().map(|edge| area_swept(&edge, origin)).sum()
+        sum(self.edges().map(|edge| area_swept(&edge, origin)))
     }
+}
+
+/// A sum whose rounding does not grow with the number of terms (Kahan, 1965).
+fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let (total, _) = terms.fold((0.0, 0.0), |(total, lost), term| {
+        let term = term - lost;
+        let next = total + term;
+        (next, (next - total) - term)
+    });
+    total
 }
 
 /// The signed area that the segment from `origin` to the edge sweeps out along the edge.

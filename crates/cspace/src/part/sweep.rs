@@ -21,14 +21,22 @@ use super::{Edge, PartError};
 /// a touch could be missed: of a vertex just beyond the end of such an edge's span.
 const DIRECTIONS: [f64; 2] = [0.739_085_133_2, 1.851_937_051_9];
 
+/// From this many edges on, the two sweeps run at the same time; below, handing one to another
+/// thread takes longer than the sweep.
+const PARALLEL_EDGES: usize = 1000;
+
 /// Whether each loop has its material on the right of the direction given.
 ///
 /// # Errors
 /// Two edges that are not neighbours cross or touch.
 pub(super) fn check_meetings(outline: &Outline) -> Result<Vec<bool>, PartError> {
-    let [first, second] = DIRECTIONS;
-    let (first, second) = rayon::join(|| sweep(outline, first), || sweep(outline, second));
-    second.and(first)
+    let [first, second] = DIRECTIONS.map(|direction| move || sweep(outline, direction));
+    if outline.edges.len() < PARALLEL_EDGES {
+        first()?;
+        return second();
+    }
+    let (first, second) = rayon::join(first, second);
+    first.and(second)
 }
 
 /// A piece of an edge on which the line's coordinate grows.
@@ -227,5 +235,97 @@ fn direction_at(edge: &Edge, u: f64) -> Vector {
         edge.end_direction()
     } else {
         edge.direction_at(u)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::check::{check_extent, check_numbers};
+    use crate::part::corner::check_corners;
+    use crate::part::nearness::check_vertices;
+    use crate::part::tolerance::RESOLUTION;
+    use crate::part::{Part, Vertex};
+
+    /// Numbers below a bound, without pattern.
+    struct Noise(u64);
+
+    impl Noise {
+        fn below(&mut self, bound: u64) -> u64 {
+            self.0 = self
+                .0
+                .wrapping_mul(0x5851_f42d_4c95_7f2d)
+                .wrapping_add(0x1405_7b7e_f767_814f);
+            (self.0 >> 33) % bound
+        }
+    }
+
+    const BULGES: [f64; 12] = [
+        0.0, 0.0, 0.0, 1.0, -1.0, 0.5, -0.5, 0.1, -0.1, 1e-3, -3.0, 1e-9,
+    ];
+
+    /// Loops with vertices on a small grid, some off it by about the resolution: they touch,
+    /// overlap and just miss each other in every way.
+    fn on_a_grid(noise: &mut Noise) -> Vec<Vec<Vertex>> {
+        let (loops, wide) = (1 + noise.below(3), 4 + noise.below(6));
+        let off = [0.0, 0.0, 0.0, 1e-12, 5e-11, 1e-9];
+        (0..loops)
+            .map(|_| {
+                (0..2 + noise.below(5))
+                    .map(|_| {
+                        let mut at = || noise.below(wide) as f64 + off[noise.below(6) as usize];
+                        let (x, y) = (at(), at());
+                        Vertex::new(x, y, BULGES[noise.below(12) as usize])
+                    })
+                    .collect()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn finds_a_meeting_exactly_when_some_two_edges_meet() {
+        let mut noise = Noise(1);
+        let (mut made, mut refused) = (0, 0);
+        for _ in 0..100_000 {
+            let mut loops = on_a_grid(&mut noise);
+            let Ok(bounds) = check_numbers(&mut loops).and_then(|()| check_extent(&loops)) else {
+                continue;
+            };
+            let outline = Outline::new(&loops, bounds);
+            if check_corners(&outline)
+                .and_then(|()| check_vertices(&outline, &loops))
+                .is_err()
+            {
+                continue;
+            }
+            let count = outline.edges.len();
+            let met = (0..count).any(|a| {
+                (0..a).any(|b| {
+                    !outline.are_neighbours(a, b)
+                        && meeting(&outline.edges[a], &outline.edges[b], outline.tolerance())
+                            .is_some()
+                })
+            });
+            let swept = check_meetings(&outline);
+            assert_eq!(swept.is_err(), met, "{loops:?} {swept:?}");
+            if met {
+                refused += 1;
+                continue;
+            }
+            made += 1;
+            let part = Part::new("grid", loops.clone());
+            let step = 0.2 * RESOLUTION * bounds.diagonal();
+            for edge in part
+                .iter()
+                .flat_map(Part::edges)
+                .filter(|e| e.length() > 0.1)
+            {
+                let (p, left) = (edge.at(0.47), edge.direction_at(0.47).left());
+                let inside = part.iter().any(|part| part.contains(p + left * step));
+                let beyond = part.iter().any(|part| part.contains(p + left * -step));
+                assert!(inside && !beyond, "{loops:?} {edge:?}");
+            }
+        }
+        assert!(made > 1000 && refused > 1000, "{made} {refused}");
     }
 }

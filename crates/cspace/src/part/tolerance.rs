@@ -33,5 +33,5 @@ pub const MIN_SIZE: f64 = 1e-120;
 pub const MAX_OFFSET: f64 = (1_u64 << 30) as f64;
 
 /// The largest number of vertices of a part, all loops together. Bounds the time and memory that
-/// checking a part takes: some seconds, some hundreds of megabytes.
+/// checking a part takes: some seconds, under a gigabyte.
 pub const MAX_VERTICES: usize = 1_000_000;
