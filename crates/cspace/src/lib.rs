@@ -3,11 +3,19 @@
 pub(crate) mod contact;
 pub(crate) mod feature;
 pub mod geometry;
+pub(crate) mod number;
 pub mod part;
 pub mod slice;
+pub mod space;
 mod union_find;
 
+pub use contact::{ContactFunction, Spiral};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use part::{Edge, Loop, Part, PartError, Vertex};
 pub use slice::{CurveGeometry, Slice, SliceCurve};
+pub use space::{
+    Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, FeatureCounts,
+    FreeRegion, Options, Patch, PatchRef, Progress, SideLink, Stage, StageSeconds, Statistics,
+    VerticalLink, Window,
+};

@@ -20,7 +20,10 @@ fn slices_agree_with_brute_force() {
             checked += 1;
             n += 1;
             if slice.is_free(c.position()) != near.free {
-                bad.push(format!("{}: {c:?} free={} step={} margin={:?}", pair.name, near.free, near.step, near.verdict));
+                bad.push(format!(
+                    "{}: {c:?} free={} step={} margin={:?}",
+                    pair.name, near.free, near.step, near.verdict
+                ));
             }
         }
         println!("{:40} {:5} wrong of {n}", pair.name, bad.len() - before);

@@ -6,7 +6,8 @@ use crate::feature::tolerance::{NARROWEST_BAND, SMALLEST_CIRCLE};
 use crate::feature::{Feature, Outline, unwrap_near};
 use crate::geometry::Vector;
 
-use super::sheet::{EndAngle, Seam, Sheet, SheetKind, Spiral};
+use super::function::Spiral;
+use super::sheet::{EndAngle, Seam, Sheet, SheetKind};
 
 /// The window of orientations, in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]

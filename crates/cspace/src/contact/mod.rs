@@ -1,15 +1,21 @@
 //! Contacts: the sheets that pairs of features sweep out, their ends, and the curves they show at one orientation.
 
 mod build;
+mod carrier;
+mod condition;
 mod crossing;
 mod curve;
+mod function;
 mod overlap;
 mod pair;
 mod sheet;
 
 pub(crate) use build::{Contacts, Span};
+pub(crate) use carrier::{Carrier, place_on};
+pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
-pub(crate) use curve::{Curve, CurveShape};
+pub(crate) use curve::{Curve, CurveShape, wrap};
+pub use function::{ContactFunction, Spiral};
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::Geometry;
-pub(crate) use sheet::{EndAngle, Seam, Sheet, SheetKind, Spiral};
+pub(crate) use sheet::{EndAngle, Seam, SharedEnds, Sheet, SheetKind};

@@ -2,7 +2,10 @@
 
 use crate::geometry::{Point, Rotation, Vector};
 
+use super::carrier::Carrier;
 use super::curve::{Curve, CurveShape};
+use super::function::{ContactFunction, Spiral};
+use crate::number::Real;
 
 /// Which features touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,20 +16,6 @@ pub(crate) enum SheetKind {
     RoundLine,
     /// Arcs or vertices of both.
     RoundRound,
-}
-
-/// How an end of every contact curve moves: p(θ) = u + `R_θ` w.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spiral {
-    pub(crate) u: Point,
-    pub(crate) w: Vector,
-}
-
-impl Spiral {
-    #[inline]
-    pub(crate) fn at(&self, turn: Rotation) -> Point {
-        self.u + turn * self.w
-    }
 }
 
 /// The angle of the contact normal at an end of a circular contact curve: constant, or turning with θ.
@@ -174,13 +163,27 @@ impl Sheet {
         Curve { start, end, shape }
     }
 
-    /// The contact function at a position (equations 1–3 of the paper): distance from contact, positive on the free side.
-    #[cfg(test)]
-    pub(crate) fn contact_function(&self, p: Point, turn: Rotation) -> f64 {
-        if self.is_circle() {
-            (p.distance(self.center().at(turn)) - self.radius.abs()) * self.radius.signum()
-        } else {
-            self.normal_at(turn).dot(p - self.start.at(turn))
+    /// Its contact function.
+    pub(crate) fn function(&self) -> ContactFunction {
+        match self.kind {
+            SheetKind::LineRound => ContactFunction::FixedLine {
+                normal: self.normal,
+                through: self.start,
+            },
+            SheetKind::RoundLine => ContactFunction::MovingLine {
+                normal: self.normal,
+                through: self.start,
+            },
+            SheetKind::RoundRound => ContactFunction::Circle {
+                center: self.center(),
+                radius: self.radius,
+            },
         }
+    }
+
+    /// Its carrier at the orientation with the given cosine and sine.
+    #[inline]
+    pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
+        self.function().carrier(cos, sin)
     }
 }

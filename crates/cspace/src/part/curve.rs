@@ -132,6 +132,15 @@ impl Edge {
     /// ```
     pub fn distance(&self, p: Point) -> f64 {
         let ends = p.distance(self.start).min(p.distance(self.end));
+        if self.is_line() {
+            let (c, q) = (self.end - self.start, p - self.start);
+            let beside = self.covers_way(q);
+            return if beside {
+                c.cross(q).abs() / c.length()
+            } else {
+                ends
+            };
+        }
         let curvature = self.curvature();
         let level = self.level(p) / (self.chord() * (1.0 + self.bulge * self.bulge));
         let gradient = self.start_direction().left() - (p - self.start) * curvature;

@@ -44,7 +44,7 @@ fn touching(a: &Edge, b: &Edge, tolerance: f64) -> Option<Point> {
 
 /// The one of two edges with the larger |curvature|, then the other.
 pub(super) fn by_curvature<'a>(a: &'a Edge, b: &'a Edge) -> (&'a Edge, &'a Edge) {
-    if a.curvature().abs() >= b.curvature().abs() {
+    if b.is_line() || a.curvature().abs() >= b.curvature().abs() {
         (a, b)
     } else {
         (b, a)
@@ -57,6 +57,9 @@ pub(super) fn by_curvature<'a>(a: &'a Edge, b: &'a Edge) -> (&'a Edge, &'a Edge)
 /// κ κ′ (o′ − o) + κ n′ − κ′ n, with starts o and left normals n there: no division, so that a
 /// circle may be as large as a line.
 pub(super) fn facing(rounder: &Edge, flatter: &Edge) -> [Option<f64>; 2] {
+    if rounder.is_line() {
+        return [None, None]; // Two lines.
+    }
     let (k, l) = (rounder.curvature(), flatter.curvature());
     let (n, m) = (
         rounder.start_direction().left(),
@@ -64,7 +67,7 @@ pub(super) fn facing(rounder: &Edge, flatter: &Edge) -> [Option<f64>; 2] {
     );
     let way = (flatter.start - rounder.start) * (k * l) + m * k - n * l;
     if way == Vector::ZERO {
-        return [None, None]; // Two lines, or one centre: the distance does not vary.
+        return [None, None]; // One centre: the distance does not vary.
     }
     let along = way.unit().left();
     [

@@ -131,7 +131,7 @@ impl CurveGeometry {
 
     /// The first distance along the ray from `p` in the unit direction `d` at which the curve is met, and the
     /// product of the direction with the normal towards free space there.
-    fn hit(&self, p: Point, d: Vector) -> Option<(f64, f64)> {
+    pub(crate) fn hit(&self, p: Point, d: Vector) -> Option<(f64, f64)> {
         match *self {
             Self::Segment { start, end } => {
                 let v = end - start;

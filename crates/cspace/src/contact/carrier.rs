@@ -1,0 +1,88 @@
+//! Carriers of contact curves at one orientation, and where two of them cross, in any arithmetic.
+
+use crate::number::Real;
+
+/// A line through a point with a unit normal, or a circle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Carrier<T> {
+    Line { normal: (T, T), through: (T, T) },
+    Circle { center: (T, T), radius: f64 },
+}
+
+fn minus<T: Real>(a: (T, T), b: (T, T)) -> (T, T) {
+    (a.0 - b.0, a.1 - b.1)
+}
+
+fn dot<T: Real>(a: (T, T), b: (T, T)) -> T {
+    a.0 * b.0 + a.1 * b.1
+}
+
+/// Where carrier g crosses carrier f, relative to f: for a line (length along it, unused), for a circle the vector
+/// from its centre. The root is named as in `crossing`, with `swapped` telling that f is the second of the two there.
+pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swapped: bool) -> (T, T) {
+    let zero = T::constant(0.0);
+    let signed = |x: T, positive: bool| if positive { x } else { -x };
+    match (*f, *g) {
+        (
+            Carrier::Line {
+                normal: m,
+                through: o,
+            },
+            Carrier::Line {
+                normal: n,
+                through: q,
+            },
+        ) => {
+            let along = (-m.1, m.0);
+            (-dot(n, minus(o, q)).over(dot(n, along)), zero)
+        }
+        (
+            Carrier::Line {
+                normal: m,
+                through: o,
+            },
+            Carrier::Circle { center, radius },
+        ) => {
+            let along = (-m.1, m.0);
+            let v = minus(center, o);
+            let offset = dot(m, v);
+            let r = T::constant(radius.abs());
+            let half = ((r - offset) * (r + offset)).root();
+            (dot(along, v) + signed(half, root == 1), zero)
+        }
+        (
+            Carrier::Circle { center, radius },
+            Carrier::Line {
+                normal: n,
+                through: q,
+            },
+        ) => {
+            let offset = dot(n, minus(center, q));
+            let r = T::constant(radius.abs());
+            let half = signed(((r - offset) * (r + offset)).root(), root == 1);
+            let foot = (-(n.0 * offset), -(n.1 * offset));
+            (foot.0 - n.1 * half, foot.1 + n.0 * half)
+        }
+        (
+            Carrier::Circle {
+                center: c1,
+                radius: r1,
+            },
+            Carrier::Circle {
+                center: c2,
+                radius: r2,
+            },
+        ) => {
+            let v = minus(c2, c1);
+            let square = dot(v, v);
+            let sum = T::constant(r1.abs() + r2.abs());
+            let difference = T::constant(r1.abs() - r2.abs());
+            let product = (sum * sum - square) * (square - difference * difference);
+            let twice = T::constant(2.0) * square;
+            let along = (square + sum * difference).over(twice);
+            // Left of the way from the first centre to the second, as seen by the pair as named.
+            let across = signed(product.root().over(twice), (root == 1) != swapped);
+            (v.0 * along - v.1 * across, v.1 * along + v.0 * across)
+        }
+    }
+}

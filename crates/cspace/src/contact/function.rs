@@ -1,0 +1,167 @@
+//! Contact functions: zero where two features touch, positive where they are apart.
+
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Real;
+
+use super::carrier::Carrier;
+
+/// A point that moves with orientation: p(θ) = u + `R_θ` w.
+///
+/// So move the ends of all contact curves (one normal there is that of a joint, fixed or turning with the moving
+/// part), and the centres of the circular ones.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Spiral {
+    /// The part that stays.
+    pub u: Point,
+    /// The part that turns.
+    pub w: Vector,
+}
+
+impl Spiral {
+    #[inline]
+    pub(crate) fn at(&self, turn: Rotation) -> Point {
+        self.u + turn * self.w
+    }
+}
+
+/// The contact function of a pair of features, equations (1)–(3) of Sacks 1999, in the pair's frame.
+///
+/// Its value at a position p and orientation θ is the distance of the features' carriers along the contact normal:
+/// zero on the contact patch, positive on its free side.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum ContactFunction {
+    /// Fixed line against moving arc or vertex (equation 1): n·(p − c(θ)).
+    FixedLine {
+        /// Outward unit normal of the fixed line.
+        normal: Vector,
+        /// A position in contact.
+        through: Spiral,
+    },
+    /// Moving line against fixed arc or vertex (equation 2): R n·(p − c(θ)).
+    MovingLine {
+        /// Minus the outward unit normal of the moving line, in the moving part's frame.
+        normal: Vector,
+        /// A position in contact.
+        through: Spiral,
+    },
+    /// Two arcs, or an arc and a vertex (equation 3): ±(|p − c(θ)| − |r|), with the sign of r.
+    Circle {
+        /// Position at which the two centres coincide.
+        center: Spiral,
+        /// Sum of the signed radii (convex positive): negative for a convex arc inside a concave one.
+        radius: f64,
+    },
+}
+
+impl ContactFunction {
+    /// Whether its curves at one orientation are circles, not lines.
+    #[inline]
+    pub fn is_circular(&self) -> bool {
+        matches!(self, Self::Circle { .. })
+    }
+
+    /// The value at a position of the pair's frame and orientation `theta`.
+    pub fn value(&self, p: Point, theta: f64) -> f64 {
+        let turn = Rotation::by(theta);
+        match *self {
+            Self::FixedLine { normal, through } => normal.dot(p - through.at(turn)),
+            Self::MovingLine { normal, through } => (turn * normal).dot(p - through.at(turn)),
+            Self::Circle { center, radius } => {
+                (p.distance(center.at(turn)) - radius.abs()) * radius.signum()
+            }
+        }
+    }
+
+    /// The gradient by position and orientation: (∂/∂p, ∂/∂θ).
+    ///
+    /// The turning part R w of a spiral moves by left(R w) per radian.
+    pub fn gradient(&self, p: Point, theta: f64) -> (Vector, f64) {
+        let turn = Rotation::by(theta);
+        match *self {
+            Self::FixedLine { normal, through } => (normal, -normal.dot((turn * through.w).left())),
+            Self::MovingLine { normal, through } => {
+                let n = turn * normal;
+                let v = p - through.at(turn);
+                (n, n.left().dot(v) - n.dot((turn * through.w).left()))
+            }
+            Self::Circle { center, radius } => {
+                let n = (p - center.at(turn)).unit() * radius.signum();
+                (n, -n.dot((turn * center.w).left()))
+            }
+        }
+    }
+
+    /// Its carrier at the orientation with the given cosine and sine.
+    #[inline]
+    pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
+        let real = T::constant;
+        let turned = |v: Vector| {
+            (
+                cos * real(v.x) - sin * real(v.y),
+                sin * real(v.x) + cos * real(v.y),
+            )
+        };
+        let spiral = |s: &Spiral| {
+            let w = turned(s.w);
+            (real(s.u.x) + w.0, real(s.u.y) + w.1)
+        };
+        match self {
+            Self::FixedLine { normal, through } => Carrier::Line {
+                normal: (real(normal.x), real(normal.y)),
+                through: spiral(through),
+            },
+            Self::MovingLine { normal, through } => Carrier::Line {
+                normal: turned(*normal),
+                through: spiral(through),
+            },
+            Self::Circle { center, radius } => Carrier::Circle {
+                center: spiral(center),
+                radius: *radius,
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gradients_agree_with_differences() {
+        let s = Spiral {
+            u: Point::new(0.3, -0.2),
+            w: Vector::new(0.5, 0.1),
+        };
+        let normal = Vector::from_angle(0.7);
+        for f in [
+            ContactFunction::FixedLine { normal, through: s },
+            ContactFunction::MovingLine { normal, through: s },
+            ContactFunction::Circle {
+                center: s,
+                radius: 0.4,
+            },
+            ContactFunction::Circle {
+                center: s,
+                radius: -0.4,
+            },
+        ] {
+            let (p, theta, h) = (Point::new(1.1, 0.4), 0.3, 1e-6);
+            let (by_p, by_theta) = f.gradient(p, theta);
+            let difference = |a: f64, b: f64| (a - b) / (2.0 * h);
+            let dx = difference(
+                f.value(p + Vector::new(h, 0.0), theta),
+                f.value(p + Vector::new(-h, 0.0), theta),
+            );
+            let dy = difference(
+                f.value(p + Vector::new(0.0, h), theta),
+                f.value(p + Vector::new(0.0, -h), theta),
+            );
+            let dt = difference(f.value(p, theta + h), f.value(p, theta - h));
+            assert!((dx - by_p.x).abs() < 1e-9 && (dy - by_p.y).abs() < 1e-9);
+            assert!((dt - by_theta).abs() < 1e-9);
+        }
+    }
+}

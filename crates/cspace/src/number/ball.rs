@@ -1,0 +1,170 @@
+//! Enclosures: a midpoint and a radius, with rounding accounted for.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::Real;
+
+/// All reals within `radius` of `mid`. Every operation returns an enclosure of all its results.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Ball {
+    pub(crate) mid: f64,
+    pub(crate) radius: f64,
+}
+
+/// More than the relative rounding error of one operation, with room for that of the radius itself.
+const UNIT: f64 = 2.0 * f64::EPSILON;
+/// More than any error by underflow.
+const TINY: f64 = f64::MIN_POSITIVE;
+
+impl Ball {
+    #[inline]
+    pub(crate) const fn new(mid: f64, radius: f64) -> Self {
+        Self { mid, radius }
+    }
+
+    /// Encloses every real.
+    const ALL: Self = Self::new(0.0, f64::INFINITY);
+
+    #[inline]
+    fn rounded(mid: f64, radius: f64) -> Self {
+        Self::new(mid, radius * (1.0 + 4.0 * UNIT) + mid.abs() * UNIT + TINY)
+    }
+
+    /// The interval from `lo` to `hi`.
+    #[inline]
+    pub(crate) fn between(lo: f64, hi: f64) -> Self {
+        Self::rounded(0.5 * (lo + hi), 0.5 * (hi - lo))
+    }
+
+    /// The sign of all its members, if they have one: 1 or −1; otherwise 0.
+    #[inline]
+    pub(crate) fn sign(self) -> i8 {
+        if self.mid > self.radius {
+            1
+        } else if -self.mid > self.radius {
+            -1
+        } else {
+            0
+        }
+    }
+
+    /// Cosine and sine of all angles of the ball.
+    ///
+    /// About the middle m with h the radius: |cos x − cos m| ≤ |sin m| h + h² / 2, likewise the sine.
+    #[inline]
+    pub(crate) fn cos_sin(self) -> (Self, Self) {
+        let (s, c) = self.mid.sin_cos();
+        let h = self.radius.min(4.0);
+        let rest = 0.5 * h * h;
+        (
+            Self::rounded(c, (s.abs() * h + rest).min(2.0)),
+            Self::rounded(s, (c.abs() * h + rest).min(2.0)),
+        )
+    }
+}
+
+impl Add for Ball {
+    type Output = Self;
+    #[inline]
+    fn add(self, o: Self) -> Self {
+        Self::rounded(self.mid + o.mid, self.radius + o.radius)
+    }
+}
+
+impl Sub for Ball {
+    type Output = Self;
+    #[inline]
+    fn sub(self, o: Self) -> Self {
+        Self::rounded(self.mid - o.mid, self.radius + o.radius)
+    }
+}
+
+impl Neg for Ball {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self::new(-self.mid, self.radius)
+    }
+}
+
+impl Mul for Ball {
+    type Output = Self;
+    #[inline]
+    fn mul(self, o: Self) -> Self {
+        Self::rounded(
+            self.mid * o.mid,
+            self.mid.abs() * o.radius + self.radius * (o.mid.abs() + o.radius),
+        )
+    }
+}
+
+impl Real for Ball {
+    #[inline]
+    fn constant(value: f64) -> Self {
+        Self::new(value, 0.0)
+    }
+
+    #[inline]
+    fn over(self, divisor: Self) -> Self {
+        let least = divisor.mid.abs() - divisor.radius;
+        if least.is_nan() || least <= 0.0 {
+            return Self::ALL;
+        }
+        let mid = self.mid / divisor.mid;
+        Self::rounded(mid, (self.radius + mid.abs() * divisor.radius) / least)
+    }
+
+    #[inline]
+    fn root(self) -> Self {
+        let hi = self.mid + self.radius;
+        let lo = self.mid - self.radius;
+        if lo > 0.0 {
+            // √(m ± r) differs from √m by at most r / √lo / (1 + √(m / lo)) ≤ r / (√m + √lo).
+            let mid = self.mid.sqrt();
+            Self::rounded(mid, self.radius / (mid + lo.sqrt()))
+        } else {
+            let top = hi.max(0.0).sqrt();
+            Self::rounded(0.5 * top, 0.5 * top)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn encloses_results_at_sampled_members() {
+        let a = Ball::between(0.3, 0.5);
+        let b = Ball::between(-2.0, -1.5);
+        for i in 0..=10 {
+            for j in 0..=10 {
+                let (x, y) = (0.3 + 0.02 * f64::from(i), -2.0 + 0.05 * f64::from(j));
+                for (ball, value) in [
+                    (a + b, x + y),
+                    (a - b, x - y),
+                    (a * b, x * y),
+                    (a.over(b), x / y),
+                    (a.root(), x.sqrt()),
+                    (a.cos_sin().0, x.cos()),
+                    (a.cos_sin().1, x.sin()),
+                ] {
+                    assert!((ball.mid - value).abs() <= ball.radius, "{ball:?} {value}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn has_no_sign_when_it_contains_zero() {
+        assert_eq!(Ball::between(-1.0, 1.0).sign(), 0);
+        assert_eq!(Ball::between(0.0, 1.0).sign(), 0);
+        assert_eq!(Ball::between(0.1, 1.0).sign(), 1);
+        assert_eq!(Ball::between(-1.0, -0.1).sign(), -1);
+        assert_eq!(a_quotient_by_zero().sign(), 0);
+    }
+
+    fn a_quotient_by_zero() -> Ball {
+        Ball::constant(1.0).over(Ball::between(-1.0, 1.0))
+    }
+}

@@ -1,0 +1,47 @@
+//! Cells: what branches cut a sheet into.
+
+/// In place of a branch: the end of the sheet's contact curves.
+pub(super) const END: u32 = u32::MAX;
+
+/// A piece of a sheet whose left and right bounds stay the same from one cluster of events to another.
+///
+/// It is on the boundary of free space as a whole or not at all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cell {
+    pub(super) sheet: u32,
+    pub(super) from: u32,
+    pub(super) to: u32,
+    /// The branch at which it begins in the direction of travel, or [`END`].
+    pub(super) left: u32,
+    /// The branch at which it ends, or [`END`].
+    pub(super) right: u32,
+    /// Whether it is in blocked space by what bounds it.
+    pub(super) blocked: bool,
+    /// Whether it begins, or ends, where the orientations of its sheet do.
+    pub(super) at_bottom: bool,
+    pub(super) at_top: bool,
+}
+
+/// Two cells that continue each other in orientation, and the part of the contact curve that they share there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct VerticalContact {
+    pub(super) lower: u32,
+    pub(super) upper: u32,
+    /// The cluster of events they share.
+    pub(super) at: u32,
+    /// Places on the lower cell's contact curve.
+    pub(super) lo: f64,
+    pub(super) hi: f64,
+}
+
+/// Two cells that follow each other along the boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SideContact {
+    /// The one that ends in the direction of travel, and the one that begins there.
+    pub(super) before: u32,
+    pub(super) after: u32,
+    pub(super) from: u32,
+    pub(super) to: u32,
+    /// The branch at which they meet, or [`END`] for a shared end.
+    pub(super) branch: u32,
+}

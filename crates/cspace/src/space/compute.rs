@@ -1,0 +1,268 @@
+//! From two parts to their contact space.
+
+use std::time::Instant;
+
+use crate::contact::Geometry;
+use crate::number::Event;
+use crate::part::Part;
+
+use super::assemble::assemble;
+use super::branch::{branches, pair_events};
+use super::candidates::{Candidates, MAX_SHEETS};
+use super::clusters::Clusters;
+use super::graph::{ContactSpace, Window};
+use super::shells::ShellFinder;
+use super::stats::{StageSeconds, Statistics};
+use super::sweep::Sweep;
+use super::triple::{OnSheet, triple_events};
+
+/// What to compute.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// Only orientations from the first to the second, in radians; `None` is the full turn.
+    pub window: Option<(f64, f64)>,
+}
+
+/// Why a contact space cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ComputeError {
+    /// The window is reversed, empty, longer than a turn, or not finite.
+    #[error("the window of orientations from {lo} to {hi} is not an interval of at most one turn")]
+    Window {
+        /// First orientation given.
+        lo: f64,
+        /// Last orientation given.
+        hi: f64,
+    },
+    /// There are more feature pairs than can be numbered.
+    #[error(
+        "{fixed} × {moving} features are too many for one contact space (at most {limit} pairs)"
+    )]
+    TooLarge {
+        /// Features of the fixed part.
+        fixed: usize,
+        /// Features of the moving part.
+        moving: usize,
+        /// Largest number of pairs.
+        limit: usize,
+    },
+    /// The computation was interrupted.
+    #[error("the computation was interrupted")]
+    Interrupted,
+}
+
+/// Stages of a computation, for progress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Features and sheets.
+    Sheets,
+    /// Which sheets may cross.
+    Candidates,
+    /// Events of pairs.
+    PairEvents,
+    /// Crossings.
+    Branches,
+    /// Events of three sheets.
+    TripleEvents,
+    /// Cells.
+    Cells,
+    /// Free or blocked.
+    Shells,
+    /// Patches and links.
+    Graph,
+}
+
+impl Stage {
+    /// Number of stages.
+    pub const COUNT: u64 = 8;
+}
+
+/// Is told what a computation is doing, and may stop it.
+pub trait Progress: Sync {
+    /// Called when a stage begins; an error ends the computation.
+    ///
+    /// # Errors
+    /// [`ComputeError::Interrupted`] if the user wants no more of it.
+    fn stage(&self, stage: Stage) -> Result<(), ComputeError>;
+}
+
+/// Does not care.
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}
+
+impl ContactSpace {
+    /// Computes the contact space of two parts by the general method.
+    ///
+    /// # Errors
+    /// If the window is no interval of at most one turn, or the parts have too many features.
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
+    /// assert_eq!(space.free_regions().len(), 1);
+    /// assert_eq!(space.critical_orientations().len(), 4);
+    /// assert!(space.slice(0.1).is_free(cspace::Point::new(3.5, 0.0)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn compute(fixed: &Part, moving: &Part, options: &Options) -> Result<Self, ComputeError> {
+        Self::compute_with(fixed, moving, options, &Silent)
+    }
+
+    /// As [`compute`](Self::compute), telling `progress` of every stage.
+    ///
+    /// # Errors
+    /// As [`compute`](Self::compute); and what `progress` returns.
+    pub fn compute_with(
+        fixed: &Part,
+        moving: &Part,
+        options: &Options,
+        progress: &dyn Progress,
+    ) -> Result<Self, ComputeError> {
+        let window = checked_window(options.window)?;
+        let (n, m) = (fixed.edges().count(), moving.edges().count());
+        // An edge and its vertex with an edge or a vertex make four pairs, and a pair of arcs up to three sheets a turn.
+        let limit = MAX_SHEETS / 16;
+        if n.saturating_mul(m) > limit {
+            return Err(ComputeError::TooLarge {
+                fixed: n,
+                moving: m,
+                limit,
+            });
+        }
+        let mut seconds = StageSeconds::default();
+        let begin = Instant::now();
+        let mut clock = Instant::now();
+        let mut lap = |to: &mut f64| {
+            *to = clock.elapsed().as_secs_f64();
+            clock = Instant::now();
+        };
+
+        progress.stage(Stage::Sheets)?;
+        let geometry = Geometry::new(fixed, moving, window);
+        let span = geometry.contacts.span;
+        let sheets = &geometry.contacts.sheets;
+        lap(&mut seconds.sheets);
+
+        progress.stage(Stage::Candidates)?;
+        let candidates = Candidates::find(&geometry);
+        lap(&mut seconds.candidates);
+
+        progress.stage(Stage::PairEvents)?;
+        let pair_events = pair_events(&geometry, &candidates.pairs);
+        /// Error of the orientation at which two normals oppose each other.
+        const ALIGNMENT_ERROR: f64 = 16.0 * f64::EPSILON;
+        let mut events: Vec<Event> = pair_events.iter().flatten().copied().collect();
+        let pair_event_count = events.len() as u64;
+        let exact = |theta: f64, error: f64| Event { theta, error };
+        events.extend(
+            sheets
+                .iter()
+                .flat_map(|s| [exact(s.lo, ALIGNMENT_ERROR), exact(s.hi, ALIGNMENT_ERROR)]),
+        );
+        events.extend(candidates.slots.iter().map(|&s| exact(s, 0.0)));
+        let clusters = Clusters::new(events);
+        lap(&mut seconds.pair_events);
+
+        progress.stage(Stage::Branches)?;
+        let mut branches = branches(&geometry, &candidates.pairs, &pair_events, &clusters);
+        lap(&mut seconds.branches);
+
+        progress.stage(Stage::TripleEvents)?;
+        let on_sheet = OnSheet::new(sheets.len(), &branches);
+        let triples = triple_events(&geometry, &branches, &on_sheet, &clusters);
+        let (clusters, moved) = clusters.with(triples.iter().map(|t| t.1).collect());
+        for b in &mut branches {
+            b.from = moved[b.from as usize];
+            b.to = moved[b.to as usize];
+        }
+        let mut passings: Vec<(u32, u32)> = triples
+            .iter()
+            .map(|(sheet, e)| (*sheet, clusters.index(e.theta)))
+            .collect();
+        passings.sort_unstable();
+        passings.dedup();
+        lap(&mut seconds.triple_events);
+
+        progress.stage(Stage::Cells)?;
+        let sweep = Sweep {
+            geometry: &geometry,
+            clusters: &clusters,
+            branches: &branches,
+            on_sheet: &on_sheet,
+            passings: &passings,
+        };
+        let cells = sweep.run(&candidates.sheets);
+        lap(&mut seconds.cells);
+
+        progress.stage(Stage::Shells)?;
+        let finder = ShellFinder {
+            geometry: &geometry,
+            clusters: &clusters,
+            branches: &branches,
+            candidates: &candidates,
+        };
+        let shells = finder.find(&cells);
+        lap(&mut seconds.shells);
+
+        progress.stage(Stage::Graph)?;
+        let statistics = Statistics {
+            sheets: sheets.len() as u64,
+            pairs: candidates.pairs.len() as u64,
+            pair_events: pair_event_count,
+            triple_events: triples.len() as u64,
+            clusters: clusters.len() as u64,
+            branches: branches.len() as u64,
+            cells: cells.cells.len() as u64,
+            overlap_tests: shells.tests as u64,
+            conflicts: shells.conflicts as u64,
+            seconds: StageSeconds::default(),
+        };
+        let window = Window {
+            lo: span.lo,
+            hi: span.hi,
+            full_turn: span.full,
+        };
+        let mut space = assemble(
+            fixed,
+            moving,
+            window,
+            &geometry,
+            &clusters,
+            &branches,
+            &cells.cells,
+            &shells,
+        );
+        lap(&mut seconds.graph);
+        seconds.total = begin.elapsed().as_secs_f64();
+        space.statistics = Statistics {
+            seconds,
+            ..statistics
+        };
+        Ok(space)
+    }
+}
+
+/// The window, checked; a window of a whole turn is the full turn.
+fn checked_window(window: Option<(f64, f64)>) -> Result<Option<(f64, f64)>, ComputeError> {
+    use core::f64::consts::TAU;
+    /// How much more than a turn a window may be, by rounding.
+    const SLACK: f64 = 1e-12;
+    let Some((lo, hi)) = window else {
+        return Ok(None);
+    };
+    let length = hi - lo;
+    if !(length > 0.0 && length <= TAU + SLACK && lo.abs() < 1e6) {
+        return Err(ComputeError::Window { lo, hi });
+    }
+    Ok((length < TAU - SLACK).then_some((lo, hi)))
+}

@@ -1,0 +1,277 @@
+//! The contact space as a user walks it: patches, links, bands, free regions.
+
+use serde::{Deserialize, Serialize};
+
+use crate::feature::PairFrame;
+use crate::geometry::{Configuration, Point};
+use crate::part::Part;
+
+use super::patch::{Patch, PatchRef};
+use super::stats::Statistics;
+
+/// The orientations a contact space covers.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Window {
+    /// First orientation, radians.
+    pub lo: f64,
+    /// Last orientation, radians.
+    pub hi: f64,
+    /// Whether these are all orientations: the last is then the first again.
+    pub full_turn: bool,
+}
+
+/// Two patches that follow each other along the boundary of free space, within bands.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SideLink {
+    /// The patch that ends there in the direction of travel; its right boundary is the curve of the link.
+    pub before: u32,
+    /// The patch that begins there; its left boundary is the same curve.
+    pub after: u32,
+    /// First orientation at which they are neighbours.
+    pub lo: f64,
+    /// Last orientation.
+    pub hi: f64,
+}
+
+/// Two patches that continue each other in orientation.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct VerticalLink {
+    /// The patch that ends at the orientation.
+    pub lower: u32,
+    /// The patch that begins there.
+    pub upper: u32,
+    /// The critical orientation, radians.
+    pub theta: f64,
+    /// The curve that their top and bottom share.
+    pub overlap: CurveGeometry,
+}
+
+use crate::slice::CurveGeometry;
+
+/// A connected component of free space over all orientations of the window.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FreeRegion {
+    /// Whether it reaches arbitrarily far positions. Exactly one region does.
+    pub unbounded: bool,
+    /// A configuration inside, away from contact.
+    pub sample: Configuration,
+    /// Number of patches on its boundary.
+    pub patches: u32,
+}
+
+/// All relative configurations of two parts, split into free and blocked by patches of contact.
+#[derive(Debug, Clone)]
+pub struct ContactSpace {
+    pub(crate) fixed: Part,
+    pub(crate) moving: Part,
+    pub(crate) window: Window,
+    pub(crate) frame: PairFrame,
+    pub(crate) critical_orientations: Vec<f64>,
+    pub(crate) patches: Vec<Patch>,
+    pub(crate) side_links: Vec<SideLink>,
+    pub(crate) vertical_links: Vec<VerticalLink>,
+    pub(crate) regions: Vec<FreeRegion>,
+    pub(crate) features: FeatureCounts,
+    pub(crate) exact_fits: u32,
+    pub(crate) statistics: Statistics,
+    pub(crate) walk: Walk,
+}
+
+/// Lines, arcs and vertices that are not smooth joints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FeatureCounts {
+    /// Of the fixed part.
+    pub fixed: u32,
+    /// Of the moving part.
+    pub moving: u32,
+}
+
+/// For every patch its side links, by the end at which they lie.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Walk {
+    /// Links in which patch i comes before: `after_links[after_first[i]..after_first[i + 1]]`.
+    pub(crate) after_first: Vec<u32>,
+    pub(crate) after_links: Vec<u32>,
+    pub(crate) before_first: Vec<u32>,
+    pub(crate) before_links: Vec<u32>,
+}
+
+impl Walk {
+    pub(crate) fn new(patches: usize, links: &[SideLink]) -> Self {
+        let gather = |end: fn(&SideLink) -> u32| {
+            let mut first = vec![0u32; patches + 1];
+            for l in links {
+                first[end(l) as usize + 1] += 1;
+            }
+            for i in 0..patches {
+                first[i + 1] += first[i];
+            }
+            let mut at = first.clone();
+            let mut list = vec![0; links.len()];
+            for (i, l) in (0u32..).zip(links) {
+                let slot = &mut at[end(l) as usize];
+                list[*slot as usize] = i;
+                *slot += 1;
+            }
+            (first, list)
+        };
+        let (after_first, after_links) = gather(|l| l.before);
+        let (before_first, before_links) = gather(|l| l.after);
+        Self {
+            after_first,
+            after_links,
+            before_first,
+            before_links,
+        }
+    }
+}
+
+/// An interval between consecutive critical orientations: within it nothing but lengths changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band {
+    /// The critical orientation it begins at.
+    pub lo: f64,
+    /// The one it ends at, beyond π for the band that passes it.
+    pub hi: f64,
+}
+
+impl ContactSpace {
+    /// The fixed part.
+    pub fn fixed(&self) -> &Part {
+        &self.fixed
+    }
+
+    /// The moving part.
+    pub fn moving(&self) -> &Part {
+        &self.moving
+    }
+
+    /// The orientations covered.
+    pub fn window(&self) -> Window {
+        self.window
+    }
+
+    /// The numbers of features of the two parts.
+    pub fn features(&self) -> FeatureCounts {
+        self.features
+    }
+
+    /// Orientations at which the structure of the slice changes: sorted, in [−π, π) for a full turn.
+    pub fn critical_orientations(&self) -> &[f64] {
+        &self.critical_orientations
+    }
+
+    /// The patches.
+    pub fn patches(&self) -> &[Patch] {
+        &self.patches
+    }
+
+    /// A patch with what it can be asked. `None` if there is no such patch.
+    pub fn patch(&self, index: u32) -> Option<PatchRef<'_>> {
+        let patch = self.patches.get(index as usize)?;
+        Some(PatchRef {
+            patch,
+            frame: &self.frame,
+        })
+    }
+
+    /// Neighbours within bands.
+    pub fn side_links(&self) -> &[SideLink] {
+        &self.side_links
+    }
+
+    /// Neighbours across critical orientations.
+    pub fn vertical_links(&self) -> &[VerticalLink] {
+        &self.vertical_links
+    }
+
+    /// The side links at the right boundary of a patch, in order of orientation.
+    pub fn links_after(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
+        let range = self.walk.after_first[patch as usize] as usize
+            ..self.walk.after_first[patch as usize + 1] as usize;
+        self.walk.after_links[range]
+            .iter()
+            .map(|&l| &self.side_links[l as usize])
+    }
+
+    /// The side links at the left boundary of a patch, in order of orientation.
+    pub fn links_before(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
+        let range = self.walk.before_first[patch as usize] as usize
+            ..self.walk.before_first[patch as usize + 1] as usize;
+        self.walk.before_links[range]
+            .iter()
+            .map(|&l| &self.side_links[l as usize])
+    }
+
+    /// The connected components of free space; the unbounded one first.
+    pub fn free_regions(&self) -> &[FreeRegion] {
+        &self.regions
+    }
+
+    /// The number of shells that are blocked only because a clearance below the resolution counts as none.
+    pub fn exact_fits(&self) -> u32 {
+        self.exact_fits
+    }
+
+    /// Counts and times of the computation.
+    pub fn statistics(&self) -> &Statistics {
+        &self.statistics
+    }
+
+    /// The resolution in the model's unit of length: clearances below it count as none.
+    pub fn resolution(&self) -> f64 {
+        self.frame
+            .outer_length(8.0 * crate::feature::tolerance::GROWTH)
+    }
+
+    /// The bands, in order. A space without critical orientations has one.
+    pub fn bands(&self) -> Vec<Band> {
+        let c = &self.critical_orientations;
+        let turn = core::f64::consts::TAU;
+        if self.window.full_turn {
+            match (c.first(), c.last()) {
+                (Some(&first), Some(&last)) => {
+                    let mut bands: Vec<Band> =
+                        c.windows(2).map(|w| Band { lo: w[0], hi: w[1] }).collect();
+                    bands.push(Band {
+                        lo: last,
+                        hi: first + turn,
+                    });
+                    bands
+                }
+                _ => vec![Band {
+                    lo: self.window.lo,
+                    hi: self.window.hi,
+                }],
+            }
+        } else {
+            let mut bounds = vec![self.window.lo];
+            bounds.extend(c);
+            bounds.push(self.window.hi);
+            bounds
+                .windows(2)
+                .filter(|w| w[0] < w[1])
+                .map(|w| Band { lo: w[0], hi: w[1] })
+                .collect()
+        }
+    }
+
+    /// The boundary of free space in a band, as closed loops of patches in order of travel.
+    pub fn loops(&self, band: Band) -> Vec<Vec<u32>> {
+        let slice = self.slice(0.5 * (band.lo + band.hi));
+        slice
+            .loops
+            .iter()
+            .map(|l| {
+                l.iter()
+                    .filter_map(|&c| slice.curves[c as usize].patch)
+                    .collect()
+            })
+            .collect()
+    }
+
+    /// The point of the pair's frame that a configuration's position is.
+    pub(crate) fn inner(&self, c: Configuration) -> Point {
+        self.frame.inner_from_outer(c)
+    }
+}

@@ -1,0 +1,21 @@
+//! The contact space of a pair of parts, over all orientations.
+
+mod assemble;
+mod branch;
+mod candidates;
+mod cells;
+mod clusters;
+mod compute;
+mod graph;
+mod patch;
+mod regions;
+mod shells;
+mod slice;
+mod stats;
+mod sweep;
+mod triple;
+
+pub use compute::{ComputeError, Options, Progress, Stage};
+pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};
+pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
+pub use stats::{StageSeconds, Statistics};

@@ -1,0 +1,211 @@
+//! Contact patches and their boundary curves.
+
+use serde::{Deserialize, Serialize};
+
+use crate::contact::{Carrier, ContactFunction, Spiral, place_on};
+use crate::feature::{FeatureName, PairFrame};
+use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::number::Dual;
+
+/// A maximal piece of the contact space on which one pair of features touches between the same two boundary curves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Patch {
+    /// The feature of the fixed part.
+    pub fixed: FeatureName,
+    /// The feature of the moving part.
+    pub moving: FeatureName,
+    /// The contact function, in the pair's frame.
+    pub function: ContactFunction,
+    /// First orientation, in [−π, π) for a full turn.
+    pub lo: f64,
+    /// Last orientation, at most a turn later; beyond π where the patch passes it.
+    pub hi: f64,
+    /// Where the patch begins in the direction of travel: blocked space on the left, free space on the right.
+    pub left: Boundary,
+    /// Where it ends.
+    pub right: Boundary,
+    /// The free region it bounds.
+    pub region: u32,
+}
+
+/// A boundary curve of a patch: a position for every orientation, in closed form.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum Boundary {
+    /// One of the two features ends: its neighbour takes over.
+    End {
+        /// How the end moves.
+        spiral: Spiral,
+    },
+    /// Another pair of features touches at the same time.
+    Crossing {
+        /// The contact function of that pair.
+        with: ContactFunction,
+        /// Which of the two crossings of the curves, if there are two: 0 or 1.
+        root: u8,
+    },
+}
+
+/// The kinds of boundary curves, by the contact curves that cross there (section 3.1 of Sacks 1999).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BoundaryKind {
+    /// The end of a feature.
+    FeatureEnd,
+    /// Two lines of the fixed part.
+    FixedLineFixedLine,
+    /// Two lines of the moving part.
+    MovingLineMovingLine,
+    /// A line of each.
+    FixedLineMovingLine,
+    /// A line of the fixed part and a circle.
+    FixedLineCircle,
+    /// A line of the moving part and a circle.
+    MovingLineCircle,
+    /// Two circles.
+    CircleCircle,
+}
+
+/// A patch together with the frame it is written in: what a user asks things of.
+#[derive(Debug, Clone, Copy)]
+pub struct PatchRef<'a> {
+    pub(super) patch: &'a Patch,
+    pub(super) frame: &'a PairFrame,
+}
+
+/// A boundary curve together with its patch.
+#[derive(Debug, Clone, Copy)]
+pub struct BoundaryCurve<'a> {
+    patch: PatchRef<'a>,
+    boundary: &'a Boundary,
+}
+
+impl<'a> PatchRef<'a> {
+    /// The plain data.
+    pub fn data(&self) -> &'a Patch {
+        self.patch
+    }
+
+    /// The contact function at a configuration, in the model's unit of length: zero on the patch, positive on its
+    /// free side (equations 1–3).
+    pub fn contact_function(&self, c: Configuration) -> f64 {
+        let p = self.frame.inner_from_outer(c);
+        self.frame
+            .outer_length(self.patch.function.value(p, c.theta))
+    }
+
+    /// The gradient of the contact function by x, y and θ; its first two components are the unit normal towards free
+    /// space in the slice.
+    pub fn gradient(&self, c: Configuration) -> [f64; 3] {
+        let p = self.frame.inner_from_outer(c);
+        let (n, by_theta) = self.patch.function.gradient(p, c.theta);
+        // The pair's frame itself moves with θ: p' = s (p − c + R d), so ∂p'/∂θ = s left(R d).
+        let d = self.frame.moving_center.to_vector();
+        let drift = (Rotation::by(c.theta) * d).left();
+        [n.x, n.y, self.frame.outer_length(by_theta) + n.dot(drift)]
+    }
+
+    /// Where the patch begins in the direction of travel.
+    pub fn left(&self) -> BoundaryCurve<'a> {
+        BoundaryCurve {
+            patch: *self,
+            boundary: &self.patch.left,
+        }
+    }
+
+    /// Where the patch ends.
+    pub fn right(&self) -> BoundaryCurve<'a> {
+        BoundaryCurve {
+            patch: *self,
+            boundary: &self.patch.right,
+        }
+    }
+
+    /// Whether the patch exists at an orientation, taken modulo a turn.
+    pub fn contains_orientation(&self, theta: f64) -> bool {
+        self.patch.turned_into(theta).is_some()
+    }
+}
+
+impl Patch {
+    /// The orientation brought into the patch's interval by whole turns, if it can be.
+    pub(crate) fn turned_into(&self, theta: f64) -> Option<f64> {
+        use core::f64::consts::TAU;
+        let t = theta + TAU * ((self.lo - theta) / TAU).ceil();
+        (t <= self.hi).then_some(t)
+    }
+}
+
+impl BoundaryCurve<'_> {
+    /// Which kind of curve it is.
+    pub fn kind(&self) -> BoundaryKind {
+        use ContactFunction::{Circle, FixedLine, MovingLine};
+        match (self.boundary, &self.patch.patch.function) {
+            (Boundary::End { .. }, _) => BoundaryKind::FeatureEnd,
+            (Boundary::Crossing { with, .. }, own) => match (own, with) {
+                (FixedLine { .. }, FixedLine { .. }) => BoundaryKind::FixedLineFixedLine,
+                (MovingLine { .. }, MovingLine { .. }) => BoundaryKind::MovingLineMovingLine,
+                (FixedLine { .. }, MovingLine { .. }) | (MovingLine { .. }, FixedLine { .. }) => {
+                    BoundaryKind::FixedLineMovingLine
+                }
+                (FixedLine { .. }, Circle { .. }) | (Circle { .. }, FixedLine { .. }) => {
+                    BoundaryKind::FixedLineCircle
+                }
+                (MovingLine { .. }, Circle { .. }) | (Circle { .. }, MovingLine { .. }) => {
+                    BoundaryKind::MovingLineCircle
+                }
+                (Circle { .. }, Circle { .. }) => BoundaryKind::CircleCircle,
+            },
+        }
+    }
+
+    /// The configuration on the curve at an orientation of the patch.
+    ///
+    /// Where rounding has just lost the crossing (at a tangency), the nearest point to one.
+    pub fn at(&self, theta: f64) -> Configuration {
+        let p = self.boundary.inner_at(&self.patch.patch.function, theta);
+        self.patch.frame.outer_from_inner(p, theta)
+    }
+
+    /// The derivative (dx/dθ, dy/dθ). Not finite where the curves become tangent.
+    pub fn derivative(&self, theta: f64) -> Vector {
+        let (sin, cos) = theta.sin_cos();
+        let dual = |value, slope| Dual { value, slope };
+        let p = self
+            .boundary
+            .inner(&self.patch.patch.function, dual(cos, -sin), dual(sin, cos));
+        let drift = (Rotation { cos, sin } * self.patch.frame.moving_center.to_vector()).left();
+        Vector::new(p.0.slope, p.1.slope) * (1.0 / self.patch.frame.scale) - drift
+    }
+}
+
+impl Boundary {
+    /// The position in the pair's frame.
+    pub(crate) fn inner_at(&self, own: &ContactFunction, theta: f64) -> Point {
+        let (sin, cos) = theta.sin_cos();
+        let p = self.inner(own, cos, sin);
+        Point::new(p.0, p.1)
+    }
+
+    fn inner<T: crate::number::Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {
+        let real = T::constant;
+        match self {
+            Self::End {
+                spiral: Spiral { u, w },
+            } => (
+                real(u.x) + cos * real(w.x) - sin * real(w.y),
+                real(u.y) + sin * real(w.x) + cos * real(w.y),
+            ),
+            Self::Crossing { with, root } => {
+                let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
+                let v = place_on(&f, &g, *root, false);
+                match f {
+                    Carrier::Line { normal, through } => {
+                        (through.0 - normal.1 * v.0, through.1 + normal.0 * v.0)
+                    }
+                    Carrier::Circle { center, .. } => (center.0 + v.0, center.1 + v.1),
+                }
+            }
+        }
+    }
+}

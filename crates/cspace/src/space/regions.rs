@@ -1,0 +1,174 @@
+//! Free regions: the connected components of free space.
+//!
+//! Patches that are linked bound one region. Shells that are not linked bound one region if one lies within the other
+//! in some slice; a slice through each shell tells: going right from the rightmost point of a loop that has its free
+//! space outside, the next contact curve bounds the same free space, and if there is none, it is the unbounded one.
+
+use std::collections::BTreeSet;
+
+use crate::geometry::{Configuration, Point, Vector};
+use crate::slice::{CurveGeometry, Slice};
+use crate::union_find::UnionFind;
+
+use super::graph::{ContactSpace, FreeRegion};
+
+/// Numbers the regions, the unbounded one first, and tells each patch its own.
+pub(super) fn find_regions(space: &mut ContactSpace, shell_of_patch: &[u32]) {
+    let n = space.patches.len();
+    // One more member stands for all that is far away.
+    let far = n as u32;
+    let mut sets = UnionFind::new(n + 1);
+    for l in &space.side_links {
+        sets.union(l.before, l.after);
+    }
+    for l in &space.vertical_links {
+        sets.union(l.lower, l.upper);
+    }
+    let mut first_of_shell = std::collections::BTreeMap::new();
+    for (i, &shell) in (0u32..).zip(shell_of_patch) {
+        let &mut first = first_of_shell.entry(shell).or_insert(i);
+        sets.union(first, i);
+    }
+    // One slice through each shell, at the middle of its longest-lived patch.
+    let mut longest: std::collections::BTreeMap<u32, u32> = std::collections::BTreeMap::new();
+    let life = |i: u32| space.patches[i as usize].hi - space.patches[i as usize].lo;
+    for i in 0..n as u32 {
+        let best = longest.entry(sets.find(i)).or_insert(i);
+        if life(i) > life(*best) {
+            *best = i;
+        }
+    }
+    let mut samples: Vec<(u32, Configuration, f64)> = Vec::new();
+    let mut done: BTreeSet<u32> = BTreeSet::new();
+    for &i in longest.values() {
+        let p = &space.patches[i as usize];
+        let slice = space.slice(0.5 * (p.lo + p.hi));
+        for l in &slice.loops {
+            for w in l.windows(2) {
+                if let [Some(a), Some(b)] = [w[0], w[1]].map(|c| slice.curves[c as usize].patch) {
+                    sets.union(a, b);
+                }
+            }
+        }
+        nest(&slice, far, &mut sets);
+        done.insert(i);
+        samples.push((i, sample(&slice, i), 0.0));
+    }
+    let mut regions: Vec<FreeRegion> = Vec::new();
+    let mut number = std::collections::BTreeMap::new();
+    number.insert(sets.find(far), 0u32);
+    let far_sample = space
+        .frame
+        .outer_from_inner(Point::new(8.0, 0.0), space.window.lo);
+    regions.push(FreeRegion {
+        unbounded: true,
+        sample: far_sample,
+        patches: 0,
+    });
+    for (i, sample, _) in samples {
+        let root = sets.find(i);
+        number.entry(root).or_insert_with(|| {
+            regions.push(FreeRegion {
+                unbounded: false,
+                sample,
+                patches: 0,
+            });
+            (regions.len() - 1) as u32
+        });
+    }
+    for i in 0..n as u32 {
+        let region = number.get(&sets.find(i)).copied().unwrap_or(0);
+        space.patches[i as usize].region = region;
+        regions[region as usize].patches += 1;
+    }
+    space.regions = regions;
+}
+
+/// Joins every loop with free space outside to what surrounds it.
+fn nest(slice: &Slice, far: u32, sets: &mut UnionFind) {
+    for l in &slice.loops {
+        // The loop's rightmost point is on its curve furthest right.
+        let Some((curve, p)) = l
+            .iter()
+            .map(|&c| (c, rightmost(&slice.curves[c as usize].geometry)))
+            .max_by(|a, b| a.1.x.total_cmp(&b.1.x))
+        else {
+            continue;
+        };
+        if signed_area(slice, l) <= 0.0 {
+            continue;
+        }
+        let Some(own) = slice.curves[curve as usize].patch else {
+            continue;
+        };
+        let right = Vector::new(1.0, 0.0);
+        let hit = (0u32..)
+            .zip(&slice.curves)
+            .filter(|(c, _)| !l.contains(c))
+            .filter_map(|(c, g)| g.geometry.hit(p, right).map(|h| (h.0, c)))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        match hit {
+            None => sets.union(own, far),
+            Some((_, c)) => {
+                if let Some(other) = slice.curves[c as usize].patch {
+                    sets.union(own, other);
+                }
+            }
+        }
+    }
+}
+
+fn rightmost(g: &CurveGeometry) -> Point {
+    let (s, e) = (g.point(0.0), g.point(1.0));
+    let end = if s.x > e.x { s } else { e };
+    if let CurveGeometry::Arc {
+        center,
+        radius,
+        start_angle,
+        sweep,
+    } = *g
+    {
+        let turned = -start_angle * sweep.signum();
+        let turned = turned - core::f64::consts::TAU * (turned / core::f64::consts::TAU).floor();
+        if turned <= sweep.abs() {
+            return Point::new(center.x + radius, center.y);
+        }
+    }
+    end
+}
+
+/// Twice the area a loop goes around, counter-clockwise positive.
+fn signed_area(slice: &Slice, l: &[u32]) -> f64 {
+    let Some(&first) = l.first() else { return 0.0 };
+    let origin = slice.curves[first as usize].geometry.point(0.0);
+    l.iter()
+        .map(|&c| {
+            let g = &slice.curves[c as usize].geometry;
+            let chord = (g.point(0.0) - origin).cross(g.point(1.0) - origin);
+            let bulge = match *g {
+                CurveGeometry::Segment { .. } => 0.0,
+                CurveGeometry::Arc { radius, sweep, .. } => radius * radius * (sweep - sweep.sin()),
+            };
+            chord + bulge
+        })
+        .sum()
+}
+
+/// A free configuration beside a patch: half way from the middle of its curve to the next contact.
+fn sample(slice: &Slice, patch: u32) -> Configuration {
+    let Some(curve) = slice.curves.iter().find(|c| c.patch == Some(patch)) else {
+        return Configuration::default();
+    };
+    let p = curve.geometry.point(0.5);
+    let n = curve.geometry.free_normal(0.5);
+    let reach = curve.geometry.length();
+    let start = p + n * (1e-9 * reach);
+    let distance = slice
+        .curves
+        .iter()
+        .filter_map(|c| c.geometry.hit(start, n))
+        .map(|h| h.0)
+        .fold(reach, f64::min);
+    let q = p + n * (0.5 * distance);
+    Configuration::new(q.x, q.y, slice.theta)
+}

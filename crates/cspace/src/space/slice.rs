@@ -1,0 +1,79 @@
+//! Slices read off the contact space.
+
+use core::f64::consts::TAU;
+
+use crate::contact::ContactFunction;
+use crate::geometry::{Point, Rotation};
+use crate::slice::{CurveGeometry, Slice, SliceCurve};
+
+use super::graph::ContactSpace;
+use super::patch::Patch;
+
+impl ContactSpace {
+    /// The slice at an orientation, in closed form: every patch that exists there contributes one curve.
+    ///
+    /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves.
+    pub fn slice(&self, theta: f64) -> Slice {
+        let mut curves = Vec::new();
+        let mut number = vec![u32::MAX; self.patches.len()];
+        let mut at = Vec::new();
+        for (i, patch) in (0u32..).zip(&self.patches) {
+            if let Some(t) = patch.turned_into(theta).filter(|&t| t < patch.hi) {
+                number[i as usize] = curves.len() as u32;
+                at.push((i, t));
+                curves.push(SliceCurve {
+                    fixed: patch.fixed,
+                    moving: patch.moving,
+                    geometry: self.curve(patch, t),
+                    patch: Some(i),
+                    next: u32::MAX,
+                });
+            }
+        }
+        for (curve, &(i, t)) in curves.iter_mut().zip(&at) {
+            let link = self.links_after(i).find(|l| l.lo <= t && t < l.hi);
+            // The link's orientations are those of the patch before it.
+            if let Some(link) = link {
+                curve.next = number[link.after as usize];
+            }
+        }
+        Slice::from_curves(theta, curves)
+    }
+
+    /// The curve of a patch at an orientation of its interval.
+    fn curve(&self, patch: &Patch, theta: f64) -> CurveGeometry {
+        let outer = |p: Point| self.frame.outer_from_inner(p, theta).position();
+        let start = patch.left.inner_at(&patch.function, theta);
+        let end = patch.right.inner_at(&patch.function, theta);
+        match patch.function {
+            ContactFunction::Circle { center, radius } => {
+                let c = center.at(Rotation::by(theta));
+                let start_angle = (start - c).angle();
+                let sweep = sweep(start - c, end - c, radius);
+                CurveGeometry::Arc {
+                    center: outer(c),
+                    radius: self.frame.outer_length(radius.abs()),
+                    start_angle,
+                    sweep,
+                }
+            }
+            _ => CurveGeometry::Segment {
+                start: outer(start),
+                end: outer(end),
+            },
+        }
+    }
+}
+
+/// The angle travelled from one direction to another, counter-clockwise if the radius is positive.
+pub(crate) fn sweep(from: crate::Vector, to: crate::Vector, radius: f64) -> f64 {
+    /// Ends nearer to each other than this share of the radius, in the wrong order, are one point and not a full turn.
+    const SAME: f64 = 1e-9;
+    let turned = from.cross(to).atan2(from.dot(to)) * radius.signum();
+    let sweep = if turned < -SAME {
+        turned + TAU
+    } else {
+        turned.max(0.0)
+    };
+    sweep * radius.signum()
+}

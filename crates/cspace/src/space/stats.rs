@@ -1,0 +1,51 @@
+//! What a computation did, and how long it took.
+
+use serde::{Deserialize, Serialize};
+
+/// Counts and times of one computation.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Statistics {
+    /// Sheets: feature pairs that can touch, by intervals in which their ends keep their identity.
+    pub sheets: u64,
+    /// Pairs of sheets whose boxes meet.
+    pub pairs: u64,
+    /// Orientations examined as possibly critical, from pairs of sheets.
+    pub pair_events: u64,
+    /// Orientations at which three sheets meet.
+    pub triple_events: u64,
+    /// Different orientations among all events.
+    pub clusters: u64,
+    /// Crossings of two sheets.
+    pub branches: u64,
+    /// Pieces of sheets.
+    pub cells: u64,
+    /// Configurations tested for overlap.
+    pub overlap_tests: u64,
+    /// Shells whose bounds and tests disagreed and were decided cell by cell; 0 in sound computations.
+    pub conflicts: u64,
+    /// Seconds taken, by stage.
+    pub seconds: StageSeconds,
+}
+
+/// Seconds taken by each stage.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct StageSeconds {
+    /// Features, sheets and their names.
+    pub sheets: f64,
+    /// Pairs of sheets that may cross.
+    pub candidates: f64,
+    /// Orientations at which pairs change.
+    pub pair_events: f64,
+    /// Crossings followed over orientation.
+    pub branches: f64,
+    /// Orientations at which three sheets meet.
+    pub triple_events: f64,
+    /// Cutting sheets into cells.
+    pub cells: f64,
+    /// Deciding which cells bound free space.
+    pub shells: f64,
+    /// Patches, links, regions.
+    pub graph: f64,
+    /// All of it.
+    pub total: f64,
+}

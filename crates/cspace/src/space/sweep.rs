@@ -1,0 +1,345 @@
+//! Cutting each sheet into cells by a sweep over orientation.
+
+use rayon::prelude::*;
+
+use crate::contact::{Carrier, Contacts, Geometry, Sheet, place_on, wrap};
+use crate::feature::tolerance::SHORTEST_OVERLAP;
+use crate::geometry::{Rotation, Vector};
+
+use super::branch::Branch;
+use super::candidates::SheetRun;
+use super::cells::{Cell, END, VerticalContact};
+use super::clusters::Clusters;
+use super::triple::OnSheet;
+
+/// Everything a sweep reads.
+pub(super) struct Sweep<'a> {
+    pub(super) geometry: &'a Geometry,
+    pub(super) clusters: &'a Clusters,
+    pub(super) branches: &'a [Branch],
+    pub(super) on_sheet: &'a OnSheet,
+    /// Sheets with the clusters at which branches pass each other on them, sorted.
+    pub(super) passings: &'a [(u32, u32)],
+}
+
+/// The cells of all sheets, sorted by sheet, and which continue each other within a sheet.
+#[derive(Debug, Default)]
+pub(super) struct Cells {
+    pub(super) cells: Vec<Cell>,
+    pub(super) vertical: Vec<VerticalContact>,
+}
+
+/// A sheet at one orientation, able to place branches along its curve.
+pub(super) struct Placing<'a> {
+    geometry: &'a Geometry,
+    sheet: &'a Sheet,
+    index: u32,
+    carrier: Carrier<f64>,
+    turn: Rotation,
+    half: f64,
+    mid_angle: f64,
+}
+
+impl<'a> Placing<'a> {
+    pub(super) fn new(geometry: &'a Geometry, index: u32, theta: f64) -> Self {
+        let sheet = &geometry.contacts.sheets[index as usize];
+        let turn = Rotation::by(theta);
+        let (half, mid_angle) = if sheet.is_circle() {
+            let (from, to) = (sheet.start_angle.at(theta), sheet.end_angle.at(theta));
+            (
+                0.5 * (to - from).abs() * sheet.radius.abs(),
+                0.5 * (from + to),
+            )
+        } else {
+            let length = sheet
+                .normal_at(turn)
+                .left()
+                .dot(sheet.end.at(turn) - sheet.start.at(turn));
+            (0.5 * length, 0.0)
+        };
+        let carrier = sheet.carrier(turn.cos, turn.sin);
+        Self {
+            geometry,
+            sheet,
+            index,
+            carrier,
+            turn,
+            half,
+            mid_angle,
+        }
+    }
+
+    /// Half the length of the contact curve.
+    pub(super) fn half(&self) -> f64 {
+        self.half
+    }
+
+    /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
+    /// nearest place to one.
+    pub(super) fn place(&self, b: &Branch) -> f64 {
+        let (place, _) = self.place_and_sine(b, false);
+        place
+    }
+
+    /// The place with how sharply the curves cross: the sine of the angle between them.
+    pub(super) fn place_and_sine(&self, b: &Branch, with_sine: bool) -> (f64, f64) {
+        let other = &self.geometry.contacts.sheets[b.other(self.index) as usize];
+        let g = other.carrier(self.turn.cos, self.turn.sin);
+        let v = place_on(&self.carrier, &g, b.root, b.second == self.index);
+        let radius = self.sheet.radius;
+        let place = match self.carrier {
+            Carrier::Line { .. } => v.0 - self.half,
+            Carrier::Circle { .. } => {
+                let v = Vector::new(v.0, v.1) * radius.signum();
+                wrap(v.angle() - self.mid_angle) * radius
+            }
+        };
+        if !with_sine {
+            return (place, 1.0);
+        }
+        let (normal, point) = match self.carrier {
+            Carrier::Line { normal, through } => {
+                let n = Vector::new(normal.0, normal.1);
+                (n, Vector::new(through.0, through.1) + n.left() * v.0)
+            }
+            Carrier::Circle { center, radius } => {
+                let v = Vector::new(v.0, v.1);
+                (v * (1.0 / radius), Vector::new(center.0, center.1) + v)
+            }
+        };
+        let other_normal = match g {
+            Carrier::Line { normal, .. } => Vector::new(normal.0, normal.1),
+            Carrier::Circle { center, radius } => {
+                (point - Vector::new(center.0, center.1)) * (1.0 / radius)
+            }
+        };
+        (place, normal.cross(other_normal).abs())
+    }
+}
+
+impl Sweep<'_> {
+    pub(super) fn run(&self, runs: &[SheetRun]) -> Cells {
+        let parts: Vec<Cells> = runs.par_iter().map(|run| self.sheet(run)).collect();
+        let mut all = Cells::default();
+        for part in parts {
+            let offset = all.cells.len() as u32;
+            all.cells.extend(part.cells);
+            all.vertical
+                .extend(part.vertical.into_iter().map(|v| VerticalContact {
+                    lower: v.lower + offset,
+                    upper: v.upper + offset,
+                    ..v
+                }));
+        }
+        all
+    }
+
+    fn sheet(&self, run: &SheetRun) -> Cells {
+        let clusters = self.clusters;
+        let (first, last) = (clusters.index(run.lo), clusters.index(run.hi));
+        let mine = self.on_sheet.of(run.sheet);
+        let mut times = vec![first, last];
+        let within = |t: &u32| first < *t && *t < last;
+        for &b in mine {
+            let b = &self.branches[b as usize];
+            times.extend([b.from, b.to].iter().filter(|t| within(t)));
+        }
+        let from = self.passings.partition_point(|p| p.0 < run.sheet);
+        let passings = self.passings[from..]
+            .iter()
+            .take_while(|p| p.0 == run.sheet);
+        times.extend(passings.map(|p| p.1).filter(within));
+        times.sort_unstable();
+        times.dedup();
+
+        let sheet = &self.geometry.contacts.sheets[run.sheet as usize];
+        let contacts = &self.geometry.contacts;
+        let dead = (is_dead_start(contacts, sheet), is_dead_end(contacts, sheet));
+        let mut out = Cells::default();
+        let mut open: Vec<u32> = Vec::new();
+        let mut active: Vec<(f64, u32)> = Vec::new();
+        for w in times.windows(2) {
+            let (t0, t1) = (w[0], w[1]);
+            let placing = Placing::new(self.geometry, run.sheet, clusters.between(t0, t1));
+            active.clear();
+            for &b in mine {
+                let branch = &self.branches[b as usize];
+                if branch.from <= t0 && branch.to >= t1 {
+                    active.push((placing.place(branch), b));
+                }
+            }
+            active.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let bound = |i: usize| {
+                if i == 0 || i > active.len() {
+                    END
+                } else {
+                    active[i - 1].1
+                }
+            };
+            let keys: Vec<(u32, u32)> = (0..=active.len())
+                .map(|i| (bound(i), bound(i + 1)))
+                .collect();
+            let same = |c: u32, key: &(u32, u32)| {
+                let cell: &Cell = &out.cells[c as usize];
+                (cell.left, cell.right) == *key
+            };
+            let kept_before = open
+                .iter()
+                .zip(&keys)
+                .take_while(|(c, k)| same(**c, k))
+                .count();
+            let room = open.len().min(keys.len()) - kept_before;
+            let kept_after = open
+                .iter()
+                .rev()
+                .zip(keys.iter().rev())
+                .take(room)
+                .take_while(|(c, k)| same(**c, k))
+                .count();
+            let closing: Vec<u32> = open[kept_before..open.len() - kept_after].to_vec();
+            let opening = &keys[kept_before..keys.len() - kept_after];
+            let new_first = out.cells.len() as u32;
+            for &(left, right) in opening {
+                let enters = |b: u32| self.branches[b as usize].enters(run.sheet);
+                let blocked_left = if left == END { dead.0 } else { enters(left) };
+                let blocked_right = if right == END { dead.1 } else { !enters(right) };
+                out.cells.push(Cell {
+                    sheet: run.sheet,
+                    from: t0,
+                    to: t1,
+                    left,
+                    right,
+                    blocked: blocked_left || blocked_right || (t0 == first && run.lo_blocked),
+                    at_bottom: t0 == first && !run.lo_blocked,
+                    at_top: false,
+                });
+            }
+            let new: Vec<u32> = (new_first..out.cells.len() as u32).collect();
+            if t0 != first {
+                self.connect(run.sheet, t0, &closing, &new, &mut out);
+            }
+            let tail = open.split_off(open.len() - kept_after);
+            open.truncate(kept_before);
+            open.extend(new);
+            open.extend(tail);
+            for &c in &open {
+                out.cells[c as usize].to = t1;
+            }
+        }
+        for &c in &open {
+            let cell = &mut out.cells[c as usize];
+            cell.blocked |= run.hi_blocked;
+            cell.at_top = !run.hi_blocked;
+        }
+        out
+    }
+
+    /// Cells that end and cells that begin at one cluster continue each other where they overlap by more than error.
+    fn connect(&self, sheet: u32, at: u32, closing: &[u32], opening: &[u32], out: &mut Cells) {
+        if closing.is_empty() || opening.is_empty() {
+            return;
+        }
+        let extents = CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at);
+        let ranges = |list: &[u32], cells: &[Cell]| -> Vec<Extent> {
+            list.iter()
+                .map(|&c| extents.of(&cells[c as usize]))
+                .collect()
+        };
+        let (below, above) = (ranges(closing, &out.cells), ranges(opening, &out.cells));
+        for (i, b) in below.iter().enumerate() {
+            for (j, a) in above.iter().enumerate() {
+                if let Some((lo, hi)) = b.shared_with(a) {
+                    out.vertical.push(VerticalContact {
+                        lower: closing[i],
+                        upper: opening[j],
+                        at,
+                        lo,
+                        hi,
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// A cell's range along its contact curve at one orientation, with the errors of both ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Extent {
+    pub(super) lo: f64,
+    pub(super) hi: f64,
+    pub(super) lo_error: f64,
+    pub(super) hi_error: f64,
+}
+
+impl Extent {
+    /// The common range, if it is longer than the errors of its ends.
+    pub(super) fn shared_with(&self, other: &Self) -> Option<(f64, f64)> {
+        let (lo, lo_error) = if self.lo > other.lo {
+            (self.lo, self.lo_error)
+        } else {
+            (other.lo, other.lo_error)
+        };
+        let (hi, hi_error) = if self.hi < other.hi {
+            (self.hi, self.hi_error)
+        } else {
+            (other.hi, other.hi_error)
+        };
+        (hi - lo > lo_error + hi_error + SHORTEST_OVERLAP).then_some((lo, hi))
+    }
+}
+
+/// Measures cells of one sheet at one cluster.
+pub(super) struct CellExtents<'a> {
+    placing: Placing<'a>,
+    branches: &'a [Branch],
+    spread: f64,
+}
+
+impl<'a> CellExtents<'a> {
+    pub(super) fn new(
+        geometry: &'a Geometry,
+        clusters: &Clusters,
+        branches: &'a [Branch],
+        sheet: u32,
+        at: u32,
+    ) -> Self {
+        Self {
+            placing: Placing::new(geometry, sheet, clusters.at(at)),
+            branches,
+            spread: clusters.hi(at) - clusters.lo(at),
+        }
+    }
+
+    pub(super) fn of(&self, cell: &Cell) -> Extent {
+        let (lo, lo_error) = self.bound(cell.left, -self.placing.half());
+        let (hi, hi_error) = self.bound(cell.right, self.placing.half());
+        Extent {
+            lo,
+            hi,
+            lo_error,
+            hi_error,
+        }
+    }
+
+    fn bound(&self, branch: u32, end: f64) -> (f64, f64) {
+        /// Rounding error of a place, to be divided by the sine of the angle of crossing.
+        const PLACE_ERROR: f64 = 1e-14;
+        /// The sine below which curves count as tangent.
+        const TANGENT: f64 = 1e-9;
+        if branch == END {
+            return (end, self.spread);
+        }
+        let (place, sine) = self
+            .placing
+            .place_and_sine(&self.branches[branch as usize], true);
+        (place, (PLACE_ERROR + 4.0 * self.spread) / sine.max(TANGENT))
+    }
+}
+
+fn is_dead_end(contacts: &Contacts, sheet: &Sheet) -> bool {
+    contacts.starting_at(sheet.end_name).next().is_none()
+}
+
+fn is_dead_start(contacts: &Contacts, sheet: &Sheet) -> bool {
+    contacts.ending_at(sheet.start_name).next().is_none()
+}

@@ -1,0 +1,178 @@
+//! Orientations at which three sheets meet: two branches on a sheet pass each other.
+//!
+//! Along a sheet f the branches with g and with h are smooth functions of θ; where the difference of their places
+//! vanishes, the three meet. Enclosures of the difference and of its derivative isolate every root: a piece of the
+//! interval holds none if the difference has a sign, at most one if the derivative has; otherwise it is halved.
+
+use rayon::prelude::*;
+
+use crate::contact::{Geometry, place_on};
+use crate::number::{Ball, Event, Jet, Real};
+
+use super::branch::Branch;
+use super::clusters::Clusters;
+
+/// Pieces narrower than this are not halved further (radians). Two roots nearer than that leave the order as it was.
+const NARROWEST: f64 = 1e-11;
+
+/// The branches on every sheet, as indices; the branches of sheet i are `list[first[i]..first[i + 1]]`.
+#[derive(Debug)]
+pub(super) struct OnSheet {
+    first: Vec<u32>,
+    list: Vec<u32>,
+}
+
+impl OnSheet {
+    pub(super) fn new(sheets: usize, branches: &[Branch]) -> Self {
+        let mut first = vec![0u32; sheets + 1];
+        for b in branches {
+            first[b.first as usize + 1] += 1;
+            first[b.second as usize + 1] += 1;
+        }
+        for i in 0..sheets {
+            first[i + 1] += first[i];
+        }
+        let mut at = first.clone();
+        let mut list = vec![0; 2 * branches.len()];
+        for (i, b) in (0u32..).zip(branches) {
+            for sheet in [b.first, b.second] {
+                let slot = &mut at[sheet as usize];
+                list[*slot as usize] = i;
+                *slot += 1;
+            }
+        }
+        Self { first, list }
+    }
+
+    pub(super) fn of(&self, sheet: u32) -> &[u32] {
+        &self.list[self.first[sheet as usize] as usize..self.first[sheet as usize + 1] as usize]
+    }
+}
+
+/// All orientations at which two branches pass each other on a sheet, with the sheet.
+pub(super) fn triple_events(
+    geometry: &Geometry,
+    branches: &[Branch],
+    on_sheet: &OnSheet,
+    clusters: &Clusters,
+) -> Vec<(u32, Event)> {
+    (0..geometry.contacts.sheets.len() as u32)
+        .into_par_iter()
+        .flat_map_iter(|sheet| {
+            let mut events = Vec::new();
+            let list = on_sheet.of(sheet);
+            for (n, &i) in list.iter().enumerate() {
+                for &j in &list[n + 1..] {
+                    let (x, y) = (&branches[i as usize], &branches[j as usize]);
+                    let (from, to) = (x.from.max(y.from), x.to.min(y.to));
+                    if from < to && x.other(sheet) != y.other(sheet) {
+                        let (lo, hi) = (clusters.hi(from), clusters.lo(to));
+                        let pair = Passing {
+                            geometry,
+                            sheet,
+                            x,
+                            y,
+                        };
+                        pair.isolate(lo, hi, &mut |e| events.push((sheet, e)));
+                    }
+                }
+            }
+            events
+        })
+        .collect()
+}
+
+/// Two branches on one sheet.
+struct Passing<'a> {
+    geometry: &'a Geometry,
+    sheet: u32,
+    x: &'a Branch,
+    y: &'a Branch,
+}
+
+impl Passing<'_> {
+    /// The difference of the places of the two branches; `None` where they cannot meet.
+    ///
+    /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius squared.
+    fn difference<T: Real>(&self, cos: T, sin: T) -> (T, Option<T>) {
+        let sheets = &self.geometry.contacts.sheets;
+        let f = &sheets[self.sheet as usize];
+        let carrier = f.carrier(cos, sin);
+        let place = |b: &Branch| {
+            let g = sheets[b.other(self.sheet) as usize].carrier(cos, sin);
+            place_on(&carrier, &g, b.root, b.second == self.sheet)
+        };
+        let (p, q) = (place(self.x), place(self.y));
+        if f.is_circle() {
+            (p.0 * q.1 - p.1 * q.0, Some(p.0 * q.0 + p.1 * q.1))
+        } else {
+            (p.0 - q.0, None)
+        }
+    }
+
+    fn isolate(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
+        let interval = Ball::between(lo, hi);
+        let (cos, sin) = Jet::cos_sin(interval);
+        let (d, facing) = self.difference(cos, sin);
+        // On a circle the sine also vanishes half a turn apart; there the cosine is negative.
+        if d.value.sign() != 0 || facing.is_some_and(|c| c.value.sign() < 0) {
+            return;
+        }
+        let mid = 0.5 * (lo + hi);
+        if d.slope.sign() != 0 {
+            if self.sign_at(lo) * self.sign_at(hi) <= 0.0 {
+                found(self.root_between(lo, hi, d.slope));
+            }
+        } else if hi - lo < NARROWEST {
+            if self.sign_at(lo) * self.sign_at(hi) <= 0.0 {
+                found(Event {
+                    theta: mid,
+                    error: 0.5 * (hi - lo),
+                });
+            }
+        } else {
+            self.isolate(lo, mid, found);
+            self.isolate(mid, hi, found);
+        }
+    }
+
+    fn sign_at(&self, theta: f64) -> f64 {
+        let (sin, cos) = theta.sin_cos();
+        let d = self.difference::<f64>(cos, sin).0;
+        if d.is_nan() { 0.0 } else { d }
+    }
+
+    /// The root in an interval on which the derivative does not vanish, by bisection with regula falsi.
+    fn root_between(&self, mut lo: f64, mut hi: f64, slope: Ball) -> Event {
+        let (mut at_lo, mut at_hi) = (self.sign_at(lo), self.sign_at(hi));
+        let steepness = (slope.mid.abs() - slope.radius).max(f64::MIN_POSITIVE);
+        for step in 0..200 {
+            if hi - lo <= 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
+                break;
+            }
+            let secant = lo - at_lo * (hi - lo) / (at_hi - at_lo);
+            let mid = if step % 3 == 2 || !(lo < secant && secant < hi) {
+                0.5 * (lo + hi)
+            } else {
+                secant
+            };
+            let d = self.sign_at(mid);
+            if d == 0.0 {
+                (lo, hi) = (mid, mid);
+            } else if (d > 0.0) == (at_lo > 0.0) {
+                (lo, at_lo) = (mid, d);
+            } else {
+                (hi, at_hi) = (mid, d);
+            }
+        }
+        // The place of a branch is right to a few ulps over the sine of the angle of crossing, which the slope reflects.
+        const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
+        const LARGEST_ERROR: f64 = 1e-9;
+        let error =
+            0.5 * (hi - lo) + (PLACE_ERROR / steepness).min(LARGEST_ERROR) + 4.0 * f64::EPSILON;
+        Event {
+            theta: 0.5 * (lo + hi),
+            error,
+        }
+    }
+}
