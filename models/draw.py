@@ -262,7 +262,6 @@ def ratchet_pawl():
     crown = hump + unit(pivot - hump) * top
     pen = Outline(heel)
     pen.round(6.0, "boss to belly")
-    # clockwise first: belly to the nose, up the face, over the back, round the boss
     pen.line(nose, "belly").round(1.2, "nose").line(brow, "face, bears on the tooth").round(1.5, "brow")
     pen.arc(hump, crown, -1, f"R{top:g} back").arc(pivot, heel, -1, f"R{boss:g} boss")
     pawl = moved(pen.closed(), 1, -pivot)
@@ -287,7 +286,317 @@ the shaft and the pin and nothing else gets there.
     return m
 
 
-MODELS = [ratchet_pawl]
+def circle_through(p, q, r):
+    """The centre of the circle through three points."""
+    a, b = q - p, r - p
+    return p + 1j * (a * abs(b) ** 2 - b * abs(a) ** 2) / (2 * cross(a, b))
+
+
+def gear_outline(teeth, module, pressure, dedendum, thinning, fillet_radius, first):
+    """A spur gear whose flanks are arcs through three points of the involute: at the base circle, half way, at the tip.
+    The middle of the first tooth is at the angle `first`."""
+    pitch, tip = module * teeth / 2, module * (teeth / 2 + 1)
+    root = pitch - dedendum * module
+    base = pitch * math.cos(math.radians(pressure))
+
+    def involute(radius):
+        angle = math.acos(base / radius)
+        return math.tan(angle) - angle
+
+    def half_tooth(radius):  # the angle from the tooth's middle to its flank
+        half = math.pi / (2 * teeth) - thinning / (2 * pitch) + involute(pitch) - involute(radius)
+        return math.degrees(half)
+
+    radii = [base, (base + tip) / 2, tip]
+    low, mid, high = (polar(r, -half_tooth(r)) for r in radii)
+    centre = circle_through(low, mid, high)
+    foot = nearest(meet_circles(centre, abs(low - centre), 0, root), low)
+    pen = None
+    for k in range(teeth):
+        turned = polar(1, first + 360 * k / teeth)
+        right, left = foot * turned, foot.conjugate() * turned
+        if pen is None:
+            pen = Outline(right)
+        else:
+            pen.arc(0, right, 1, "root")
+        pen.round(fillet_radius)
+        pen.arc(centre * turned, high * turned, 1, f"tooth {k + 1}, flank")
+        pen.arc(0, high.conjugate() * turned, 1, "tip")
+        pen.arc(centre.conjugate() * turned, left, 1, "flank").round(fillet_radius)
+    pen.arc(0, pen.start, 1, "root")
+    return pen.closed()
+
+
+GEARS = """
+The gears have 12 and 10 teeth of module 4, pressure angle 25 deg, addendum 1 and dedendum 1.25 modules, root fillets R1.
+Each flank is one arc, through three points of the involute (base circle, half way, tip), some hundredths off it between
+them. Each tooth is thinned by 0.1 at the pitch circle; with what the arcs give way the backlash is from 0.23 to 0.30.
+
+  gear     12 teeth   pitch circle 48   tip circle 56   root circle 38   a tooth points to +x
+  pinion   10 teeth   pitch circle 40   tip circle 48   root circle 30   a space points to -x
+"""
+
+
+def gears():
+    m = Model("gears.toml", "gears", "A gear and a pinion, free of each other.\n" + GEARS + """
+Each is drawn about its own axis. At the centre distance of 44, (x, y, theta) = (44, 0, 0), a tooth of the gear stands in the
+middle of a space of the pinion.
+""")
+    m.part("gear", "", [("12 teeth", gear_outline(12, 4.0, 25, 1.25, 0.1, 1.0, 0))], symmetry=12)
+    m.part("pinion", "", [("10 teeth", gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18))], symmetry=10)
+    return m
+
+
+def gears_on_shafts():
+    m = Model("gears_on_shafts.toml", "gears on shafts", "A gear and a pinion, each turning on its shaft.\n" + GEARS + """
+Both are drawn where they work, the shafts 44 apart. The pinion turns by -12/10 of what the gear turns.
+""")
+    m.part("gear", "", [("12 teeth", gear_outline(12, 4.0, 25, 1.25, 0.1, 1.0, 0))],
+           '{ type = "revolute", center = [0, 0] }', 12)
+    pinion = moved(gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18), 1, 44)
+    m.part("pinion", "", [("10 teeth", pinion)], '{ type = "revolute", center = [44, 0] }', 10)
+    return m
+
+
+def cam_follower():
+    base, top, shoulder, flank = 22.0, 34.0, 8.0, 60.0
+    rise, fall = polar(top - shoulder, 75), polar(top - shoulder, 105)  # the shoulders' centres
+    side = meet_circles(0, flank - base, rise, flank - shoulder)[0]
+    leave, arrive = unit(-side) * base, rise + unit(rise - side) * shoulder
+    across = unit(fall) * cmath.exp(1j * math.acos((base - shoulder) / abs(fall)))  # normal of the straight flank
+    pen = Outline(leave)
+    pen.arc(side, arrive, 1, f"rise flank R{flank:g}").arc(rise, polar(top, 75), 1, f"shoulder R{shoulder:g}")
+    pen.arc(0, polar(top, 105), 1, f"dwell R{top:g}, 30 deg").arc(fall, fall + across * shoulder, 1, f"shoulder R{shoulder:g}")
+    pen.line(across * base, "fall flank, straight").arc(0, leave, 1, f"base circle R{base:g}")
+    cam = pen.closed()
+
+    crown, half, stem = 80.0, 18.0, 6.0
+    edge = crown - math.sqrt(crown**2 - half**2)  # how far the face has risen at the head's rim
+    pen = Outline(complex(-half, edge))
+    pen.round(1.5).arc(complex(0, crown), complex(half, edge), 1, f"face, crowned R{crown:g}").round(1.5)
+    pen.line(half + 7j, "rim").round(1.0).line(stem + 9j, "head, coned").round(3.0).line(stem + 54j, "stem")
+    pen.line(stem - 1 + 55j, "chamfer 1 x 45 deg").line(-stem + 1 + 55j, "stem end").line(-stem + 54j, "chamfer")
+    pen.line(-stem + 9j, "stem").round(3.0).line(-half + 7j, "head, coned").round(1.0).line(pen.start, "rim")
+    m = Model("cam_follower.toml", "cam and follower", """
+Plate cam and mushroom tappet of a valve gear.
+
+The cam is made of arcs and one line, all joints tangent: base circle R22, a rise flank R60, a dwell of 30 deg at R34 (lift 12)
+between two shoulders R8, and a straight fall flank. The tappet's face is crowned R80 against edge bearing, its head is 36
+across, its stem 12.
+
+The cam has its axis at the origin and its dwell on top; the tappet has its origin where its axis meets the face, its stem
+up. At (x, y, theta) = (0, 34, 0) the tappet stands on the dwell; turned and shifted it may go anywhere about the cam.
+""")
+    m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam)])
+    m.part("follower", "Origin in the middle of the face, stem to +y.", [("outline", pen.closed())])
+    return m
+
+
+def fixture_plate():
+    land, flat = 1.2, 3.4  # half the land and half the breadth of the diamond pin
+    r = 4.0
+    high = math.sqrt(r * r - land * land)
+    pen = Outline(complex(land, high))
+    pen.arc(0, complex(-land, high), 1, "land").line(-flat, "relief").round(0.5).line(complex(-land, -high), "relief")
+    pen.arc(0, complex(land, -high), 1, "land").line(flat, "relief").round(0.5).line(pen.start, "relief")
+    diamond = moved(pen.closed(), 1, 60)
+    corner = 72 + 20j + polar(5 + 0.6, 45)
+
+    pen = Outline(-20 - 28j)
+    pen.round(6.0).line(80 - 28j, "front edge").round(6.0).line(80 + 12j, "right edge").line(64 + 28j, "chamfer 16 x 45 deg")
+    pen.line(37 + 28j, "rear edge").round(1.5).line(37 + 23j, "notch 14 wide")
+    pen.arc(30 + 23j, 23 + 23j, -1, "R7 notch").line(23 + 28j, "notch").round(1.5).line(-20 + 28j, "rear edge").round(6.0)
+    pen.line(pen.start, "left edge")
+    plate = pen.closed()
+    w, reach = 4.05, 2.0  # the slot is 8.1 wide, 12.1 long
+    slot = Outline(complex(60 - reach, -w)).line(complex(60 + reach, -w), "slot")
+    slot.arc(60 + reach, complex(60 + reach, w), 1, f"R{w:g}").line(complex(60 - reach, w), "slot")
+    slot = slot.arc(60 - reach, slot.start, 1, f"R{w:g}").closed()
+
+    m = Model("fixture_plate.toml", "fixture and plate", """
+Drilling fixture with four locators, and the plate it holds, seen from above at the height of the plate.
+
+A round pin of 10 in a bore of 10.1 fixes the plate's place, a diamond pin of 8 in a slot 8.1 wide fixes its direction: 0.05
+of play at either. A guard pin of 12 in the notch and one of 10 at the chamfered corner, with 1 and 0.6 to spare, keep a plate
+from being laid in turned over or end for end.
+
+Both parts have their origin in the axis of the round pin, or of the bore: (x, y, theta) = (0, 0, 0) is the plate in place.
+""")
+    m.part("fixture", "Four pins that stand apart; the ground plate below them is not in this plane.", [
+        ("round pin, diameter 10", circle(0, 5.0)),
+        ("diamond pin, diameter 8, lands 2.4 wide", diamond),
+        ("guard pin in the notch, diameter 12", circle(30 + 23j, 6.0)),
+        ("guard pin at the chamfer, diameter 10", circle(corner, 5.0)),
+    ])
+    m.part("plate", "100 x 56, corners R6.", [
+        ("outline", plate), ("bore, diameter 10.1", circle(0, 5.05)), ("slot, 8.1 x 12.1", slot)])
+    return m
+
+
+def snap_fastener():
+    slope = math.tan(math.radians(10))
+    m = Model("snap_fastener.toml", "snap hook and catch", """
+Cantilever snap hook of a plastic cover, and the catch in its housing, in section.
+
+The beam tapers from 3.5 to about 2.2 and carries a head with a lead-in of 28 deg and a retention face at 80 deg to the axis.
+The catch is a mouth of 3.9 in a wall 8 thick, with lead-in chamfers 1 x 45 deg, over a pocket undercut by 4.1 on the
+head's side. Engaged, the root fills the mouth with 0.2 a side, the flange lies on the wall, and the head stands 0.15 below
+the lip, which it overlaps by 1.2: stiff parts cannot come apart, the beam has to bend.
+
+Both are drawn engaged: at (x, y, theta) = (0, 0.05, 0) the hook is free, at (0, 0, 0) its flange touches the wall.
+""")
+    lip, gap = -8.0, 0.15
+    right, barb = 3.7, 5.1
+    top = lip - gap - (right - 3.9) * slope
+    hook = rounded_polygon([
+        (-6 + 4j, 1.0, "flange"), (-6 + 0j, 0.3, "flange, bears on the wall"), (0.2 + 0j, 0.8, "beam, tapered 9 deg"),
+        (complex(1.5, top), 0.0, "head, outside"), (1.7 - 13j, 0.6, "tip"), (3.1 - 13j, 0.8, "lead-in 28 deg"),
+        (complex(barb, -13 + (barb - 3.1) / math.tan(math.radians(28))), 0.4, "land"),
+        (complex(barb, top - (barb - right) * slope), 0.25, "retention face, 80 deg"),
+        (complex(right, top), 0.3, "beam"), (complex(right, 0), 0.8, "flange, bears on the wall"),
+        (10 + 0j, 0.3, "flange"), (10 + 4j, 1.0, "flange, top"),
+    ])
+    catch = rounded_polygon([
+        (-1 + 0j, 0.2, "chamfer 1 x 45 deg"), (-1j, 0.2, "mouth"), (-15.5j, 1.0, "pocket floor"),
+        (8 - 15.5j, 1.0, "pocket"), (complex(8, lip - (8 - 3.9) * slope), 0.5, "lip, retention face"),
+        (complex(3.9, lip), 0.25, "mouth"), (3.9 - 1j, 0.2, "chamfer 1 x 45 deg"), (4.9 + 0j, 0.2, "wall"),
+        (13 + 0j, 1.5, "side"), (13 - 19j, 1.5, "foot"), (-6 - 19j, 1.5, "side"), (-6 + 0j, 1.5, "wall"),
+    ])
+    m.part("catch", "The wall's face is the x axis, the mouth reaches from 0 to 3.9.", [("section", catch)])
+    m.part("hook", "Drawn engaged.", [("outline", hook)])
+    return m
+
+
+def peg_hole():
+    block = rounded_polygon([
+        (-6.05 + 0j, 0, "chamfer 1 x 45 deg"), (-5.05 - 1j, 0, "bore"), (-5.05 - 20j, 0.8, "bottom"),
+        (5.05 - 20j, 0.8, "bore"), (5.05 - 1j, 0, "chamfer 1 x 45 deg"), (6.05 + 0j, 0, "face"),
+        (20 + 0j, 2.0, "side"), (20 - 32j, 2.0, "foot"), (-20 - 32j, 2.0, "side"), (-20 + 0j, 2.0, "face"),
+    ])
+    run = 1.5 * math.tan(math.radians(30))
+    peg = rounded_polygon([
+        (-5 + 0j, 0.6, "shank"), (-5 - 16.5j, 0, "chamfer 1.5 x 30 deg"), (complex(-5 + run, -18), 0.5, "end"),
+        (complex(5 - run, -18), 0.5, "chamfer"), (5 - 16.5j, 0, "shank"), (5 + 0j, 0.6, "collar, seats on the face"),
+        (8 + 0j, 0.5, "collar"), (8 + 6j, 2.0, "top"), (-8 + 6j, 2.0, "collar"), (-8 + 0j, 0.5, "collar, seats on the face"),
+    ])
+    m = Model("peg_hole.toml", "peg in hole", """
+Collared peg of diameter 10 and a blind hole of diameter 10.1, in section.
+
+The shank is 18 long, with an end chamfer 1.5 x 30 deg and a fillet R0.6 under the collar; the hole is 20 deep, chamfered
+1 x 45 deg at the mouth, R0.8 at the bottom. The collar, 16 across, seats on the face before the shank reaches the bottom.
+
+The block has its origin in the middle of the mouth, the peg in the middle of the collar's underside: (x, y, theta) = (0, 0, 0)
+is the seated peg, (0, 18, 0) the peg with its end in the mouth.
+""")
+    m.part("block", "40 x 32, corners R2.", [("section", block)])
+    m.part("peg", "Shank to -y.", [("outline", peg)])
+    return m
+
+
+def ball_in_c():
+    inner, outer, half = 12.0, 20.0, 25.0
+    pen = Outline(polar(outer, half))
+    pen.round(3.0).arc(0, polar(outer, -half), 1, f"outside R{outer:g}").round(3.0).line(polar(inner, -half), "lip").round(2.0)
+    pen.arc(0, polar(inner, half), -1, f"inside R{inner:g}").round(2.0).line(pen.start, "lip")
+    m = Model("ball_in_c.toml", "ball in a C", """
+Ball of diameter 20 caged in a C-shaped clip.
+
+The clip has R12 inside and R20 outside and is open over 50 deg to +x; its lips are rounded R2 inside and R3 outside and leave a
+mouth of some 11, so the ball, with play of 2 all round, cannot leave: at every orientation its free space is in two pieces,
+inside and outside.
+""")
+    m.part("clip", "", [("outline", pen.closed())])
+    m.part("ball", "", [("diameter 20", circle(0, 10.0))])
+    return m
+
+
+def geneva():
+    slots, distance = 6, 60.0
+    crank, wheel_radius = distance * math.sin(math.pi / slots), distance * math.cos(math.pi / slots)
+    pin, play, disc = 4.0, 0.1, 23.0
+    half, bottom = pin + play, distance - crank - 0.4  # the slot's half width, and the centre of its round bottom
+    pen = None
+    lock = meet_circles(0, wheel_radius, distance, disc + play)  # where the locking arc to +x meets the rim
+    rim = math.sqrt(wheel_radius**2 - half**2)
+    for k in range(slots):
+        turned, middle = polar(1, 60 * k), polar(1, 60 * k + 30)
+        if pen is None:
+            pen = Outline(lock[1])
+        pen.arc(distance * turned, lock[0] * turned, -1, f"locking arc {k + 1}")
+        pen.arc(0, complex(rim, -half) * middle, 1, "rim").round(0.5)
+        pen.line(complex(bottom, -half) * middle, f"slot {k + 1}")
+        pen.arc(bottom * middle, complex(bottom, half) * middle, -1, f"R{half:g}")
+        pen.line(complex(rim, half) * middle, "slot").round(0.5)
+        pen.arc(0, lock[1] * turned * polar(1, 60) if k + 1 < slots else pen.start, 1, "rim")
+    wheel = pen.closed()
+    relief = wheel_radius + 0.5
+    axis = complex(distance)
+    horn = meet_circles(axis, disc, 2 * axis, relief)
+    driver = Outline(horn[0]).arc(axis, horn[1], 1, f"locking disc R{disc:g}").round(0.4)
+    driver = driver.arc(2 * axis, horn[0], -1, f"relief R{relief:.2f}").round(0.4).closed()
+    m = Model("geneva.toml", "Geneva drive", f"""
+Geneva wheel of six slots and its driver, shafts 60 apart.
+
+The wheel's radius is 60 cos 30 deg = {wheel_radius:.2f}, the driver's crank 60 sin 30 deg = 30. The pin, of diameter 8,
+runs with 0.1 of play a side in slots 8.2 wide; the locking disc R23 with 0.1 in the wheel's locking arcs. The disc is relieved
+by an arc R{relief:.2f}, concentric with the wheel at half step, which lets the wheel's horns pass while the pin drives.
+
+Both are drawn at dwell: the pin points away from the wheel, the disc holds a locking arc. One turn of the driver steps the
+wheel by 60 deg the other way. The crank's arm lies below the wheel and is not in this plane, so disc and pin stand apart.
+""")
+    m.part("wheel", "", [("six slots, six locking arcs", wheel)], '{ type = "revolute", center = [0, 0] }', slots)
+    m.part("driver", "", [("locking disc", driver), ("pin, diameter 8", circle(axis + crank, pin))],
+           '{ type = "revolute", center = [60, 0] }')
+    return m
+
+
+def knee():
+    # The femur's condyle: from the back, arcs whose radii grow and shrink again, each tangent to the next.
+    distal, back, front = 36.0, 21.0, 27.0
+    c_distal = complex(0, distal)
+    join_back, join_front = polar(1, -108), polar(1, -55)
+    c_back = c_distal + join_back * (distal - back)
+    c_front = c_distal + join_front * (distal - front)
+    lean = polar(1, 92)  # the shaft leans back a little
+    hind, fore = -17 + 60j, 17 + 60j
+    hind_foot = nearest(meet_line_circle(hind, lean, c_back, back), -20 + 50j)
+    fore_foot = max(meet_line_circle(fore, lean, c_front, front), key=lambda p: p.imag)
+    hind_head, fore_head = hind + lean * 45, fore + lean * 45
+    pen = Outline(hind_head)
+    pen.round(2.0).line(hind_foot, "shaft, back").round(10.0)
+    pen.arc(c_back, c_distal + join_back * distal, 1, f"condyle, back R{back:g}")
+    pen.arc(c_distal, c_distal + join_front * distal, 1, f"condyle, below R{distal:g}")
+    pen.arc(c_front, fore_foot, 1, f"trochlea R{front:g}").round(25.0)
+    pen.line(fore_head, "shaft, front").round(2.0).line(pen.start, "cut")
+    femur = pen.closed()
+
+    dish = 48.0
+    low = complex(0, dish)
+    def plateau(x):
+        return complex(x, dish - math.sqrt(dish * dish - x * x))
+    pen = Outline(plateau(-24))
+    pen.round(5.0).arc(low, plateau(19), 1, f"plateau R{dish:g}").round(4.0)
+    pen.bow(-40.0, 22 - 26j, "front slope").round(12.0)
+    pen.line(27 - 34j, "tuberosity").round(6.0).line(14 - 60j, "tuberosity").round(25.0)
+    pen.line(11 - 95j, "shaft, front").round(2.0).line(-15 - 95j, "cut").round(2.0).line(-17 - 45j, "shaft, back").round(30.0)
+    pen.line(-27 - 12j, "back").round(8.0).line(pen.start, "back")
+    tibia = pen.closed()
+    m = Model("knee.toml", "knee", f"""
+Femur and tibia of a knee prosthesis' test rig, in the plane of flexion, approximated by arcs.
+
+The condyle is three tangent arcs: R{back:g} behind, R{distal:g} below, R{front:g} for the trochlea, blended into the shaft
+by R10 and R25. The tibia's plateau is a dish R{dish:g}, less curved than the condyle, with rounded rims; the tuberosity stands
+out in front. Front is +x.
+
+The femur has its origin in the lowest point of the condyle, the tibia in the lowest point of the plateau: in extension they
+touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to about -110 deg.
+""")
+    m.part("femur", "", [("outline", femur)])
+    m.part("tibia", "", [("outline", tibia)])
+    return m
+
+
+MODELS = [ratchet_pawl, gears, gears_on_shafts, cam_follower, fixture_plate, snap_fastener, peg_hole, ball_in_c, geneva, knee]
 
 
 # ---------------------------------------------------------------- writing and checking
