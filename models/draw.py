@@ -86,6 +86,8 @@ class Edge:
         swept = self.turn * cmath.phase((self.end - self.centre) / (self.start - self.centre))
         if swept <= 0:
             swept += 2 * math.pi
+        if abs(swept - math.pi) < 1e-13:
+            return float(self.turn)  # a half circle; the tangent would be one digit off
         return self.turn * math.tan(swept / 4)
 
     def moved(self, turned, shift):
