@@ -1,8 +1,8 @@
 //! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
 
-use crate::feature::{Outline, Shape, winding};
+use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation, Vector};
-use crate::part::{Edge, Part};
+use crate::part::Part;
 
 use super::crossing::{crossing, roots};
 use super::curve::{Curve, CurveShape};
@@ -12,7 +12,9 @@ use super::curve::{Curve, CurveShape};
 pub(crate) struct Body {
     curves: Vec<Curve>,
     bounds: Vec<(Point, Point)>,
-    edges: Vec<Edge>,
+    part: Part,
+    center: Point,
+    scale: f64,
     samples: Vec<Point>,
 }
 
@@ -37,12 +39,6 @@ impl Body {
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-        let in_frame = |e: Edge| Edge {
-            start: place(e.start),
-            end: place(e.end),
-            ..e
-        };
-        let edges = part.edges().map(in_frame).collect();
         let samples = part
             .loops()
             .iter()
@@ -53,13 +49,16 @@ impl Body {
         Self {
             curves,
             bounds,
-            edges,
+            part: part.clone(),
+            center,
+            scale,
             samples,
         }
     }
 
     fn contains(&self, p: Point) -> bool {
-        winding(&self.edges, p) != 0
+        self.part
+            .contains(self.center + (p - Point::ORIGIN) * (1.0 / self.scale))
     }
 }
 

@@ -29,10 +29,11 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, 
             .iter()
             .map(|e| distance(e, p))
             .fold(f64::INFINITY, f64::min);
-        if winding(&edges, p) == 0 {
-            -distance
-        } else {
+        let outer = center + (p - Point::ORIGIN) * (1.0 / scale);
+        if part.contains(outer) {
             distance
+        } else {
+            -distance
         }
     };
     let (mut lo, mut hi) = (Point::ORIGIN, Point::ORIGIN);
@@ -103,30 +104,4 @@ fn distance(edge: &Edge, p: Point) -> f64 {
     } else {
         ends
     }
-}
-
-/// Winding number of the boundary about a point off it.
-pub(crate) fn winding(edges: &[Edge], p: Point) -> i32 {
-    let mut total = 0;
-    for e in edges {
-        let (a, b) = (e.start - p, e.end - p);
-        if (a.y <= 0.0) != (b.y <= 0.0) {
-            let left = a.cross(b) > 0.0;
-            if b.y > a.y && left {
-                total += 1;
-            } else if b.y <= a.y && !left {
-                total -= 1;
-            }
-        }
-        if !e.is_line() {
-            // The region between chord and arc: right of the chord for a positive bulge.
-            let c = e.center();
-            let in_circle = p.distance(c) < e.radius();
-            let right_of_chord = (e.end - e.start).cross(p - e.start) < 0.0;
-            if in_circle && right_of_chord == (e.bulge > 0.0) {
-                total += if e.bulge > 0.0 { 1 } else { -1 };
-            }
-        }
-    }
-    total
 }

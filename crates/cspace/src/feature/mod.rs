@@ -11,6 +11,5 @@ pub(crate) mod tolerance;
 
 pub(crate) use extract::unwrap_near;
 pub(crate) use frame::PairFrame;
-pub(crate) use inscribed::winding;
 pub(crate) use outline::{Feature, Joint, Outline, Shape};
 pub use outline::{FeatureKind, FeatureName};

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::contact::{Crossing, Geometry, conditions, crossing, roots};
+use crate::contact::{Crossing, CurveShape, Geometry, conditions, crossing, roots};
 use crate::geometry::Rotation;
 use crate::number::Event;
 
@@ -35,14 +35,6 @@ impl Branch {
     pub(super) fn enters(&self, sheet: u32) -> bool {
         (self.first == sheet) == self.enters
     }
-
-    /// The crossing at an orientation.
-    pub(super) fn at(&self, geometry: &Geometry, theta: f64, turn: Rotation) -> Option<Crossing> {
-        let sheets = &geometry.contacts.sheets;
-        let f = sheets[self.first as usize].curve(theta, turn);
-        let g = sheets[self.second as usize].curve(theta, turn);
-        crossing(&f, &g, self.root)
-    }
 }
 
 /// The events of every pair.
@@ -67,59 +59,138 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> Vec<Vec<Eve
         .collect()
 }
 
-/// All branches, sorted by their sheets and then by orientation.
+/// Two sheets whose curves lie on one carrier at one orientation, not before and not after.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Coincidence {
+    pub(super) first: u32,
+    pub(super) second: u32,
+    pub(super) at: u32,
+}
+
+/// All branches, sorted by their sheets and then by orientation, and all coincidences.
 pub(super) fn branches(
     geometry: &Geometry,
     pairs: &[PairRun],
     events: &[Vec<Event>],
     clusters: &Clusters,
-) -> Vec<Branch> {
-    pairs
-        .par_iter()
-        .zip(events)
-        .flat_map_iter(|(run, events)| branches_of(geometry, run, events, clusters))
-        .collect()
+) -> (Vec<Branch>, Vec<Coincidence>) {
+    let found: Vec<(Vec<Branch>, Vec<Coincidence>)> = pairs
+        .par_chunks(CHUNK)
+        .zip(events.par_chunks(CHUNK))
+        .map(|(runs, events)| {
+            let mut tracer = Tracer {
+                geometry,
+                clusters,
+                branches: Vec::new(),
+                coincidences: Vec::new(),
+                times: Vec::new(),
+            };
+            for (run, events) in runs.iter().zip(events) {
+                tracer.trace(run, events);
+            }
+            (tracer.branches, tracer.coincidences)
+        })
+        .collect();
+    let (mut branches, mut coincidences) = (Vec::new(), Vec::new());
+    for (b, c) in found {
+        branches.extend(b);
+        coincidences.extend(c);
+    }
+    (branches, coincidences)
 }
 
-fn branches_of(
-    geometry: &Geometry,
-    run: &PairRun,
-    events: &[Event],
-    clusters: &Clusters,
-) -> Vec<Branch> {
-    let (from, to) = (clusters.index(run.lo), clusters.index(run.hi));
-    let mut times = vec![from, to];
-    times.extend(
-        events
-            .iter()
-            .map(|e| clusters.index(e.theta))
-            .filter(|&i| from < i && i < to),
-    );
-    times.sort_unstable();
-    times.dedup();
-    let mut all: Vec<Branch> = Vec::new();
-    let mut open: [Option<Branch>; 2] = [None; 2];
-    for w in times.windows(2) {
-        let now = crossings_between(geometry, run, clusters.between(w[0], w[1]));
-        for (root, enters) in now.into_iter().enumerate() {
-            match (&mut open[root], enters) {
-                (Some(b), Some(enters)) if b.enters == enters => b.to = w[1],
-                (slot, enters) => {
-                    all.extend(slot.take());
-                    *slot = enters.map(|enters| Branch {
-                        first: run.first,
-                        second: run.second,
-                        root: root as u8,
-                        enters,
-                        from: w[0],
-                        to: w[1],
-                    });
+/// Pairs handled at a time by one thread.
+const CHUNK: usize = 256;
+
+struct Tracer<'a> {
+    geometry: &'a Geometry,
+    clusters: &'a Clusters,
+    branches: Vec<Branch>,
+    coincidences: Vec<Coincidence>,
+    times: Vec<u32>,
+}
+
+impl Tracer<'_> {
+    fn trace(&mut self, run: &PairRun, events: &[Event]) {
+        let clusters = self.clusters;
+        let (from, to) = (clusters.index(run.lo), clusters.index(run.hi));
+        self.times.clear();
+        self.times
+            .extend(events.iter().map(|e| clusters.index(e.theta)));
+        self.times.sort_unstable();
+        // When carriers coincide, both ends of each curve are on the other's carrier: four events at once.
+        const EVENTS_AT_ONCE: usize = 3;
+        for same in self
+            .times
+            .chunk_by(|a, b| a == b)
+            .filter(|c| c.len() >= EVENTS_AT_ONCE)
+        {
+            let at = same[0];
+            if (from..=to).contains(&at) && coincide(self.geometry, run, clusters.at(at)) {
+                self.coincidences.push(Coincidence {
+                    first: run.first,
+                    second: run.second,
+                    at,
+                });
+            }
+        }
+        self.times.retain(|&i| from < i && i < to);
+        self.times.extend([from, to]);
+        self.times.sort_unstable();
+        self.times.dedup();
+        let mut open: [Option<Branch>; 2] = [None; 2];
+        for w in self.times.windows(2) {
+            let now = crossings_between(self.geometry, run, clusters.between(w[0], w[1]));
+            for (root, enters) in now.into_iter().enumerate() {
+                match (&mut open[root], enters) {
+                    (Some(b), Some(enters)) if b.enters == enters => b.to = w[1],
+                    (slot, enters) => {
+                        self.branches.extend(slot.take());
+                        *slot = enters.map(|enters| Branch {
+                            first: run.first,
+                            second: run.second,
+                            root: root as u8,
+                            enters,
+                            from: w[0],
+                            to: w[1],
+                        });
+                    }
                 }
             }
         }
+        self.branches.extend(open.into_iter().flatten());
     }
-    all.extend(open.into_iter().flatten());
-    all
+}
+
+/// Whether two sheets have one carrier at an orientation; generous, for what is done then is right anyway.
+fn coincide(geometry: &Geometry, run: &PairRun, theta: f64) -> bool {
+    /// Angle between lines, radians, and distance of carriers in the pair's frame.
+    const SAME_DIRECTION: f64 = 1e-6;
+    const SAME_PLACE: f64 = 1e-7;
+    let sheets = &geometry.contacts.sheets;
+    let turn = Rotation::by(theta);
+    let (f, g) = (
+        sheets[run.first as usize].curve(theta, turn),
+        sheets[run.second as usize].curve(theta, turn),
+    );
+    match (f.shape, g.shape) {
+        (CurveShape::Line { normal: m }, CurveShape::Line { normal: n }) => {
+            m.cross(n).abs() < SAME_DIRECTION && m.dot(g.start - f.start).abs() < SAME_PLACE
+        }
+        (
+            CurveShape::Circle {
+                center: c,
+                radius: r,
+                ..
+            },
+            CurveShape::Circle {
+                center: d,
+                radius: q,
+                ..
+            },
+        ) => (r.abs() - q.abs()).abs() < SAME_PLACE && c.distance(d) < SAME_PLACE,
+        _ => false,
+    }
 }
 
 /// For each root whether the curves cross there, and if so whether the first enters.

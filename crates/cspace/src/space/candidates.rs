@@ -205,19 +205,18 @@ fn sheet_box(sheet: &Sheet, mid: f64, turn: Rotation, half: f64) -> (Point, Poin
         let bend = 0.5 * w.length() * half * half;
         Vector::new(v.x.abs() * half + bend, v.y.abs() * half + bend)
     };
-    let (lo, hi) = if let CurveShape::Circle { half: spread, .. } = &mut curve.shape {
+    let (g, h) = (grow(sheet.start.w), grow(sheet.end.w));
+    let (s, e) = (curve.start, curve.end);
+    let mut lo = Point::new((s.x - g.x).min(e.x - h.x), (s.y - g.y).min(e.y - h.y));
+    let mut hi = Point::new((s.x + g.x).max(e.x + h.x), (s.y + g.y).max(e.y + h.y));
+    if let CurveShape::Circle { half: spread, .. } = &mut curve.shape {
+        // The circle's own extremes: with normals as far as they come, about a centre that moves.
         *spread += half;
         let g = grow(sheet.center().w);
-        let (lo, hi) = curve.bounds();
-        (lo + (-g), hi + g)
-    } else {
-        let (g, h) = (grow(sheet.start.w), grow(sheet.end.w));
-        let (s, e) = (curve.start, curve.end);
-        (
-            Point::new((s.x - g.x).min(e.x - h.x), (s.y - g.y).min(e.y - h.y)),
-            Point::new((s.x + g.x).max(e.x + h.x), (s.y + g.y).max(e.y + h.y)),
-        )
-    };
+        let (l, h) = curve.bounds();
+        lo = Point::new(lo.x.min(l.x - g.x), lo.y.min(l.y - g.y));
+        hi = Point::new(hi.x.max(h.x + g.x), hi.y.max(h.y + g.y));
+    }
     // Rounding is far below this.
     const MARGIN: f64 = 1e-10;
     let margin = Vector::new(MARGIN, MARGIN);

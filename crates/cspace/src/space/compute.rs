@@ -174,7 +174,8 @@ impl ContactSpace {
         lap(&mut seconds.pair_events);
 
         progress.stage(Stage::Branches)?;
-        let mut branches = branches(&geometry, &candidates.pairs, &pair_events, &clusters);
+        let (mut branches, mut coincidences) =
+            branches(&geometry, &candidates.pairs, &pair_events, &clusters);
         lap(&mut seconds.branches);
 
         progress.stage(Stage::TripleEvents)?;
@@ -185,6 +186,15 @@ impl ContactSpace {
             b.from = moved[b.from as usize];
             b.to = moved[b.to as usize];
         }
+        for c in &mut coincidences {
+            c.at = moved[c.at as usize];
+        }
+        let mut splits: Vec<(u32, u32)> = coincidences
+            .iter()
+            .flat_map(|c| [(c.first, c.at), (c.second, c.at)])
+            .collect();
+        splits.sort_unstable();
+        splits.dedup();
         let mut passings: Vec<(u32, u32)> = triples
             .iter()
             .map(|(sheet, e)| (*sheet, clusters.index(e.theta)))
@@ -200,6 +210,7 @@ impl ContactSpace {
             branches: &branches,
             on_sheet: &on_sheet,
             passings: &passings,
+            splits: &splits,
         };
         let cells = sweep.run(&candidates.sheets);
         lap(&mut seconds.cells);
@@ -210,6 +221,7 @@ impl ContactSpace {
             clusters: &clusters,
             branches: &branches,
             candidates: &candidates,
+            coincidences: &coincidences,
         };
         let shells = finder.find(&cells);
         lap(&mut seconds.shells);

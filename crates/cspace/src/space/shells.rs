@@ -4,15 +4,16 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use crate::contact::{Geometry, Seam};
-use crate::geometry::{Point, Rotation, Vector};
+use crate::contact::Geometry;
+use crate::geometry::{Rotation, Vector};
 use crate::union_find::UnionFind;
 
-use super::branch::Branch;
+use super::branch::{Branch, Coincidence};
 use super::candidates::{Candidates, SheetRun};
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
-use super::sweep::{CellExtents, Cells, Extent, Placing};
+use super::levels::Levels;
+use super::sweep::{Cells, Placing};
 
 /// Contacts between cells, and the verdict on each cell.
 #[derive(Debug)]
@@ -33,13 +34,19 @@ pub(super) struct ShellFinder<'a> {
     pub(super) clusters: &'a Clusters,
     pub(super) branches: &'a [Branch],
     pub(super) candidates: &'a Candidates,
+    pub(super) coincidences: &'a [Coincidence],
 }
 
 impl ShellFinder<'_> {
     pub(super) fn find(&self, cells: &Cells) -> Shells {
         let side = self.side_contacts(&cells.cells);
         let mut vertical = cells.vertical.clone();
-        self.seams(&cells.cells, &mut vertical);
+        let levels = Levels {
+            geometry: self.geometry,
+            clusters: self.clusters,
+            branches: self.branches,
+        };
+        levels.connect(&cells.cells, self.coincidences, &mut vertical);
         let mut sets = UnionFind::new(cells.cells.len());
         for s in &side {
             sets.union(s.before, s.after);
@@ -119,92 +126,6 @@ impl ShellFinder<'_> {
             }
         }
         side
-    }
-
-    /// Cells that continue each other where the orientations of their sheets end.
-    fn seams(&self, cells: &[Cell], vertical: &mut Vec<VerticalContact>) {
-        let sheets = &self.geometry.contacts.sheets;
-        // By seam and cluster: cells that end there, cells that begin there.
-        let mut groups: BTreeMap<(Seam, u32), (Vec<u32>, Vec<u32>)> = BTreeMap::new();
-        for (i, c) in (0u32..).zip(cells) {
-            let sheet = &sheets[c.sheet as usize];
-            let skip = |s: Seam| matches!(s, Seam::Point | Seam::Window);
-            // The two ends of the full turn are one orientation.
-            let time = |seam: Seam, t: u32| if matches!(seam, Seam::Wrap(..)) { 0 } else { t };
-            if c.at_top && !skip(sheet.top) {
-                groups
-                    .entry((sheet.top, time(sheet.top, c.to)))
-                    .or_default()
-                    .0
-                    .push(i);
-            }
-            if c.at_bottom && !skip(sheet.bottom) {
-                groups
-                    .entry((sheet.bottom, time(sheet.bottom, c.from)))
-                    .or_default()
-                    .1
-                    .push(i);
-            }
-        }
-        for ((seam, _), (ends, starts)) in &groups {
-            let lines = !matches!(seam, Seam::Wrap(..) | Seam::Same(..));
-            let below: Vec<Extent> = ends
-                .iter()
-                .map(|&c| self.extent(&cells[c as usize], true, lines))
-                .collect();
-            let above: Vec<Extent> = starts
-                .iter()
-                .map(|&c| self.extent(&cells[c as usize], false, lines))
-                .collect();
-            for (i, b) in below.iter().enumerate() {
-                for (j, a) in above.iter().enumerate() {
-                    if let Some((lo, hi)) = b.shared_with(a) {
-                        let at = cells[ends[i] as usize].to;
-                        let middle = if lines {
-                            self.line_origin(&cells[ends[i] as usize], true)
-                        } else {
-                            0.0
-                        };
-                        vertical.push(VerticalContact {
-                            lower: ends[i],
-                            upper: starts[j],
-                            at,
-                            lo: lo - middle,
-                            hi: hi - middle,
-                        });
-                    }
-                }
-            }
-        }
-    }
-
-    /// The cell's range at its top or bottom; along the common line of the seam, or along its own curve.
-    fn extent(&self, cell: &Cell, top: bool, along_line: bool) -> Extent {
-        let at = if top { cell.to } else { cell.from };
-        let e =
-            CellExtents::new(self.geometry, self.clusters, self.branches, cell.sheet, at).of(cell);
-        let origin = if along_line {
-            self.line_origin(cell, top)
-        } else {
-            0.0
-        };
-        Extent {
-            lo: e.lo + origin,
-            hi: e.hi + origin,
-            ..e
-        }
-    }
-
-    /// Where the middle of a straight contact curve lies along its line, from the foot of the frame's origin.
-    fn line_origin(&self, cell: &Cell, top: bool) -> f64 {
-        let at = if top { cell.to } else { cell.from };
-        let theta = self.clusters.at(at);
-        let turn = Rotation::by(theta);
-        let curve = self.geometry.contacts.sheets[cell.sheet as usize].curve(theta, turn);
-        let along = self.geometry.contacts.sheets[cell.sheet as usize]
-            .normal_at(turn)
-            .left();
-        along.dot(curve.start.midpoint(curve.end) - Point::ORIGIN)
     }
 
     /// Decides each shell by what bounds its cells and by an honest test.

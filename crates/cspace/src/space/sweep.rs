@@ -20,6 +20,17 @@ pub(super) struct Sweep<'a> {
     pub(super) on_sheet: &'a OnSheet,
     /// Sheets with the clusters at which branches pass each other on them, sorted.
     pub(super) passings: &'a [(u32, u32)],
+    /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
+    pub(super) splits: &'a [(u32, u32)],
+}
+
+/// The clusters listed for a sheet.
+fn listed(list: &[(u32, u32)], sheet: u32) -> impl Iterator<Item = u32> + '_ {
+    let from = list.partition_point(|p| p.0 < sheet);
+    list[from..]
+        .iter()
+        .take_while(move |p| p.0 == sheet)
+        .map(|p| p.1)
 }
 
 /// The cells of all sheets, sorted by sheet, and which continue each other within a sheet.
@@ -144,11 +155,9 @@ impl Sweep<'_> {
             let b = &self.branches[b as usize];
             times.extend([b.from, b.to].iter().filter(|t| within(t)));
         }
-        let from = self.passings.partition_point(|p| p.0 < run.sheet);
-        let passings = self.passings[from..]
-            .iter()
-            .take_while(|p| p.0 == run.sheet);
-        times.extend(passings.map(|p| p.1).filter(within));
+        times.extend(listed(self.passings, run.sheet).filter(within));
+        let splits: Vec<u32> = listed(self.splits, run.sheet).filter(within).collect();
+        times.extend(&splits);
         times.sort_unstable();
         times.dedup();
 
@@ -183,6 +192,8 @@ impl Sweep<'_> {
                 let cell: &Cell = &out.cells[c as usize];
                 (cell.left, cell.right) == *key
             };
+            let split = splits.binary_search(&t0).is_ok();
+            let same = |c: u32, key: &(u32, u32)| !split && same(c, key);
             let kept_before = open
                 .iter()
                 .zip(&keys)
@@ -215,7 +226,7 @@ impl Sweep<'_> {
                 });
             }
             let new: Vec<u32> = (new_first..out.cells.len() as u32).collect();
-            if t0 != first {
+            if t0 != first && !split {
                 self.connect(run.sheet, t0, &closing, &new, &mut out);
             }
             let tail = open.split_off(open.len() - kept_after);

@@ -1,0 +1,356 @@
+//! Sheets that share one curve at one orientation, and how free space continues across it.
+//!
+//! Where the orientations of sheets begin and end (two lines parallel, an end normal reached), and where curves of
+//! other sheets happen to lie on one carrier (two vertices of the moving part on one line of the fixed part), several
+//! sheets lie on top of each other at one orientation. Just below it one of them is outermost at every place of the
+//! curve, just above it maybe another: these two continue each other there. A sheet that faces the other way and is
+//! passed leaves no room: nothing continues.
+
+use std::collections::BTreeMap;
+
+use crate::contact::{Carrier, Geometry, Seam, wrap};
+use crate::feature::tolerance::SHORTEST_OVERLAP;
+use crate::geometry::{Point, Rotation, Vector};
+use crate::union_find::UnionFind;
+
+use super::branch::{Branch, Coincidence};
+use super::cells::{Cell, VerticalContact};
+use super::clusters::Clusters;
+use super::sweep::CellExtents;
+
+pub(super) struct Levels<'a> {
+    pub(super) geometry: &'a Geometry,
+    pub(super) clusters: &'a Clusters,
+    pub(super) branches: &'a [Branch],
+}
+
+/// The common curve: a line through a point, or a circle; with the coordinate along it.
+#[derive(Debug, Clone, Copy)]
+enum Track {
+    Line {
+        normal: Vector,
+    },
+    Circle {
+        center: Point,
+        radius: f64,
+        zero: f64,
+    },
+}
+
+/// A cell that touches the level, as a range of the coordinate.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    cell: u32,
+    mid: f64,
+    half: f64,
+    error: f64,
+    /// Whether its free side is that of the track.
+    along: bool,
+}
+
+impl Track {
+    fn coordinate(&self, p: Point) -> f64 {
+        match *self {
+            Self::Line { normal } => normal.left().dot(p - Point::ORIGIN),
+            Self::Circle {
+                center,
+                radius,
+                zero,
+            } => wrap((p - center).angle() - zero) * radius.abs(),
+        }
+    }
+
+    fn difference(&self, a: f64, b: f64) -> f64 {
+        match *self {
+            Self::Line { .. } => a - b,
+            Self::Circle { radius, .. } => wrap((a - b) / radius.abs()) * radius.abs(),
+        }
+    }
+}
+
+impl Levels<'_> {
+    /// Adds the contacts across all levels.
+    pub(super) fn connect(
+        &self,
+        cells: &[Cell],
+        coincidences: &[Coincidence],
+        out: &mut Vec<VerticalContact>,
+    ) {
+        self.connect_wraps(cells, out);
+        for (at, sheets) in self.groups(cells, coincidences) {
+            self.connect_group(cells, at, &sheets, out);
+        }
+    }
+
+    /// Sheets that share a curve at a cluster: by the seams at which they begin and end, and by coincidence.
+    fn groups(&self, cells: &[Cell], coincidences: &[Coincidence]) -> Vec<(u32, Vec<u32>)> {
+        let sheets = &self.geometry.contacts.sheets;
+        let mut seams: Vec<(Seam, u32, u32)> = Vec::new();
+        for c in cells {
+            let sheet = &sheets[c.sheet as usize];
+            let counts = |s: Seam| !matches!(s, Seam::Point | Seam::Window | Seam::Wrap(..));
+            if c.at_top && counts(sheet.top) {
+                seams.push((sheet.top, c.to, c.sheet));
+            }
+            if c.at_bottom && counts(sheet.bottom) {
+                seams.push((sheet.bottom, c.from, c.sheet));
+            }
+        }
+        seams.sort_unstable();
+        seams.dedup();
+        let mut nodes: Vec<(u32, u32)> = seams.iter().map(|s| (s.1, s.2)).collect();
+        nodes.extend(
+            coincidences
+                .iter()
+                .flat_map(|c| [(c.at, c.first), (c.at, c.second)]),
+        );
+        nodes.sort_unstable();
+        nodes.dedup();
+        let node = |at: u32, sheet: u32| nodes.partition_point(|n| *n < (at, sheet)) as u32;
+        let mut sets = UnionFind::new(nodes.len());
+        for w in seams.windows(2) {
+            if (w[0].0, w[0].1) == (w[1].0, w[1].1) {
+                sets.union(node(w[0].1, w[0].2), node(w[1].1, w[1].2));
+            }
+        }
+        for c in coincidences {
+            sets.union(node(c.at, c.first), node(c.at, c.second));
+        }
+        let mut members: Vec<(u32, u32)> =
+            (0..nodes.len() as u32).map(|i| (sets.find(i), i)).collect();
+        members.sort_unstable();
+        members
+            .chunk_by(|a, b| a.0 == b.0)
+            .map(|group| {
+                let at = nodes[group[0].1 as usize].0;
+                (at, group.iter().map(|m| nodes[m.1 as usize].1).collect())
+            })
+            .collect()
+    }
+
+    fn connect_group(
+        &self,
+        cells: &[Cell],
+        at: u32,
+        group: &[u32],
+        out: &mut Vec<VerticalContact>,
+    ) {
+        let theta = self.clusters.at(at);
+        let turn = Rotation::by(theta);
+        let first = &self.geometry.contacts.sheets[group[0] as usize];
+        let track = match first.carrier(turn.cos, turn.sin) {
+            Carrier::Line { normal, .. } => Track::Line {
+                normal: Vector::new(normal.0, normal.1),
+            },
+            Carrier::Circle { center, radius } => Track::Circle {
+                center: Point::new(center.0, center.1),
+                radius,
+                zero: (first.start.at(turn) - Point::new(center.0, center.1)).angle(),
+            },
+        };
+        let (mut below, mut above) = (Vec::new(), Vec::new());
+        for &sheet in group {
+            let from = cells.partition_point(|c| c.sheet < sheet);
+            let mine = (from as u32..)
+                .zip(&cells[from..])
+                .take_while(|(_, c)| c.sheet == sheet);
+            for (i, c) in mine {
+                if c.to == at {
+                    below.extend(self.piece(i, c, at, &track));
+                }
+                if c.from == at {
+                    above.extend(self.piece(i, c, at, &track));
+                }
+            }
+        }
+        if below.is_empty() || above.is_empty() {
+            return;
+        }
+        let mut marks: Vec<f64> = below
+            .iter()
+            .chain(&above)
+            .flat_map(|p| [p.mid - p.half, p.mid + p.half])
+            .map(|m| track.difference(m, 0.0))
+            .collect();
+        marks.sort_by(f64::total_cmp);
+        let mut shared: BTreeMap<(u32, u32), (f64, f64)> = BTreeMap::new();
+        for w in marks.windows(2) {
+            let (middle, length) = (0.5 * (w[0] + w[1]), w[1] - w[0]);
+            if length <= SHORTEST_OVERLAP {
+                continue;
+            }
+            let p = self.point(&track, first.start.at(turn), middle);
+            for along in [true, false] {
+                let low =
+                    self.outermost(cells, &below, &track, middle, p, along, self.slab_below(at));
+                let high =
+                    self.outermost(cells, &above, &track, middle, p, along, self.slab_above(at));
+                let (Some(low), Some(high)) = (low, high) else {
+                    continue;
+                };
+                if length > low.error + high.error + SHORTEST_OVERLAP {
+                    // Along the lower cell's own curve, from its middle.
+                    let cell = &cells[low.cell as usize];
+                    let sign = if along { 1.0 } else { -1.0 };
+                    let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
+                    let curve = sheet.curve(theta, turn);
+                    let reverse = if sheet.is_circle() && sheet.radius < 0.0 {
+                        -1.0
+                    } else {
+                        1.0
+                    };
+                    let _ = (sign, reverse);
+                    let ends = [w[0], w[1]]
+                        .map(|m| curve.position(self.point(&track, first.start.at(turn), m)));
+                    let (lo, hi) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+                    let entry = shared.entry((low.cell, high.cell)).or_insert((lo, hi));
+                    *entry = (entry.0.min(lo), entry.1.max(hi));
+                }
+            }
+        }
+        out.extend(
+            shared
+                .into_iter()
+                .map(|((lower, upper), (lo, hi))| VerticalContact {
+                    lower,
+                    upper,
+                    at,
+                    lo,
+                    hi,
+                }),
+        );
+    }
+
+    fn slab_below(&self, at: u32) -> f64 {
+        self.clusters.between(at.max(1) - 1, at)
+    }
+
+    fn slab_above(&self, at: u32) -> f64 {
+        self.clusters
+            .between(at, (at + 1).min(self.clusters.len() as u32 - 1))
+    }
+
+    fn point(&self, track: &Track, on: Point, coordinate: f64) -> Point {
+        match *track {
+            Track::Line { normal } => {
+                let along = normal.left();
+                on + along * (coordinate - along.dot(on - Point::ORIGIN))
+            }
+            Track::Circle {
+                center,
+                radius,
+                zero,
+            } => center + Vector::from_angle(zero + coordinate / radius.abs()) * radius.abs(),
+        }
+    }
+
+    fn piece(&self, index: u32, cell: &Cell, at: u32, track: &Track) -> Option<Piece> {
+        let theta = self.clusters.at(at);
+        let turn = Rotation::by(theta);
+        let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
+        let curve = sheet.curve(theta, turn);
+        let e =
+            CellExtents::new(self.geometry, self.clusters, self.branches, cell.sheet, at).of(cell);
+        let p = curve.point(0.5 * (e.lo + e.hi));
+        let along = match *track {
+            Track::Line { normal } => normal.dot(curve.normal(p)) > 0.0,
+            Track::Circle { radius, .. } => (sheet.radius > 0.0) == (radius > 0.0),
+        };
+        let half = 0.5 * (e.hi - e.lo);
+        let error = e.lo_error + e.hi_error;
+        (half > 0.0).then(|| Piece {
+            cell: index,
+            mid: track.coordinate(p),
+            half,
+            error,
+            along,
+        })
+    }
+
+    /// The piece that faces free space at a place, just off the level, on one of the two faces of the track.
+    fn outermost<'p>(
+        &self,
+        cells: &[Cell],
+        pieces: &'p [Piece],
+        track: &Track,
+        place: f64,
+        p: Point,
+        along: bool,
+        theta: f64,
+    ) -> Option<&'p Piece> {
+        let covering = pieces
+            .iter()
+            .filter(|q| track.difference(q.mid, place).abs() < q.half);
+        let outward = match *track {
+            Track::Line { normal } => normal,
+            Track::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
+        };
+        let outward = if along { outward } else { -outward };
+        let turn = Rotation::by(theta);
+        let height = |q: &Piece| self.height(&cells[q.cell as usize], p, outward, turn);
+        let mut best: Option<(f64, &Piece)> = None;
+        let mut ceiling = f64::INFINITY;
+        for q in covering {
+            let h = height(q);
+            if q.along != along {
+                ceiling = ceiling.min(h);
+            } else if best.is_none_or(|b| h > b.0) {
+                best = Some((h, q));
+            }
+        }
+        best.filter(|b| b.0 < ceiling).map(|b| b.1)
+    }
+
+    /// How far outward from a point the carrier of a cell's sheet lies.
+    fn height(&self, cell: &Cell, p: Point, outward: Vector, turn: Rotation) -> f64 {
+        match self.geometry.contacts.sheets[cell.sheet as usize].carrier(turn.cos, turn.sin) {
+            Carrier::Line { normal, through } => {
+                let n = Vector::new(normal.0, normal.1);
+                n.dot(Point::new(through.0, through.1) - p) / n.dot(outward)
+            }
+            Carrier::Circle { center, radius } => {
+                // Near the circle, the distance from it, outward from its centre or inward.
+                let v = p - Point::new(center.0, center.1);
+                let off = v.length() - radius.abs();
+                if v.dot(outward) > 0.0 { -off } else { off }
+            }
+        }
+    }
+
+    /// Cells that continue each other at the two ends of a full turn, which are one orientation.
+    fn connect_wraps(&self, cells: &[Cell], out: &mut Vec<VerticalContact>) {
+        let sheets = &self.geometry.contacts.sheets;
+        let mut groups: BTreeMap<Seam, (Vec<u32>, Vec<u32>)> = BTreeMap::new();
+        for (i, c) in (0u32..).zip(cells) {
+            let sheet = &sheets[c.sheet as usize];
+            if c.at_top && matches!(sheet.top, Seam::Wrap(..)) {
+                groups.entry(sheet.top).or_default().0.push(i);
+            }
+            if c.at_bottom && matches!(sheet.bottom, Seam::Wrap(..)) {
+                groups.entry(sheet.bottom).or_default().1.push(i);
+            }
+        }
+        let extent = |i: u32, at: u32| {
+            let cell = &cells[i as usize];
+            CellExtents::new(self.geometry, self.clusters, self.branches, cell.sheet, at).of(cell)
+        };
+        for (ends, starts) in groups.values() {
+            for &lower in ends {
+                for &upper in starts {
+                    let at = cells[lower as usize].to;
+                    let below = extent(lower, at);
+                    let above = extent(upper, cells[upper as usize].from);
+                    if let Some((lo, hi)) = below.shared_with(&above) {
+                        out.push(VerticalContact {
+                            lower,
+                            upper,
+                            at,
+                            lo,
+                            hi,
+                        });
+                    }
+                }
+            }
+        }
+    }
+}
