@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::contact::{Carrier, Contacts, Geometry, Sheet, place_on, wrap};
+use crate::contact::{Carrier, Geometry, Sheet, place_on, wrap};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Rotation, Vector};
 
@@ -10,6 +10,7 @@ use super::branch::Branch;
 use super::candidates::SheetRun;
 use super::cells::{Cell, END, VerticalContact};
 use super::clusters::Clusters;
+use super::gaps::Gaps;
 use super::triple::OnSheet;
 
 /// Everything a sweep reads.
@@ -161,31 +162,35 @@ impl Sweep<'_> {
         times.sort_unstable();
         times.dedup();
 
-        let sheet = &self.geometry.contacts.sheets[run.sheet as usize];
-        let contacts = &self.geometry.contacts;
-        let dead = (is_dead_start(contacts, sheet), is_dead_end(contacts, sheet));
+        let dead = Gaps::dead_ends(self.geometry, run.sheet);
         let mut out = Cells::default();
         let mut open: Vec<u32> = Vec::new();
-        let mut active: Vec<(f64, u32)> = Vec::new();
+        let mut active: Vec<u32> = Vec::new();
         for w in times.windows(2) {
             let (t0, t1) = (w[0], w[1]);
-            let placing = Placing::new(self.geometry, run.sheet, clusters.between(t0, t1));
             active.clear();
-            for &b in mine {
-                let branch = &self.branches[b as usize];
-                if branch.from <= t0 && branch.to >= t1 {
-                    active.push((placing.place(branch), b));
-                }
-            }
-            active.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            active.extend(mine.iter().copied().filter(|&b| {
+                let b = &self.branches[b as usize];
+                b.from <= t0 && b.to >= t1
+            }));
+            let theta = clusters.between(t0, t1);
+            let gaps = Gaps::new(
+                self.geometry,
+                self.branches,
+                run.sheet,
+                &active,
+                theta,
+                dead,
+            );
+            let order = &gaps.order;
             let bound = |i: usize| {
-                if i == 0 || i > active.len() {
+                if i == 0 || i > order.len() {
                     END
                 } else {
-                    active[i - 1].1
+                    order[i - 1].1
                 }
             };
-            let keys: Vec<(u32, u32)> = (0..=active.len())
+            let keys: Vec<(u32, u32)> = (0..=order.len())
                 .map(|i| (bound(i), bound(i + 1)))
                 .collect();
             let same = |c: u32, key: &(u32, u32)| {
@@ -345,12 +350,4 @@ impl<'a> CellExtents<'a> {
             .place_and_sine(&self.branches[branch as usize], true);
         (place, (PLACE_ERROR + 4.0 * self.spread) / sine.max(TANGENT))
     }
-}
-
-fn is_dead_end(contacts: &Contacts, sheet: &Sheet) -> bool {
-    contacts.starting_at(sheet.end_name).next().is_none()
-}
-
-fn is_dead_start(contacts: &Contacts, sheet: &Sheet) -> bool {
-    contacts.ending_at(sheet.start_name).next().is_none()
 }

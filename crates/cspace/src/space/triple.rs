@@ -4,16 +4,23 @@
 //! vanishes, the three meet. Enclosures of the difference and of its derivative isolate every root: a piece of the
 //! interval holds none if the difference has a sign, at most one if the derivative has; otherwise it is halved.
 
+use std::collections::BTreeMap;
+
 use rayon::prelude::*;
 
 use crate::contact::{Geometry, place_on};
+use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::{Ball, Event, Jet, Real};
 
 use super::branch::Branch;
 use super::clusters::Clusters;
+use super::gaps::Gaps;
 
-/// Pieces narrower than this are not halved further (radians). Two roots nearer than that leave the order as it was.
-const NARROWEST: f64 = 1e-11;
+/// Pieces narrower than this are not halved further (radians).
+///
+/// Two roots within such a piece leave the order as it was; between them the places differ by no more than
+/// h² |d″| / 8, some 1e-17, which is below rounding.
+const NARROWEST: f64 = 1e-8;
 
 /// The branches on every sheet, as indices; the branches of sheet i are `list[first[i]..first[i + 1]]`.
 #[derive(Debug)]
@@ -49,7 +56,7 @@ impl OnSheet {
     }
 }
 
-/// All orientations at which two branches pass each other on a sheet, with the sheet.
+/// All orientations at which branches pass each other on a sheet where that can matter, with the sheet.
 pub(super) fn triple_events(
     geometry: &Geometry,
     branches: &[Branch],
@@ -59,27 +66,118 @@ pub(super) fn triple_events(
     (0..geometry.contacts.sheets.len() as u32)
         .into_par_iter()
         .flat_map_iter(|sheet| {
-            let mut events = Vec::new();
-            let list = on_sheet.of(sheet);
-            for (n, &i) in list.iter().enumerate() {
-                for &j in &list[n + 1..] {
-                    let (x, y) = (&branches[i as usize], &branches[j as usize]);
-                    let (from, to) = (x.from.max(y.from), x.to.min(y.to));
-                    if from < to && x.other(sheet) != y.other(sheet) {
-                        let (lo, hi) = (clusters.hi(from), clusters.lo(to));
-                        let pair = Passing {
-                            geometry,
-                            sheet,
-                            x,
-                            y,
-                        };
-                        pair.isolate(lo, hi, &mut |e| events.push((sheet, e)));
-                    }
-                }
-            }
-            events
+            let mut search = Search {
+                geometry,
+                branches,
+                clusters,
+                sheet,
+                dead: Gaps::dead_ends(geometry, sheet),
+                known: BTreeMap::new(),
+                events: Vec::new(),
+            };
+            search.run(on_sheet.of(sheet));
+            search.events
         })
         .collect()
+}
+
+/// The search on one sheet.
+struct Search<'a> {
+    geometry: &'a Geometry,
+    branches: &'a [Branch],
+    clusters: &'a Clusters,
+    sheet: u32,
+    dead: (bool, bool),
+    /// Orientations at which two branches pass each other, for pairs already looked at.
+    known: BTreeMap<(u32, u32), Vec<Event>>,
+    events: Vec<(u32, Event)>,
+}
+
+impl Search<'_> {
+    fn run(&mut self, list: &[u32]) {
+        if list.len() < 2 {
+            return;
+        }
+        let mut times: Vec<u32> = list
+            .iter()
+            .flat_map(|&b| [self.branches[b as usize].from, self.branches[b as usize].to])
+            .collect();
+        times.sort_unstable();
+        times.dedup();
+        let mut active = Vec::new();
+        for w in times.windows(2) {
+            active.clear();
+            active.extend(list.iter().copied().filter(|&b| {
+                let b = &self.branches[b as usize];
+                b.from <= w[0] && b.to >= w[1]
+            }));
+            if active.len() > 1 {
+                self.slab(&active, self.clusters.hi(w[0]), self.clusters.lo(w[1]));
+            }
+        }
+    }
+
+    /// Looks at an interval in which the same branches exist, and again at its pieces if some pass each other.
+    fn slab(&mut self, active: &[u32], lo: f64, hi: f64) {
+        let gaps = Gaps::new(
+            self.geometry,
+            self.branches,
+            self.sheet,
+            active,
+            0.5 * (lo + hi),
+            self.dead,
+        );
+        let mut cuts: Vec<Event> = Vec::new();
+        for (n, &(_, i)) in gaps.order.iter().enumerate() {
+            for (m, &(_, j)) in gaps.order.iter().enumerate().skip(n + 1) {
+                if gaps.passing_matters(n, m) {
+                    let found = self.passings(i.min(j), i.max(j));
+                    cuts.extend(
+                        found
+                            .iter()
+                            .filter(|e| lo < e.theta - e.error && e.theta + e.error < hi),
+                    );
+                }
+            }
+        }
+        if cuts.is_empty() {
+            return;
+        }
+        cuts.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+        let mut from = lo;
+        for c in cuts {
+            if c.theta - c.error - from > NARROWEST_BAND {
+                self.slab(active, from, c.theta - c.error);
+            }
+            from = from.max(c.theta + c.error);
+        }
+        if hi - from > NARROWEST_BAND {
+            self.slab(active, from, hi);
+        }
+    }
+
+    fn passings(&mut self, i: u32, j: u32) -> Vec<Event> {
+        if let Some(found) = self.known.get(&(i, j)) {
+            return found.clone();
+        }
+        let (x, y) = (&self.branches[i as usize], &self.branches[j as usize]);
+        let (from, to) = (x.from.max(y.from), x.to.min(y.to));
+        let mut found = Vec::new();
+        if x.other(self.sheet) != y.other(self.sheet) {
+            let pair = Passing {
+                geometry: self.geometry,
+                sheet: self.sheet,
+                x,
+                y,
+            };
+            pair.isolate(self.clusters.hi(from), self.clusters.lo(to), &mut |e| {
+                found.push(e)
+            });
+        }
+        self.events.extend(found.iter().map(|&e| (self.sheet, e)));
+        self.known.insert((i, j), found.clone());
+        found
+    }
 }
 
 /// Two branches on one sheet.
@@ -119,16 +217,20 @@ impl Passing<'_> {
             return;
         }
         let mid = 0.5 * (lo + hi);
+        // About the middle: d(θ) is within |slope| h of d(mid).
+        let (cos, sin) = Ball::constant(mid).cos_sin();
+        let at_mid = self.difference(cos, sin).0;
+        let reach = (d.slope.mid.abs() + d.slope.radius) * 0.5 * (hi - lo);
+        if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
+            return;
+        }
         if d.slope.sign() != 0 {
             if self.sign_at(lo) * self.sign_at(hi) <= 0.0 {
                 found(self.root_between(lo, hi, d.slope));
             }
         } else if hi - lo < NARROWEST {
             if self.sign_at(lo) * self.sign_at(hi) <= 0.0 {
-                found(Event {
-                    theta: mid,
-                    error: 0.5 * (hi - lo),
-                });
+                found(self.root_between(lo, hi, Ball::constant(1.0)));
             }
         } else {
             self.isolate(lo, mid, found);
