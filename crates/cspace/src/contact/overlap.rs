@@ -56,6 +56,10 @@ impl Body {
         }
     }
 
+    pub(crate) fn part(&self) -> &Part {
+        &self.part
+    }
+
     fn contains(&self, p: Point) -> bool {
         self.part
             .contains(self.center + (p - Point::ORIGIN) * (1.0 / self.scale))

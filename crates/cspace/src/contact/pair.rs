@@ -45,6 +45,14 @@ impl Geometry {
         }
     }
 
+    pub(crate) fn fixed_part(&self) -> &Part {
+        self.fixed_body.part()
+    }
+
+    pub(crate) fn moving_part(&self) -> &Part {
+        self.moving_body.part()
+    }
+
     /// Whether the parts overlap with the moving one at `p` in the pair's frame.
     pub(crate) fn overlaps(&self, p: Point, theta: f64) -> bool {
         overlap(&self.fixed_body, &self.moving_body, p, theta)

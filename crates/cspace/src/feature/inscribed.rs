@@ -12,15 +12,7 @@ const ROUNDS: usize = 8;
 ///
 /// Where the discs of two parts meet, the parts overlap for certain, and nothing there needs to be looked at.
 pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, f64) {
-    let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-    let edges: Vec<Edge> = part
-        .edges()
-        .map(|e| Edge {
-            start: place(e.start),
-            end: place(e.end),
-            ..e
-        })
-        .collect();
+    let edges = in_frame(part, center, scale);
     if edges.len() > 4000 {
         return (Point::ORIGIN, 0.0);
     }
@@ -74,6 +66,72 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, 
     } else {
         (Point::ORIGIN, 0.0)
     }
+}
+
+/// Discs inside the material, the largest first: one that touches the boundary at the middle of each edge, without
+/// those that lie mostly within another.
+pub(crate) fn inscribed_discs(
+    part: &Part,
+    center: Point,
+    scale: f64,
+    largest: (Point, f64),
+) -> Vec<(Point, f64)> {
+    /// More discs than this cost more than they save.
+    const MOST: usize = 40;
+    /// Parts with more edges are left with the one disc.
+    const MOST_EDGES: usize = 400;
+    /// Halvings of the radius's interval.
+    const STEPS: usize = 14;
+    let edges = in_frame(part, center, scale);
+    let mut discs = vec![largest];
+    if edges.len() > MOST_EDGES {
+        return discs;
+    }
+    let clearance = |p: Point| {
+        edges
+            .iter()
+            .map(|e| distance(e, p))
+            .fold(f64::INFINITY, f64::min)
+    };
+    let mut found: Vec<(Point, f64)> = Vec::new();
+    for e in &edges {
+        let (p, inward) = (e.at(0.5), e.direction_at(0.5).left());
+        let (mut lo, mut hi) = (0.0, 2.0);
+        for _ in 0..STEPS {
+            let r = 0.5 * (lo + hi);
+            // A disc of this radius that touches at p, give or take.
+            if clearance(p + inward * r) >= 0.99 * r {
+                lo = r;
+            } else {
+                hi = r;
+            }
+        }
+        let c = p + inward * lo;
+        let outer = center + (c - Point::ORIGIN) * (1.0 / scale);
+        let radius = clearance(c) - 1e-9;
+        if radius > 0.0 && part.contains(outer) {
+            found.push((c, radius));
+        }
+    }
+    found.sort_by(|a, b| b.1.total_cmp(&a.1));
+    for d in found {
+        let covered = discs.iter().any(|o| o.0.distance(d.0) + 0.7 * d.1 < o.1);
+        if !covered && discs.len() < MOST {
+            discs.push(d);
+        }
+    }
+    discs
+}
+
+fn in_frame(part: &Part, center: Point, scale: f64) -> Vec<Edge> {
+    let place = |p: Point| Point::ORIGIN + (p - center) * scale;
+    part.edges()
+        .map(|e| Edge {
+            start: place(e.start),
+            end: place(e.end),
+            ..e
+        })
+        .collect()
 }
 
 /// Distance of a point from an edge.

@@ -11,5 +11,6 @@ pub(crate) mod tolerance;
 
 pub(crate) use extract::unwrap_near;
 pub(crate) use frame::PairFrame;
+pub(crate) use inscribed::inscribed_discs;
 pub(crate) use outline::{Feature, Joint, Outline, Shape};
 pub use outline::{FeatureKind, FeatureName};

@@ -9,6 +9,8 @@ use rayon::prelude::*;
 use crate::contact::{CurveShape, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
 
+use super::core::Cores;
+
 /// Widest slot, radians: two degrees.
 const WIDEST_SLOT: f64 = core::f64::consts::PI / 90.0;
 
@@ -65,10 +67,13 @@ impl Candidates {
                 list.push(i);
             }
         }
+        let cores = Cores::new(geometry);
         let per_slot: Vec<(Vec<u64>, Vec<u64>)> = in_slot
             .par_iter()
             .enumerate()
-            .map(|(slot, list)| look_at_slot(geometry, list, slot, slots[slot], slots[slot + 1]))
+            .map(|(slot, list)| {
+                look_at_slot(geometry, &cores, list, slot, slots[slot], slots[slot + 1])
+            })
             .collect();
 
         let (mut pairs, mut alive) = (Vec::new(), Vec::new());
@@ -142,6 +147,7 @@ fn runs(sorted: &[u64]) -> impl Iterator<Item = (u64, usize, usize)> + '_ {
 
 fn look_at_slot(
     geometry: &Geometry,
+    cores: &Cores,
     list: &[u32],
     slot: usize,
     slot_lo: f64,
@@ -155,16 +161,10 @@ fn look_at_slot(
         let (lo, hi) = (slot_lo.max(sheet.lo), slot_hi.min(sheet.hi));
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let turn = Rotation::by(mid);
-        let (box_lo, box_hi) = sheet_box(sheet, mid, turn, half);
-        let (core, reach) = geometry.core(turn);
-        let far = Vector::new(
-            (core.x - box_lo.x).abs().max((core.x - box_hi.x).abs()),
-            (core.y - box_lo.y).abs().max((core.y - box_hi.y).abs()),
-        );
-        let drift = geometry.moving.disc.0.to_vector().length() * half;
-        if far.length() + drift < reach {
+        if cores.cover(sheet, mid, turn, half) {
             continue;
         }
+        let (box_lo, box_hi) = sheet_box(sheet, mid, turn, half);
         alive.push(u64::from(i) << SLOT_BITS | slot as u64);
         boxes.push(Boxed {
             sheet: i,

@@ -6,6 +6,7 @@ mod candidates;
 mod cells;
 mod clusters;
 mod compute;
+mod core;
 mod gaps;
 mod graph;
 mod levels;
