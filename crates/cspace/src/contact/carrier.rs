@@ -9,16 +9,19 @@ pub(crate) enum Carrier<T> {
     Circle { center: (T, T), radius: f64 },
 }
 
+#[inline(always)]
 fn minus<T: Real>(a: (T, T), b: (T, T)) -> (T, T) {
     (a.0 - b.0, a.1 - b.1)
 }
 
+#[inline(always)]
 fn dot<T: Real>(a: (T, T), b: (T, T)) -> T {
     a.0 * b.0 + a.1 * b.1
 }
 
 /// Where carrier g crosses carrier f, relative to f: for a line (length along it, unused), for a circle the vector
 /// from its centre. The root is named as in `crossing`, with `swapped` telling that f is the second of the two there.
+#[inline]
 pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swapped: bool) -> (T, T) {
     let zero = T::constant(0.0);
     let signed = |x: T, positive: bool| if positive { x } else { -x };

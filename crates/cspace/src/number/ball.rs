@@ -17,7 +17,7 @@ const UNIT: f64 = 2.0 * f64::EPSILON;
 const TINY: f64 = f64::MIN_POSITIVE;
 
 impl Ball {
-    #[inline]
+    #[inline(always)]
     pub(crate) const fn new(mid: f64, radius: f64) -> Self {
         Self { mid, radius }
     }
@@ -25,19 +25,19 @@ impl Ball {
     /// Encloses every real.
     const ALL: Self = Self::new(0.0, f64::INFINITY);
 
-    #[inline]
+    #[inline(always)]
     fn rounded(mid: f64, radius: f64) -> Self {
         Self::new(mid, radius * (1.0 + 4.0 * UNIT) + mid.abs() * UNIT + TINY)
     }
 
     /// The interval from `lo` to `hi`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn between(lo: f64, hi: f64) -> Self {
         Self::rounded(0.5 * (lo + hi), 0.5 * (hi - lo))
     }
 
     /// The sign of all its members, if they have one: 1 or −1; otherwise 0.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn sign(self) -> i8 {
         if self.mid > self.radius {
             1
@@ -51,7 +51,7 @@ impl Ball {
     /// Cosine and sine of all angles of the ball.
     ///
     /// About the middle m with h the radius: |cos x − cos m| ≤ |sin m| h + h² / 2, likewise the sine.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn cos_sin(self) -> (Self, Self) {
         let (s, c) = self.mid.sin_cos();
         let h = self.radius.min(4.0);
@@ -65,7 +65,7 @@ impl Ball {
 
 impl Add for Ball {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, o: Self) -> Self {
         Self::rounded(self.mid + o.mid, self.radius + o.radius)
     }
@@ -73,7 +73,7 @@ impl Add for Ball {
 
 impl Sub for Ball {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, o: Self) -> Self {
         Self::rounded(self.mid - o.mid, self.radius + o.radius)
     }
@@ -81,7 +81,7 @@ impl Sub for Ball {
 
 impl Neg for Ball {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self::new(-self.mid, self.radius)
     }
@@ -89,7 +89,7 @@ impl Neg for Ball {
 
 impl Mul for Ball {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, o: Self) -> Self {
         Self::rounded(
             self.mid * o.mid,
@@ -99,12 +99,12 @@ impl Mul for Ball {
 }
 
 impl Real for Ball {
-    #[inline]
+    #[inline(always)]
     fn constant(value: f64) -> Self {
         Self::new(value, 0.0)
     }
 
-    #[inline]
+    #[inline(always)]
     fn over(self, divisor: Self) -> Self {
         let least = divisor.mid.abs() - divisor.radius;
         if least.is_nan() || least <= 0.0 {
@@ -114,7 +114,7 @@ impl Real for Ball {
         Self::rounded(mid, (self.radius + mid.abs() * divisor.radius) / least)
     }
 
-    #[inline]
+    #[inline(always)]
     fn root(self) -> Self {
         let hi = self.mid + self.radius;
         let lo = self.mid - self.radius;

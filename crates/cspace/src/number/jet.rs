@@ -13,7 +13,7 @@ pub(crate) struct Jet {
 
 impl Jet {
     /// Cosine and sine of θ.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn cos_sin(theta: Ball) -> (Self, Self) {
         let (cos, sin) = theta.cos_sin();
         (
@@ -31,7 +31,7 @@ impl Jet {
 
 impl Add for Jet {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, o: Self) -> Self {
         Self {
             value: self.value + o.value,
@@ -42,7 +42,7 @@ impl Add for Jet {
 
 impl Sub for Jet {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, o: Self) -> Self {
         Self {
             value: self.value - o.value,
@@ -53,7 +53,7 @@ impl Sub for Jet {
 
 impl Neg for Jet {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self {
             value: -self.value,
@@ -64,7 +64,7 @@ impl Neg for Jet {
 
 impl Mul for Jet {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, o: Self) -> Self {
         Self {
             value: self.value * o.value,
@@ -74,7 +74,7 @@ impl Mul for Jet {
 }
 
 impl Real for Jet {
-    #[inline]
+    #[inline(always)]
     fn constant(value: f64) -> Self {
         Self {
             value: Ball::constant(value),
@@ -82,7 +82,7 @@ impl Real for Jet {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn over(self, divisor: Self) -> Self {
         let value = self.value.over(divisor.value);
         Self {
@@ -91,7 +91,7 @@ impl Real for Jet {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn root(self) -> Self {
         let value = self.value.root();
         let slope = (self.slope * Ball::constant(0.5)).over(value);

@@ -8,8 +8,9 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use crate::contact::{Geometry, place_on};
+use crate::contact::{Geometry, place_on, wrap};
 use crate::feature::tolerance::NARROWEST_BAND;
+use crate::geometry::Vector;
 use crate::number::{Ball, Event, Jet, Real};
 
 use super::branch::Branch;
@@ -73,6 +74,7 @@ pub(super) fn triple_events(
                 sheet,
                 dead: Gaps::dead_ends(geometry, sheet),
                 known: BTreeMap::new(),
+                ranges: BTreeMap::new(),
                 events: Vec::new(),
             };
             search.run(on_sheet.of(sheet));
@@ -90,6 +92,8 @@ struct Search<'a> {
     dead: (bool, bool),
     /// Orientations at which two branches pass each other, for pairs already looked at.
     known: BTreeMap<(u32, u32), Vec<Event>>,
+    /// Where branches are on the sheet, by slots of orientation.
+    ranges: BTreeMap<(u32, i32), Ball>,
     events: Vec<(u32, Event)>,
 }
 
@@ -156,6 +160,32 @@ impl Search<'_> {
         }
     }
 
+    /// Whether the ranges of two branches on the sheet meet in a slot of orientation.
+    fn may_meet(&mut self, i: u32, j: u32, slot: i32) -> bool {
+        let (x, y) = (self.range(i, slot), self.range(j, slot));
+        let apart = if self.geometry.contacts.sheets[self.sheet as usize].is_circle() {
+            wrap(x.mid - y.mid)
+        } else {
+            x.mid - y.mid
+        };
+        // Not with the operator the other way round: an unbounded range may meet any other.
+        !(apart.abs() > x.radius + y.radius)
+    }
+
+    /// The places of a branch in a slot: on a line from the start of the curve, on a circle the direction from its
+    /// centre.
+    fn range(&mut self, branch: u32, slot: i32) -> Ball {
+        if let Some(&known) = self.ranges.get(&(branch, slot)) {
+            return known;
+        }
+        let b = &self.branches[branch as usize];
+        let lo = self.clusters.hi(b.from).max(f64::from(slot) * SLOT);
+        let hi = self.clusters.lo(b.to).min(f64::from(slot + 1) * SLOT);
+        let range = place_range(self.geometry, self.sheet, b, lo, hi);
+        self.ranges.insert((branch, slot), range);
+        range
+    }
+
     fn passings(&mut self, i: u32, j: u32) -> Vec<Event> {
         if let Some(found) = self.known.get(&(i, j)) {
             return found.clone();
@@ -164,20 +194,64 @@ impl Search<'_> {
         let (from, to) = (x.from.max(y.from), x.to.min(y.to));
         let mut found = Vec::new();
         if x.other(self.sheet) != y.other(self.sheet) {
+            let (lo, hi) = (self.clusters.hi(from), self.clusters.lo(to));
             let pair = Passing {
                 geometry: self.geometry,
                 sheet: self.sheet,
                 x,
                 y,
             };
-            pair.isolate(self.clusters.hi(from), self.clusters.lo(to), &mut |e| {
-                found.push(e)
-            });
+            for slot in (lo / SLOT).floor() as i32..=(hi / SLOT).floor() as i32 {
+                if self.may_meet(i, j, slot) {
+                    let (lo, hi) = (
+                        lo.max(f64::from(slot) * SLOT),
+                        hi.min(f64::from(slot + 1) * SLOT),
+                    );
+                    pair.isolate(lo, hi, &mut |e| found.push(e));
+                }
+            }
         }
         self.events.extend(found.iter().map(|&e| (self.sheet, e)));
         self.known.insert((i, j), found.clone());
         found
     }
+}
+
+/// Width of the slots in which branches are first told apart, radians.
+const SLOT: f64 = core::f64::consts::PI / 90.0;
+
+/// Encloses the places of a branch on a sheet over an interval of orientation.
+fn place_range(geometry: &Geometry, sheet: u32, b: &Branch, lo: f64, hi: f64) -> Ball {
+    let sheets = &geometry.contacts.sheets;
+    let (f, g) = (&sheets[sheet as usize], &sheets[b.other(sheet) as usize]);
+    let swapped = b.second == sheet;
+    let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
+    let over = place_on(&f.carrier(cos, sin), &g.carrier(cos, sin), b.root, swapped);
+    let (cos, sin) = Ball::constant(0.5 * (lo + hi)).cos_sin();
+    let mid = place_on(&f.carrier(cos, sin), &g.carrier(cos, sin), b.root, swapped);
+    let tighter = |over: Jet, mid: Ball| {
+        let reach = mid.radius + (over.slope.mid.abs() + over.slope.radius) * 0.5 * (hi - lo);
+        if reach < over.value.radius {
+            Ball::new(mid.mid, reach)
+        } else {
+            over.value
+        }
+    };
+    let x = tighter(over.0, mid.0);
+    if !f.is_circle() {
+        return x;
+    }
+    let y = tighter(over.1, mid.1);
+    let v = Vector::new(x.mid, y.mid);
+    let sine = x.radius.hypot(y.radius) / v.length();
+    // Rounding of the angle is far below this.
+    const ROUNDING: f64 = 1e-12;
+    let half = if sine < 1.0 {
+        sine.asin() + ROUNDING
+    } else {
+        f64::INFINITY
+    };
+    Ball::new(v.angle(), half)
 }
 
 /// Two branches on one sheet.
