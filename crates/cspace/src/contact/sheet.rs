@@ -1,5 +1,6 @@
 //! The surface on which two features touch, before it is cut where other features are in the way.
 
+use crate::feature::tolerance::SAME_CARRIER;
 use crate::geometry::{Point, Rotation, Vector};
 
 use super::carrier::Carrier;
@@ -93,13 +94,30 @@ pub(crate) struct SharedEnds {
 }
 
 impl Sheet {
+    /// Whether two sheets have one carrier at every orientation, or parallel ones: collinear lines, arcs on one circle,
+    /// equal sums of radii about the same centres. Their curves do not cross, whatever rounding makes of it.
+    fn same_carrier(&self, other: &Self) -> bool {
+        if self.kind != other.kind {
+            return false;
+        }
+        if self.is_circle() {
+            let apart = |a: Vector, b: Vector| (a - b).length() > SAME_CARRIER;
+            let (c, d) = (self.center(), other.center());
+            !apart(c.u.to_vector(), d.u.to_vector())
+                && !apart(c.w, d.w)
+                && (self.radius.abs() - other.radius.abs()).abs() <= SAME_CARRIER
+        } else {
+            self.normal.cross(other.normal).abs() <= SAME_CARRIER
+        }
+    }
+
     /// The ends that two sheets share.
     ///
     /// Where normals agree (every shared end but that of two vertices) the curves are tangent there and have no other
     /// crossing. Where two vertices touch, they cross at the shared end, which is no crossing of interiors.
     pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
         let mut shared = SharedEnds {
-            tangent: self.fixed == other.fixed && self.moving == other.moving,
+            tangent: self.same_carrier(other),
             corners: [None; 2],
         };
         for (slot, (mine, theirs, spiral)) in [

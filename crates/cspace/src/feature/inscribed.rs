@@ -77,7 +77,7 @@ pub(crate) fn inscribed_discs(
     largest: (Point, f64),
 ) -> Vec<(Point, f64)> {
     /// More discs than this cost more than they save.
-    const MOST: usize = 40;
+    const MOST: usize = 64;
     /// Parts with more edges are left with the one disc.
     const MOST_EDGES: usize = 400;
     /// Halvings of the radius's interval.

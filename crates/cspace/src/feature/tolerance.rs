@@ -39,3 +39,9 @@ pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Vertical neighbours must share at least this length of a patch to be linked (length).
 pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;
+
+/// Carriers nearer to each other than this at every orientation are one (length and sine of an angle, 1.1e-13).
+///
+/// Tips of a gear computed with sines and cosines differ in the last digits; a tenth of [`GROWTH`] tells them from
+/// carriers that differ by growth.
+pub(crate) const SAME_CARRIER: f64 = GROWTH / 8.0;

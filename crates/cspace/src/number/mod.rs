@@ -3,11 +3,13 @@
 mod ball;
 mod dual;
 mod jet;
+mod polynomial;
 mod trig;
 
 pub(crate) use ball::Ball;
 pub(crate) use dual::Dual;
 pub(crate) use jet::Jet;
+pub(crate) use polynomial::TrigPolynomial;
 pub(crate) use trig::{Event, Trig};
 
 use core::ops::{Add, Mul, Neg, Sub};

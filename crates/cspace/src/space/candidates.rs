@@ -51,7 +51,7 @@ struct Boxed {
 }
 
 impl Candidates {
-    pub(super) fn find(geometry: &Geometry) -> Self {
+    pub(super) fn find(geometry: &Geometry, cores: &Cores) -> Self {
         let span = geometry.contacts.span;
         let sheets = &geometry.contacts.sheets;
         let count = ((span.hi - span.lo) / WIDEST_SLOT).ceil().max(1.0) as usize;
@@ -67,12 +67,11 @@ impl Candidates {
                 list.push(i);
             }
         }
-        let cores = Cores::new(geometry);
         let per_slot: Vec<(Vec<u64>, Vec<u64>)> = in_slot
             .par_iter()
             .enumerate()
             .map(|(slot, list)| {
-                look_at_slot(geometry, &cores, list, slot, slots[slot], slots[slot + 1])
+                look_at_slot(geometry, cores, list, slot, slots[slot], slots[slot + 1])
             })
             .collect();
 

@@ -10,6 +10,7 @@ use super::assemble::assemble;
 use super::branch::{branches, pair_events};
 use super::candidates::{Candidates, MAX_SHEETS};
 use super::clusters::Clusters;
+use super::core::Cores;
 use super::graph::{ContactSpace, Window};
 use super::shells::ShellFinder;
 use super::stats::{StageSeconds, Statistics};
@@ -154,7 +155,8 @@ impl ContactSpace {
         lap(&mut seconds.sheets);
 
         progress.stage(Stage::Candidates)?;
-        let candidates = Candidates::find(&geometry);
+        let cores = Cores::new(&geometry);
+        let candidates = Candidates::find(&geometry, &cores);
         lap(&mut seconds.candidates);
 
         progress.stage(Stage::PairEvents)?;

@@ -1,17 +1,17 @@
 //! Orientations at which three sheets meet: two branches on a sheet pass each other.
 //!
-//! Along a sheet f the branches with g and with h are smooth functions of θ; where the difference of their places
-//! vanishes, the three meet. Enclosures of the difference and of its derivative isolate every root: a piece of the
-//! interval holds none if the difference has a sign, at most one if the derivative has; otherwise it is halved.
+//! Where three carriers meet, a trigonometric polynomial of degree four vanishes, whichever of their crossings meet. It
+//! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its second derivative.
+//! At each root the places of the two branches tell whether it is they that pass each other.
 
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use crate::contact::{Geometry, place_on, wrap};
+use crate::contact::{Carrier, Geometry, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
-use crate::number::{Ball, Event, Jet, Real};
+use crate::number::{Dual, Event, Real, TrigPolynomial};
 
 use super::branch::Branch;
 use super::clusters::Clusters;
@@ -74,7 +74,6 @@ pub(super) fn triple_events(
                 sheet,
                 dead: Gaps::dead_ends(geometry, sheet),
                 known: BTreeMap::new(),
-                ranges: BTreeMap::new(),
                 events: Vec::new(),
             };
             search.run(on_sheet.of(sheet));
@@ -92,8 +91,6 @@ struct Search<'a> {
     dead: (bool, bool),
     /// Orientations at which two branches pass each other, for pairs already looked at.
     known: BTreeMap<(u32, u32), Vec<Event>>,
-    /// Where branches are on the sheet, by slots of orientation.
-    ranges: BTreeMap<(u32, i32), Ball>,
     events: Vec<(u32, Event)>,
 }
 
@@ -160,32 +157,6 @@ impl Search<'_> {
         }
     }
 
-    /// Whether the ranges of two branches on the sheet meet in a slot of orientation.
-    fn may_meet(&mut self, i: u32, j: u32, slot: i32) -> bool {
-        let (x, y) = (self.range(i, slot), self.range(j, slot));
-        let apart = if self.geometry.contacts.sheets[self.sheet as usize].is_circle() {
-            wrap(x.mid - y.mid)
-        } else {
-            x.mid - y.mid
-        };
-        // Not with the operator the other way round: an unbounded range may meet any other.
-        !(apart.abs() > x.radius + y.radius)
-    }
-
-    /// The places of a branch in a slot: on a line from the start of the curve, on a circle the direction from its
-    /// centre.
-    fn range(&mut self, branch: u32, slot: i32) -> Ball {
-        if let Some(&known) = self.ranges.get(&(branch, slot)) {
-            return known;
-        }
-        let b = &self.branches[branch as usize];
-        let lo = self.clusters.hi(b.from).max(f64::from(slot) * SLOT);
-        let hi = self.clusters.lo(b.to).min(f64::from(slot + 1) * SLOT);
-        let range = place_range(self.geometry, self.sheet, b, lo, hi);
-        self.ranges.insert((branch, slot), range);
-        range
-    }
-
     fn passings(&mut self, i: u32, j: u32) -> Vec<Event> {
         if let Some(found) = self.known.get(&(i, j)) {
             return found.clone();
@@ -201,57 +172,12 @@ impl Search<'_> {
                 x,
                 y,
             };
-            for slot in (lo / SLOT).floor() as i32..=(hi / SLOT).floor() as i32 {
-                if self.may_meet(i, j, slot) {
-                    let (lo, hi) = (
-                        lo.max(f64::from(slot) * SLOT),
-                        hi.min(f64::from(slot + 1) * SLOT),
-                    );
-                    pair.isolate(lo, hi, &mut |e| found.push(e));
-                }
-            }
+            pair.isolate(lo, hi, &mut |e| found.push(e));
         }
         self.events.extend(found.iter().map(|&e| (self.sheet, e)));
         self.known.insert((i, j), found.clone());
         found
     }
-}
-
-/// Width of the slots in which branches are first told apart, radians.
-const SLOT: f64 = core::f64::consts::PI / 90.0;
-
-/// Encloses the places of a branch on a sheet over an interval of orientation.
-fn place_range(geometry: &Geometry, sheet: u32, b: &Branch, lo: f64, hi: f64) -> Ball {
-    let sheets = &geometry.contacts.sheets;
-    let (f, g) = (&sheets[sheet as usize], &sheets[b.other(sheet) as usize]);
-    let swapped = b.second == sheet;
-    let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
-    let over = place_on(&f.carrier(cos, sin), &g.carrier(cos, sin), b.root, swapped);
-    let (cos, sin) = Ball::constant(0.5 * (lo + hi)).cos_sin();
-    let mid = place_on(&f.carrier(cos, sin), &g.carrier(cos, sin), b.root, swapped);
-    let tighter = |over: Jet, mid: Ball| {
-        let reach = mid.radius + (over.slope.mid.abs() + over.slope.radius) * 0.5 * (hi - lo);
-        if reach < over.value.radius {
-            Ball::new(mid.mid, reach)
-        } else {
-            over.value
-        }
-    };
-    let x = tighter(over.0, mid.0);
-    if !f.is_circle() {
-        return x;
-    }
-    let y = tighter(over.1, mid.1);
-    let v = Vector::new(x.mid, y.mid);
-    let sine = x.radius.hypot(y.radius) / v.length();
-    // Rounding of the angle is far below this.
-    const ROUNDING: f64 = 1e-12;
-    let half = if sine < 1.0 {
-        sine.asin() + ROUNDING
-    } else {
-        f64::INFINITY
-    };
-    Ball::new(v.angle(), half)
 }
 
 /// Two branches on one sheet.
@@ -266,7 +192,7 @@ impl Passing<'_> {
     /// The difference of the places of the two branches; `None` where they cannot meet.
     ///
     /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius squared.
-    fn difference<T: Real>(&self, cos: T, sin: T) -> (T, Option<T>) {
+    fn difference<T: Real>(&self, cos: T, sin: T) -> T {
         let sheets = &self.geometry.contacts.sheets;
         let f = &sheets[self.sheet as usize];
         let carrier = f.carrier(cos, sin);
@@ -276,54 +202,112 @@ impl Passing<'_> {
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
-            (p.0 * q.1 - p.1 * q.0, Some(p.0 * q.0 + p.1 * q.1))
+            p.0 * q.1 - p.1 * q.0
         } else {
-            (p.0 - q.0, None)
+            p.0 - q.0
         }
     }
 
+    /// A function without roots or divisions that vanishes where the three sheets meet.
+    ///
+    /// With a circle of centre c and radius r among them, and p = c + v: |v| = r, and each of the others is linear in
+    /// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
+    /// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
+    ///
+    /// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
+    fn concurrency(&self, cos: f64, sin: f64) -> (f64, f64) {
+        let sheets = &self.geometry.contacts.sheets;
+        let mut three = [
+            self.sheet,
+            self.x.other(self.sheet),
+            self.y.other(self.sheet),
+        ]
+        .map(|s| sheets[s as usize].carrier(cos, sin));
+        if let Some(circle) = three
+            .iter()
+            .position(|c| matches!(c, Carrier::Circle { .. }))
+        {
+            three.swap(0, circle);
+        }
+        let vector = |v: (f64, f64)| Vector::new(v.0, v.1);
+        match three[0] {
+            Carrier::Circle { center, radius } => {
+                let center = vector(center);
+                let linear = |other: &Carrier<f64>| match *other {
+                    Carrier::Line { normal, through } => {
+                        let n = vector(normal);
+                        (n, n.dot(vector(through) - center), 1.0)
+                    }
+                    Carrier::Circle {
+                        center: c,
+                        radius: r,
+                    } => {
+                        let a = vector(c) - center;
+                        let terms = a.length_squared() + r * r + radius * radius;
+                        (
+                            a,
+                            0.5 * (a.length_squared() - (r - radius) * (r + radius)),
+                            terms,
+                        )
+                    }
+                };
+                let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
+                let v = b * e - a * g;
+                let d = radius * a.cross(b);
+                let terms = (b.length() * p + a.length() * q).powi(2)
+                    + (radius * a.length() * b.length()).powi(2);
+                (v.length_squared() - d * d, terms)
+            }
+            Carrier::Line { .. } => {
+                let line = |c: &Carrier<f64>| match *c {
+                    Carrier::Line { normal, through } => {
+                        (vector(normal), vector(normal).dot(vector(through)))
+                    }
+                    Carrier::Circle { center, .. } => (vector(center), 0.0),
+                };
+                let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
+                (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0)
+            }
+        }
+    }
+
+    /// Finds every orientation at which the two branches pass each other.
     fn isolate(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
-        let interval = Ball::between(lo, hi);
-        let (cos, sin) = Jet::cos_sin(interval);
-        let (d, facing) = self.difference(cos, sin);
-        // On a circle the sine also vanishes half a turn apart; there the cosine is negative.
-        if d.value.sign() != 0 || facing.is_some_and(|c| c.value.sign() < 0) {
-            return;
-        }
-        let mid = 0.5 * (lo + hi);
-        // About the middle: d(θ) is within |slope| h of d(mid).
-        let (cos, sin) = Ball::constant(mid).cos_sin();
-        let at_mid = self.difference(cos, sin).0;
-        let reach = (d.slope.mid.abs() + d.slope.radius) * 0.5 * (hi - lo);
-        if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
-            return;
-        }
-        if d.slope.sign() != 0 {
-            if self.sign_at(lo) * self.sign_at(hi) <= 0.0 {
-                found(self.root_between(lo, hi, d.slope));
-            }
-        } else if hi - lo < NARROWEST {
-            if self.sign_at(lo) * self.sign_at(hi) <= 0.0 {
-                found(self.root_between(lo, hi, Ball::constant(1.0)));
-            }
-        } else {
-            self.isolate(lo, mid, found);
-            self.isolate(mid, hi, found);
-        }
+        let f = TrigPolynomial::sampled(|cos, sin| self.concurrency(cos, sin));
+        f.brackets(lo, hi, NARROWEST, &mut |lo, hi| {
+            self.refine(&f, lo, hi, found)
+        });
     }
 
-    fn sign_at(&self, theta: f64) -> f64 {
+    /// The difference of the places of the two branches, with its derivative.
+    fn gap(&self, theta: f64) -> Dual {
         let (sin, cos) = theta.sin_cos();
-        let d = self.difference::<f64>(cos, sin).0;
-        if d.is_nan() { 0.0 } else { d }
+        let (cos, sin) = (
+            Dual {
+                value: cos,
+                slope: -sin,
+            },
+            Dual {
+                value: sin,
+                slope: cos,
+            },
+        );
+        self.difference(cos, sin)
     }
 
-    /// The root in an interval on which the derivative does not vanish, by bisection with regula falsi.
-    fn root_between(&self, mut lo: f64, mut hi: f64, slope: Ball) -> Event {
-        let (mut at_lo, mut at_hi) = (self.sign_at(lo), self.sign_at(hi));
-        let steepness = (slope.mid.abs() - slope.radius).max(f64::MIN_POSITIVE);
+    /// The root in an interval: of the smooth function first, by bisection with the secant; then, if it is these two
+    /// branches that meet there and not others of the same sheets, of the difference of their places.
+    fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64, found: &mut impl FnMut(Event)) {
+        /// Branches further apart than this (length, or length times radius) at the root are not those that meet.
+        const NEAR: f64 = 1e-4;
+        /// Rounding of a place.
+        const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
+        /// No root is reported with a larger error, radians.
+        const LARGEST_ERROR: f64 = 1e-9;
+        let (first, last) = (lo, hi);
+        let (mut at_lo, mut at_hi) = (f.at(lo).0, f.at(hi).0);
         for step in 0..200 {
-            if hi - lo <= 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
+            if hi - lo <= 1e-13 {
                 break;
             }
             let secant = lo - at_lo * (hi - lo) / (at_hi - at_lo);
@@ -332,23 +316,42 @@ impl Passing<'_> {
             } else {
                 secant
             };
-            let d = self.sign_at(mid);
+            let d = f.at(mid).0;
             if d == 0.0 {
                 (lo, hi) = (mid, mid);
             } else if (d > 0.0) == (at_lo > 0.0) {
-                (lo, at_lo) = (mid, d);
+                // Halving the other side's value keeps the secant from creeping (the Illinois rule).
+                (lo, at_lo, at_hi) = (mid, d, 0.5 * at_hi);
             } else {
-                (hi, at_hi) = (mid, d);
+                (hi, at_hi, at_lo) = (mid, d, 0.5 * at_lo);
             }
         }
-        // The place of a branch is right to a few ulps over the sine of the angle of crossing, which the slope reflects.
-        const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
-        const LARGEST_ERROR: f64 = 1e-9;
-        let error =
-            0.5 * (hi - lo) + (PLACE_ERROR / steepness).min(LARGEST_ERROR) + 4.0 * f64::EPSILON;
-        Event {
-            theta: 0.5 * (lo + hi),
-            error,
+        let mut theta = 0.5 * (lo + hi);
+        let mut d = self.gap(theta);
+        if d.value.abs() > NEAR {
+            return;
         }
+        for _ in 0..4 {
+            let next = theta - d.value / d.slope;
+            if !(first..=last).contains(&next) {
+                break;
+            }
+            let at_next = self.gap(next);
+            // NaN where the places are lost.
+            if !(at_next.value.abs() < d.value.abs()) {
+                break;
+            }
+            (theta, d) = (next, at_next);
+        }
+        let rest = (d.value.abs() + PLACE_ERROR) / d.slope.abs().max(f64::MIN_POSITIVE);
+        let error = if rest.is_nan() {
+            LARGEST_ERROR
+        } else {
+            rest.min(LARGEST_ERROR)
+        };
+        found(Event {
+            theta,
+            error: error + 4.0 * f64::EPSILON,
+        });
     }
 }

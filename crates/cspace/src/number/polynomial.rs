@@ -1,0 +1,127 @@
+//! Trigonometric polynomials of degree four, and the intervals that hold their roots.
+
+use std::sync::LazyLock;
+
+/// Highest frequency.
+const DEGREE: usize = 4;
+/// Orientations at which a polynomial is sampled; enough for its coefficients.
+const SAMPLES: usize = 2 * DEGREE + 1;
+
+/// Cosines and sines of the sampled orientations, by sample.
+static TURNS: LazyLock<[(f64, f64); SAMPLES]> = LazyLock::new(|| {
+    core::array::from_fn(|j| {
+        let (sin, cos) = (core::f64::consts::TAU * j as f64 / SAMPLES as f64).sin_cos();
+        (cos, sin)
+    })
+});
+
+/// Σ aₖ cos kθ + bₖ sin kθ, k = 0 … 4, known up to an error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TrigPolynomial {
+    a: [f64; DEGREE + 1],
+    b: [f64; DEGREE + 1],
+    /// Bound on the second derivative.
+    bend: f64,
+    /// Bound on the error of a value.
+    error: f64,
+}
+
+impl TrigPolynomial {
+    /// The polynomial with the values of `f` (of cosine and sine), which must be one of degree four at most.
+    ///
+    /// `f` also tells the size of the terms its value was summed from; the error is a small multiple of the rounding
+    /// of the largest.
+    pub(crate) fn sampled(f: impl Fn(f64, f64) -> (f64, f64)) -> Self {
+        /// Errors of the values and of the sums over the samples, in units of rounding.
+        const ERROR: f64 = 64.0 * f64::EPSILON;
+        let (mut a, mut b) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
+        let mut size: f64 = 0.0;
+        for (j, &(cos, sin)) in TURNS.iter().enumerate() {
+            let (value, terms) = f(cos, sin);
+            size = size.max(terms);
+            for k in 0..=DEGREE {
+                let (c, s) = TURNS[j * k % SAMPLES];
+                a[k] += value * c;
+                b[k] += value * s;
+            }
+        }
+        let mut bend = 0.0;
+        for k in 0..=DEGREE {
+            let factor = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
+            a[k] *= factor;
+            b[k] *= factor;
+            bend += (k * k) as f64 * a[k].hypot(b[k]);
+        }
+        Self {
+            a,
+            b,
+            bend: bend * (1.0 + 1e-12),
+            error: ERROR * size,
+        }
+    }
+
+    /// Value and derivative.
+    #[inline]
+    pub(crate) fn at(&self, theta: f64) -> (f64, f64) {
+        let (s1, c1) = theta.sin_cos();
+        let (mut c, mut s) = (c1, s1);
+        let (mut value, mut slope) = (self.a[0], 0.0);
+        for k in 1..=DEGREE {
+            value += self.a[k] * c + self.b[k] * s;
+            slope += k as f64 * (self.b[k] * c - self.a[k] * s);
+            (c, s) = (c * c1 - s * s1, s * c1 + c * s1);
+        }
+        (value, slope)
+    }
+
+    /// Calls `found` with intervals that hold all roots between `lo` and `hi`, each with a change of sign.
+    ///
+    /// On (m − h, m + h) the polynomial differs from f(m) + f′(m) x by at most M h² / 2, and its derivative from f′(m)
+    /// by at most M h, with M the bound on the second derivative: so there is no root if |f(m)| > |f′(m)| h + M h² / 2,
+    /// and at most one if |f′(m)| > M h. Otherwise the interval is halved, down to `narrowest`, where a double root may
+    /// go unnoticed; between such two the value is at most M h² / 2.
+    pub(crate) fn brackets(
+        &self,
+        lo: f64,
+        hi: f64,
+        narrowest: f64,
+        found: &mut impl FnMut(f64, f64),
+    ) {
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let (value, slope) = self.at(mid);
+        if value.abs() > slope.abs() * half + 0.5 * self.bend * half * half + self.error {
+            return;
+        }
+        if slope.abs() > self.bend * half || half < narrowest {
+            let (at_lo, at_hi) = (self.at(lo).0, self.at(hi).0);
+            if at_lo * at_hi <= 0.0 || at_lo.abs() < self.error || at_hi.abs() < self.error {
+                found(lo, hi);
+            }
+            return;
+        }
+        self.brackets(lo, mid, narrowest, found);
+        self.brackets(mid, hi, narrowest, found);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_the_roots_of_a_product() {
+        // sin(θ − 0.3) sin(θ − 1.1) sin 2θ, of degree four.
+        let f = |c: f64, s: f64| {
+            let turned = |a: f64| s * a.cos() - c * a.sin();
+            (turned(0.3) * turned(1.1) * 2.0 * s * c, 1.0)
+        };
+        let p = TrigPolynomial::sampled(f);
+        let mut roots = Vec::new();
+        p.brackets(0.1, 2.9, 1e-9, &mut |lo, hi| roots.push((lo, hi)));
+        let expected = [0.3, 1.1, core::f64::consts::FRAC_PI_2];
+        assert_eq!(roots.len(), 3);
+        for ((lo, hi), x) in roots.into_iter().zip(expected) {
+            assert!(lo <= x && x <= hi);
+        }
+    }
+}
