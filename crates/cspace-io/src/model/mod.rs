@@ -1,0 +1,19 @@
+//! Mechanisms and their file format: parts, motions, joints and pairs, in TOML or JSON.
+//!
+//! A file is read in three steps, each of which reports what it finds wrong as a [`ModelError`]: bytes become text,
+//! text becomes a tree of values, the tree becomes a [`Model`].
+
+mod angle;
+mod class;
+mod error;
+mod mechanism;
+mod node;
+mod parts;
+mod read;
+mod relations;
+mod suggest;
+mod table;
+
+pub use class::PairClass;
+pub use error::ModelError;
+pub use mechanism::{Joint, JointKind, Model, Motion, Pair, PartEntry};
