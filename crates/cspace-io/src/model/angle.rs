@@ -41,7 +41,10 @@ mod tests {
             ("-1e-3rad", -1e-3),
         ] {
             let parsed = parse(text).unwrap();
-            assert!((parsed - angle).abs() <= 2.0 * f64::EPSILON * angle.abs(), "{text}");
+            assert!(
+                (parsed - angle).abs() <= 2.0 * f64::EPSILON * angle.abs(),
+                "{text}"
+            );
         }
     }
 

@@ -35,7 +35,14 @@ pub(super) fn read_parts(nodes: &[Node]) -> Result<Vec<PartEntry>> {
 
 fn read_part(index: usize, node: &Node) -> Result<PartEntry> {
     const KEYS: [&str; 7] = ["name", "loops", "dxf", "svg", "layer", "motion", "symmetry"];
-    let table = Table::new(node, part_place(index, None), &KEYS)?;
+    let known = match node {
+        Node::Table(entries) => match entries.get("name") {
+            Some(Node::Text(name)) => Some(&**name),
+            _ => None,
+        },
+        _ => None,
+    };
+    let table = Table::new(node, part_place(index, known), &KEYS)?;
     let name = table
         .text("name")?
         .ok_or_else(|| table.missing("name", "name = \"pawl\""))?;
@@ -44,7 +51,6 @@ fn read_part(index: usize, node: &Node) -> Result<PartEntry> {
             ModelError::new(table.place, "the name is empty").with_help("give every part a name")
         );
     }
-    let table = Table::new(node, part_place(index, Some(name)), &KEYS)?;
     for drawing in ["dxf", "svg"] {
         if table.get(drawing).is_some() {
             return Err(ModelError::new(

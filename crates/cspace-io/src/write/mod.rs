@@ -1,0 +1,3 @@
+//! Writers for contact spaces and slices.
+
+pub mod svg;

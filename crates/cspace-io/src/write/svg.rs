@@ -1,0 +1,217 @@
+//! Pictures of slices.
+
+use std::fmt::Write;
+
+use cspace::{CurveGeometry, FeatureKind, Point, Slice, SliceCurve};
+
+/// Slices to be drawn side by side, to one scale.
+#[derive(Debug, Clone)]
+pub struct Page<'a> {
+    /// What is written above them.
+    pub title: String,
+    /// The size of the pair, in the model's unit: how much room is left about the slices.
+    pub size: f64,
+    /// The slices.
+    pub slices: &'a [Slice],
+}
+
+/// Width and height of a picture, in pixels, for one slice and in a grid.
+const WIDE: f64 = 720.0;
+const SMALL: f64 = 300.0;
+/// Room for the caption of a slice and for the title.
+const CAPTION: f64 = 22.0;
+const TITLE: f64 = 30.0;
+const GAP: f64 = 12.0;
+
+/// Colours of contact: moving feature on fixed line, moving line on fixed feature, two round features; and blocked.
+const FIXED_LINE: &str = "#1f6fb4";
+const MOVING_LINE: &str = "#c8541d";
+const ROUND: &str = "#2b8a3e";
+const BLOCKED: &str = "#c9ccd1";
+
+/// A picture of slices: free space white, blocked space grey, curves coloured by the kind of contact.
+///
+/// ```
+/// use cspace::{Part, Slice, Vertex};
+/// use cspace_io::write::svg;
+/// let square = |name: &str, r: f64| {
+///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+/// };
+/// let slice = Slice::compute(&square("table", 2.0)?, &square("block", 1.0)?, 0.1);
+/// let page = svg::Page { title: "block & table".into(), size: 4.0, slices: &[slice] };
+/// let picture = svg::slices(&page);
+/// assert!(picture.starts_with("<svg") && picture.contains("block &amp; table"));
+/// # Ok::<(), cspace::PartError>(())
+/// ```
+pub fn slices(page: &Page<'_>) -> String {
+    let n = page.slices.len();
+    let columns = (1..=n).find(|c| c * c >= n).unwrap_or(1);
+    let rows = n.div_ceil(columns).max(1);
+    let side = if n <= 1 { WIDE } else { SMALL };
+    let (width, height) = (
+        GAP + columns as f64 * (side + GAP),
+        TITLE + 2.0 * CAPTION + rows as f64 * (side + CAPTION + GAP),
+    );
+    let mut out = String::new();
+    let _ = writeln!(
+        out,
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13" fill="none">"#
+    );
+    let _ = writeln!(
+        out,
+        r##"<rect width="100%" height="100%" fill="white"/><text x="{GAP}" y="22" font-size="16" fill="#222">{}</text>"##,
+        escaped(&page.title)
+    );
+    let view = View::of(page, side);
+    for (i, slice) in page.slices.iter().enumerate() {
+        let x = GAP + (i % columns) as f64 * (side + GAP);
+        let y = TITLE + (i / columns) as f64 * (side + CAPTION + GAP);
+        let _ = writeln!(out, r#"<g transform="translate({x} {y})">"#);
+        draw(&mut out, slice, &view, side, i);
+        out.push_str("</g>\n");
+    }
+    legend(&mut out, height - CAPTION);
+    out.push_str("</svg>\n");
+    out
+}
+
+/// From the plane to a picture: the y axis points up in the one and down in the other.
+struct View {
+    center: Point,
+    scale: f64,
+    half: f64,
+}
+
+impl View {
+    fn of(page: &Page<'_>, side: f64) -> Self {
+        let (mut lo, mut hi) = (
+            Point::new(f64::INFINITY, f64::INFINITY),
+            Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+        );
+        let curves = page.slices.iter().flat_map(|s| &s.curves);
+        for p in curves.flat_map(|c| (0..=4).map(|k| c.geometry.point(0.25 * f64::from(k)))) {
+            lo = Point::new(lo.x.min(p.x), lo.y.min(p.y));
+            hi = Point::new(hi.x.max(p.x), hi.y.max(p.y));
+        }
+        if !(lo.is_finite() && hi.is_finite()) {
+            (lo, hi) = (Point::ORIGIN, Point::ORIGIN);
+        }
+        let reach = (hi.x - lo.x).max(hi.y - lo.y) + 0.2 * page.size;
+        Self {
+            center: lo.midpoint(hi),
+            scale: if reach > 0.0 { side / reach } else { 1.0 },
+            half: 0.5 * side,
+        }
+    }
+
+    fn place(&self, p: Point) -> (f64, f64) {
+        (
+            rounded(self.half + (p.x - self.center.x) * self.scale),
+            rounded(self.half - (p.y - self.center.y) * self.scale),
+        )
+    }
+}
+
+/// To a thousandth of a pixel, so that files stay small.
+fn rounded(x: f64) -> f64 {
+    (x * 1000.0).round() / 1000.0
+}
+
+fn draw(out: &mut String, slice: &Slice, view: &View, side: f64, index: usize) {
+    // Blocked space is on the left of the loops, whichever way they go: even-odd of all loops together.
+    let mut region = String::new();
+    for l in &slice.loops {
+        let curves = l.iter().map(|&c| &slice.curves[c as usize]);
+        for (k, c) in curves.enumerate() {
+            if k == 0 {
+                let (x, y) = view.place(c.geometry.point(0.0));
+                let _ = write!(region, "M{x} {y}");
+            }
+            append(&mut region, &c.geometry, view);
+        }
+        region.push('Z');
+    }
+    let _ = writeln!(
+        out,
+        r##"<clipPath id="c{index}"><rect width="{side}" height="{side}"/></clipPath><g clip-path="url(#c{index})"><path d="{region}" fill="{BLOCKED}" fill-rule="evenodd"/>"##
+    );
+    for (colour, name) in [(FIXED_LINE, 0), (MOVING_LINE, 1), (ROUND, 2)] {
+        let mut path = String::new();
+        for c in slice.curves.iter().filter(|c| kind(c) == name) {
+            let (x, y) = view.place(c.geometry.point(0.0));
+            let _ = write!(path, "M{x} {y}");
+            append(&mut path, &c.geometry, view);
+        }
+        if !path.is_empty() {
+            let _ = writeln!(
+                out,
+                r#"<path d="{path}" stroke="{colour}" stroke-width="1.4" stroke-linecap="round"/>"#
+            );
+        }
+    }
+    let _ = writeln!(
+        out,
+        r##"</g><rect width="{side}" height="{side}" stroke="#999"/><text x="4" y="{}" fill="#222">θ = {:.5} rad = {:.3}°</text>"##,
+        side + 16.0,
+        slice.theta,
+        slice.theta.to_degrees()
+    );
+}
+
+fn kind(c: &SliceCurve) -> u8 {
+    if c.fixed.kind == FeatureKind::Line {
+        0
+    } else if c.moving.kind == FeatureKind::Line {
+        1
+    } else {
+        2
+    }
+}
+
+/// Appends a curve to a path that is at its start.
+fn append(path: &mut String, geometry: &CurveGeometry, view: &View) {
+    match *geometry {
+        CurveGeometry::Segment { end, .. } => {
+            let (x, y) = view.place(end);
+            let _ = write!(path, "L{x} {y}");
+        }
+        CurveGeometry::Arc { radius, sweep, .. } => {
+            // An arc of SVG is told by its ends, which must not coincide: two halves, or three pieces.
+            let pieces = if sweep.abs() > 3.0 { 3 } else { 1 };
+            let r = rounded(radius * view.scale).max(0.001);
+            for k in 1..=pieces {
+                let (x, y) = view.place(geometry.point(f64::from(k) / f64::from(pieces)));
+                let clockwise = u8::from(sweep < 0.0);
+                let _ = write!(path, "A{r} {r} 0 0 {clockwise} {x} {y}");
+            }
+        }
+    }
+}
+
+fn legend(out: &mut String, y: f64) {
+    let entries = [
+        (FIXED_LINE, "line of the fixed part"),
+        (MOVING_LINE, "line of the moving part"),
+        (ROUND, "arcs and vertices"),
+    ];
+    let mut row = 0.0;
+    for (i, (colour, text)) in entries.iter().enumerate() {
+        // The three do not fit below one small picture; they go below each other then.
+        let x = GAP;
+        let _ = writeln!(
+            out,
+            r##"<path d="M{x} {0}h18" stroke="{colour}" stroke-width="3"/><text x="{1}" y="{2}" font-size="11" fill="#222">{text}</text>"##,
+            y - 4.0 + row,
+            x + 24.0,
+            y + row
+        );
+        row += if i < 2 { 13.0 } else { 0.0 };
+    }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
