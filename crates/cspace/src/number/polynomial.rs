@@ -80,16 +80,24 @@ impl TrigPolynomial {
     /// by at most M h, with M the bound on the second derivative: so there is no root if |f(m)| > |f′(m)| h + M h² / 2,
     /// and at most one if |f′(m)| > M h. Otherwise the interval is halved, down to `narrowest`, where a double root may
     /// go unnoticed; between such two the value is at most M h² / 2.
+    ///
+    /// Where the value cannot be told from zero on a whole interval, `vague` is called with it instead.
     pub(crate) fn brackets(
         &self,
         lo: f64,
         hi: f64,
         narrowest: f64,
         found: &mut impl FnMut(f64, f64),
+        vague: &mut impl FnMut(f64, f64),
     ) {
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let (value, slope) = self.at(mid);
-        if value.abs() > slope.abs() * half + 0.5 * self.bend * half * half + self.error {
+        let reach = slope.abs() * half + 0.5 * self.bend * half * half;
+        if value.abs() > reach + self.error {
+            return;
+        }
+        if value.abs() + reach <= self.error {
+            vague(lo, hi);
             return;
         }
         if slope.abs() > self.bend * half || half < narrowest {
@@ -99,8 +107,8 @@ impl TrigPolynomial {
             }
             return;
         }
-        self.brackets(lo, mid, narrowest, found);
-        self.brackets(mid, hi, narrowest, found);
+        self.brackets(lo, mid, narrowest, found, vague);
+        self.brackets(mid, hi, narrowest, found, vague);
     }
 }
 
@@ -117,7 +125,13 @@ mod tests {
         };
         let p = TrigPolynomial::sampled(f);
         let mut roots = Vec::new();
-        p.brackets(0.1, 2.9, 1e-9, &mut |lo, hi| roots.push((lo, hi)));
+        p.brackets(
+            0.1,
+            2.9,
+            1e-9,
+            &mut |lo, hi| roots.push((lo, hi)),
+            &mut |_, _| panic!("it is not zero"),
+        );
         let expected = [0.3, 1.1, core::f64::consts::FRAC_PI_2];
         assert_eq!(roots.len(), 3);
         for ((lo, hi), x) in roots.into_iter().zip(expected) {

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::contact::{Carrier, Geometry, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
-use crate::number::{Dual, Event, Real, TrigPolynomial};
+use crate::number::{Ball, Dual, Event, Jet, Real, TrigPolynomial};
 
 use super::branch::Branch;
 use super::clusters::Clusters;
@@ -274,9 +274,49 @@ impl Passing<'_> {
     /// Finds every orientation at which the two branches pass each other.
     fn isolate(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
         let f = TrigPolynomial::sampled(|cos, sin| self.concurrency(cos, sin));
-        f.brackets(lo, hi, NARROWEST, &mut |lo, hi| {
-            self.refine(&f, lo, hi, found)
-        });
+        let mut vague: Vec<(f64, f64)> = Vec::new();
+        f.brackets(
+            lo,
+            hi,
+            NARROWEST,
+            &mut |lo, hi| self.refine(&f, lo, hi, found),
+            &mut |lo, hi| vague.push((lo, hi)),
+        );
+        for (lo, hi) in vague {
+            self.isolate_places(lo, hi, found);
+        }
+    }
+
+    /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
+    /// nothing: by enclosures of the difference of the places themselves.
+    fn isolate_places(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
+        /// Places are told apart down to this width (radians), or this difference (length, or length times radius).
+        const NARROWEST: f64 = 1e-6;
+        const SAME_PLACE: f64 = 1e-11;
+        let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
+        let d = self.difference(cos, sin);
+        if d.value.sign() != 0 {
+            return;
+        }
+        let mid = 0.5 * (lo + hi);
+        let (cos, sin) = Ball::constant(mid).cos_sin();
+        let at_mid = self.difference(cos, sin);
+        let reach = (d.slope.mid.abs() + d.slope.radius) * 0.5 * (hi - lo);
+        if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
+            return;
+        }
+        if d.slope.sign() != 0 || hi - lo < NARROWEST || at_mid.mid.abs() + reach < SAME_PLACE {
+            let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
+            if at_lo.abs() > SAME_PLACE && at_hi.abs() > SAME_PLACE && at_lo * at_hi < 0.0 {
+                found(Event {
+                    theta: mid,
+                    error: (0.5 * (hi - lo)).min(1e-9),
+                });
+            }
+        } else {
+            self.isolate_places(lo, mid, found);
+            self.isolate_places(mid, hi, found);
+        }
     }
 
     /// The difference of the places of the two branches, with its derivative.
