@@ -23,6 +23,10 @@ use super::gaps::Gaps;
 /// h² |d″| / 8, some 1e-17, which is below rounding.
 const NARROWEST: f64 = 1e-8;
 
+/// How many pieces are looked at where three carriers always share a point, before places count as told apart as far
+/// as they can be.
+const PLACE_BUDGET: u32 = 2000;
+
 /// The branches on every sheet, as indices; the branches of sheet i are `list[first[i]..first[i + 1]]`.
 #[derive(Debug)]
 pub(super) struct OnSheet {
@@ -283,13 +287,15 @@ impl Passing<'_> {
             &mut |lo, hi| vague.push((lo, hi)),
         );
         for (lo, hi) in vague {
-            self.isolate_places(lo, hi, found);
+            let mut budget = PLACE_BUDGET;
+            self.isolate_places(lo, hi, &mut budget, found);
         }
     }
 
     /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
     /// nothing: by enclosures of the difference of the places themselves.
-    fn isolate_places(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
+    fn isolate_places(&self, lo: f64, hi: f64, budget: &mut u32, found: &mut impl FnMut(Event)) {
+        *budget = budget.saturating_sub(1);
         /// Places are told apart down to this width (radians), or this difference (length, or length times radius).
         const NARROWEST: f64 = 1e-6;
         const SAME_PLACE: f64 = 1e-11;
@@ -305,7 +311,8 @@ impl Passing<'_> {
         if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
             return;
         }
-        if d.slope.sign() != 0 || hi - lo < NARROWEST || at_mid.mid.abs() + reach < SAME_PLACE {
+        let vague = *budget == 0 || hi - lo < NARROWEST || at_mid.mid.abs() + reach < SAME_PLACE;
+        if vague || d.slope.sign() != 0 {
             let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
             if at_lo.abs() > SAME_PLACE && at_hi.abs() > SAME_PLACE && at_lo * at_hi < 0.0 {
                 found(Event {
@@ -314,8 +321,8 @@ impl Passing<'_> {
                 });
             }
         } else {
-            self.isolate_places(lo, mid, found);
-            self.isolate_places(mid, hi, found);
+            self.isolate_places(lo, mid, budget, found);
+            self.isolate_places(mid, hi, budget, found);
         }
     }
 

@@ -1,0 +1,64 @@
+//! Angles on the command line: radians, or a number with a unit.
+
+use core::f64::consts::TAU;
+
+/// An angle in radians from text such as `0.3`, `18deg`, `-10°`, `0.5turn`; finite.
+pub(crate) fn parse(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let value = |number: &str| number.trim_end().parse::<f64>().ok();
+    let angle = if let Some(n) = text.strip_suffix("deg").or_else(|| text.strip_suffix('°')) {
+        value(n).map(f64::to_radians)
+    } else if let Some(n) = text.strip_suffix("rad") {
+        value(n)
+    } else if let Some(n) = text.strip_suffix("turn") {
+        value(n).map(|n| n * TAU)
+    } else {
+        value(text)
+    };
+    angle.filter(|a| a.is_finite()).ok_or_else(|| {
+        format!("{text:?} is no angle: give radians, or a number with a unit such as 18deg")
+    })
+}
+
+/// A window of orientations from text such as `-10deg,10deg`.
+pub(crate) fn parse_window(text: &str) -> Result<(f64, f64), String> {
+    let Some((lo, hi)) = text.split_once(',') else {
+        return Err("give two angles with a comma between, such as -10deg,10deg".to_owned());
+    };
+    let (lo, hi) = (parse(lo)?, parse(hi)?);
+    if !(lo < hi && hi - lo <= TAU * (1.0 + f64::EPSILON)) {
+        return Err("the second angle must be greater, by at most a turn".to_owned());
+    }
+    Ok((lo, hi))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{parse, parse_window};
+    use core::f64::consts::{FRAC_PI_4, PI};
+
+    #[test]
+    fn units_are_understood() {
+        for (text, angle) in [
+            ("0.3", 0.3),
+            ("45deg", FRAC_PI_4),
+            ("-180 °", -PI),
+            ("0.5turn", PI),
+            ("1e-3rad", 1e-3),
+        ] {
+            assert_eq!(parse(text), Ok(angle), "{text}");
+        }
+        for text in ["", "deg", "x", "nan", "inf", "1,5"] {
+            assert!(parse(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn windows_go_upwards() {
+        assert_eq!(parse_window("-0.5,0.5"), Ok((-0.5, 0.5)));
+        assert!(parse_window("-180deg,180deg").is_ok());
+        for text in ["1", "1,1", "2,1", "0,7", "a,1"] {
+            assert!(parse_window(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::angle;
+
+/// Exact configuration spaces of planar parts bounded by line segments and circular arcs.
+#[derive(Debug, Parser)]
+#[command(name = "cspace", version, after_long_help = OVERVIEW, subcommand_required = true, arg_required_else_help = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Show the parts of a model, and the class of every pair
+    #[command(after_long_help = INFO)]
+    Info(InfoArgs),
+    /// Compute the contact space of each pair and show a summary
+    #[command(after_long_help = COMPUTE)]
+    Compute(ComputeArgs),
+    /// Show the planar slice of a contact space at one orientation
+    #[command(after_long_help = SLICE)]
+    Slice(SliceArgs),
+    /// Tell for each configuration on standard input whether it is free, blocked or in contact
+    #[command(after_long_help = CLASSIFY)]
+    Classify(ClassifyArgs),
+    /// Write a contact space to a file, in the format its extension names
+    #[command(after_long_help = EXPORT)]
+    Export(ExportArgs),
+    /// Print a script that completes this command in a shell
+    #[command(after_long_help = COMPLETIONS)]
+    Completions(CompletionsArgs),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
+
+/// What all commands that take a file have.
+#[derive(Debug, Args)]
+pub(crate) struct Common {
+    /// A model (.toml, .json), or a contact space saved by `cspace export -o OUT.json`
+    pub(crate) file: PathBuf,
+
+    /// The pair: names of its fixed and its moving part
+    #[arg(long, value_name = "FIXED,MOVING")]
+    pub(crate) pair: Option<String>,
+
+    /// Use the general method whatever the class of the pair
+    ///
+    /// This version has no other method: it computes every pair in (x, y, θ).
+    #[arg(long)]
+    pub(crate) general: bool,
+
+    /// How to print the result
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+
+    /// Write the result to this file instead of standard output; whole or not at all
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Number of threads; 0 or none for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<usize>,
+}
+
+/// The window of orientations.
+#[derive(Debug, Clone, Copy, Args)]
+pub(crate) struct WindowArg {
+    /// Compute only these orientations: two angles, in radians or such as 18deg
+    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_window, allow_hyphen_values = true)]
+    pub(crate) theta: Option<(f64, f64)>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InfoArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ComputeArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SliceArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    /// The orientation of the moving part, in radians or such as 18deg
+    #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
+    pub(crate) theta: f64,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ClassifyArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExportArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+    /// Meshes: how far a triangle may be from the contact surface, as a share of the pair's size
+    #[arg(long, value_name = "SHARE", default_value_t = 1e-3, value_parser = share)]
+    pub(crate) tolerance: f64,
+    /// Meshes: write numbers as text where the format can have either
+    #[arg(long)]
+    pub(crate) ascii: bool,
+    /// Pictures: the largest number of slices
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=400))]
+    pub(crate) slices: u32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_enum)]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|t| (1e-6..=0.5).contains(t))
+        .ok_or_else(|| "give a number from 1e-6 to 0.5".to_owned())
+}
+
+const OVERVIEW: &str = "\
+Start with a model that the project ships:
+  cspace info models/ratchet_pawl.toml
+  cspace compute models/ratchet_pawl.toml
+  cspace slice models/ratchet_pawl.toml --theta 5deg -o slice.svg
+
+A configuration (x, y, theta) takes the moving part's point q to (x, y) + R q in the fixed part's
+frame. Angles are radians; a string such as 18deg is accepted too. Lengths are in the model's unit.
+
+Data goes to standard output, everything else to standard error. Exit codes: 0 done, 1 the work
+could not be done, 2 bad input or usage.";
+
+const INFO: &str = "\
+Examples:
+  cspace info models/ratchet_pawl.toml
+  cspace info models/geneva.toml --format json
+
+The class is what the motions and joints of the model make of a pair: lower, fixed-axes or general.
+Features are lines, arcs and vertices that are not smooth joints.";
+
+const COMPUTE: &str = "\
+Examples:
+  cspace compute models/ratchet_pawl.toml
+  cspace compute models/ratchet_pawl.toml --theta=-10deg,10deg
+  cspace compute models/fixture_plate.toml --format json -o summary.json
+
+All pairs of the file are computed, or the one that --pair names. The class in the result is the
+method that was used, which in this version is `general` for every pair; `cspace info` tells the
+class of the pair itself.
+
+A clearance below the resolution counts as none: such a channel is blocked, and the summary says so.";
+
+const SLICE: &str = "\
+Examples:
+  cspace slice models/ratchet_pawl.toml --theta 5deg
+  cspace slice models/snap_fastener.toml --theta=-0.02 --format json
+  cspace slice models/ratchet_pawl.toml --theta 0 -o slice.svg
+
+Each loop is one closed piece of the boundary of free space: blocked space on the left of travel, free
+space on the right. Features are named by the loop and vertex of the part as given, counted from 0.
+At a critical orientation the slice just above it is shown.
+With -o OUT.svg a picture is written; any other OUT gets the text or JSON.";
+
+const CLASSIFY: &str = "\
+Example:
+  printf 'x,y,theta\\n42,56,0\\n0,0,0\\n' | cspace classify models/ratchet_pawl.toml
+
+The first row names the columns x, y and theta, in any order; for a pair of which each part has one
+degree of freedom or none also u and v, the motions of the fixed and of the moving part. Angles are
+radians. The answer repeats the columns and adds `class`:
+
+  free      the interiors of the parts do not meet
+  blocked   they do
+  contact   within the resolution of the boundary between the two
+
+FILE may be a saved contact space, so that many lists are classified without computing it again.";
+
+const EXPORT: &str = "\
+Examples:
+  cspace export models/ratchet_pawl.toml -o pawl.json
+  cspace export models/ratchet_pawl.toml -o pawl.svg --slices 20
+  cspace export models/snap_fastener.toml -o snap.ply --tolerance 1e-4
+  cspace export pawl.json -o pawl.ply
+
+Formats, by the extension of OUT:
+  .json   the whole contact space; every command reads it in place of a model
+  .svg    slices at even steps of orientation: free space white, blocked space grey
+  .ply    the contact surface as triangles: vertices (x, y, theta) on the exact surface, in double
+          precision; triangles are counter-clockwise seen from free space and carry their `patch`";
+
+const COMPLETIONS: &str = "\
+Example:
+  cspace completions bash > ~/.local/share/bash-completion/completions/cspace";

@@ -1,0 +1,114 @@
+//! `cspace export`.
+
+use std::path::Path;
+
+use cspace::{ContactSpace, Slice};
+use cspace_io::write::mesh::{Mesh, MeshOptions};
+use cspace_io::write::ply::{Encoding, ply};
+use cspace_io::write::svg;
+
+use crate::args::ExportArgs;
+use crate::failure::Failure;
+use crate::output;
+use crate::subject::Subject;
+use crate::wording::count;
+
+/// What can be written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Json,
+    Svg,
+    Ply,
+}
+
+pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
+    let common = &args.common;
+    let Some(path) = common.output.as_deref() else {
+        return Err(Failure::input("export needs a file to write")
+            .help("give -o OUT with an extension: .json, .svg or .ply"));
+    };
+    let kind = kind(path)?;
+    let subject = Subject::open(common)?;
+    let pair = subject.one_pair(common, args.window.theta)?;
+    let space = pair.space()?;
+    let bytes = match kind {
+        Kind::Json => super::json(&space.to_saved())?,
+        Kind::Svg => pictures(&space, args.slices).into_bytes(),
+        Kind::Ply => {
+            let mesh = Mesh::new(
+                &space,
+                &MeshOptions {
+                    tolerance: args.tolerance,
+                },
+            );
+            report(&mesh, path);
+            ply(
+                &mesh,
+                if args.ascii {
+                    Encoding::Ascii
+                } else {
+                    Encoding::Binary
+                },
+            )
+        }
+    };
+    output::write(Some(path), &bytes)
+}
+
+fn kind(path: &Path) -> Result<Kind, Failure> {
+    let extension = path
+        .extension()
+        .map(|e| e.to_string_lossy().to_ascii_lowercase());
+    match extension.as_deref() {
+        Some("json") => Ok(Kind::Json),
+        Some("svg") => Ok(Kind::Svg),
+        Some("ply") => Ok(Kind::Ply),
+        Some(e @ ("stl" | "obj" | "glb")) => Err(Failure::work(format_args!(
+            "{}: this version does not write .{e}",
+            path.display()
+        ))
+        .help("write .ply, which other programs convert")),
+        _ => Err(Failure::input(format_args!(
+            "{}: the extension does not tell what to write",
+            path.display()
+        ))
+        .help("let the name end in .json, .svg or .ply")),
+    }
+}
+
+/// Slices at even steps, in the middle of the bands they fall into.
+fn pictures(space: &ContactSpace, limit: u32) -> String {
+    let bands = space.bands();
+    let n = bands.len().min(limit as usize);
+    let slices: Vec<Slice> = (0..n)
+        .map(|i| {
+            let band = bands[(2 * i + 1) * bands.len() / (2 * n)];
+            space.slice(0.5 * (band.lo + band.hi))
+        })
+        .collect();
+    svg::slices(&svg::Page {
+        title: format!("{} in {}", space.moving().name(), space.fixed().name()),
+        size: space.fixed().size().max(space.moving().size()),
+        slices: &slices,
+    })
+}
+
+/// What a reader of the mesh should know, on stderr.
+fn report(mesh: &Mesh, path: &Path) {
+    let openings = mesh.openings();
+    eprintln!(
+        "{}: {}, {}, at most {:.2e} from the surface, {}",
+        path.display(),
+        count(mesh.vertices.len(), "vertex", "vertices"),
+        count(mesh.triangles.len(), "triangle", "triangles"),
+        mesh.deviation,
+        match openings.elsewhere {
+            0 => "closed".to_owned(),
+            n => format!(
+                "{} of {}",
+                count(n, "open edge", "open edges"),
+                openings.edges
+            ),
+        }
+    );
+}

@@ -1,0 +1,272 @@
+//! `cspace info`.
+
+use std::fmt::{self, Write};
+
+use core::f64::consts::PI;
+
+use cspace::{Edge, Part};
+use cspace_io::{Joint, JointKind, Model, Motion};
+use serde::Serialize;
+
+use crate::args::{Format, InfoArgs};
+use crate::failure::Failure;
+use crate::output;
+use crate::subject::{Chosen, Subject};
+use crate::wording::{angle, count};
+
+#[derive(Serialize)]
+struct Info {
+    name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<String>,
+    parts: Vec<PartInfo>,
+    joints: Vec<JointInfo>,
+    pairs: Vec<PairInfo>,
+}
+
+#[derive(Serialize)]
+struct PartInfo {
+    name: String,
+    loops: usize,
+    features: FeatureCount,
+    size: f64,
+    area: f64,
+    motion: MotionInfo,
+    symmetry: u32,
+}
+
+/// Lines, arcs, and vertices that are not smooth joints.
+#[derive(Serialize, Clone, Copy, Default)]
+struct FeatureCount {
+    lines: usize,
+    arcs: usize,
+    vertices: usize,
+    total: usize,
+}
+
+#[derive(Serialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+enum MotionInfo {
+    Fixed,
+    Revolute {
+        center: [f64; 2],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        range: Option<(f64, f64)>,
+    },
+    Prismatic {
+        direction: [f64; 2],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        range: Option<(f64, f64)>,
+    },
+    Planar,
+}
+
+#[derive(Serialize)]
+struct JointInfo {
+    #[serde(rename = "type")]
+    kind: &'static str,
+    parts: [String; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    direction: Option<[f64; 2]>,
+}
+
+#[derive(Serialize)]
+struct PairInfo {
+    fixed: String,
+    moving: String,
+    class: &'static str,
+    features: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    theta: Option<(f64, f64)>,
+}
+
+pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
+    let subject = Subject::open(&args.common)?;
+    let pairs = subject.pairs(&args.common, args.window.theta)?;
+    let info = gather(&subject, &pairs);
+    let bytes = match args.common.format {
+        Format::Json => super::json(&info)?,
+        Format::Text => {
+            let mut text = String::new();
+            describe(&mut text, &info).map_err(Failure::work)?;
+            text.into_bytes()
+        }
+    };
+    output::write(args.common.output.as_deref(), &bytes)
+}
+
+fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
+    let pairs = pairs.iter().map(pair_info).collect();
+    match subject {
+        Subject::Model { model, .. } => Info {
+            name: model.name.clone(),
+            unit: model.unit.clone(),
+            parts: (model.parts.iter())
+                .map(|p| part_info(&p.part, p.motion, p.symmetry))
+                .collect(),
+            joints: model.joints.iter().map(|j| joint_info(model, j)).collect(),
+            pairs,
+        },
+        Subject::Saved(space) => Info {
+            name: format!("{} and {}", space.fixed().name(), space.moving().name()),
+            unit: None,
+            parts: [space.fixed(), space.moving()]
+                .map(|p| part_info(p, Motion::Planar, None))
+                .into(),
+            joints: Vec::new(),
+            pairs,
+        },
+    }
+}
+
+fn pair_info(pair: &Chosen<'_>) -> PairInfo {
+    PairInfo {
+        fixed: pair.fixed().name().to_owned(),
+        moving: pair.moving().name().to_owned(),
+        class: pair.class().map_or("general", cspace_io::PairClass::name),
+        features: features(pair.fixed()).total + features(pair.moving()).total,
+        theta: pair.window(),
+    }
+}
+
+fn part_info(part: &Part, motion: Motion, symmetry: Option<u32>) -> PartInfo {
+    PartInfo {
+        name: part.name().to_owned(),
+        loops: part.loops().len(),
+        features: features(part),
+        size: part.size(),
+        area: part.area(),
+        motion: match motion {
+            Motion::Fixed => MotionInfo::Fixed,
+            Motion::Revolute { center, range } => MotionInfo::Revolute {
+                center: [center.x, center.y],
+                range,
+            },
+            Motion::Prismatic { direction, range } => MotionInfo::Prismatic {
+                direction: [direction.x, direction.y],
+                range,
+            },
+            Motion::Planar => MotionInfo::Planar,
+        },
+        symmetry: symmetry.unwrap_or(1),
+    }
+}
+
+fn joint_info(model: &Model, joint: &Joint) -> JointInfo {
+    let name = |i: usize| model.parts[i].part.name().to_owned();
+    let (kind, at, direction) = match joint.kind {
+        JointKind::Revolute { at } => ("revolute", Some(at), None),
+        JointKind::Prismatic { direction, at } => ("prismatic", at, Some(direction)),
+        JointKind::Rigid => ("rigid", None, None),
+    };
+    JointInfo {
+        kind,
+        parts: [name(joint.parts.0), name(joint.parts.1)],
+        at: at.map(|p| [p.x, p.y]),
+        direction: direction.map(|d| [d.x, d.y]),
+    }
+}
+
+fn features(part: &Part) -> FeatureCount {
+    /// Edges that meet at a smaller angle (radians) are smoothly joined, as in the computation.
+    const SMOOTH: f64 = 1.0 / (1u64 << 26) as f64;
+    let corner = |before: &Edge, after: &Edge| {
+        let (d, e) = (before.end_direction(), after.start_direction());
+        let turn = d.cross(e).atan2(d.dot(e));
+        (SMOOTH..=PI).contains(&turn.abs())
+    };
+    let mut count = FeatureCount::default();
+    for boundary in part.loops() {
+        let edges: Vec<Edge> = boundary.edges().collect();
+        let lines = edges.iter().filter(|e| e.is_line()).count();
+        count.lines += lines;
+        count.arcs += edges.len() - lines;
+        count.vertices += (edges.iter().zip(edges.iter().cycle().skip(1)))
+            .filter(|(a, b)| corner(a, b))
+            .count();
+    }
+    count.total = count.lines + count.arcs + count.vertices;
+    count
+}
+
+fn describe(text: &mut String, info: &Info) -> fmt::Result {
+    let unit = info.unit.as_ref().map_or(String::new(), |u| format!(" {u}"));
+    writeln!(text, "{}", info.name)?;
+    writeln!(text, "\nparts")?;
+    for p in &info.parts {
+        writeln!(text, "  {}", p.name)?;
+        writeln!(
+            text,
+            "    outline    {}, {}: {}, {}, {}",
+            count(p.loops, "loop", "loops"),
+            count(p.features.total, "feature", "features"),
+            count(p.features.lines, "line", "lines"),
+            count(p.features.arcs, "arc", "arcs"),
+            count(p.features.vertices, "vertex", "vertices"),
+        )?;
+        writeln!(text, "    size       {:.6}{unit}", p.size)?;
+        write!(text, "    motion     ")?;
+        describe_motion(text, &p.motion, &unit)?;
+        if p.symmetry > 1 {
+            writeln!(text, "    symmetry   {}-fold (declared)", p.symmetry)?;
+        }
+    }
+    if !info.joints.is_empty() {
+        writeln!(text, "\njoints")?;
+    }
+    for j in &info.joints {
+        write!(text, "  {} of {} and {}", j.kind, j.parts[0], j.parts[1])?;
+        if let Some([x, y]) = j.at {
+            write!(text, " at ({x}, {y})")?;
+        }
+        if let Some([x, y]) = j.direction {
+            write!(text, " along ({x}, {y})")?;
+        }
+        writeln!(text)?;
+    }
+    writeln!(text, "\npairs")?;
+    for p in &info.pairs {
+        write!(
+            text,
+            "  {} (fixed), {} (moving): {}, {}",
+            p.fixed,
+            p.moving,
+            p.class,
+            count(p.features, "feature", "features")
+        )?;
+        match p.theta {
+            Some((lo, hi)) => writeln!(text, ", theta from {} to {}", angle(lo), angle(hi))?,
+            None => writeln!(text)?,
+        }
+    }
+    Ok(())
+}
+
+fn describe_motion(text: &mut String, motion: &MotionInfo, unit: &str) -> fmt::Result {
+    match motion {
+        MotionInfo::Fixed => writeln!(text, "fixed"),
+        MotionInfo::Planar => writeln!(text, "planar"),
+        MotionInfo::Revolute {
+            center: [x, y],
+            range,
+        } => {
+            write!(text, "revolute about ({x}, {y})")?;
+            match range {
+                Some((lo, hi)) => writeln!(text, ", from {} to {}", angle(*lo), angle(*hi)),
+                None => writeln!(text),
+            }
+        }
+        MotionInfo::Prismatic {
+            direction: [x, y],
+            range,
+        } => {
+            write!(text, "prismatic along ({x}, {y})")?;
+            match range {
+                Some((lo, hi)) => writeln!(text, ", from {lo} to {hi}{unit}"),
+                None => writeln!(text),
+            }
+        }
+    }
+}

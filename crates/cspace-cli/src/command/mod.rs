@@ -1,0 +1,19 @@
+//! The commands.
+
+pub(crate) mod classify;
+pub(crate) mod completions;
+pub(crate) mod compute;
+pub(crate) mod export;
+pub(crate) mod info;
+pub(crate) mod slice;
+
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// Indented JSON with a line break at the end.
+fn json(value: &impl Serialize) -> Result<Vec<u8>, Failure> {
+    let mut bytes = serde_json::to_vec_pretty(value).map_err(Failure::work)?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}

@@ -1,0 +1,66 @@
+//! Why a command ends without having done its work.
+
+use std::fmt::Display;
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// What went wrong, and what to do about it.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    code: u8,
+    message: String,
+    help: Option<String>,
+}
+
+impl Failure {
+    /// The input or the usage is wrong: exit code 2.
+    pub(crate) fn input(message: impl Display) -> Self {
+        Self {
+            code: 2,
+            message: message.to_string(),
+            help: None,
+        }
+    }
+
+    /// The work could not be done: exit code 1.
+    pub(crate) fn work(message: impl Display) -> Self {
+        Self {
+            code: 1,
+            message: message.to_string(),
+            help: None,
+        }
+    }
+
+    /// Says what to do.
+    #[must_use]
+    pub(crate) fn help(mut self, help: impl Display) -> Self {
+        self.help = Some(help.to_string());
+        self
+    }
+
+    /// A file cannot be read.
+    pub(crate) fn reading(path: &Path, error: &std::io::Error) -> Self {
+        Self::input(format_args!("{}: {error}", path.display()))
+            .help("give the path of a file that exists and may be read")
+    }
+
+    /// A file cannot be written.
+    pub(crate) fn writing(path: &Path, error: &std::io::Error) -> Self {
+        Self::work(format_args!("{}: cannot be written: {error}", path.display()))
+            .help("choose another place with -o; nothing was written")
+    }
+
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        ExitCode::from(self.code)
+    }
+
+    /// Prints to stderr. Where nobody listens nothing can be done.
+    pub(crate) fn print(&self) {
+        let mut err = std::io::stderr().lock();
+        let _ = writeln!(err, "error: {}", self.message);
+        if let Some(help) = &self.help {
+            let _ = writeln!(err, "  help: {help}");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Results, written whole or not at all.
+
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use crate::failure::Failure;
+
+/// Writes to the file, or to standard output if there is none.
+pub(crate) fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
+    match path {
+        Some(path) => write_file(path, bytes),
+        None => write_stdout(bytes),
+    }
+}
+
+fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Ok(()) => Ok(()),
+        // The reader has what it wanted, as `head` does.
+        Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
+        Err(e) => Err(Failure::work(format_args!("standard output: {e}"))),
+    }
+}
+
+/// Into a temporary file beside it, which then takes its name.
+fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let failed = |e: std::io::Error| Failure::writing(path, &e);
+    if !is_replaceable(path) {
+        // A device or a pipe cannot be replaced.
+        return std::fs::write(path, bytes).map_err(failed);
+    }
+    let path = target(path);
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".cspace-");
+    permissions(&mut builder, &path);
+    let mut file = builder.tempfile_in(directory(&path)).map_err(failed)?;
+    file.write_all(bytes).map_err(failed)?;
+    file.as_file().sync_all().map_err(failed)?;
+    file.persist(&path).map_err(|e| failed(e.error))?;
+    Ok(())
+}
+
+/// That the output can be written is found out before the work is done.
+pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = path else {
+        return Ok(());
+    };
+    if path.is_dir() {
+        return Err(Failure::input(format_args!("{}: is a directory", path.display()))
+            .help("give the path of a file after -o"));
+    }
+    let directory = directory(path);
+    if !directory.is_dir() {
+        return Err(Failure::input(format_args!(
+            "{}: there is no directory {}",
+            path.display(),
+            directory.display()
+        ))
+        .help("create the directory first, or give another path after -o"));
+    }
+    Ok(())
+}
+
+fn is_replaceable(path: &Path) -> bool {
+    std::fs::metadata(path).map_or(true, |m| m.is_file())
+}
+
+/// Where a symbolic link leads.
+fn target(path: &Path) -> PathBuf {
+    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
+fn directory(path: &Path) -> &Path {
+    path.parent()
+        .filter(|p| !p.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
+}
+
+/// Those of the file it replaces, or as for any new file.
+#[cfg(unix)]
+fn permissions(builder: &mut tempfile::Builder<'_, '_>, path: &Path) {
+    use std::os::unix::fs::PermissionsExt;
+    let mode = std::fs::metadata(path).map_or(0o666, |m| m.permissions().mode() & 0o777);
+    builder.permissions(std::fs::Permissions::from_mode(mode));
+}
+
+#[cfg(not(unix))]
+fn permissions(_: &mut tempfile::Builder<'_, '_>, _: &Path) {}

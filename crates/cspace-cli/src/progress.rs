@@ -1,0 +1,118 @@
+//! What a long computation shows, and how it is stopped.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
+
+use cspace::{ComputeError, Progress, Stage};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Nothing is shown for work that is done by then.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// Lets an interrupt (Ctrl-C) end the computation at the next stage; a second one ends the process at once.
+pub(crate) fn catch_interrupts() {
+    static ONCE: OnceLock<()> = OnceLock::new();
+    ONCE.get_or_init(|| {
+        // Without a handler an interrupt ends the process, which is good enough.
+        let _ = ctrlc::set_handler(|| {
+            if INTERRUPTED.swap(true, Ordering::Relaxed) {
+                std::process::exit(1);
+            }
+        });
+    });
+}
+
+/// A bar on stderr with the stages, if stderr is a terminal and the work takes more than a second.
+pub(crate) struct Bar {
+    title: String,
+    begin: Instant,
+    bar: Mutex<Option<ProgressBar>>,
+    stage: Mutex<Option<Stage>>,
+}
+
+impl Bar {
+    pub(crate) fn new(title: String) -> Self {
+        Self {
+            title,
+            begin: Instant::now(),
+            bar: Mutex::new(None),
+            stage: Mutex::new(None),
+        }
+    }
+
+    /// Runs a computation, with the bar kept up to date by a thread of its own.
+    pub(crate) fn watch<T: Send>(&self, work: impl FnOnce(&Self) -> T + Send) -> T {
+        let done = AtomicBool::new(false);
+        std::thread::scope(|scope| {
+            let ticker = scope.spawn(|| {
+                while !done.load(Ordering::Relaxed) {
+                    std::thread::park_timeout(Duration::from_millis(100));
+                    self.draw();
+                }
+            });
+            let result = work(self);
+            done.store(true, Ordering::Relaxed);
+            ticker.thread().unpark();
+            result
+        })
+    }
+
+    fn draw(&self) {
+        if self.begin.elapsed() < PATIENCE {
+            return;
+        }
+        let stage = *self.stage.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut bar = self.bar.lock().unwrap_or_else(PoisonError::into_inner);
+        let bar = bar.get_or_insert_with(|| self.open());
+        if let Some(stage) = stage {
+            bar.set_position(stage as u64);
+            bar.set_message(name(stage));
+        }
+        bar.tick();
+    }
+
+    fn open(&self) -> ProgressBar {
+        // The target is hidden by itself where stderr is no terminal.
+        let bar = ProgressBar::with_draw_target(Some(Stage::COUNT), ProgressDrawTarget::stderr());
+        if let Ok(style) = ProgressStyle::with_template("{prefix} [{bar:24}] {elapsed} {msg}") {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        bar.set_prefix(self.title.clone());
+        bar.with_elapsed(self.begin.elapsed())
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        let bar = self.bar.get_mut().unwrap_or_else(PoisonError::into_inner);
+        if let Some(bar) = bar.take() {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl Progress for Bar {
+    fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
+        *self.stage.lock().unwrap_or_else(PoisonError::into_inner) = Some(stage);
+        if INTERRUPTED.load(Ordering::Relaxed) {
+            return Err(ComputeError::Interrupted);
+        }
+        Ok(())
+    }
+}
+
+fn name(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Sheets => "features in contact",
+        Stage::Candidates => "contacts that may meet",
+        Stage::PairEvents => "where two contacts meet",
+        Stage::Branches => "boundary curves",
+        Stage::TripleEvents => "where three contacts meet",
+        Stage::Cells => "cells",
+        Stage::Shells => "free or blocked",
+        Stage::Graph => "patches and links",
+    }
+}

@@ -1,0 +1,337 @@
+//! What a command works on: a model file or a saved contact space, and the pairs in it.
+
+use core::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+use cspace::{ComputeError, ContactSpace, Options, Part, Slice};
+use cspace_io::{Model, Motion, Pair, PairClass};
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::{Bar, catch_interrupts};
+
+/// The file a command was given.
+pub(crate) enum Subject {
+    /// A model, of which pairs are computed.
+    Model {
+        /// Where it was read from.
+        path: PathBuf,
+        /// What it says.
+        model: Box<Model>,
+    },
+    /// A contact space that was computed before.
+    Saved(Box<ContactSpace>),
+}
+
+/// A pair of a subject.
+pub(crate) struct Chosen<'a> {
+    subject: &'a Subject,
+    pair: Option<Pair>,
+}
+
+impl Subject {
+    /// Reads the file, and sets up what all commands need.
+    pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
+        output::check(common.output.as_deref())?;
+        if let Some(threads) = common.threads {
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build_global()
+                .map_err(|e| Failure::work(format_args!("{threads} threads: {e}")))?;
+        }
+        let path = common.file.clone();
+        if let Some(space) = read_saved(&path)? {
+            return Ok(Self::Saved(Box::new(space)));
+        }
+        let model = Model::read(&path).map_err(|e| Failure::input(e))?;
+        Ok(Self::Model {
+            path,
+            model: Box::new(model),
+        })
+    }
+
+    /// The pairs asked for: the one that was named, or all of the file.
+    pub(crate) fn pairs(
+        &self,
+        common: &Common,
+        window: Option<(f64, f64)>,
+    ) -> Result<Vec<Chosen<'_>>, Failure> {
+        let (path, model) = match self {
+            Self::Model { path, model } => (path, model),
+            Self::Saved(space) => {
+                if window.is_some() {
+                    return Err(Failure::input(format_args!(
+                        "{}: the file is a saved contact space, its orientations are given",
+                        common.file.display()
+                    ))
+                    .help("leave out --theta, or give the model file"));
+                }
+                let name = format!("{},{}", space.fixed().name(), space.moving().name());
+                if common.pair.as_ref().is_some_and(|p| *p != name) {
+                    return Err(Failure::input(format_args!(
+                        "{}: the file is the saved contact space of the pair {name}",
+                        common.file.display()
+                    ))
+                    .help("leave out --pair, or give the model file"));
+                }
+                return Ok(vec![Chosen {
+                    subject: self,
+                    pair: None,
+                }]);
+            }
+        };
+        let pairs = match &common.pair {
+            Some(names) => vec![named_pair(path, model, names)?],
+            None => model.pairs.clone(),
+        };
+        if pairs.is_empty() {
+            return Err(Failure::input(format_args!(
+                "{}: the model has fewer than two parts",
+                path.display()
+            ))
+            .help("add a second [[part]]"));
+        }
+        Ok(pairs
+            .into_iter()
+            .map(|pair| Chosen {
+                subject: self,
+                pair: Some(Pair {
+                    window: window.or(pair.window),
+                    ..pair
+                }),
+            })
+            .collect())
+    }
+
+    /// The one pair that was named, or that the file has.
+    pub(crate) fn one_pair(
+        &self,
+        common: &Common,
+        window: Option<(f64, f64)>,
+    ) -> Result<Chosen<'_>, Failure> {
+        let mut pairs = self.pairs(common, window)?;
+        match (pairs.pop(), pairs.len()) {
+            (Some(pair), 0) => Ok(pair),
+            (last, _) => {
+                let names: Vec<String> = pairs.iter().chain(&last).map(Chosen::names).collect();
+                Err(Failure::input(format_args!(
+                    "{}: the file has {} pairs, and this command takes one",
+                    common.file.display(),
+                    names.len()
+                ))
+                .help(format_args!(
+                    "name one of them: {}",
+                    names
+                        .iter()
+                        .map(|n| format!("--pair {n}"))
+                        .collect::<Vec<_>>()
+                        .join(", ")
+                )))
+            }
+        }
+    }
+}
+
+impl Chosen<'_> {
+    fn part(&self, of: impl Fn(&Pair) -> usize, saved: impl Fn(&ContactSpace) -> &Part) -> &Part {
+        match (self.subject, &self.pair) {
+            (Subject::Model { model, .. }, Some(pair)) => &model.parts[of(pair)].part,
+            (Subject::Saved(space), _) => saved(space),
+            (Subject::Model { model, .. }, None) => &model.parts[0].part,
+        }
+    }
+
+    pub(crate) fn fixed(&self) -> &Part {
+        self.part(|p| p.fixed, ContactSpace::fixed)
+    }
+
+    pub(crate) fn moving(&self) -> &Part {
+        self.part(|p| p.moving, ContactSpace::moving)
+    }
+
+    /// As `--pair` takes them.
+    pub(crate) fn names(&self) -> String {
+        format!("{},{}", self.fixed().name(), self.moving().name())
+    }
+
+    /// The label of the unit of length, with a space before it; empty if the model has none.
+    pub(crate) fn unit(&self) -> String {
+        match self.subject {
+            Subject::Model { model, .. } => {
+                model.unit.as_ref().map_or(String::new(), |u| format!(" {u}"))
+            }
+            Subject::Saved(_) => String::new(),
+        }
+    }
+
+    /// The class of the pair in its model.
+    pub(crate) fn class(&self) -> Option<PairClass> {
+        match (self.subject, &self.pair) {
+            (Subject::Model { model, .. }, Some(pair)) => Some(model.pair_class(pair)),
+            _ => None,
+        }
+    }
+
+    /// Fold of the symmetry that the model declares, of the fixed and the moving part; 1 where it declares none.
+    pub(crate) fn symmetry(&self) -> (u32, u32) {
+        match (self.subject, &self.pair) {
+            (Subject::Model { model, .. }, Some(pair)) => {
+                let of = |i: usize| model.parts[i].symmetry.unwrap_or(1);
+                (of(pair.fixed), of(pair.moving))
+            }
+            _ => (1, 1),
+        }
+    }
+
+    /// The motions of the fixed and the moving part.
+    pub(crate) fn motions(&self) -> Option<(Motion, Motion)> {
+        match (self.subject, &self.pair) {
+            (Subject::Model { model, .. }, Some(pair)) => Some((
+                model.parts[pair.fixed].motion,
+                model.parts[pair.moving].motion,
+            )),
+            _ => None,
+        }
+    }
+
+    /// Whether the contact space was read from the file, not computed.
+    pub(crate) fn is_saved(&self) -> bool {
+        matches!(self.subject, Subject::Saved(_))
+    }
+
+    /// The window of orientations, if there is one.
+    pub(crate) fn window(&self) -> Option<(f64, f64)> {
+        match self.subject {
+            Subject::Model { .. } => self.pair.and_then(|p| p.window),
+            Subject::Saved(space) => {
+                let w = space.window();
+                (!w.full_turn).then_some((w.lo, w.hi))
+            }
+        }
+    }
+
+    /// The slice at one orientation; of a model that slice alone is computed.
+    pub(crate) fn slice(&self, theta: f64) -> Result<Slice, Failure> {
+        if let Some((lo, hi)) = self.window() {
+            let turned = theta + TAU * ((lo - theta) / TAU).ceil();
+            if turned > hi {
+                return Err(Failure::input(format_args!(
+                    "--theta {theta}: outside the orientations from {lo} to {hi} of the pair {}",
+                    self.names()
+                ))
+                .help("choose an orientation inside"));
+            }
+        }
+        Ok(match self.subject {
+            Subject::Model { .. } => Slice::compute(self.fixed(), self.moving(), theta),
+            Subject::Saved(space) => space.slice(theta),
+        })
+    }
+
+    /// The contact space.
+    pub(crate) fn space(&self) -> Result<ContactSpace, Failure> {
+        if let Subject::Saved(space) = self.subject {
+            return Ok((**space).clone());
+        }
+        let options = Options {
+            window: self.pair.and_then(|p| p.window),
+        };
+        catch_interrupts();
+        let bar = Bar::new(self.names());
+        bar.watch(|bar| {
+            ContactSpace::compute_with(self.fixed(), self.moving(), &options, bar)
+        })
+        .map_err(|e| {
+            let failure = match e {
+                ComputeError::Window { .. } => {
+                    Failure::input(format_args!("pair {}: {e}", self.names()))
+                        .help("give --theta LO,HI with LO < HI, at most a turn apart")
+                }
+                ComputeError::TooLarge { .. } => {
+                    Failure::work(format_args!("pair {}: {e}", self.names()))
+                        .help("split a part, or replace runs of short lines by arcs")
+                }
+                _ => Failure::work(format_args!("pair {}: {e}", self.names())),
+            };
+            failure
+        })
+    }
+}
+
+/// The pair with the parts of these names; its window is that of the file where it lists the pair, either way around.
+fn named_pair(path: &Path, model: &Model, names: &str) -> Result<Pair, Failure> {
+    let known = || {
+        let list: Vec<&str> = model.parts.iter().map(|p| p.part.name()).collect();
+        format!("the parts are {}", list.join(", "))
+    };
+    if !names.contains(',') {
+        return Err(Failure::input(format_args!(
+            "--pair {names}: two names are needed, with a comma between"
+        ))
+        .help(known()));
+    }
+    // Names may have commas in them: whichever comma separates two of them.
+    let found = names.match_indices(',').find_map(|(at, _)| {
+        let fixed = model.part_index(names[..at].trim())?;
+        let moving = model.part_index(names[at + 1..].trim())?;
+        Some((fixed, moving))
+    });
+    let Some((fixed, moving)) = found else {
+        let missing = names
+            .split(',')
+            .map(str::trim)
+            .find(|n| model.part_index(n).is_none())
+            .unwrap_or(names);
+        return Err(Failure::input(format_args!(
+            "{}: there is no part {missing:?}",
+            path.display()
+        ))
+        .help(known()));
+    };
+    if fixed == moving {
+        return Err(Failure::input(format_args!(
+            "--pair {names}: a pair is of two different parts"
+        ))
+        .help(known()));
+    }
+    let listed = |fixed, moving| {
+        (model.pairs.iter())
+            .find(|p| p.fixed == fixed && p.moving == moving)
+            .copied()
+    };
+    let exchanged = |p: Pair| p.window.map(|(lo, hi)| (-hi, -lo));
+    Ok(listed(fixed, moving).unwrap_or(Pair {
+        fixed,
+        moving,
+        window: listed(moving, fixed).and_then(exchanged),
+    }))
+}
+
+/// The contact space in the file, if it is a saved one.
+fn read_saved(path: &Path) -> Result<Option<ContactSpace>, Failure> {
+    let is_json = path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("json"));
+    if !is_json {
+        return Ok(None);
+    }
+    #[derive(serde::Deserialize)]
+    struct Head {
+        format: Option<String>,
+    }
+    let text = std::fs::read_to_string(path).map_err(|e| Failure::reading(path, &e))?;
+    let is_saved = serde_json::from_str::<Head>(&text)
+        .is_ok_and(|h| h.format.as_deref() == Some("contact-space"));
+    if !is_saved {
+        return Ok(None);
+    }
+    let damaged = |e: &dyn std::fmt::Display| {
+        Failure::input(format_args!("{}: {e}", path.display()))
+            .help("write the file again with `cspace export MODEL -o OUT.json`")
+    };
+    let saved = serde_json::from_str(&text).map_err(|e| damaged(&e))?;
+    ContactSpace::from_saved(saved)
+        .map(Some)
+        .map_err(|e| damaged(&e))
+}

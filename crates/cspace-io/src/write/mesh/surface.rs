@@ -1,0 +1,309 @@
+//! From a contact space to its mesh.
+
+use core::f64::consts::PI;
+use std::collections::BTreeMap;
+
+use cspace::{Configuration, ContactSpace};
+
+use super::level::{Fineness, Level, Structure};
+use super::strip::zip;
+
+/// How fine a mesh is to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshOptions {
+    /// How far a triangle may be from the surface, within a slice, as a share of the pair's size.
+    pub tolerance: f64,
+}
+
+/// A triangle of a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Triangle {
+    /// Indices of its vertices, counter-clockwise seen from free space.
+    pub vertices: [u32; 3],
+    /// The patch it lies on.
+    pub patch: u32,
+}
+
+/// The contact surface as triangles: vertices (x, y, θ) on the exact surface.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Mesh {
+    /// The vertices.
+    pub vertices: Vec<Configuration>,
+    /// The triangles.
+    pub triangles: Vec<Triangle>,
+    /// The greatest distance found between triangles and surface, within slices, in the model's unit.
+    pub deviation: f64,
+    /// The orientations at which the surface is cut off; at a full turn's ends the same vertices come in the same order.
+    pub ends: (f64, f64),
+}
+
+/// Edges of a mesh that are not shared by two triangles in opposite directions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Openings {
+    /// All edges.
+    pub edges: usize,
+    /// At the orientations where the surface is cut off.
+    pub at_ends: usize,
+    /// Elsewhere: none, if the mesh is closed.
+    pub elsewhere: usize,
+    /// Edges of four triangles or more, in opposite directions in equal number: where surfaces touch.
+    pub touching: usize,
+}
+
+impl Default for MeshOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-3 }
+    }
+}
+
+/// Points of a critical level that are nearer to each other than this share of the size are one.
+const MERGE: f64 = 1e-11;
+
+/// How often a slab is halved at most.
+const DEEPEST: u32 = 14;
+
+/// The slab between two levels, with what lies in it.
+struct Slab<'a> {
+    structure: &'a Structure,
+    below: &'a Level,
+    above: &'a Level,
+}
+
+struct Mesher<'a> {
+    space: &'a ContactSpace,
+    /// In the model's unit.
+    tolerance: f64,
+    scale: f64,
+    mesh: Mesh,
+    /// Numbers in the mesh of the vertices of the level last finished.
+    numbers: Vec<Option<u32>>,
+}
+
+impl Mesh {
+    /// The surface of a contact space.
+    ///
+    /// ```
+    /// use cspace::{ContactSpace, Options, Part, Vertex};
+    /// use cspace_io::write::mesh::{Mesh, MeshOptions};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
+    /// let mesh = Mesh::new(&space, &MeshOptions { tolerance: 0.01 });
+    /// assert_eq!(mesh.openings().elsewhere, 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(space: &ContactSpace, options: &MeshOptions) -> Self {
+        let size = space.fixed().size().max(space.moving().size());
+        let mut mesher = Mesher {
+            space,
+            tolerance: options.tolerance * size,
+            scale: space.to_saved().frame.scale,
+            mesh: Self::default(),
+            numbers: Vec::new(),
+        };
+        mesher.run(size, options.tolerance);
+        mesher.mesh
+    }
+
+    /// Counts the edges that are open.
+    pub fn openings(&self) -> Openings {
+        let mut edges: BTreeMap<(u32, u32), (i32, u32)> = BTreeMap::new();
+        for t in &self.triangles {
+            let [a, b, c] = t.vertices;
+            for (p, q) in [(a, b), (b, c), (c, a)] {
+                let entry = edges.entry((p.min(q), p.max(q))).or_default();
+                entry.0 += if p < q { 1 } else { -1 };
+                entry.1 += 1;
+            }
+        }
+        let mut openings = Openings {
+            edges: edges.len(),
+            ..Openings::default()
+        };
+        for ((a, b), (sum, uses)) in edges {
+            let theta = |v: u32| self.vertices[v as usize].theta;
+            if sum != 0 {
+                let at = |end: f64| theta(a) == end && theta(b) == end;
+                if at(self.ends.0) || at(self.ends.1) {
+                    openings.at_ends += 1;
+                } else {
+                    openings.elsewhere += 1;
+                }
+            } else if uses > 2 {
+                openings.touching += 1;
+            }
+        }
+        openings
+    }
+}
+
+impl Mesher<'_> {
+    fn run(&mut self, size: f64, share: f64) {
+        let window = self.space.window();
+        let (lo, hi) = if window.full_turn {
+            (-PI, PI)
+        } else {
+            (window.lo, window.hi)
+        };
+        self.mesh.ends = (lo, hi);
+        let mut bounds = vec![lo];
+        bounds.extend(self.space.critical_orientations().iter().filter(|c| lo < **c && **c < hi));
+        bounds.push(hi);
+        let structures: Vec<Structure> = bounds
+            .windows(2)
+            .map(|w| Structure::at(self.space, 0.5 * (w[0] + w[1])))
+            .collect();
+        let (Some(first), Some(last)) = (structures.first(), structures.last()) else {
+            return;
+        };
+        // A chord of an arc of this many radians about a centre at most a size away keeps half the tolerance.
+        let longest = (4.0 * share).sqrt();
+        let none = Structure::default();
+        let merge = Some(MERGE * size);
+        let ends = if window.full_turn { (last, first) } else { (&none, &none) };
+        let fineness = self.fineness(longest);
+        let mut below = if window.full_turn {
+            Level::new(self.space, lo, ends.0, ends.1, merge, fineness)
+        } else {
+            Level::new(self.space, lo, &none, first, None, fineness)
+        };
+        let bottom = below.clone();
+        self.numbers = self.number(&below, lo);
+        for (k, structure) in structures.iter().enumerate() {
+            let (from, to) = (bounds[k], bounds[k + 1]);
+            let slabs = ((to - from) / longest).ceil().max(1.0) as u32;
+            let step = (to - from) / f64::from(slabs);
+            for i in 1..=slabs {
+                let above = if i < slabs {
+                    let theta = from + step * f64::from(i);
+                    self.inner_level(theta, structure, step)
+                } else if k + 1 < structures.len() {
+                    let next = &structures[k + 1];
+                    Level::new(self.space, to, structure, next, merge, self.fineness(longest.min(step)))
+                } else if window.full_turn {
+                    Level {
+                        theta: to,
+                        ..bottom.clone()
+                    }
+                } else {
+                    self.inner_level(to, structure, step)
+                };
+                self.fill(structure, &below, &above, 0);
+                below = above;
+            }
+        }
+    }
+
+    fn inner_level(&self, theta: f64, structure: &Structure, step: f64) -> Level {
+        Level::new(self.space, theta, structure, structure, None, self.fineness(step))
+    }
+
+    /// For rows with slabs of this thickness above and below.
+    fn fineness(&self, step: f64) -> Fineness {
+        Fineness {
+            sagitta: 0.5 * self.tolerance,
+            // A piece of length l that turns by t is off by l t / 4 in the middle when it is cut into two triangles.
+            turning: 2.0 * self.tolerance / step,
+            scale: self.scale,
+        }
+    }
+
+    /// Fills the slab between two levels, of which the lower has its numbers; then the upper one has.
+    fn fill(&mut self, structure: &Structure, below: &Level, above: &Level, depth: u32) {
+        let slab = Slab {
+            structure,
+            below,
+            above,
+        };
+        let deviation = self.deviation(&slab);
+        let middle = 0.5 * (below.theta + above.theta);
+        let thick = above.theta - below.theta > 1e-7 && middle > below.theta;
+        if deviation > self.tolerance && depth < DEEPEST && thick {
+            let step = 0.5 * (above.theta - below.theta);
+            let level = self.inner_level(middle, structure, step);
+            self.fill(structure, below, &level, depth + 1);
+            self.fill(structure, &level, above, depth + 1);
+            return;
+        }
+        self.mesh.deviation = self.mesh.deviation.max(deviation);
+        let upper = self.number(above, above.theta);
+        let lower = std::mem::replace(&mut self.numbers, upper);
+        for (i, &patch) in structure.patches.iter().enumerate() {
+            let (Some(low), Some(high)) = (below.above.get(i), above.below.get(i)) else {
+                continue;
+            };
+            zip(low, high, |corners| {
+                let vertices = corners.map(|(is_upper, at)| {
+                    if is_upper {
+                        self.numbers[high.vertices[at].0 as usize]
+                    } else {
+                        lower[low.vertices[at].0 as usize]
+                    }
+                });
+                if let [Some(a), Some(b), Some(c)] = vertices {
+                    self.mesh.triangles.push(Triangle {
+                        vertices: [a, b, c],
+                        patch,
+                    });
+                }
+            });
+        }
+    }
+
+    /// Puts the vertices that rows of a level use into the mesh.
+    fn number(&mut self, level: &Level, theta: f64) -> Vec<Option<u32>> {
+        let mut numbers = vec![None; level.points.len()];
+        let rows = level.below.iter().chain(&level.above);
+        for &(v, _) in rows.flat_map(|r| &r.vertices) {
+            let slot = &mut numbers[v as usize];
+            if slot.is_none() {
+                let p = level.points[v as usize];
+                *slot = Some(self.mesh.vertices.len() as u32);
+                self.mesh.vertices.push(Configuration::new(p.x, p.y, theta));
+            }
+        }
+        numbers
+    }
+
+    /// The greatest distance from the surface, within slices, of the middles of triangles and of their edges.
+    fn deviation(&self, slab: &Slab<'_>) -> f64 {
+        let mut most = 0.0_f64;
+        for (i, &number) in slab.structure.patches.iter().enumerate() {
+            let (Some(low), Some(high), Some(patch)) = (
+                slab.below.above.get(i),
+                slab.above.below.get(i),
+                self.space.patch(number),
+            ) else {
+                continue;
+            };
+            zip(low, high, |corners| {
+                let c = corners.map(|(is_upper, at)| {
+                    let (level, row) = if is_upper {
+                        (slab.above, high)
+                    } else {
+                        (slab.below, low)
+                    };
+                    let p = level.points[row.vertices[at].0 as usize];
+                    [p.x, p.y, level.theta]
+                });
+                let mut look = |w: [f64; 3]| {
+                    let at = |k: usize| w[0] * c[0][k] + w[1] * c[1][k] + w[2] * c[2][k];
+                    let place = Configuration::new(at(0), at(1), at(2));
+                    most = most.max(patch.contact_function(place).abs());
+                };
+                const THIRD: f64 = 1.0 / 3.0;
+                for weights in [
+                    [0.5, 0.5, 0.0],
+                    [0.0, 0.5, 0.5],
+                    [0.5, 0.0, 0.5],
+                    [THIRD, THIRD, THIRD],
+                ] {
+                    look(weights);
+                }
+            });
+        }
+        most
+    }
+}

@@ -1,0 +1,61 @@
+//! Meshes in the PLY format.
+
+use std::fmt::Write;
+
+use super::mesh::Mesh;
+
+/// How numbers are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Encoding {
+    /// As they are in memory, little end first.
+    #[default]
+    Binary,
+    /// As text, with all their digits.
+    Ascii,
+}
+
+/// The mesh as a PLY file: vertices with `x`, `y` and `theta` as doubles, triangles with the `patch` they lie on.
+pub fn ply(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
+    let format = match encoding {
+        Encoding::Binary => "binary_little_endian",
+        Encoding::Ascii => "ascii",
+    };
+    let header = format!(
+        "ply\nformat {format} 1.0\ncomment contact surface: x and y in the model's unit, theta in radians\n\
+         element vertex {}\nproperty double x\nproperty double y\nproperty double theta\n\
+         element face {}\nproperty list uchar int vertex_indices\nproperty int patch\nend_header\n",
+        mesh.vertices.len(),
+        mesh.triangles.len()
+    );
+    match encoding {
+        Encoding::Binary => binary(header.into_bytes(), mesh),
+        Encoding::Ascii => ascii(header, mesh).into_bytes(),
+    }
+}
+
+fn binary(mut out: Vec<u8>, mesh: &Mesh) -> Vec<u8> {
+    out.reserve(24 * mesh.vertices.len() + 17 * mesh.triangles.len());
+    for v in &mesh.vertices {
+        for x in [v.x, v.y, v.theta] {
+            out.extend_from_slice(&x.to_le_bytes());
+        }
+    }
+    for t in &mesh.triangles {
+        out.push(3);
+        for v in t.vertices.into_iter().chain([t.patch]) {
+            out.extend_from_slice(&v.to_le_bytes());
+        }
+    }
+    out
+}
+
+fn ascii(mut out: String, mesh: &Mesh) -> String {
+    for v in &mesh.vertices {
+        let _ = writeln!(out, "{} {} {}", v.x, v.y, v.theta);
+    }
+    for t in &mesh.triangles {
+        let [a, b, c] = t.vertices;
+        let _ = writeln!(out, "3 {a} {b} {c} {}", t.patch);
+    }
+    out
+}
