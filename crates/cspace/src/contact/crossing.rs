@@ -1,5 +1,6 @@
 //! Where two contact curves of one slice cross.
 
+use crate::feature::tolerance::SAME_CARRIER;
 use crate::geometry::{Point, Vector};
 
 use super::curve::{Curve, CurveShape};
@@ -60,7 +61,8 @@ pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
 fn line_line(f: &Curve, m: Vector, g: &Curve, n: Vector) -> Option<Crossing> {
     // Along f the depth below g changes by n·left(m); f enters where that is negative.
     let slope = n.dot(m.left());
-    if slope == 0.0 {
+    // Parallel lines do not cross, whatever rounding makes of them.
+    if slope.abs() <= SAME_CARRIER {
         return None;
     }
     // From the end of f that is nearer to g, so that a crossing near an end is accurate.

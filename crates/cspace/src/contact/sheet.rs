@@ -94,21 +94,16 @@ pub(crate) struct SharedEnds {
 }
 
 impl Sheet {
-    /// Whether two sheets have one carrier at every orientation, or parallel ones: collinear lines, arcs on one circle,
-    /// equal sums of radii about the same centres. Their curves do not cross, whatever rounding makes of it.
-    fn same_carrier(&self, other: &Self) -> bool {
-        if self.kind != other.kind {
-            return false;
-        }
-        if self.is_circle() {
-            let apart = |a: Vector, b: Vector| (a - b).length() > SAME_CARRIER;
-            let (c, d) = (self.center(), other.center());
-            !apart(c.u.to_vector(), d.u.to_vector())
-                && !apart(c.w, d.w)
-                && (self.radius.abs() - other.radius.abs()).abs() <= SAME_CARRIER
-        } else {
-            self.normal.cross(other.normal).abs() <= SAME_CARRIER
-        }
+    /// Whether two sheets have one circle as carrier at every orientation: arcs on one circle, or equal sums of radii
+    /// about the same centres. Their curves do not cross, whatever rounding makes of it.
+    fn same_circle(&self, other: &Self) -> bool {
+        let apart = |a: Vector, b: Vector| (a - b).length() > SAME_CARRIER;
+        let (c, d) = (self.center(), other.center());
+        self.is_circle()
+            && other.is_circle()
+            && !apart(c.u.to_vector(), d.u.to_vector())
+            && !apart(c.w, d.w)
+            && (self.radius.abs() - other.radius.abs()).abs() <= SAME_CARRIER
     }
 
     /// The ends that two sheets share.
@@ -117,7 +112,8 @@ impl Sheet {
     /// crossing. Where two vertices touch, they cross at the shared end, which is no crossing of interiors.
     pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
         let mut shared = SharedEnds {
-            tangent: self.same_carrier(other),
+            tangent: self.same_circle(other)
+                || (self.fixed == other.fixed && self.moving == other.moving),
             corners: [None; 2],
         };
         for (slot, (mine, theirs, spiral)) in [

@@ -89,11 +89,16 @@ impl Levels<'_> {
         for c in cells {
             let sheet = &sheets[c.sheet as usize];
             let counts = |s: Seam| !matches!(s, Seam::Point | Seam::Window | Seam::Wrap(..));
+            // If both ends change at once, the piece between was dropped: it does not matter which end it was.
+            let plain = |s: Seam| match s {
+                Seam::Same(a, b, k, _) => Seam::Same(a, b, k, 0),
+                other => other,
+            };
             if c.at_top && counts(sheet.top) {
-                seams.push((sheet.top, c.to, c.sheet));
+                seams.push((plain(sheet.top), c.to, c.sheet));
             }
             if c.at_bottom && counts(sheet.bottom) {
-                seams.push((sheet.bottom, c.from, c.sheet));
+                seams.push((plain(sheet.bottom), c.from, c.sheet));
             }
         }
         seams.sort_unstable();
