@@ -195,7 +195,10 @@ impl<'a> Builder<'a> {
     }
 
     fn cell(&self, p: Point) -> (i64, i64) {
-        ((p.x / self.merge).floor() as i64, (p.y / self.merge).floor() as i64)
+        (
+            (p.x / self.merge).floor() as i64,
+            (p.y / self.merge).floor() as i64,
+        )
     }
 
     fn near(&self, p: Point, cell: (i64, i64)) -> Option<u32> {

@@ -9,5 +9,7 @@
 mod level;
 mod strip;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 pub use surface::{Mesh, MeshOptions, Openings, Triangle};

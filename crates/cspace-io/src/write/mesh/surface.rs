@@ -149,7 +149,12 @@ impl Mesher<'_> {
         };
         self.mesh.ends = (lo, hi);
         let mut bounds = vec![lo];
-        bounds.extend(self.space.critical_orientations().iter().filter(|c| lo < **c && **c < hi));
+        bounds.extend(
+            self.space
+                .critical_orientations()
+                .iter()
+                .filter(|c| lo < **c && **c < hi),
+        );
         bounds.push(hi);
         let structures: Vec<Structure> = bounds
             .windows(2)
@@ -162,7 +167,11 @@ impl Mesher<'_> {
         let longest = (4.0 * share).sqrt();
         let none = Structure::default();
         let merge = Some(MERGE * size);
-        let ends = if window.full_turn { (last, first) } else { (&none, &none) };
+        let ends = if window.full_turn {
+            (last, first)
+        } else {
+            (&none, &none)
+        };
         let fineness = self.fineness(longest);
         let mut below = if window.full_turn {
             Level::new(self.space, lo, ends.0, ends.1, merge, fineness)
@@ -181,7 +190,14 @@ impl Mesher<'_> {
                     self.inner_level(theta, structure, step)
                 } else if k + 1 < structures.len() {
                     let next = &structures[k + 1];
-                    Level::new(self.space, to, structure, next, merge, self.fineness(longest.min(step)))
+                    Level::new(
+                        self.space,
+                        to,
+                        structure,
+                        next,
+                        merge,
+                        self.fineness(longest.min(step)),
+                    )
                 } else if window.full_turn {
                     Level {
                         theta: to,
@@ -197,7 +213,14 @@ impl Mesher<'_> {
     }
 
     fn inner_level(&self, theta: f64, structure: &Structure, step: f64) -> Level {
-        Level::new(self.space, theta, structure, structure, None, self.fineness(step))
+        Level::new(
+            self.space,
+            theta,
+            structure,
+            structure,
+            None,
+            self.fineness(step),
+        )
     }
 
     /// For rows with slabs of this thickness above and below.

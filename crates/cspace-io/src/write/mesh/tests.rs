@@ -1,0 +1,166 @@
+//! Is every mesh closed, exact and turned the right way?
+
+use cspace::{ContactSpace, Options, Part, Vertex};
+
+use super::{Mesh, MeshOptions};
+use crate::Model;
+
+const TOLERANCE: f64 = 1e-3;
+
+fn square(name: &str, r: f64) -> Part {
+    let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    let corners = corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect();
+    Part::new(name, vec![corners]).unwrap()
+}
+
+fn disc(name: &str, r: f64) -> Part {
+    let half = |x: f64| Vertex::new(x, 0.0, 1.0);
+    Part::new(name, vec![vec![half(-r), half(r)]]).unwrap()
+}
+
+/// A frame with a square hole.
+fn frame(outer: f64, inner: f64) -> Part {
+    let corners = |r: f64| {
+        let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+        corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()
+    };
+    Part::new("frame", vec![corners(outer), corners(inner)]).unwrap()
+}
+
+fn size(space: &ContactSpace) -> f64 {
+    space.fixed().size().max(space.moving().size())
+}
+
+/// Whether every curve of every slice has one that follows it and one that it follows.
+fn is_whole(space: &ContactSpace) -> bool {
+    space.bands().iter().all(|band| {
+        let slice = space.slice(0.5 * (band.lo + band.hi));
+        let mut after = vec![0; slice.curves.len()];
+        for c in &slice.curves {
+            if let Some(n) = after.get_mut(c.next as usize) {
+                *n += 1;
+            }
+        }
+        after.iter().all(|n| *n == 1)
+    })
+}
+
+fn check(name: &str, space: &ContactSpace) {
+    let mesh = Mesh::new(
+        space,
+        &MeshOptions {
+            tolerance: TOLERANCE,
+        },
+    );
+    let openings = mesh.openings();
+    assert_eq!(openings.elsewhere, 0, "{name}: {openings:?}");
+    assert!(openings.at_ends > 0, "{name}");
+    let size = size(space);
+    assert!(
+        mesh.deviation <= TOLERANCE * size,
+        "{name}: {}",
+        mesh.deviation
+    );
+    for t in &mesh.triangles {
+        let patch = space.patch(t.patch).unwrap();
+        let corners = t.vertices.map(|v| mesh.vertices[v as usize]);
+        for c in corners {
+            let off = patch.contact_function(c).abs();
+            assert!(
+                off <= 1e-12 * size,
+                "{name}: patch {}, {c:?} is off by {off}",
+                t.patch
+            );
+        }
+        // Counter-clockwise seen from free space: along the gradient, where the triangle is no sliver.
+        let [a, b, c] = corners.map(|c| [c.x, c.y, c.theta * size]);
+        let (u, v) = (
+            [0, 1, 2].map(|k| b[k] - a[k]),
+            [0, 1, 2].map(|k| c[k] - a[k]),
+        );
+        let cross = [
+            u[1] * v[2] - u[2] * v[1],
+            u[2] * v[0] - u[0] * v[2],
+            u[0] * v[1] - u[1] * v[0],
+        ];
+        let area = cross.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if area > 1e-4 * size * size {
+            let g = patch.gradient(corners[0]);
+            let facing = cross[0] * g[0] + cross[1] * g[1] + cross[2] * g[2] / size;
+            assert!(
+                facing > 0.0,
+                "{name}: patch {} faces blocked space",
+                t.patch
+            );
+        }
+    }
+    if space.window().full_turn {
+        let end = |theta: f64| -> Vec<(f64, f64)> {
+            let there = mesh.vertices.iter().filter(|v| v.theta == theta);
+            there.map(|v| (v.x, v.y)).collect()
+        };
+        assert_eq!(end(mesh.ends.0), end(mesh.ends.1), "{name}");
+        assert!(!end(mesh.ends.0).is_empty(), "{name}");
+    }
+}
+
+fn space(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> ContactSpace {
+    ContactSpace::compute(fixed, moving, &Options { window }).unwrap()
+}
+
+#[test]
+fn simple_pairs_are_closed() {
+    // The first is critical at θ = −π exactly.
+    check(
+        "squares",
+        &space(&square("table", 2.0), &square("block", 1.0), None),
+    );
+    check(
+        "square and disc",
+        &space(&square("table", 2.0), &disc("coin", 1.0), None),
+    );
+    check(
+        "discs",
+        &space(&disc("plate", 2.0), &disc("coin", 1.0), None),
+    );
+    // Channels close over whole lengths as the block turns.
+    check(
+        "frame and block",
+        &space(&frame(3.0, 2.0), &square("block", 1.6), None),
+    );
+}
+
+#[test]
+fn a_window_is_open_at_its_ends_alone() {
+    let fixed = frame(3.0, 2.0);
+    check(
+        "window",
+        &space(&fixed, &square("block", 1.6), Some((-0.3, 2.0))),
+    );
+}
+
+#[test]
+fn shipped_models_are_closed_wherever_their_slices_are() {
+    let models = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models");
+    let mut checked = Vec::new();
+    for name in [
+        "ball_in_c",
+        "cam_follower",
+        "fixture_plate",
+        "geneva",
+        "knee",
+        "peg_hole",
+        "ratchet_pawl",
+        "snap_fastener",
+    ] {
+        let model = Model::read(format!("{models}/{name}.toml")).unwrap();
+        let pair = &model.pairs[0];
+        let part = |i: usize| &model.parts[i].part;
+        let space = space(part(pair.fixed), part(pair.moving), pair.window);
+        if is_whole(&space) {
+            check(name, &space);
+            checked.push(name);
+        }
+    }
+    assert!(checked.len() >= 4, "only {checked:?}");
+}
