@@ -47,8 +47,11 @@ impl Failure {
 
     /// A file cannot be written.
     pub(crate) fn writing(path: &Path, error: &std::io::Error) -> Self {
-        Self::work(format_args!("{}: cannot be written: {error}", path.display()))
-            .help("choose another place with -o; nothing was written")
+        Self::work(format_args!(
+            "{}: cannot be written: {error}",
+            path.display()
+        ))
+        .help("choose another place with -o; nothing was written")
     }
 
     pub(crate) fn exit_code(&self) -> ExitCode {

@@ -47,8 +47,10 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
         return Ok(());
     };
     if path.is_dir() {
-        return Err(Failure::input(format_args!("{}: is a directory", path.display()))
-            .help("give the path of a file after -o"));
+        return Err(
+            Failure::input(format_args!("{}: is a directory", path.display()))
+                .help("give the path of a file after -o"),
+        );
     }
     let directory = directory(path);
     if !directory.is_dir() {

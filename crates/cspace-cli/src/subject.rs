@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
+use cspace::space::{SAVED_VERSION, SavedError};
 use cspace::{ComputeError, ContactSpace, Options, Part, Slice};
 use cspace_io::{Model, Motion, Pair, PairClass};
 
@@ -44,7 +45,7 @@ impl Subject {
         if let Some(space) = read_saved(&path)? {
             return Ok(Self::Saved(Box::new(space)));
         }
-        let model = Model::read(&path).map_err(|e| Failure::input(e))?;
+        let model = Model::read(&path).map_err(Failure::input)?;
         Ok(Self::Model {
             path,
             model: Box::new(model),
@@ -158,9 +159,10 @@ impl Chosen<'_> {
     /// The label of the unit of length, with a space before it; empty if the model has none.
     pub(crate) fn unit(&self) -> String {
         match self.subject {
-            Subject::Model { model, .. } => {
-                model.unit.as_ref().map_or(String::new(), |u| format!(" {u}"))
-            }
+            Subject::Model { model, .. } => model
+                .unit
+                .as_ref()
+                .map_or(String::new(), |u| format!(" {u}")),
             Subject::Saved(_) => String::new(),
         }
     }
@@ -239,11 +241,8 @@ impl Chosen<'_> {
         };
         catch_interrupts();
         let bar = Bar::new(self.names());
-        bar.watch(|bar| {
-            ContactSpace::compute_with(self.fixed(), self.moving(), &options, bar)
-        })
-        .map_err(|e| {
-            let failure = match e {
+        bar.watch(|bar| ContactSpace::compute_with(self.fixed(), self.moving(), &options, bar))
+            .map_err(|e| match e {
                 ComputeError::Window { .. } => {
                     Failure::input(format_args!("pair {}: {e}", self.names()))
                         .help("give --theta LO,HI with LO < HI, at most a turn apart")
@@ -253,9 +252,7 @@ impl Chosen<'_> {
                         .help("split a part, or replace runs of short lines by arcs")
                 }
                 _ => Failure::work(format_args!("pair {}: {e}", self.names())),
-            };
-            failure
-        })
+            })
     }
 }
 
@@ -319,17 +316,23 @@ fn read_saved(path: &Path) -> Result<Option<ContactSpace>, Failure> {
     #[derive(serde::Deserialize)]
     struct Head {
         format: Option<String>,
+        version: Option<u32>,
     }
     let text = std::fs::read_to_string(path).map_err(|e| Failure::reading(path, &e))?;
-    let is_saved = serde_json::from_str::<Head>(&text)
-        .is_ok_and(|h| h.format.as_deref() == Some("contact-space"));
-    if !is_saved {
+    let head = serde_json::from_str::<Head>(&text)
+        .ok()
+        .filter(|h| h.format.as_deref() == Some("contact-space"));
+    let Some(head) = head else {
         return Ok(None);
-    }
+    };
     let damaged = |e: &dyn std::fmt::Display| {
         Failure::input(format_args!("{}: {e}", path.display()))
             .help("write the file again with `cspace export MODEL -o OUT.json`")
     };
+    // Data of another version need not have the same fields.
+    if let Some(found) = head.version.filter(|v| *v != SAVED_VERSION) {
+        return Err(damaged(&SavedError::Version { found }));
+    }
     let saved = serde_json::from_str(&text).map_err(|e| damaged(&e))?;
     ContactSpace::from_saved(saved)
         .map(Some)

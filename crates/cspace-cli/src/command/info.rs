@@ -192,7 +192,10 @@ fn features(part: &Part) -> FeatureCount {
 }
 
 fn describe(text: &mut String, info: &Info) -> fmt::Result {
-    let unit = info.unit.as_ref().map_or(String::new(), |u| format!(" {u}"));
+    let unit = info
+        .unit
+        .as_ref()
+        .map_or(String::new(), |u| format!(" {u}"));
     writeln!(text, "{}", info.name)?;
     writeln!(text, "\nparts")?;
     for p in &info.parts {
