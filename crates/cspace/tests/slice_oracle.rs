@@ -1,8 +1,8 @@
 //! Slices computed from scratch, against brute force.
 
-use cspace::{Configuration, Slice};
-use cspace_oracle::{Oracle, near_contact, near_contact_about, pairs};
-use rand::{Rng, SeedableRng};
+use cspace::Slice;
+use cspace_oracle::{Oracle, near_contact_about, pairs};
+use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 #[test]

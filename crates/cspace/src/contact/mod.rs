@@ -10,12 +10,10 @@ mod overlap;
 mod pair;
 mod sheet;
 
-pub(crate) use build::{Contacts, Span};
 pub(crate) use carrier::{Carrier, place_on};
 pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape, wrap};
 pub use function::{ContactFunction, Spiral};
-pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::Geometry;
-pub(crate) use sheet::{EndAngle, Seam, SharedEnds, Sheet, SheetKind};
+pub(crate) use sheet::{Seam, Sheet};

@@ -49,11 +49,6 @@ impl PairFrame {
     pub(crate) fn outer_length(&self, length: f64) -> f64 {
         length / self.scale
     }
-
-    /// The same frame seen from a displacement of the configuration.
-    pub(crate) fn inner_vector(&self, v: Vector) -> Vector {
-        v * self.scale
-    }
 }
 
 /// The centre of the bounding box of the edges, and the largest distance of the boundary from it (at most).

@@ -34,7 +34,7 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, 
         hi = Point::new(hi.x.max(e.start.x), hi.y.max(e.start.y));
     }
     let mut best = (Point::ORIGIN, depth(Point::ORIGIN));
-    let mut consider = |p: Point, best: &mut (Point, f64)| {
+    let consider = |p: Point, best: &mut (Point, f64)| {
         let d = depth(p);
         if d > best.1 + 1e-9 {
             *best = (p, d);

@@ -12,5 +12,5 @@ pub(crate) mod tolerance;
 pub(crate) use extract::unwrap_near;
 pub(crate) use frame::PairFrame;
 pub(crate) use inscribed::inscribed_discs;
-pub(crate) use outline::{Feature, Joint, Outline, Shape};
+pub(crate) use outline::{Feature, Outline, Shape};
 pub use outline::{FeatureKind, FeatureName};

@@ -1,4 +1,6 @@
-//! The tolerances of the kernel, each with its unit and reason. There are no others.
+//! The tolerances that decide what the kernel resolves, each with its unit and reason.
+//!
+//! Bounds on rounding errors, and limits of iterations, stand where they are used, with a name of their own.
 //!
 //! Lengths are in units of the pair's frame, in which both parts fit the unit disc.
 
@@ -33,9 +35,6 @@ pub(crate) const SMALLEST_CIRCLE: f64 = 8.0 * GROWTH;
 
 /// Critical orientations nearer to each other than this are one (radians): bands are at least this wide.
 pub(crate) const NARROWEST_BAND: f64 = 1.0 / (1u64 << 40) as f64;
-
-/// Rounding error of an angle or of a length near one, after a handful of operations.
-pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Vertical neighbours must share at least this length of a patch to be linked (length).
 pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;

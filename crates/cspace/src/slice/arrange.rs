@@ -6,7 +6,6 @@
 //! hang together at crossings and shared ends in shells; one honest test of overlap decides each shell.
 
 use crate::contact::{Curve, CurveShape, Geometry, crossing, roots};
-use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Rotation};
 use crate::union_find::UnionFind;
 
@@ -36,11 +35,6 @@ pub(crate) struct FreeGap {
 #[derive(Debug)]
 pub(crate) struct Arrangement {
     pub(crate) gaps: Vec<FreeGap>,
-    /// Contact curves at this orientation, and how many were left after those in surely blocked space were dropped.
-    pub(crate) curves: usize,
-    pub(crate) kept: usize,
-    pub(crate) crossings: usize,
-    pub(crate) tests: usize,
 }
 
 struct Live {
@@ -65,15 +59,9 @@ impl Arrangement {
     /// Computes the slice at `theta`, which must not be a critical orientation.
     pub(crate) fn new(geometry: &Geometry, theta: f64) -> Self {
         let turn = Rotation::by(theta);
-        let (mut live, curves, live_of_sheet) = live_curves(geometry, theta, turn);
-        let crossings = cut(&mut live, geometry, turn);
-        let mut this = Self {
-            gaps: Vec::new(),
-            curves,
-            kept: live.len(),
-            crossings,
-            tests: 0,
-        };
+        let (mut live, live_of_sheet) = live_curves(geometry, theta, turn);
+        cut(&mut live, geometry, turn);
+        let mut this = Self { gaps: Vec::new() };
         this.keep_free(geometry, &mut live, &live_of_sheet, theta);
         this
     }
@@ -154,7 +142,6 @@ impl Arrangement {
                 continue;
             }
             if let Some((i, from, length)) = witness[root] {
-                self.tests += 1;
                 shell_blocked[root] =
                     !is_free(geometry, live, i as usize, from + 0.5 * length, theta);
             }
@@ -205,16 +192,14 @@ impl Live {
     }
 }
 
-fn live_curves(geometry: &Geometry, theta: f64, turn: Rotation) -> (Vec<Live>, usize, Vec<u32>) {
+fn live_curves(geometry: &Geometry, theta: f64, turn: Rotation) -> (Vec<Live>, Vec<u32>) {
     let (core, reach) = geometry.core(turn);
     let mut live = Vec::new();
-    let mut curves = 0;
     let mut live_of_sheet = vec![u32::MAX; geometry.contacts.sheets.len()];
     for (i, sheet) in geometry.contacts.sheets.iter().enumerate() {
         if !(sheet.lo < theta && theta < sheet.hi) {
             continue;
         }
-        curves += 1;
         let curve = sheet.curve(theta, turn);
         let (lo, hi) = curve.bounds();
         let far = (core.x - lo.x)
@@ -236,14 +221,13 @@ fn live_curves(geometry: &Geometry, theta: f64, turn: Rotation) -> (Vec<Live>, u
             first_gap: 0,
         });
     }
-    (live, curves, live_of_sheet)
+    (live, live_of_sheet)
 }
 
-/// Finds all crossings; returns their number.
-fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) -> usize {
+/// Finds all crossings.
+fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) {
     let mut order: Vec<u32> = (0..live.len() as u32).collect();
     order.sort_by(|&a, &b| live[a as usize].lo.x.total_cmp(&live[b as usize].lo.x));
-    let mut crossings = 0;
     for (n, &i) in order.iter().enumerate() {
         let (x, y0, y1) = {
             let l = &live[i as usize];
@@ -256,20 +240,19 @@ fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) -> usize {
             }
             if m.lo.y <= y1 && y0 <= m.hi.y {
                 let (a, b) = (i.min(j), i.max(j));
-                crossings += cut_pair(live, geometry, turn, a, b);
+                cut_pair(live, geometry, turn, a, b);
             }
         }
     }
-    crossings
 }
 
-fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u32) -> usize {
+fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u32) {
     let (f, g) = (&live[i as usize], &live[j as usize]);
     let sheets = &geometry.contacts.sheets;
     let (fs, gs) = (&sheets[f.sheet as usize], &sheets[g.sheet as usize]);
     let shared = fs.shared_ends(gs, geometry.contacts.first_vertex_name);
     if shared.tangent {
-        return 0;
+        return;
     }
     let mut found: [Option<(Point, bool)>; 2] = [None; 2];
     for root in 0..roots(&f.curve, &g.curve) {
@@ -303,7 +286,6 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
             enters: !enters,
         });
     }
-    cuts.len()
 }
 
 /// An honest test beside a gap: the parts must not overlap half way to the next contact curve on the free side.
@@ -317,7 +299,6 @@ fn is_free(geometry: &Geometry, live: &[Live], i: usize, position: f64, theta: f
             reach = l.curve.hit(p, normal, reach).unwrap_or(reach);
         }
     }
-    let _ = SHORTEST_OVERLAP;
     !geometry.overlaps(p + normal * (0.5 * reach), theta)
 }
 

@@ -3,5 +3,4 @@
 mod arrange;
 mod types;
 
-pub(crate) use arrange::{Arrangement, GapEnd};
 pub use types::{CurveGeometry, Slice, SliceCurve};

@@ -52,7 +52,7 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> Vec<Vec<Eve
             let (sin, cos) = mid.sin_cos();
             let mut events = Vec::new();
             conditions(f, g, &shared, |t| {
-                t.roots(mid, cos, sin, half, |e| events.push(e))
+                t.roots(mid, cos, sin, half, |e| events.push(e));
             });
             events
         })

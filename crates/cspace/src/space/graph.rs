@@ -3,8 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::feature::PairFrame;
-use crate::geometry::{Configuration, Point};
+use crate::geometry::Configuration;
 use crate::part::Part;
+use crate::slice::CurveGeometry;
 
 use super::patch::{Patch, PatchRef};
 use super::stats::Statistics;
@@ -45,8 +46,6 @@ pub struct VerticalLink {
     /// The curve that their top and bottom share.
     pub overlap: CurveGeometry,
 }
-
-use crate::slice::CurveGeometry;
 
 /// A connected component of free space over all orientations of the window.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -268,10 +267,5 @@ impl ContactSpace {
                     .collect()
             })
             .collect()
-    }
-
-    /// The point of the pair's frame that a configuration's position is.
-    pub(crate) fn inner(&self, c: Configuration) -> Point {
-        self.frame.inner_from_outer(c)
     }
 }

@@ -196,15 +196,8 @@ impl Levels<'_> {
                 if length > low.error + high.error + SHORTEST_OVERLAP {
                     // Along the lower cell's own curve, from its middle.
                     let cell = &cells[low.cell as usize];
-                    let sign = if along { 1.0 } else { -1.0 };
                     let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
                     let curve = sheet.curve(theta, turn);
-                    let reverse = if sheet.is_circle() && sheet.radius < 0.0 {
-                        -1.0
-                    } else {
-                        1.0
-                    };
-                    let _ = (sign, reverse);
                     let ends = [w[0], w[1]]
                         .map(|m| curve.position(self.point(&track, first.start.at(turn), m)));
                     let (lo, hi) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
@@ -272,6 +265,7 @@ impl Levels<'_> {
         })
     }
 
+    #[allow(clippy::too_many_arguments)]
     /// The piece that faces free space at a place, just off the level, on one of the two faces of the track.
     fn outermost<'p>(
         &self,

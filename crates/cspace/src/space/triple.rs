@@ -311,18 +311,44 @@ impl Passing<'_> {
         if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
             return;
         }
-        let vague = *budget == 0 || hi - lo < NARROWEST || at_mid.mid.abs() + reach < SAME_PLACE;
-        if vague || d.slope.sign() != 0 {
-            let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
+        let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
+        if d.slope.sign() != 0 {
+            if at_lo * at_hi <= 0.0 {
+                found(self.meeting(lo, hi, at_lo));
+            }
+        } else if *budget == 0 || hi - lo < NARROWEST || at_mid.mid.abs() + reach < SAME_PLACE {
             if at_lo.abs() > SAME_PLACE && at_hi.abs() > SAME_PLACE && at_lo * at_hi < 0.0 {
-                found(Event {
-                    theta: mid,
-                    error: (0.5 * (hi - lo)).min(1e-9),
-                });
+                found(self.meeting(lo, hi, at_lo));
             }
         } else {
             self.isolate_places(lo, mid, budget, found);
             self.isolate_places(mid, hi, budget, found);
+        }
+    }
+
+    /// Where the places of the two branches agree in an interval in which their difference changes sign.
+    fn meeting(&self, mut lo: f64, mut hi: f64, at_lo: f64) -> Event {
+        /// Rounding of a place, and the largest error reported, radians.
+        const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
+        const LARGEST_ERROR: f64 = 1e-9;
+        while hi - lo > 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
+            let mid = 0.5 * (lo + hi);
+            if (self.gap(mid).value > 0.0) == (at_lo > 0.0) {
+                lo = mid;
+            } else {
+                hi = mid;
+            }
+        }
+        let theta = 0.5 * (lo + hi);
+        let rest = PLACE_ERROR / self.gap(theta).slope.abs().max(f64::MIN_POSITIVE);
+        let error = if rest.is_nan() {
+            LARGEST_ERROR
+        } else {
+            rest.min(LARGEST_ERROR)
+        };
+        Event {
+            theta,
+            error: error + 4.0 * f64::EPSILON,
         }
     }
 
@@ -354,7 +380,7 @@ impl Passing<'_> {
         let (first, last) = (lo, hi);
         let (mut at_lo, mut at_hi) = (f.at(lo).0, f.at(hi).0);
         for step in 0..200 {
-            if hi - lo <= 1e-13 {
+            if hi - lo <= 1e-15 {
                 break;
             }
             let secant = lo - at_lo * (hi - lo) / (at_hi - at_lo);
@@ -385,7 +411,7 @@ impl Passing<'_> {
             }
             let at_next = self.gap(next);
             // NaN where the places are lost.
-            if !(at_next.value.abs() < d.value.abs()) {
+            if at_next.value.is_nan() || at_next.value.abs() >= d.value.abs() {
                 break;
             }
             (theta, d) = (next, at_next);
