@@ -177,6 +177,11 @@ impl Levels<'_> {
             .flat_map(|p| [p.mid - p.half, p.mid + p.half])
             .map(|m| track.difference(m, 0.0))
             .collect();
+        // A circle is cut open where its coordinate jumps.
+        if let Track::Circle { radius, .. } = track {
+            let half_turn = core::f64::consts::PI * radius.abs();
+            marks.extend([-half_turn, half_turn]);
+        }
         marks.sort_by(f64::total_cmp);
         let mut shared: BTreeMap<(u32, u32), (f64, f64)> = BTreeMap::new();
         for w in marks.windows(2) {
