@@ -11,14 +11,17 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 const PATIENCE: Duration = Duration::from_secs(1);
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Whether a computation is going on that looks at [`INTERRUPTED`].
+static WATCHED: AtomicBool = AtomicBool::new(false);
 
-/// Lets an interrupt (Ctrl-C) end the computation at the next stage; a second one ends the process at once.
+/// Lets an interrupt (Ctrl-C) end the computation at the next stage. A second one, or one at any other time, ends the
+/// process at once.
 pub(crate) fn catch_interrupts() {
     static ONCE: OnceLock<()> = OnceLock::new();
     ONCE.get_or_init(|| {
         // Without a handler an interrupt ends the process, which is good enough.
         let _ = ctrlc::set_handler(|| {
-            if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            if INTERRUPTED.swap(true, Ordering::Relaxed) || !WATCHED.load(Ordering::Relaxed) {
                 std::process::exit(1);
             }
         });
@@ -53,7 +56,9 @@ impl Bar {
                     self.draw();
                 }
             });
+            WATCHED.store(true, Ordering::Relaxed);
             let result = work(self);
+            WATCHED.store(false, Ordering::Relaxed);
             done.store(true, Ordering::Relaxed);
             ticker.thread().unpark();
             result

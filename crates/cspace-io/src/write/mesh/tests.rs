@@ -31,20 +31,6 @@ fn size(space: &ContactSpace) -> f64 {
     space.fixed().size().max(space.moving().size())
 }
 
-/// Whether every curve of every slice has one that follows it and one that it follows.
-fn is_whole(space: &ContactSpace) -> bool {
-    space.bands().iter().all(|band| {
-        let slice = space.slice(0.5 * (band.lo + band.hi));
-        let mut after = vec![0; slice.curves.len()];
-        for c in &slice.curves {
-            if let Some(n) = after.get_mut(c.next as usize) {
-                *n += 1;
-            }
-        }
-        after.iter().all(|n| *n == 1)
-    })
-}
-
 fn check(name: &str, space: &ContactSpace) {
     let mesh = Mesh::new(
         space,
@@ -140,9 +126,8 @@ fn a_window_is_open_at_its_ends_alone() {
 }
 
 #[test]
-fn shipped_models_are_closed_wherever_their_slices_are() {
+fn shipped_models_are_closed() {
     let models = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models");
-    let mut checked = Vec::new();
     for name in [
         "ball_in_c",
         "cam_follower",
@@ -156,11 +141,9 @@ fn shipped_models_are_closed_wherever_their_slices_are() {
         let model = Model::read(format!("{models}/{name}.toml")).unwrap();
         let pair = &model.pairs[0];
         let part = |i: usize| &model.parts[i].part;
-        let space = space(part(pair.fixed), part(pair.moving), pair.window);
-        if is_whole(&space) {
-            check(name, &space);
-            checked.push(name);
-        }
+        check(
+            name,
+            &space(part(pair.fixed), part(pair.moving), pair.window),
+        );
     }
-    assert!(checked.len() >= 4, "only {checked:?}");
 }
