@@ -1,5 +1,7 @@
 //! What is said of bad model files, and that good ones are read.
 
+#![allow(clippy::unwrap_used)]
+
 use cspace_io::{Model, ModelError, PairClass};
 
 const SQUARE: &str = "[[0, 0], [1, 0], [1, 1], [0, 1]]";

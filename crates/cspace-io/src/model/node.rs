@@ -18,6 +18,8 @@ pub(super) enum Node {
     Text(Box<str>),
     Date,
     List(Box<[Node]>),
+    // Boxed for size: a table is rare, a number is not.
+    #[allow(clippy::box_collection)]
     Table(Box<BTreeMap<String, Node>>),
 }
 
