@@ -30,7 +30,6 @@ struct Summary<'a> {
     links: Links,
     free_regions: usize,
     regions: &'a [FreeRegion],
-    exact_fits: u32,
     resolution: f64,
     statistics: Counts,
     seconds: StageSeconds,
@@ -141,7 +140,6 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a ContactSpace) -> Summary<'a> {
         },
         free_regions: space.free_regions().len(),
         regions: space.free_regions(),
-        exact_fits: space.exact_fits(),
         resolution: space.resolution(),
         statistics: space.statistics().into(),
         seconds: space.statistics().seconds,
@@ -221,13 +219,6 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
         "  resolution     {:.1e}{unit}: a clearance below it counts as none",
         s.resolution
     )?;
-    if s.exact_fits > 0 {
-        writeln!(
-            text,
-            "  exact fits     {}: blocked, though the parts as drawn would just fit",
-            s.exact_fits
-        )?;
-    }
     let computed = if pair.is_saved() {
         " when it was computed"
     } else {

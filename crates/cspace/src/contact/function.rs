@@ -33,21 +33,21 @@ impl Spiral {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum ContactFunction {
-    /// Fixed line against moving arc or vertex (equation 1): n·(p − c(θ)).
+    /// Fixed line against moving arc or vertex (equation 1, the line fixed): n·(p − c(θ)).
     FixedLine {
         /// Outward unit normal of the fixed line.
         normal: Vector,
         /// A position in contact.
         through: Spiral,
     },
-    /// Moving line against fixed arc or vertex (equation 2): R n·(p − c(θ)).
+    /// Moving line against fixed arc or vertex (equation 1, the line moving): R n·(p − c(θ)).
     MovingLine {
         /// Minus the outward unit normal of the moving line, in the moving part's frame.
         normal: Vector,
         /// A position in contact.
         through: Spiral,
     },
-    /// Two arcs, or an arc and a vertex (equation 3): ±(|p − c(θ)| − |r|), with the sign of r.
+    /// Two arcs, or an arc and a vertex (equations 2 and 3): ±(|p − c(θ)| − |r|), with the sign of r.
     Circle {
         /// Position at which the two centres coincide.
         center: Spiral,

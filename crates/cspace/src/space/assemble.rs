@@ -86,7 +86,6 @@ pub(super) fn assemble(
             fixed: geometry.fixed.feature_count as u32,
             moving: geometry.moving.feature_count as u32,
         },
-        exact_fits: 0,
         statistics: Statistics::default(),
         walk,
     };

@@ -71,7 +71,6 @@ pub struct ContactSpace {
     pub(crate) vertical_links: Vec<VerticalLink>,
     pub(crate) regions: Vec<FreeRegion>,
     pub(crate) features: FeatureCounts,
-    pub(crate) exact_fits: u32,
     pub(crate) statistics: Statistics,
     pub(crate) walk: Walk,
 }
@@ -205,11 +204,6 @@ impl ContactSpace {
     /// The connected components of free space; the unbounded one first.
     pub fn free_regions(&self) -> &[FreeRegion] {
         &self.regions
-    }
-
-    /// The number of shells that are blocked only because a clearance below the resolution counts as none.
-    pub fn exact_fits(&self) -> u32 {
-        self.exact_fits
     }
 
     /// Counts and times of the computation.

@@ -60,8 +60,6 @@ pub struct SavedSpace {
     pub vertical_links: Vec<VerticalLink>,
     /// Connected components of free space.
     pub free_regions: Vec<FreeRegion>,
-    /// Shells blocked only because a clearance below the resolution counts as none.
-    pub exact_fits: u32,
     /// Counts and times of the computation.
     pub statistics: Statistics,
 }
@@ -130,7 +128,6 @@ impl ContactSpace {
             side_links: self.side_links.clone(),
             vertical_links: self.vertical_links.clone(),
             free_regions: self.regions.clone(),
-            exact_fits: self.exact_fits,
             statistics: self.statistics,
         }
     }
@@ -171,7 +168,6 @@ impl ContactSpace {
             vertical_links: saved.vertical_links,
             regions: saved.free_regions,
             features: saved.features,
-            exact_fits: saved.exact_fits,
             statistics: saved.statistics,
             walk,
         })
