@@ -13,6 +13,7 @@ mod read;
 mod relations;
 mod suggest;
 mod table;
+mod to_toml;
 
 pub use class::PairClass;
 pub use error::ModelError;
