@@ -5,6 +5,7 @@ pub(crate) mod feature;
 pub mod geometry;
 pub(crate) mod number;
 pub mod part;
+pub mod query;
 pub mod slice;
 pub mod space;
 mod union_find;
@@ -13,6 +14,7 @@ pub use contact::{ContactFunction, Spiral};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use part::{Edge, Loop, Part, PartError, Vertex};
+pub use query::{Classification, NearestContact};
 pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, FeatureCounts,

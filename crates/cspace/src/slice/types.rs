@@ -75,6 +75,41 @@ impl CurveGeometry {
         }
     }
 
+    /// The point of the curve that is nearest to `p`.
+    pub fn nearest(&self, p: Point) -> Point {
+        match *self {
+            Self::Segment { start, end } => {
+                let v = end - start;
+                let s = (p - start).dot(v) / v.length_squared();
+                // NaN for a segment of no length.
+                if s > 0.0 {
+                    start.lerp(end, s.min(1.0))
+                } else {
+                    start
+                }
+            }
+            Self::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => {
+                let v = p - center;
+                let turned = (v.angle() - start_angle) * sweep.signum();
+                let turned = turned - TAU * (turned / TAU).floor();
+                if turned <= sweep.abs() {
+                    return center + Vector::from_angle(v.angle()) * radius;
+                }
+                let (start, end) = (self.point(0.0), self.point(1.0));
+                if p.distance(start) <= p.distance(end) {
+                    start
+                } else {
+                    end
+                }
+            }
+        }
+    }
+
     /// Length of the curve.
     pub fn length(&self) -> f64 {
         match *self {

@@ -1,0 +1,70 @@
+//! What touches, and what is nearest to touching.
+
+use crate::geometry::Configuration;
+use crate::space::ContactSpace;
+
+/// The contact that is nearest to a configuration by translation alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearestContact {
+    /// The patch it is on.
+    pub patch: u32,
+    /// The configuration in contact, of the same orientation.
+    pub configuration: Configuration,
+    /// The distance to it, in the model's unit of length.
+    pub distance: f64,
+}
+
+impl ContactSpace {
+    /// The patches whose contact curves at the configuration's orientation pass within `tolerance` (model length) of
+    /// its position, with the distances; the nearest first.
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
+    /// let nearest = space.nearest_contact(Configuration::new(5.0, 0.0, 0.1)).ok_or("there is one")?;
+    /// // The block's corner meets the table's side: 2 + cos 0.1 + sin 0.1 from the middle.
+    /// assert!((nearest.configuration.x - (2.0 + 0.1_f64.cos() + 0.1_f64.sin())).abs() < 1e-9);
+    /// assert_eq!(space.contacts(nearest.configuration, 1e-9)[0].0, nearest.patch);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn contacts(&self, c: Configuration, tolerance: f64) -> Vec<(u32, f64)> {
+        let mut found: Vec<(u32, f64)> = self
+            .slice(c.theta)
+            .curves
+            .iter()
+            .filter_map(|curve| {
+                let distance = curve.geometry.nearest(c.position()).distance(c.position());
+                curve
+                    .patch
+                    .filter(|_| distance <= tolerance)
+                    .map(|p| (p, distance))
+            })
+            .collect();
+        found.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        found
+    }
+
+    /// The nearest contact at the configuration's orientation; `None` if nothing touches at that orientation.
+    pub fn nearest_contact(&self, c: Configuration) -> Option<NearestContact> {
+        self.slice(c.theta)
+            .curves
+            .iter()
+            .filter_map(|curve| {
+                let p = curve.geometry.nearest(c.position());
+                Some(NearestContact {
+                    patch: curve.patch?,
+                    configuration: Configuration::new(p.x, p.y, c.theta),
+                    distance: p.distance(c.position()),
+                })
+            })
+            .min_by(|a, b| {
+                a.distance
+                    .total_cmp(&b.distance)
+                    .then(a.patch.cmp(&b.patch))
+            })
+    }
+}
