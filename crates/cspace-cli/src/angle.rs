@@ -5,19 +5,13 @@ use core::f64::consts::TAU;
 /// An angle in radians from text such as `0.3`, `18deg`, `-10°`, `0.5turn`; finite.
 pub(crate) fn parse(text: &str) -> Result<f64, String> {
     let text = text.trim();
-    let value = |number: &str| number.trim_end().parse::<f64>().ok();
-    let angle = if let Some(n) = text.strip_suffix("deg").or_else(|| text.strip_suffix('°')) {
-        value(n).map(f64::to_radians)
-    } else if let Some(n) = text.strip_suffix("rad") {
-        value(n)
-    } else if let Some(n) = text.strip_suffix("turn") {
-        value(n).map(|n| n * TAU)
-    } else {
-        value(text)
-    };
-    angle.filter(|a| a.is_finite()).ok_or_else(|| {
-        format!("{text:?} is no angle: give radians, or a number with a unit such as 18deg")
-    })
+    text.parse::<f64>()
+        .ok()
+        .or_else(|| cspace_io::parse_angle(text))
+        .filter(|a| a.is_finite())
+        .ok_or_else(|| {
+            format!("{text:?} is no angle: give radians, or a number with a unit such as 18deg")
+        })
 }
 
 /// A window of orientations from text such as `-10deg,10deg`.
@@ -26,8 +20,15 @@ pub(crate) fn parse_window(text: &str) -> Result<(f64, f64), String> {
         return Err("give two angles with a comma between, such as -10deg,10deg".to_owned());
     };
     let (lo, hi) = (parse(lo)?, parse(hi)?);
-    if !(lo < hi && hi - lo <= TAU * (1.0 + f64::EPSILON)) {
-        return Err("the second angle must be greater, by at most a turn".to_owned());
+    if lo >= hi {
+        return Err("the first angle must be the smaller one".to_owned());
+    }
+    // As much as the computation allows for rounding.
+    if hi - lo > TAU + 1e-12 {
+        return Err(
+            "the angles are more than a turn apart; leave --theta out for all orientations"
+                .to_owned(),
+        );
     }
     Ok((lo, hi))
 }
@@ -45,6 +46,7 @@ mod tests {
             ("-180 °", -PI),
             ("0.5turn", PI),
             ("1e-3rad", 1e-3),
+            ("-.5", -0.5),
         ] {
             assert_eq!(parse(text), Ok(angle), "{text}");
         }

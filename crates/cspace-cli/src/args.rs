@@ -69,8 +69,8 @@ pub(crate) struct Common {
     pub(crate) output: Option<PathBuf>,
 
     /// Number of threads; 0 or none for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N")]
-    pub(crate) threads: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=1024))]
+    pub(crate) threads: Option<u16>,
 }
 
 /// The window of orientations.
@@ -207,13 +207,17 @@ Examples:
   cspace export models/ratchet_pawl.toml -o pawl.json
   cspace export models/ratchet_pawl.toml -o pawl.svg --slices 20
   cspace export models/snap_fastener.toml -o snap.ply --tolerance 1e-4
-  cspace export pawl.json -o pawl.ply
+  cspace export models/ball_in_c.toml -o ball.stl
+  cspace export pawl.json -o pawl.obj
 
 Formats, by the extension of OUT:
-  .json   the whole contact space; every command reads it in place of a model
+  .json   the whole contact space; every command reads it in place of a model. The schema is
+          docs/contact-space.schema.json
   .svg    slices at even steps of orientation: free space white, blocked space grey
   .ply    the contact surface as triangles: vertices (x, y, theta) on the exact surface, in double
-          precision; triangles are counter-clockwise seen from free space and carry their `patch`";
+          precision; triangles are counter-clockwise seen from free space and carry their `patch`
+  .obj    the same as text, the triangles of a patch in a group, such as patch_7
+  .stl    the same as loose triangles, in single precision, which is all the format has";
 
 const COMPLETIONS: &str = "\
 Example:

@@ -5,6 +5,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
+use cspace_io::ModelError;
+
 /// What went wrong, and what to do about it.
 #[derive(Debug)]
 pub(crate) struct Failure {
@@ -39,12 +41,6 @@ impl Failure {
         self
     }
 
-    /// A file cannot be read.
-    pub(crate) fn reading(path: &Path, error: &std::io::Error) -> Self {
-        Self::input(format_args!("{}: {error}", path.display()))
-            .help("give the path of a file that exists and may be read")
-    }
-
     /// A file cannot be written.
     pub(crate) fn writing(path: &Path, error: &std::io::Error) -> Self {
         Self::work(format_args!(
@@ -64,6 +60,15 @@ impl Failure {
         let _ = writeln!(err, "error: {}", self.message);
         if let Some(help) = &self.help {
             let _ = writeln!(err, "  help: {help}");
+        }
+    }
+}
+
+impl From<ModelError> for Failure {
+    fn from(error: ModelError) -> Self {
+        Self {
+            help: error.help().map(str::to_owned),
+            ..Self::input(error)
         }
     }
 }

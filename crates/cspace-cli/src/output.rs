@@ -2,6 +2,7 @@
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use crate::failure::Failure;
 
@@ -35,10 +36,23 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     builder.prefix(".cspace-");
     permissions(&mut builder, &path);
     let mut file = builder.tempfile_in(directory(&path)).map_err(failed)?;
-    file.write_all(bytes).map_err(failed)?;
-    file.as_file().sync_all().map_err(failed)?;
-    file.persist(&path).map_err(|e| failed(e.error))?;
-    Ok(())
+    let pending = |path| *PENDING.lock().unwrap_or_else(PoisonError::into_inner) = path;
+    pending(Some(file.path().to_owned()));
+    let written = (file.write_all(bytes)).and_then(|()| file.as_file().sync_all());
+    let result = written.and_then(|()| file.persist(&path).map(|_| ()).map_err(|e| e.error));
+    pending(None);
+    result.map_err(failed)
+}
+
+/// A file that does not have its name yet.
+static PENDING: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+/// Removes what was not written to the end, before the process ends at once.
+pub(crate) fn abandon() {
+    let mut pending = PENDING.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(path) = pending.take() {
+        let _ = std::fs::remove_file(path);
+    }
 }
 
 /// That the output can be written is found out before the work is done.

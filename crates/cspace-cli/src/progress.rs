@@ -1,11 +1,14 @@
 //! What a long computation shows, and how it is stopped.
 
+use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Progress, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::output;
 
 /// Nothing is shown for work that is done by then.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -14,16 +17,21 @@ static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Whether a computation is going on that looks at [`INTERRUPTED`].
 static WATCHED: AtomicBool = AtomicBool::new(false);
 
-/// Lets an interrupt (Ctrl-C) end the computation at the next stage. A second one, or one at any other time, ends the
-/// process at once.
+/// Lets an interrupt (Ctrl-C) end the computation at the next stage, or the process if that takes long. A second one, or
+/// one at any other time, ends the process at once.
 pub(crate) fn catch_interrupts() {
+    /// A stage may take much longer than somebody who wants to stop likes to wait.
+    const GRACE: Duration = Duration::from_millis(300);
     static ONCE: OnceLock<()> = OnceLock::new();
     ONCE.get_or_init(|| {
         // Without a handler an interrupt ends the process, which is good enough.
         let _ = ctrlc::set_handler(|| {
-            if INTERRUPTED.swap(true, Ordering::Relaxed) || !WATCHED.load(Ordering::Relaxed) {
-                std::process::exit(1);
+            if !INTERRUPTED.swap(true, Ordering::Relaxed) && WATCHED.load(Ordering::Relaxed) {
+                std::thread::sleep(GRACE);
             }
+            output::abandon();
+            let _ = writeln!(std::io::stderr(), "\nerror: interrupted");
+            std::process::exit(1);
         });
     });
 }

@@ -3,9 +3,8 @@
 use core::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use cspace::space::{SAVED_VERSION, SavedError};
 use cspace::{ComputeError, ContactSpace, Options, Part, Slice};
-use cspace_io::{Model, Motion, Pair, PairClass};
+use cspace_io::{Document, Model, Motion, Pair, PairClass};
 
 use crate::args::Common;
 use crate::failure::Failure;
@@ -35,25 +34,42 @@ impl Subject {
     /// Reads the file, and sets up what all commands need.
     pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
         output::check(common.output.as_deref())?;
+        catch_interrupts();
         if let Some(threads) = common.threads {
             rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
+                .num_threads(usize::from(threads))
                 .build_global()
-                .map_err(|e| Failure::work(format_args!("{threads} threads: {e}")))?;
+                .map_err(|e| {
+                    Failure::work(format_args!("--threads {threads}: {e}"))
+                        .help("give a smaller number")
+                })?;
         }
         let path = common.file.clone();
-        if let Some(space) = read_saved(&path)? {
-            return Ok(Self::Saved(Box::new(space)));
-        }
-        let model = Model::read(&path).map_err(Failure::input)?;
-        Ok(Self::Model {
-            path,
-            model: Box::new(model),
+        Ok(match cspace_io::read(&path)? {
+            Document::Model(model) => Self::Model { path, model },
+            Document::Space(space) => Self::Saved(space),
         })
     }
 
-    /// The pairs asked for: the one that was named, or all of the file.
+    /// The pairs asked for: the one that was named, or all of the file, of which there must be one.
     pub(crate) fn pairs(
+        &self,
+        common: &Common,
+        window: Option<(f64, f64)>,
+    ) -> Result<Vec<Chosen<'_>>, Failure> {
+        let pairs = self.pairs_if_any(common, window)?;
+        if pairs.is_empty() {
+            return Err(Failure::input(format_args!(
+                "{}: the model has one part, and a contact space is of two",
+                common.file.display()
+            ))
+            .help("add a second [[part]]; `cspace info` shows a part alone"));
+        }
+        Ok(pairs)
+    }
+
+    /// The pairs asked for; none if the model has one part.
+    pub(crate) fn pairs_if_any(
         &self,
         common: &Common,
         window: Option<(f64, f64)>,
@@ -68,8 +84,14 @@ impl Subject {
                     ))
                     .help("leave out --theta, or give the model file"));
                 }
-                let name = format!("{},{}", space.fixed().name(), space.moving().name());
-                if common.pair.as_ref().is_some_and(|p| *p != name) {
+                let (fixed, moving) = (space.fixed().name(), space.moving().name());
+                let name = format!("{fixed},{moving}");
+                let is_it = |names: &String| {
+                    names.match_indices(',').any(|(at, _)| {
+                        names[..at].trim() == fixed && names[at + 1..].trim() == moving
+                    })
+                };
+                if common.pair.as_ref().is_some_and(|p| !is_it(p)) {
                     return Err(Failure::input(format_args!(
                         "{}: the file is the saved contact space of the pair {name}",
                         common.file.display()
@@ -86,13 +108,6 @@ impl Subject {
             Some(names) => vec![named_pair(path, model, names)?],
             None => model.pairs.clone(),
         };
-        if pairs.is_empty() {
-            return Err(Failure::input(format_args!(
-                "{}: the model has fewer than two parts",
-                path.display()
-            ))
-            .help("add a second [[part]]"));
-        }
         Ok(pairs
             .into_iter()
             .map(|pair| Chosen {
@@ -239,7 +254,6 @@ impl Chosen<'_> {
         let options = Options {
             window: self.pair.and_then(|p| p.window),
         };
-        catch_interrupts();
         let bar = Bar::new(self.names());
         bar.watch(|bar| ContactSpace::compute_with(self.fixed(), self.moving(), &options, bar))
             .map_err(|e| match e {
@@ -303,38 +317,4 @@ fn named_pair(path: &Path, model: &Model, names: &str) -> Result<Pair, Failure> 
         moving,
         window: listed(moving, fixed).and_then(exchanged),
     }))
-}
-
-/// The contact space in the file, if it is a saved one.
-fn read_saved(path: &Path) -> Result<Option<ContactSpace>, Failure> {
-    let is_json = path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("json"));
-    if !is_json {
-        return Ok(None);
-    }
-    #[derive(serde::Deserialize)]
-    struct Head {
-        format: Option<String>,
-        version: Option<u32>,
-    }
-    let text = std::fs::read_to_string(path).map_err(|e| Failure::reading(path, &e))?;
-    let head = serde_json::from_str::<Head>(&text)
-        .ok()
-        .filter(|h| h.format.as_deref() == Some("contact-space"));
-    let Some(head) = head else {
-        return Ok(None);
-    };
-    let damaged = |e: &dyn std::fmt::Display| {
-        Failure::input(format_args!("{}: {e}", path.display()))
-            .help("write the file again with `cspace export MODEL -o OUT.json`")
-    };
-    // Data of another version need not have the same fields.
-    if let Some(found) = head.version.filter(|v| *v != SAVED_VERSION) {
-        return Err(damaged(&SavedError::Version { found }));
-    }
-    let saved = serde_json::from_str(&text).map_err(|e| damaged(&e))?;
-    ContactSpace::from_saved(saved)
-        .map(Some)
-        .map_err(|e| damaged(&e))
 }

@@ -1,6 +1,17 @@
-//! Model files for `cspace`, and writers for contact spaces.
+//! Files for `cspace`: models in, contact spaces out and in again.
+//!
+//! [`read`] reads a file, whichever of the two it holds; [`Model::read`] and [`saved::read`] read one of them. Every
+//! error is a [`ModelError`]: it names the file, the line, the part, loop and vertex, and says what to do.
+//!
+//! Saved contact spaces are JSON; `docs/contact-space.schema.json` in the project's repository describes them field by
+//! field. [`write`](mod@write) has meshes and pictures.
 
+mod angle;
+mod file;
 pub mod model;
+pub mod saved;
 pub mod write;
 
+pub use angle::parse_angle;
 pub use model::{Joint, JointKind, Model, ModelError, Motion, Pair, PairClass, PartEntry};
+pub use saved::{Document, read};

@@ -1,10 +1,14 @@
 //! `cspace export`.
 
+use std::io::Write;
 use std::path::Path;
 
 use cspace::{ContactSpace, Slice};
+use cspace_io::saved;
 use cspace_io::write::mesh::{Mesh, MeshOptions};
+use cspace_io::write::obj::obj;
 use cspace_io::write::ply::{Encoding, ply};
+use cspace_io::write::stl::stl;
 use cspace_io::write::svg;
 
 use crate::args::ExportArgs;
@@ -19,37 +23,39 @@ enum Kind {
     Json,
     Svg,
     Ply,
+    Obj,
+    Stl,
 }
 
 pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let common = &args.common;
     let Some(path) = common.output.as_deref() else {
         return Err(Failure::input("export needs a file to write")
-            .help("give -o OUT with an extension: .json, .svg or .ply"));
+            .help("give -o OUT with an extension: .json, .svg, .ply, .obj or .stl"));
     };
     let kind = kind(path)?;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
     let space = pair.space()?;
     let bytes = match kind {
-        Kind::Json => super::json(&space.to_saved())?,
+        Kind::Json => saved::to_json(&space).into_bytes(),
         Kind::Svg => pictures(&space, args.slices).into_bytes(),
-        Kind::Ply => {
-            let mesh = Mesh::new(
-                &space,
-                &MeshOptions {
-                    tolerance: args.tolerance,
-                },
-            );
+        Kind::Ply | Kind::Obj | Kind::Stl => {
+            let options = MeshOptions {
+                tolerance: args.tolerance,
+            };
+            let mesh = Mesh::new(&space, &options);
+            let encoding = if args.ascii {
+                Encoding::Ascii
+            } else {
+                Encoding::Binary
+            };
             report(&mesh, path);
-            ply(
-                &mesh,
-                if args.ascii {
-                    Encoding::Ascii
-                } else {
-                    Encoding::Binary
-                },
-            )
+            match kind {
+                Kind::Obj => obj(&mesh).into_bytes(),
+                Kind::Stl => stl(&mesh, encoding),
+                _ => ply(&mesh, encoding),
+            }
         }
     };
     output::write(Some(path), &bytes)
@@ -63,16 +69,18 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         Some("json") => Ok(Kind::Json),
         Some("svg") => Ok(Kind::Svg),
         Some("ply") => Ok(Kind::Ply),
-        Some(e @ ("stl" | "obj" | "glb")) => Err(Failure::work(format_args!(
-            "{}: this version does not write .{e}",
+        Some("obj") => Ok(Kind::Obj),
+        Some("stl") => Ok(Kind::Stl),
+        Some("glb") => Err(Failure::work(format_args!(
+            "{}: .glb is not supported yet",
             path.display()
         ))
-        .help("write .ply, which other programs convert")),
+        .help("write .ply, .obj or .stl, which other programs convert")),
         _ => Err(Failure::input(format_args!(
             "{}: the extension does not tell what to write",
             path.display()
         ))
-        .help("let the name end in .json, .svg or .ply")),
+        .help("let the name end in .json, .svg, .ply, .obj or .stl")),
     }
 }
 
@@ -96,7 +104,9 @@ fn pictures(space: &ContactSpace, limit: u32) -> String {
 /// What a reader of the mesh should know, on stderr.
 fn report(mesh: &Mesh, path: &Path) {
     let openings = mesh.openings();
-    eprintln!(
+    // Where nobody listens nothing is lost.
+    let _ = writeln!(
+        std::io::stderr(),
         "{}: {}, {}, at most {:.2e} from the surface, {}",
         path.display(),
         count(mesh.vertices.len(), "vertex", "vertices"),

@@ -84,7 +84,7 @@ struct PairInfo {
 
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
     let subject = Subject::open(&args.common)?;
-    let pairs = subject.pairs(&args.common, args.window.theta)?;
+    let pairs = subject.pairs_if_any(&args.common, args.window.theta)?;
     let info = gather(&subject, &pairs);
     let bytes = match args.common.format {
         Format::Json => super::json(&info)?,
@@ -230,6 +230,9 @@ fn describe(text: &mut String, info: &Info) -> fmt::Result {
         writeln!(text)?;
     }
     writeln!(text, "\npairs")?;
+    if info.pairs.is_empty() {
+        writeln!(text, "  none: a pair takes two parts")?;
+    }
     for p in &info.pairs {
         write!(
             text,

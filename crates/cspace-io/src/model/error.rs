@@ -2,33 +2,66 @@
 
 use core::fmt;
 
-/// Something wrong in a model file: where it is, what it is, and what to do about it.
+use super::place::Place;
+
+/// Something wrong in a file: where it is, what it is, and what to do about it.
+///
+/// ```
+/// let text = "[[part]]\nname = \"pin\"\nloops = [[[0, 0], [1]]]\n";
+/// let error = cspace_io::Model::from_toml(text, "pin.toml").unwrap_err();
+/// assert_eq!(error.line(), Some(3));
+/// assert_eq!(error.place(), "part 0 \"pin\", loop 0, vertex 1");
+/// assert_eq!(error.help(), Some("a vertex is [x, y] or [x, y, bulge]"));
+/// assert_eq!(
+///     error.to_string(),
+///     "pin.toml:3:19: part 0 \"pin\", loop 0, vertex 1: a list of one item where a vertex is expected"
+/// );
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ModelError {
     file: String,
-    place: String,
+    position: Option<(usize, usize)>,
+    place: Place,
     message: String,
     help: Option<String>,
 }
 
 impl ModelError {
-    pub(super) fn new(place: impl Into<String>, message: impl Into<String>) -> Self {
+    /// An error at a place of the file's tree of values.
+    pub(crate) fn new(place: &Place, message: impl Into<String>) -> Self {
         Self {
             file: String::new(),
-            place: place.into(),
+            position: None,
+            place: place.clone(),
             message: message.into(),
             help: None,
         }
     }
 
-    pub(super) fn with_help(mut self, help: impl Into<String>) -> Self {
+    /// An error of the file as a whole.
+    pub(crate) fn of_file(message: impl Into<String>) -> Self {
+        Self::new(&Place::default(), message)
+    }
+
+    pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    pub(super) fn in_file(mut self, file: &str) -> Self {
+    pub(crate) fn in_file(mut self, file: &str) -> Self {
         file.clone_into(&mut self.file);
         self
+    }
+
+    /// At a line and column, counted from 1.
+    pub(crate) fn at(mut self, position: Option<(usize, usize)>) -> Self {
+        self.position = position;
+        self
+    }
+
+    /// Where in the tree of values.
+    pub(super) fn tree_place(&self) -> &Place {
+        &self.place
     }
 
     /// The file.
@@ -36,9 +69,19 @@ impl ModelError {
         &self.file
     }
 
-    /// Where in the file: the part, loop and vertex, the joint or pair, or the line; empty for the file as a whole.
+    /// The line of the file, counted from 1; none if the error is of the file as a whole.
+    pub fn line(&self) -> Option<usize> {
+        self.position.map(|p| p.0)
+    }
+
+    /// The column of that line, counted from 1.
+    pub fn column(&self) -> Option<usize> {
+        self.position.map(|p| p.1)
+    }
+
+    /// Where in the model: the part, loop and vertex, the joint or pair; empty for the file as a whole.
     pub fn place(&self) -> &str {
-        &self.place
+        self.place.words()
     }
 
     /// What is wrong.
@@ -54,9 +97,13 @@ impl ModelError {
 
 impl fmt::Display for ModelError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: ", self.file)?;
-        if !self.place.is_empty() {
-            write!(f, "{}: ", self.place)?;
+        f.write_str(&self.file)?;
+        if let Some((line, column)) = self.position {
+            write!(f, ":{line}:{column}")?;
+        }
+        f.write_str(": ")?;
+        if !self.place.words().is_empty() {
+            write!(f, "{}: ", self.place.words())?;
         }
         f.write_str(&self.message)
     }

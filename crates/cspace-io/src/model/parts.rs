@@ -1,78 +1,75 @@
 //! Parts from a file's tree of values.
 
-use cspace::{Part, Point, Vector, Vertex};
+use std::collections::HashMap;
+
+use cspace::{Part, PartError, Point, Vector, Vertex};
 
 use super::error::ModelError;
 use super::mechanism::{Motion, PartEntry};
 use super::node::{Node, quoted};
+use super::place::Place;
 use super::suggest::nearest;
 use super::table::{Result, Table, number};
 
-/// Words for a part of the file.
-pub(super) fn part_place(index: usize, name: Option<&str>) -> String {
-    match name {
-        Some(name) => format!("part {index} {}", quoted(name)),
-        None => format!("part {index}"),
-    }
-}
+/// How outlines are written.
+const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";
 
-pub(super) fn read_parts(nodes: &[Node]) -> Result<Vec<PartEntry>> {
+pub(super) fn read_parts(place: &Place, nodes: &[Node]) -> Result<Vec<PartEntry>> {
     let mut parts: Vec<PartEntry> = Vec::new();
+    let mut names: HashMap<String, usize> = HashMap::new();
     for (i, node) in nodes.iter().enumerate() {
-        let entry = read_part(i, node)?;
-        let name = entry.part.name();
-        if let Some(first) = parts.iter().position(|p| p.part.name() == name) {
-            return Err(ModelError::new(
-                part_place(i, Some(name)),
-                format!("the name is already that of part {first}"),
-            )
-            .with_help("give every part a name of its own"));
+        let words = match name_of(node) {
+            Some(name) => format!("part {i} {}", quoted(name)),
+            None => format!("part {i}"),
+        };
+        let place = place.item(i).called(words);
+        let entry = read_part(&place, node)?;
+        if let Some(first) = names.insert(entry.part.name().to_owned(), i) {
+            let message = format!("the name is already that of part {first}");
+            return Err(ModelError::new(&place.key("name"), message)
+                .with_help("give every part a name of its own"));
         }
         parts.push(entry);
     }
     Ok(parts)
 }
 
-fn read_part(index: usize, node: &Node) -> Result<PartEntry> {
-    const KEYS: [&str; 7] = ["name", "loops", "dxf", "svg", "layer", "motion", "symmetry"];
-    let known = match node {
+/// The name of a part, before it is known to be one.
+fn name_of(node: &Node) -> Option<&str> {
+    match node {
         Node::Table(entries) => match entries.get("name") {
-            Some(Node::Text(name)) => Some(&**name),
+            Some(Node::Text(name)) => Some(name),
             _ => None,
         },
         _ => None,
-    };
-    let table = Table::new(node, part_place(index, known), &KEYS)?;
+    }
+}
+
+fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
+    const KEYS: [&str; 7] = ["name", "loops", "dxf", "svg", "layer", "motion", "symmetry"];
+    let help = format!("a part is a table with keys such as name = \"pawl\" and {LOOPS}");
+    let table = Table::new(node, place.clone(), &KEYS, &help)?;
     let name = table
         .text("name")?
         .ok_or_else(|| table.missing("name", "name = \"pawl\""))?;
     if name.trim().is_empty() {
-        return Err(
-            ModelError::new(table.place, "the name is empty").with_help("give every part a name")
-        );
+        let error = table.error("name", "the name is empty");
+        return Err(error.with_help("give every part a name, such as name = \"pawl\""));
     }
-    for drawing in ["dxf", "svg"] {
-        if table.get(drawing).is_some() {
-            return Err(ModelError::new(
-                table.place,
-                format!("`{drawing}` is given, but drawings in DXF and SVG are not read yet"),
-            )
-            .with_help("give the outline as `loops = [ [[x, y, bulge], [x, y], ...], ... ]`"));
-        }
-    }
-    let loops = table
-        .list("loops")?
-        .ok_or_else(|| table.missing("loops", "loops = [ [[x, y, bulge], [x, y], ...], ... ]"))?;
-    let loops = loops
-        .iter()
-        .enumerate()
-        .map(|(i, l)| read_loop(&table.place, i, l))
+    refuse_drawings(&table)?;
+    let help = format!("give it as {LOOPS}");
+    let nodes = table
+        .list("loops", &help)?
+        .ok_or_else(|| table.missing("loops", LOOPS))?;
+    let loops_place = place.key("loops");
+    let loops = (nodes.iter().enumerate())
+        .map(|(i, l)| read_loop(&loops_place, i, l))
         .collect::<Result<Vec<_>>>()?;
-    let part =
-        Part::new(name, loops).map_err(|e| ModelError::new(table.place.clone(), e.to_string()))?;
-    let motion = table.get("motion").map_or(Ok(Motion::default()), |m| {
-        read_motion(&format!("{}, motion", table.place), m)
-    })?;
+    let part = Part::new(name, loops).map_err(|e| no_part(&loops_place, &e))?;
+    let motion = match table.get("motion") {
+        Some(m) => read_motion(place.key("motion").further("motion"), m)?,
+        None => Motion::default(),
+    };
     let symmetry = table.count("symmetry")?;
     Ok(PartEntry {
         part,
@@ -81,58 +78,138 @@ fn read_part(index: usize, node: &Node) -> Result<PartEntry> {
     })
 }
 
-fn read_loop(place: &str, index: usize, node: &Node) -> Result<Vec<Vertex>> {
-    let Node::List(vertices) = node else {
-        return Err(ModelError::new(
-            format!("{place}, loop {index}"),
-            format!("{} where a list of vertices is expected", node.describe()),
-        ));
+/// Outlines come from one source, and not from drawings yet.
+fn refuse_drawings(table: &Table<'_>) -> Result<()> {
+    let sources: Vec<&str> = (["loops", "dxf", "svg"].into_iter())
+        .filter(|key| table.get(key).is_some())
+        .collect();
+    if let [first, second, ..] = sources[..] {
+        let message = format!("both `{first}` and `{second}` are given");
+        let error = ModelError::new(&table.place.key(second).itself(), message);
+        return Err(error.with_help(format!(
+            "a part has one outline: keep `{first}` or `{second}`, and remove the other"
+        )));
+    }
+    if let [drawing @ ("dxf" | "svg")] = sources[..] {
+        let message = format!("`{drawing}` is given, but drawings in DXF and SVG are not read yet");
+        let error = ModelError::new(&table.place.key(drawing).itself(), message);
+        return Err(error.with_help(format!("give the outline as `{LOOPS}`")));
+    }
+    if table.get("layer").is_some() {
+        let message = "`layer` is given without a drawing that has layers";
+        return Err(ModelError::new(&table.place.key("layer").itself(), message)
+            .with_help("remove `layer`"));
+    }
+    Ok(())
+}
+
+/// What is wrong with loops, at the loop and vertex where it is.
+fn no_part(loops: &Place, error: &PartError) -> ModelError {
+    let place = match place_in_loops(error) {
+        (None, _) => loops.clone(),
+        (Some(l), None) => loops.item(l),
+        (Some(l), Some(v)) => loops.item(l).item(v),
     };
-    vertices
-        .iter()
-        .enumerate()
-        .map(|(i, v)| read_vertex(place, index, i, v))
+    // Every message about a part ends in what to do, after its last colon.
+    let text = error.to_string();
+    match text.rsplit_once(": ") {
+        Some((what, help)) => ModelError::new(&place, what).with_help(help),
+        None => ModelError::new(&place, text),
+    }
+}
+
+/// The loop and vertex an error is about.
+fn place_in_loops(error: &PartError) -> (Option<usize>, Option<usize>) {
+    match *error {
+        PartError::TooFewVertices { loop_index, .. } => (Some(loop_index), None),
+        PartError::RepeatedLoop { other_loop, .. } => (Some(other_loop), None),
+        PartError::BadCoordinate {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::CoordinateTooLarge {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::BadBulge {
+            loop_index,
+            vertex_index,
+            ..
+        }
+        | PartError::CoincidentVertices {
+            loop_index,
+            vertex_index,
+            ..
+        }
+        | PartError::Spike {
+            loop_index,
+            vertex_index,
+        } => (Some(loop_index), Some(vertex_index)),
+        PartError::Crossing {
+            loop_index,
+            edge_index,
+            ..
+        }
+        | PartError::Touching {
+            loop_index,
+            edge_index,
+            ..
+        } => (Some(loop_index), Some(edge_index)),
+        _ => (None, None),
+    }
+}
+
+fn read_loop(loops: &Place, index: usize, node: &Node) -> Result<Vec<Vertex>> {
+    let place = || loops.item(index).further(&format!("loop {index}"));
+    let Node::List(vertices) = node else {
+        let message = format!("{} where a list of vertices is expected", node.describe());
+        return Err(ModelError::new(&place(), message)
+            .with_help("a loop is a list of vertices: [[x, y, bulge], [x, y], ...]"));
+    };
+    (vertices.iter().enumerate())
+        .map(|(i, v)| {
+            read_vertex(v).map_err(|message| {
+                let place = place().item(i).further(&format!("vertex {i}"));
+                ModelError::new(&place, message).with_help(vertex_help(vertices))
+            })
+        })
         .collect()
 }
 
-fn read_vertex(place: &str, loop_index: usize, index: usize, node: &Node) -> Result<Vertex> {
-    let error = |message: String| {
-        ModelError::new(
-            format!("{place}, loop {loop_index}, vertex {index}"),
-            message,
-        )
-        .with_help("a vertex is [x, y] or [x, y, bulge]")
-    };
-    let Node::List(numbers) = node else {
-        return Err(error(format!(
-            "{} where a vertex is expected",
-            node.describe()
-        )));
-    };
-    if !(2..=3).contains(&numbers.len()) {
-        return Err(error(format!(
-            "{} where a vertex is expected",
-            node.describe()
-        )));
+/// A loop that is written where the list of loops belongs is a slip easily made.
+fn vertex_help(vertices: &[Node]) -> &'static str {
+    if vertices.iter().all(|v| number(v).is_some()) {
+        "a vertex is [x, y] or [x, y, bulge], a loop a list of vertices, and `loops` a list of loops: is a pair of brackets missing?"
+    } else {
+        "a vertex is [x, y] or [x, y, bulge]"
     }
+}
+
+fn read_vertex(node: &Node) -> core::result::Result<Vertex, String> {
+    let numbers = match node {
+        Node::List(numbers) if (2..=3).contains(&numbers.len()) => numbers,
+        _ => return Err(format!("{} where a vertex is expected", node.describe())),
+    };
     let mut read = [0.0; 3];
     for (to, from) in read.iter_mut().zip(numbers) {
         *to = number(from)
-            .ok_or_else(|| error(format!("{} where a number is expected", from.describe())))?;
+            .ok_or_else(|| format!("{} where a number is expected", from.describe()))?;
     }
     if let Some(bad) = read.iter().find(|x| !x.is_finite()) {
-        return Err(error(format!("{bad} is no finite number")));
+        return Err(format!("{bad} is no finite number"));
     }
     Ok(Vertex::new(read[0], read[1], read[2]))
 }
 
-fn read_motion(place: &str, node: &Node) -> Result<Motion> {
+fn read_motion(place: Place, node: &Node) -> Result<Motion> {
     const KINDS: [&str; 4] = ["fixed", "revolute", "prismatic", "planar"];
-    let table = Table::new(node, place, &["type", "center", "direction", "range"])?;
+    const HELP: &str = "give it as motion = { type = \"planar\" }";
+    let all = ["type", "center", "direction", "range"];
+    let table = Table::new(node, place.clone(), &all, HELP)?;
     let kind = table
         .text("type")?
         .ok_or_else(|| table.missing("type", "type = \"revolute\""))?;
-    let only = |keys: &[&str]| Table::new(node, place, keys);
+    let only = |keys: &[&str]| Table::new(node, place.clone(), keys, HELP);
     match kind {
         "fixed" => only(&["type"]).map(|_| Motion::Fixed),
         "planar" => only(&["type"]).map(|_| Motion::Planar),
@@ -154,7 +231,7 @@ fn read_motion(place: &str, node: &Node) -> Result<Motion> {
             })
         }
         other => {
-            let error = ModelError::new(place, format!("unknown type of motion {}", quoted(other)));
+            let error = table.error("type", format!("unknown type of motion {}", quoted(other)));
             Err(error.with_help(match nearest(other, KINDS) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => "the types are fixed, revolute, prismatic and planar".to_owned(),
@@ -169,10 +246,82 @@ pub(super) fn direction(table: &Table<'_>) -> Result<Vector> {
         .point("direction")?
         .ok_or_else(|| table.missing("direction", "direction = [1, 0]"))?;
     if x == 0.0 && y == 0.0 {
-        return Err(
-            ModelError::new(table.place.clone(), "the direction is zero")
-                .with_help("give a vector with a length"),
-        );
+        return Err(table
+            .error("direction", "the direction is zero")
+            .with_help("give a vector with a length, such as direction = [1, 0]"));
     }
     Ok(Vector::new(x, y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PartError, Place, Point, no_part};
+
+    #[test]
+    fn every_error_of_a_part_says_what_to_do() {
+        let (loop_index, vertex_index, edge_index) = (1, 2, 2);
+        let (other_loop, other_edge, at) = (0, 3, Point::new(0.5, 0.25));
+        let errors = [
+            PartError::Empty,
+            PartError::TooManyVertices { count: 9 },
+            PartError::TooFewVertices {
+                loop_index,
+                count: 2,
+            },
+            PartError::BadCoordinate {
+                loop_index,
+                vertex_index,
+            },
+            PartError::CoordinateTooLarge {
+                loop_index,
+                vertex_index,
+            },
+            PartError::BadBulge {
+                loop_index,
+                vertex_index,
+                bulge: f64::NAN,
+            },
+            PartError::TooSmall { size: 1e-300 },
+            PartError::TooFar {
+                size: 1.0,
+                distance: 1e20,
+            },
+            PartError::CoincidentVertices {
+                loop_index,
+                vertex_index,
+                next_index: 3,
+            },
+            PartError::Spike {
+                loop_index,
+                vertex_index,
+            },
+            PartError::Crossing {
+                loop_index,
+                edge_index,
+                other_loop,
+                other_edge,
+                at,
+            },
+            PartError::Touching {
+                loop_index,
+                edge_index,
+                other_loop,
+                other_edge,
+                at,
+            },
+            PartError::RepeatedLoop {
+                loop_index,
+                other_loop,
+            },
+        ];
+        const VERBS: [&str; 7] = [
+            "give ", "replace ", "choose ", "move ", "remove ", "draw ", "split ",
+        ];
+        for e in errors {
+            let error = no_part(&Place::default().key("loops"), &e);
+            let help = error.help().unwrap_or_default();
+            assert!(VERBS.iter().any(|v| help.starts_with(v)), "{e}");
+            assert_eq!(format!("{}: {help}", error.message()), e.to_string());
+        }
+    }
 }

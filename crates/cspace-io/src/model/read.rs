@@ -3,61 +3,61 @@
 use std::path::Path;
 
 use super::error::ModelError;
+use super::locate::{in_json, in_toml, line_and_column};
 use super::mechanism::{Model, every_two};
 use super::node::Node;
 use super::parts::read_parts;
+use super::place::Place;
 use super::relations::{read_joints, read_pairs};
 use super::table::{Result, Table};
+use crate::file::{extension, read_text, without_mark};
 
-/// The largest file read, in bytes.
-const LARGEST_FILE: u64 = 256 << 20;
+/// The largest model read, in bytes.
+const LARGEST: u64 = 256 << 20;
+
+/// The most parts of a model: a file that lists no pairs stands for every two.
+const MOST_PARTS: usize = 1000;
+
+/// Keys of the file itself.
+const KEYS: [&str; 5] = ["name", "unit", "part", "joint", "pair"];
 
 impl Model {
     /// Reads a model file: `.toml`, or the same structure as `.json`.
     ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("pin.toml");
+    /// std::fs::write(&path, "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n")?;
+    /// let model = cspace_io::Model::read(&path)?;
+    /// assert_eq!(model.name, "pin"); // the file's name, since the file gives none
+    /// assert_eq!(model.parts.len(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
-    /// If the file cannot be read or is no model; the error names the part, loop, vertex or line.
+    /// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
     pub fn read(path: impl AsRef<Path>) -> core::result::Result<Self, ModelError> {
         let path = path.as_ref();
-        let file = path.display().to_string();
-        let error = |message: String| ModelError::new("", message).in_file(&file);
-        let extension = path
-            .extension()
-            .and_then(|e| e.to_str())
-            .unwrap_or_default()
-            .to_ascii_lowercase();
+        let extension = extension(path);
         if !matches!(extension.as_str(), "toml" | "json") {
-            return Err(error(format!(
-                "the extension {extension:?} is not that of a model file"
-            ))
-            .with_help("model files end in .toml or .json"));
+            let message = match extension.as_str() {
+                "" => "the name has no extension".to_owned(),
+                _ => format!("the extension .{extension} is not that of a model file"),
+            };
+            return Err(ModelError::of_file(message)
+                .with_help("model files end in .toml or .json")
+                .in_file(&path.display().to_string()));
         }
-        let meta = std::fs::metadata(path)
-            .map_err(|e| error(format!("it cannot be read: {e}")).with_help("check the path"))?;
-        if meta.is_dir() {
-            return Err(error("it is a folder".to_owned()).with_help("give a model file"));
-        }
-        if meta.len() > LARGEST_FILE {
-            return Err(error(format!(
-                "it has {} bytes, more than the {LARGEST_FILE} that are read",
-                meta.len()
-            ))
-            .with_help("split the model into several files"));
-        }
-        let bytes = std::fs::read(path).map_err(|e| {
-            error(format!("it cannot be read: {e}")).with_help("check that you may read it")
-        })?;
-        let text = String::from_utf8(bytes).map_err(|e| {
-            error(format!(
-                "it is not text: byte {} is no UTF-8",
-                e.utf8_error().valid_up_to()
-            ))
-            .with_help("model files are TOML or JSON text in UTF-8")
-        })?;
-        let mut model = if extension == "json" {
-            Self::from_json(&text, &file)
+        Self::from_text(path, &read_text(path, LARGEST)?)
+    }
+
+    /// The model in the text of a file, whose extension tells whether it is JSON.
+    pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Self, ModelError> {
+        let file = path.display().to_string();
+        let mut model = if extension(path) == "json" {
+            Self::from_json(text, &file)
         } else {
-            Self::from_toml(&text, &file)
+            Self::from_toml(text, &file)
         }?;
         if model.name.is_empty() {
             model.name = path
@@ -70,55 +70,110 @@ impl Model {
 
     /// Reads a model from TOML text; `file` is what errors call it.
     ///
+    /// ```
+    /// use cspace_io::Model;
+    /// let model = Model::from_toml("[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n", "pin.toml")?;
+    /// assert_eq!(model.parts[0].part.loops().len(), 1);
+    /// let error = Model::from_toml("[[part]]\nnmae = \"pin\"\n", "pin.toml").unwrap_err();
+    /// assert_eq!(error.to_string(), "pin.toml:2:1: part 0: unknown key \"nmae\"");
+    /// assert_eq!(error.help(), Some("did you mean `name`?"));
+    /// # Ok::<(), cspace_io::ModelError>(())
+    /// ```
+    ///
     /// # Errors
-    /// If the text is no model; the error names the part, loop, vertex or line.
+    /// If the text is no model; the error names the line, part, loop and vertex.
     pub fn from_toml(text: &str, file: &str) -> core::result::Result<Self, ModelError> {
+        let text = without_mark(text);
+        not_empty(text).map_err(|e| e.in_file(file))?;
         let tree: Node = toml::from_str(text).map_err(|e| {
-            let place = e
-                .span()
-                .map_or_else(String::new, |span| line_and_column(text, span.start));
-            let help = "the file is no TOML; see the message for what was expected";
-            ModelError::new(place, e.message().to_owned())
-                .with_help(help)
+            ModelError::of_file(format!("the file is no TOML: {}", e.message()))
+                .with_help("see the message for what was expected there")
+                .at(e.span().map(|span| line_and_column(text, span.start)))
                 .in_file(file)
         })?;
-        from_tree(&tree).map_err(|e| e.in_file(file))
+        from_tree(&tree).map_err(|e| {
+            let position = in_toml(text, e.tree_place());
+            e.at(position).in_file(file)
+        })
     }
 
     /// Reads a model from JSON text; `file` is what errors call it.
     ///
+    /// ```
+    /// let text = r#"{"part": [{"name": "pin", "loops": [[[6, 0, 1], [8, 0, 1]]]}]}"#;
+    /// let model = cspace_io::Model::from_json(text, "pin.json")?;
+    /// assert_eq!(model.parts[0].part.name(), "pin");
+    /// # Ok::<(), cspace_io::ModelError>(())
+    /// ```
+    ///
     /// # Errors
-    /// If the text is no model; the error names the part, loop, vertex or line.
+    /// If the text is no model; the error names the line, part, loop and vertex.
     pub fn from_json(text: &str, file: &str) -> core::result::Result<Self, ModelError> {
-        let tree: Node = serde_json::from_str(text).map_err(|e| {
-            let place = format!("line {}, column {}", e.line(), e.column());
-            ModelError::new(place, format!("the file is no JSON: {e}"))
-                .with_help("see the message for what was expected")
-                .in_file(file)
-        })?;
-        from_tree(&tree).map_err(|e| e.in_file(file))
+        let text = without_mark(text);
+        not_empty(text).map_err(|e| e.in_file(file))?;
+        let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
+        from_tree(&tree).map_err(|e| {
+            let position = in_json(text, e.tree_place());
+            e.at(position).in_file(file)
+        })
     }
 }
 
-fn line_and_column(text: &str, offset: usize) -> String {
-    let before = &text[..offset.min(text.len())];
-    let line = before.matches('\n').count() + 1;
-    let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
-    format!("line {line}, column {column}")
+/// What is wrong with the text as JSON.
+pub(crate) fn no_json(error: &serde_json::Error) -> ModelError {
+    // The position is told apart from the message; the library tells it at the message's end.
+    let message = error.to_string();
+    let end = format!(" at line {} column {}", error.line(), error.column());
+    let message = message.strip_suffix(&end).unwrap_or(&message);
+    let (what, help) = if error.is_data() {
+        ("", "see the message for what was expected there")
+    } else if error.is_eof() {
+        (
+            "the file is no JSON: ",
+            "the text ends too early: is the file whole?",
+        )
+    } else {
+        (
+            "the file is no JSON: ",
+            "see the message for what was expected there",
+        )
+    };
+    ModelError::of_file(format!("{what}{message}"))
+        .with_help(help)
+        .at((error.line() > 0).then(|| (error.line(), error.column().max(1))))
+}
+
+fn not_empty(text: &str) -> Result<()> {
+    if text.trim().is_empty() {
+        return Err(ModelError::of_file("the file is empty")
+            .with_help("describe each part in a [[part]] table with its name and loops"));
+    }
+    Ok(())
 }
 
 fn from_tree(tree: &Node) -> Result<Model> {
-    let table = Table::new(tree, "", &["name", "unit", "part", "joint", "pair"])?;
-    let parts = table.list("part")?.unwrap_or_default();
+    let root = Place::default();
+    let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
+    let parts = table
+        .list("part", "write each part as [[part]], in two brackets")?
+        .unwrap_or_default();
     if parts.is_empty() {
-        return Err(ModelError::new("", "the model has no parts")
-            .with_help("describe each part in a [[part]] table"));
+        return Err(ModelError::of_file("the model has no parts")
+            .with_help("describe each part in a [[part]] table with its name and loops"));
     }
-    let parts = read_parts(parts)?;
-    let joints = read_joints(table.list("joint")?.unwrap_or_default(), &parts)?;
-    let pairs = match table.list("pair")? {
+    if parts.len() > MOST_PARTS {
+        let message = format!("{} parts, more than {MOST_PARTS}", parts.len());
+        return Err(ModelError::new(&table.place.key("part"), message)
+            .with_help("split the model into several files"));
+    }
+    let parts = read_parts(&table.place.key("part"), parts)?;
+    let joints = table
+        .list("joint", "write each joint as [[joint]], in two brackets")?
+        .unwrap_or_default();
+    let joints = read_joints(&table.place.key("joint"), joints, &parts)?;
+    let pairs = match table.list("pair", "write each pair as [[pair]], in two brackets")? {
         None | Some([]) => every_two(parts.len()).collect(),
-        Some(pairs) => read_pairs(pairs, &parts)?,
+        Some(pairs) => read_pairs(&table.place.key("pair"), pairs, &parts)?,
     };
     Ok(Model {
         name: table.text("name")?.unwrap_or_default().to_owned(),

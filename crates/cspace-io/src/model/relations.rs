@@ -1,16 +1,19 @@
 //! Joints and pairs from a file's tree of values.
 
+use std::collections::HashMap;
+
 use cspace::Point;
 
 use super::error::ModelError;
 use super::mechanism::{Joint, JointKind, Pair, PartEntry};
 use super::node::{Node, quoted};
 use super::parts::direction;
+use super::place::Place;
 use super::suggest::nearest;
 use super::table::{Result, Table};
 
-/// The index of a part by its name.
-fn part_index(place: &str, name: &str, parts: &[PartEntry]) -> Result<usize> {
+/// The index of the part that the text at a place names.
+fn part_index(place: &Place, name: &str, parts: &[PartEntry]) -> Result<usize> {
     parts
         .iter()
         .position(|p| p.part.name() == name)
@@ -24,34 +27,38 @@ fn part_index(place: &str, name: &str, parts: &[PartEntry]) -> Result<usize> {
         })
 }
 
-pub(super) fn read_joints(nodes: &[Node], parts: &[PartEntry]) -> Result<Vec<Joint>> {
-    nodes
-        .iter()
-        .enumerate()
-        .map(|(i, n)| read_joint(i, n, parts))
+pub(super) fn read_joints(
+    place: &Place,
+    nodes: &[Node],
+    parts: &[PartEntry],
+) -> Result<Vec<Joint>> {
+    (nodes.iter().enumerate())
+        .map(|(i, n)| read_joint(place.item(i).called(format!("joint {i}")), n, parts))
         .collect()
 }
 
-fn read_joint(index: usize, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
+fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
+    const KEYS: [&str; 4] = ["type", "parts", "at", "direction"];
     const KINDS: [&str; 3] = ["revolute", "prismatic", "rigid"];
-    let place = format!("joint {index}");
-    let table = Table::new(node, &place, &["type", "parts", "at", "direction"])?;
+    const HELP: &str =
+        "a joint is a table with type = \"revolute\", parts = [\"link\", \"pawl\"] and at = [x, y]";
+    const PARTS: &str = "a joint connects two parts: parts = [\"link\", \"pawl\"]";
+    let table = Table::new(node, place, &KEYS, HELP)?;
     let names = table
-        .list("parts")?
+        .list("parts", PARTS)?
         .ok_or_else(|| table.missing("parts", "parts = [\"link\", \"pawl\"]"))?;
     let [Node::Text(first), Node::Text(second)] = names else {
-        return Err(ModelError::new(place, "`parts` is not a list of two names")
-            .with_help("a joint connects two parts: parts = [\"link\", \"pawl\"]"));
+        let error = table.error("parts", "`parts` is not a list of two names");
+        return Err(error.with_help(PARTS));
     };
+    let list = table.place.key("parts");
     let (a, b) = (
-        part_index(&place, first, parts)?,
-        part_index(&place, second, parts)?,
+        part_index(&list.item(0), first, parts)?,
+        part_index(&list.item(1), second, parts)?,
     );
     if a == b {
-        return Err(
-            ModelError::new(place, format!("it joins {} to itself", quoted(first)))
-                .with_help("a joint connects two different parts"),
-        );
+        let error = table.error("parts", format!("it joins {} to itself", quoted(first)));
+        return Err(error.with_help("a joint connects two different parts"));
     }
     let at = table.point("at")?.map(|(x, y)| Point::new(x, y));
     let kind = match table
@@ -67,7 +74,7 @@ fn read_joint(index: usize, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
         },
         "rigid" => JointKind::Rigid,
         other => {
-            let error = ModelError::new(place, format!("unknown type of joint {}", quoted(other)));
+            let error = table.error("type", format!("unknown type of joint {}", quoted(other)));
             return Err(error.with_help(match nearest(other, KINDS) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => "the types are revolute, prismatic and rigid".to_owned(),
@@ -80,43 +87,39 @@ fn read_joint(index: usize, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
     })
 }
 
-pub(super) fn read_pairs(nodes: &[Node], parts: &[PartEntry]) -> Result<Vec<Pair>> {
+pub(super) fn read_pairs(place: &Place, nodes: &[Node], parts: &[PartEntry]) -> Result<Vec<Pair>> {
+    const HELP: &str = "a pair is a table with fixed = \"ratchet\" and moving = \"pawl\"";
     let mut pairs: Vec<Pair> = Vec::new();
+    let mut known: HashMap<(usize, usize), usize> = HashMap::new();
     for (i, node) in nodes.iter().enumerate() {
-        let place = format!("pair {i}");
-        let table = Table::new(node, &place, &["fixed", "moving", "theta"])?;
+        let place = place.item(i).called(format!("pair {i}"));
+        let table = Table::new(node, place, &["fixed", "moving", "theta"], HELP)?;
         let side = |key: &str| {
             let name = table
                 .text(key)?
                 .ok_or_else(|| table.missing(key, &format!("{key} = \"ratchet\"")))?;
-            part_index(&place, name, parts)
+            part_index(&table.place.key(key), name, parts)
         };
         let (fixed, moving) = (side("fixed")?, side("moving")?);
         if fixed == moving {
-            return Err(ModelError::new(place, "a part is paired with itself")
-                .with_help("name two different parts"));
+            let error = table.error("moving", "a part is paired with itself");
+            return Err(error.with_help("name two different parts"));
         }
-        let same = |p: &Pair| {
-            (p.fixed, p.moving) == (fixed, moving) || (p.fixed, p.moving) == (moving, fixed)
-        };
-        if let Some(first) = pairs.iter().position(same) {
-            return Err(
-                ModelError::new(place, format!("it is the same pair as pair {first}"))
-                    .with_help("list every pair once"),
-            );
+        if let Some(first) = known.insert((fixed.min(moving), fixed.max(moving)), i) {
+            let message = format!("it is the same pair as pair {first}");
+            return Err(ModelError::new(&table.place, message).with_help("list every pair once"));
         }
         let window = table.interval("theta", true)?;
         if let Some((lo, hi)) = window
-            && hi - lo > core::f64::consts::TAU * (1.0 + 1e-12)
+            // As much as the computation allows for rounding.
+            && hi - lo > core::f64::consts::TAU + 1e-12
         {
-            return Err(ModelError::new(
-                place,
-                format!(
-                    "the window `theta` is {} radians, more than a turn",
-                    hi - lo
-                ),
-            )
-            .with_help("leave `theta` out for all orientations"));
+            let message = format!(
+                "the window `theta` is {} radians, more than a turn",
+                hi - lo
+            );
+            let error = table.error("theta", message);
+            return Err(error.with_help("leave `theta` out for all orientations"));
         }
         pairs.push(Pair {
             fixed,

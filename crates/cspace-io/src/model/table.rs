@@ -2,37 +2,35 @@
 
 use std::collections::BTreeMap;
 
-use super::angle;
 use super::error::ModelError;
 use super::node::{Node, quoted};
+use super::place::Place;
 use super::suggest::nearest;
+use crate::angle::parse_angle;
 
-/// A table of the file, with words for where it is.
+/// A table of the file, with its place.
 pub(super) struct Table<'a> {
-    pub(super) place: String,
+    pub(super) place: Place,
     entries: &'a BTreeMap<String, Node>,
 }
 
 pub(super) type Result<T> = core::result::Result<T, ModelError>;
 
 impl<'a> Table<'a> {
-    /// The value as a table that has no keys but these.
-    pub(super) fn new(node: &'a Node, place: impl Into<String>, keys: &[&str]) -> Result<Self> {
-        let place = place.into();
+    /// The value as a table that has no keys but these; `help` is what to do where it is no table.
+    pub(super) fn new(node: &'a Node, place: Place, keys: &[&str], help: &str) -> Result<Self> {
         let Node::Table(entries) = node else {
-            return Err(ModelError::new(
-                place,
-                format!("{} where a table is expected", node.describe()),
-            ));
+            let message = format!("{} where a table is expected", node.describe());
+            return Err(ModelError::new(&place, message).with_help(help));
         };
         for key in entries.keys() {
             if !keys.contains(&key.as_str()) {
-                let error = ModelError::new(place, format!("unknown key {}", quoted(key)));
+                let message = format!("unknown key {}", quoted(key));
                 let help = match nearest(key, keys.iter().copied()) {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => format!("the keys here are {}", keys.join(", ")),
                 };
-                return Err(error.with_help(help));
+                return Err(ModelError::new(&place.key(key).itself(), message).with_help(help));
             }
         }
         Ok(Self { place, entries })
@@ -42,18 +40,22 @@ impl<'a> Table<'a> {
         self.entries.get(key)
     }
 
-    fn error(&self, key: &str, node: &Node, expected: &str) -> ModelError {
-        ModelError::new(
-            self.place.clone(),
-            format!(
-                "`{key}` is {} where {expected} is expected",
-                node.describe()
-            ),
+    /// An error at the value of a key.
+    pub(super) fn error(&self, key: &str, message: impl Into<String>) -> ModelError {
+        ModelError::new(&self.place.key(key), message)
+    }
+
+    fn wrong(&self, key: &str, node: &Node, expected: &str, help: &str) -> ModelError {
+        let found = node.describe();
+        self.error(
+            key,
+            format!("`{key}` is {found} where {expected} is expected"),
         )
+        .with_help(help)
     }
 
     pub(super) fn missing(&self, key: &str, example: &str) -> ModelError {
-        ModelError::new(self.place.clone(), format!("`{key}` is missing"))
+        ModelError::new(&self.place, format!("`{key}` is missing"))
             .with_help(format!("give it as {example}"))
     }
 
@@ -61,23 +63,30 @@ impl<'a> Table<'a> {
         match self.get(key) {
             None => Ok(None),
             Some(Node::Text(t)) => Ok(Some(t)),
-            Some(other) => Err(self.error(key, other, "text")),
+            Some(other) => {
+                let help = format!("write text in quotes: {key} = \"...\"");
+                Err(self.wrong(key, other, "text", &help))
+            }
         }
     }
 
-    pub(super) fn list(&self, key: &str) -> Result<Option<&'a [Node]>> {
+    pub(super) fn list(&self, key: &str, help: &str) -> Result<Option<&'a [Node]>> {
         match self.get(key) {
             None => Ok(None),
             Some(Node::List(l)) => Ok(Some(l)),
-            Some(other) => Err(self.error(key, other, "a list")),
+            Some(other) => Err(self.wrong(key, other, "a list", help)),
         }
     }
 
     pub(super) fn count(&self, key: &str) -> Result<Option<u32>> {
+        const MOST: i64 = 1_000_000;
         match self.get(key) {
             None => Ok(None),
-            Some(&Node::Integer(i)) if (1..=1_000_000).contains(&i) => Ok(Some(i as u32)),
-            Some(other) => Err(self.error(key, other, "a whole number from 1 up")),
+            Some(&Node::Integer(i)) if (1..=MOST).contains(&i) => Ok(Some(i as u32)),
+            Some(other) => {
+                let help = format!("give a whole number from 1 to {MOST}, or leave it out");
+                Err(self.wrong(key, other, "a whole number from 1 up", &help))
+            }
         }
     }
 
@@ -92,7 +101,10 @@ impl<'a> Table<'a> {
         };
         match numbers {
             Some((x, y)) if x.is_finite() && y.is_finite() => Ok(Some((x, y))),
-            _ => Err(self.error(key, node, "a pair of finite numbers [x, y]")),
+            _ => {
+                let help = format!("give it as {key} = [1.5, -2]");
+                Err(self.wrong(key, node, "a pair of finite numbers [x, y]", &help))
+            }
         }
     }
 
@@ -102,28 +114,43 @@ impl<'a> Table<'a> {
             return Ok(None);
         };
         let read = if angles { angle_of } else { number };
-        let numbers = match node {
-            Node::List(l) if l.len() == 2 => read(&l[0]).zip(read(&l[1])),
-            _ => None,
-        };
-        let what = if angles {
-            "two angles such as [\"-10deg\", \"10deg\"] or [-0.2, 0.2]"
+        let (what, help) = if angles {
+            (
+                "two angles",
+                format!(
+                    "give it as {key} = [\"-10deg\", \"10deg\"], or in radians, {key} = [-0.2, 0.2]"
+                ),
+            )
         } else {
-            "two numbers [lo, hi]"
+            ("two numbers", format!("give it as {key} = [0, 25]"))
         };
-        match numbers {
-            Some((lo, hi)) if lo.is_finite() && hi.is_finite() => {
-                if lo < hi {
-                    return Ok(Some((lo, hi)));
-                }
-                Err(ModelError::new(
-                    self.place.clone(),
-                    format!("`{key}` goes from {lo} to {hi}: it is empty or reversed"),
-                )
-                .with_help("give the smaller bound first"))
-            }
-            _ => Err(self.error(key, node, what)),
+        let Node::List(bounds) = node else {
+            return Err(self.wrong(key, node, what, &help));
+        };
+        let [lo, hi] = &**bounds else {
+            return Err(self.wrong(key, node, what, &help));
+        };
+        let bound = |i: usize, bound: &Node| {
+            read(bound).filter(|x| x.is_finite()).ok_or_else(|| {
+                let one = if angles {
+                    "an angle"
+                } else {
+                    "a finite number"
+                };
+                let message = format!("`{key}` has {} where {one} is expected", bound.describe());
+                ModelError::new(&self.place.key(key).item(i), message).with_help(help.as_str())
+            })
+        };
+        let (lo, hi) = (bound(0, lo)?, bound(1, hi)?);
+        if lo < hi {
+            return Ok(Some((lo, hi)));
         }
+        Err(self
+            .error(
+                key,
+                format!("`{key}` goes from {lo} to {hi}: it is empty or reversed"),
+            )
+            .with_help("give the smaller bound first"))
     }
 }
 
@@ -139,7 +166,7 @@ pub(super) fn number(node: &Node) -> Option<f64> {
 /// An angle in radians: a number, or text with a unit.
 fn angle_of(node: &Node) -> Option<f64> {
     match node {
-        Node::Text(t) => angle::parse(t),
+        Node::Text(t) => parse_angle(t),
         other => number(other),
     }
 }

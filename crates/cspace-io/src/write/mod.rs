@@ -1,5 +1,7 @@
 //! Writers for contact spaces and slices.
 
 pub mod mesh;
+pub mod obj;
 pub mod ply;
+pub mod stl;
 pub mod svg;

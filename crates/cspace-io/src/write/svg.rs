@@ -22,6 +22,8 @@ const SMALL: f64 = 300.0;
 const CAPTION: f64 = 22.0;
 const TITLE: f64 = 30.0;
 const GAP: f64 = 12.0;
+/// Height of a line of the legend.
+const LINE: f64 = 13.0;
 
 /// Colours of contact: moving feature on fixed line, moving line on fixed feature, two round features; and blocked.
 const FIXED_LINE: &str = "#1f6fb4";
@@ -51,7 +53,7 @@ pub fn slices(page: &Page<'_>) -> String {
     let side = if n <= 1 { WIDE } else { SMALL };
     let (width, height) = (
         GAP + columns as f64 * (side + GAP),
-        TITLE + 2.0 * CAPTION + rows as f64 * (side + CAPTION + GAP),
+        TITLE + rows as f64 * (side + CAPTION + GAP) + LEGEND.len() as f64 * LINE + GAP,
     );
     let mut out = String::new();
     let _ = writeln!(
@@ -71,7 +73,7 @@ pub fn slices(page: &Page<'_>) -> String {
         draw(&mut out, slice, &view, side, i);
         out.push_str("</g>\n");
     }
-    legend(&mut out, height - CAPTION);
+    legend(&mut out, height - GAP - LEGEND.len() as f64 * LINE);
     out.push_str("</svg>\n");
     out
 }
@@ -189,24 +191,24 @@ fn append(path: &mut String, geometry: &CurveGeometry, view: &View) {
     }
 }
 
-fn legend(out: &mut String, y: f64) {
-    let entries = [
-        (FIXED_LINE, "line of the fixed part"),
-        (MOVING_LINE, "line of the moving part"),
-        (ROUND, "arcs and vertices"),
-    ];
-    let mut row = 0.0;
-    for (i, (colour, text)) in entries.iter().enumerate() {
-        // The three do not fit below one small picture; they go below each other then.
-        let x = GAP;
+/// What the colours mean.
+const LEGEND: [(&str, &str); 3] = [
+    (FIXED_LINE, "line of the fixed part"),
+    (MOVING_LINE, "line of the moving part"),
+    (ROUND, "arcs and vertices"),
+];
+
+/// Below each other, since the entries do not fit beside each other below one small picture; `top` is where they begin.
+fn legend(out: &mut String, top: f64) {
+    let mut y = top;
+    for (colour, text) in LEGEND {
+        y += LINE;
         let _ = writeln!(
             out,
-            r##"<path d="M{x} {0}h18" stroke="{colour}" stroke-width="3"/><text x="{1}" y="{2}" font-size="11" fill="#222">{text}</text>"##,
-            y - 4.0 + row,
-            x + 24.0,
-            y + row
+            r##"<path d="M{GAP} {0}h18" stroke="{colour}" stroke-width="3"/><text x="{1}" y="{y}" font-size="11" fill="#222">{text}</text>"##,
+            y - 4.0,
+            GAP + 24.0,
         );
-        row += if i < 2 { 13.0 } else { 0.0 };
     }
 }
 
@@ -214,4 +216,58 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Page, slices};
+    use cspace::{Part, Slice, Vertex};
+
+    /// The numbers that follow each `before`.
+    fn numbers(text: &str, before: &str) -> Vec<f64> {
+        (text.split(before).skip(1))
+            .map(|rest| rest[..rest.find('"').unwrap()].parse().unwrap())
+            .collect()
+    }
+
+    #[test]
+    fn all_is_inside_the_page() {
+        let square = |name: &str, r: f64| {
+            let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+            let corners = corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect();
+            Part::new(name, vec![corners]).unwrap()
+        };
+        let (table, block) = (square("table", 2.0), square("block", 1.0));
+        for n in [0, 1, 2, 5, 12] {
+            let slices_: Vec<Slice> = (0..n)
+                .map(|i| Slice::compute(&table, &block, 0.1 * f64::from(i)))
+                .collect();
+            let page = Page {
+                title: "block in table".into(),
+                size: 4.0,
+                slices: &slices_,
+            };
+            let picture = slices(&page);
+            let height = numbers(&picture, " height=\"")[0];
+            // The legend is last, outside of any group.
+            let legend = &picture[picture.find("line of the fixed part").unwrap() - 60..];
+            let lines = numbers(legend, " y=\"");
+            assert_eq!(lines.len(), 3, "{n}");
+            assert!(lines.windows(2).all(|w| w[0] + 11.0 <= w[1]), "{n}");
+            assert!(lines[2] + 4.0 <= height, "{n}: {lines:?} of {height}");
+            // The slices' frames and captions end above it.
+            let last = (picture.match_indices("<g transform=\"translate(").last()).map_or(
+                0.0,
+                |(at, m)| {
+                    let place = &picture[at + m.len()..];
+                    let y = &place[place.find(' ').unwrap() + 1..place.find(')').unwrap()];
+                    y.parse::<f64>().unwrap()
+                },
+            );
+            let side = if n == 1 { super::WIDE } else { super::SMALL };
+            if n > 0 {
+                assert!(lines[0] - 11.0 >= last + side + 16.0, "{n}: {lines:?}");
+            }
+        }
+    }
 }

@@ -2,12 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::feature::PairFrame;
+use crate::contact::{ContactFunction, Spiral};
+use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::Point;
 use crate::part::{Part, PartError, Vertex};
+use crate::slice::CurveGeometry;
 
 use super::graph::{ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Walk, Window};
-use super::patch::Patch;
+use super::patch::{Boundary, Patch};
 use super::stats::Statistics;
 
 /// The version of the format that this library writes, and the only one it reads.
@@ -34,6 +36,25 @@ pub struct SavedFrame {
 }
 
 /// A contact space as plain data: everything that was computed, nothing that follows from it.
+///
+/// Written as JSON with `serde_json`, it is what `cspace export -o OUT.json` writes. The schema
+/// `docs/contact-space.schema.json` in the project's repository describes every field and its unit.
+///
+/// ```
+/// use cspace::{ContactSpace, Options, Part, Vertex};
+/// let square = |name: &str, r: f64| {
+///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+/// };
+/// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
+/// let saved = space.to_saved();
+/// assert_eq!(ContactSpace::from_saved(saved.clone())?.to_saved(), saved);
+/// let mut damaged = saved;
+/// damaged.side_links[0].after = 1_000_000;
+/// let error = ContactSpace::from_saved(damaged).unwrap_err();
+/// assert_eq!(error.to_string(), "side link 0 is damaged: there is no such patch");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SavedSpace {
     /// Always `contact-space`.
@@ -174,30 +195,161 @@ impl ContactSpace {
     }
 }
 
+/// Lengths of the pair's frame, in which the parts have size 1, are far below this.
+const LARGEST_LENGTH: f64 = 1e6;
+
+/// Orientations may be off the window by this much, in radians, and unit vectors off their length.
+const SLACK: f64 = 1e-6;
+
+/// That everything referred to is there, and that every number is one that a computation can have given.
 fn check(saved: &SavedSpace) -> Result<(), SavedError> {
-    let patches = saved.patches.len() as u32;
-    let regions = saved.free_regions.len() as u32;
-    let damaged = |what, index, why| Err(SavedError::Damaged { what, index, why });
-    if saved.frame.scale.is_nan() || saved.frame.scale <= 0.0 {
-        return damaged("frame", 0, "the scale is not positive");
+    check_whole(saved).map_err(|(what, why)| SavedError::Damaged {
+        what,
+        index: 0,
+        why,
+    })?;
+    each("patch", &saved.patches, |p| check_patch(saved, p))?;
+    let patches = saved.patches.len();
+    let is_patch = |i: u32| (i as usize) < patches;
+    each("side link", &saved.side_links, |l| {
+        ensure(
+            is_patch(l.before) && is_patch(l.after),
+            "there is no such patch",
+        )?;
+        ensure(is_interval(l.lo, l.hi), "its orientations are no interval")
+    })?;
+    each("vertical link", &saved.vertical_links, |l| {
+        ensure(
+            is_patch(l.lower) && is_patch(l.upper),
+            "there is no such patch",
+        )?;
+        ensure(l.theta.is_finite(), "its orientation is no number")?;
+        ensure(is_curve(&l.overlap), "its overlap is no curve")
+    })?;
+    each("free region", &saved.free_regions, |r| {
+        let c = r.sample;
+        ensure(
+            [c.x, c.y, c.theta].iter().all(|x| x.is_finite()),
+            "its sample is no configuration",
+        )?;
+        ensure(
+            r.patches as usize <= patches,
+            "it has more patches than there are",
+        )
+    })
+}
+
+type Check = Result<(), &'static str>;
+
+fn ensure(holds: bool, why: &'static str) -> Check {
+    if holds { Ok(()) } else { Err(why) }
+}
+
+fn each<T>(what: &'static str, list: &[T], check: impl Fn(&T) -> Check) -> Result<(), SavedError> {
+    list.iter().enumerate().try_for_each(|(index, item)| {
+        check(item).map_err(|why| SavedError::Damaged { what, index, why })
+    })
+}
+
+/// What is there once.
+fn check_whole(saved: &SavedSpace) -> Result<(), (&'static str, &'static str)> {
+    let w = saved.window;
+    if !(is_interval(w.lo, w.hi) && w.lo < w.hi) {
+        return Err(("window", "its orientations are no interval"));
     }
-    for (i, p) in saved.patches.iter().enumerate() {
-        if p.region >= regions {
-            return damaged("patch", i, "there is no such free region");
-        }
-        if p.lo.is_nan() || p.hi.is_nan() || p.lo > p.hi {
-            return damaged("patch", i, "its orientations are no interval");
-        }
+    let f = saved.frame;
+    if !(is_place(f.fixed_center) && is_place(f.moving_center)) {
+        return Err(("frame", "a centre is no point"));
     }
-    for (i, l) in saved.side_links.iter().enumerate() {
-        if l.before >= patches || l.after >= patches {
-            return damaged("side link", i, "there is no such patch");
-        }
+    if !(f.scale.is_normal() && f.scale > 0.0) {
+        return Err(("frame", "the scale is not positive"));
     }
-    for (i, l) in saved.vertical_links.iter().enumerate() {
-        if l.lower >= patches || l.upper >= patches {
-            return damaged("vertical link", i, "there is no such patch");
-        }
+    // A loop of n vertices has at most n edges and n corners.
+    let most = |p: &SavedPart| 2 * p.loops.iter().map(Vec::len).sum::<usize>();
+    let counts = saved.features;
+    if counts.fixed as usize > most(&saved.fixed) || counts.moving as usize > most(&saved.moving) {
+        return Err(("features", "there are more than the parts can have"));
+    }
+    let c = &saved.critical_orientations;
+    if !c.iter().all(|&t| t >= w.lo - SLACK && t <= w.hi + SLACK) {
+        return Err(("critical orientations", "one is outside the window"));
+    }
+    if !c.is_sorted() {
+        return Err(("critical orientations", "they are not in order"));
     }
     Ok(())
+}
+
+fn check_patch(saved: &SavedSpace, p: &Patch) -> Check {
+    ensure(
+        (p.region as usize) < saved.free_regions.len(),
+        "there is no such free region",
+    )?;
+    ensure(is_interval(p.lo, p.hi), "its orientations are no interval")?;
+    let w = saved.window;
+    ensure(
+        p.lo >= w.lo - SLACK && p.lo <= w.hi + SLACK && (w.full_turn || p.hi <= w.hi + SLACK),
+        "its orientations are outside the window",
+    )?;
+    let is_feature = |part: &SavedPart, name: FeatureName| {
+        (part.loops.get(name.loop_index as usize)).is_some_and(|l| (name.index as usize) < l.len())
+    };
+    ensure(
+        is_feature(&saved.fixed, p.fixed) && is_feature(&saved.moving, p.moving),
+        "a part has no such feature",
+    )?;
+    ensure(is_function(&p.function), "its contact function is none")?;
+    for boundary in [&p.left, &p.right] {
+        let is_boundary = match boundary {
+            Boundary::End { spiral } => is_spiral(spiral),
+            Boundary::Crossing { with, root } => is_function(with) && *root <= 1,
+        };
+        ensure(is_boundary, "a boundary curve is none")?;
+    }
+    Ok(())
+}
+
+/// Orientations from `lo` to `hi`, at most a turn apart.
+fn is_interval(lo: f64, hi: f64) -> bool {
+    lo.is_finite() && hi.is_finite() && lo <= hi && hi - lo <= core::f64::consts::TAU + SLACK
+}
+
+fn is_place(p: Point) -> bool {
+    p.x.is_finite() && p.y.is_finite()
+}
+
+fn is_inner(x: f64) -> bool {
+    x.abs() <= LARGEST_LENGTH
+}
+
+fn is_spiral(s: &Spiral) -> bool {
+    [s.u.x, s.u.y, s.w.x, s.w.y].into_iter().all(is_inner)
+}
+
+fn is_function(function: &ContactFunction) -> bool {
+    match function {
+        ContactFunction::FixedLine { normal, through }
+        | ContactFunction::MovingLine { normal, through } => {
+            (normal.length() - 1.0).abs() <= SLACK && is_spiral(through)
+        }
+        ContactFunction::Circle { center, radius } => is_spiral(center) && is_inner(*radius),
+    }
+}
+
+fn is_curve(curve: &CurveGeometry) -> bool {
+    match *curve {
+        CurveGeometry::Segment { start, end } => is_place(start) && is_place(end),
+        CurveGeometry::Arc {
+            center,
+            radius,
+            start_angle,
+            sweep,
+        } => {
+            is_place(center)
+                && radius.is_finite()
+                && radius >= 0.0
+                && start_angle.is_finite()
+                && sweep.abs() <= core::f64::consts::TAU + SLACK
+        }
+    }
 }

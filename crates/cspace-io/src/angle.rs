@@ -5,7 +5,17 @@ const UNITS: [(&str, f64); 3] = [("deg", 1.0 / 360.0), ("°", 1.0 / 360.0), ("tu
 
 /// The angle in radians that `text` means, or nothing if it is not a number followed by `deg`, `°`,
 /// `rad`, or `turn`. Not finite if the number is not.
-pub(super) fn parse(text: &str) -> Option<f64> {
+///
+/// A number alone is no text with a unit: in a model file it stands without quotes.
+///
+/// ```
+/// use cspace_io::parse_angle;
+/// assert_eq!(parse_angle("180deg"), Some(core::f64::consts::PI));
+/// assert_eq!(parse_angle("-0.25 turn"), Some(-core::f64::consts::FRAC_PI_2));
+/// assert_eq!(parse_angle("0.3rad"), Some(0.3));
+/// assert_eq!(parse_angle("0.3"), None);
+/// ```
+pub fn parse_angle(text: &str) -> Option<f64> {
     let text = text.trim();
     if let Some(number) = text.strip_suffix("rad") {
         return number.trim_end().parse().ok();
@@ -23,7 +33,7 @@ pub(super) fn parse(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::parse;
+    use super::parse_angle;
     use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
 
     #[test]
@@ -40,7 +50,7 @@ mod tests {
             ("0.3rad", 0.3),
             ("-1e-3rad", -1e-3),
         ] {
-            let parsed = parse(text).unwrap();
+            let parsed = parse_angle(text).unwrap();
             assert!(
                 (parsed - angle).abs() <= 2.0 * f64::EPSILON * angle.abs(),
                 "{text}"
@@ -59,8 +69,8 @@ mod tests {
             "1,5deg",
             "18 degrees",
         ] {
-            assert_eq!(parse(text), None, "{text}");
+            assert_eq!(parse_angle(text), None, "{text}");
         }
-        assert_eq!(parse("infdeg"), Some(f64::INFINITY));
+        assert_eq!(parse_angle("infdeg"), Some(f64::INFINITY));
     }
 }

@@ -1,0 +1,68 @@
+//! The text of a file.
+
+use std::io::Read;
+use std::path::Path;
+
+use crate::ModelError;
+
+/// The text of a file of at most `limit` bytes.
+///
+/// Only regular files are opened: a pipe might never say anything, a device might never end.
+pub(crate) fn read_text(path: &Path, limit: u64) -> Result<String, ModelError> {
+    let error = |message: String, help: &str| {
+        ModelError::of_file(message)
+            .with_help(help)
+            .in_file(&path.display().to_string())
+    };
+    let unreadable = |e: &std::io::Error, help| error(format!("it cannot be read: {e}"), help);
+    let too_large = |size: u64| {
+        error(
+            format!("it has {size} bytes or more; at most {limit} are read"),
+            "split it into several files",
+        )
+    };
+    let meta = std::fs::metadata(path).map_err(|e| unreadable(&e, "check the path"))?;
+    if meta.is_dir() {
+        return Err(error("it is a folder".into(), "give a file"));
+    }
+    if !meta.is_file() {
+        return Err(error(
+            "it is no regular file but a device or a pipe".into(),
+            "write the text to a file, and give that",
+        ));
+    }
+    if meta.len() > limit {
+        return Err(too_large(meta.len()));
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(meta.len()).unwrap_or(0));
+    // The file may grow while it is read.
+    let file = std::fs::File::open(path)
+        .map_err(|e| unreadable(&e, "check that you are allowed to read it"))?;
+    (file.take(limit + 1).read_to_end(&mut bytes))
+        .map_err(|e| unreadable(&e, "check the disk, or copy the file"))?;
+    if bytes.len() as u64 > limit {
+        return Err(too_large(bytes.len() as u64));
+    }
+    String::from_utf8(bytes).map_err(|e| {
+        error(
+            format!(
+                "it is not text: byte {} is no UTF-8",
+                e.utf8_error().valid_up_to()
+            ),
+            "the text must be UTF-8: save it again in that encoding",
+        )
+    })
+}
+
+/// The text without a byte order mark, which some editors put first.
+pub(crate) fn without_mark(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
+}
+
+/// The extension in small letters; empty if there is none.
+pub(crate) fn extension(path: &Path) -> String {
+    path.extension()
+        .and_then(|e| e.to_str())
+        .unwrap_or_default()
+        .to_ascii_lowercase()
+}

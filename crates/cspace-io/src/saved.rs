@@ -1,0 +1,137 @@
+//! Contact spaces in files.
+//!
+//! A saved contact space is JSON. Its format is called `contact-space`, its version is [`SAVED_VERSION`]; the schema
+//! `docs/contact-space.schema.json` in the project's repository describes every field and its unit. Numbers are read
+//! back as the very numbers that were written.
+
+use std::path::Path;
+
+use cspace::ContactSpace;
+use cspace::space::{SAVED_VERSION, SavedError};
+use serde_json::Value;
+
+use crate::file::{extension, read_text, without_mark};
+use crate::model::no_json;
+use crate::{Model, ModelError};
+
+/// The largest file read, in bytes.
+const LARGEST: u64 = 4 << 30;
+
+/// How a damaged or outdated file is replaced.
+const AGAIN: &str = "write the file again with `cspace export MODEL -o OUT.json`";
+
+/// What a file holds.
+#[derive(Debug, Clone)]
+pub enum Document {
+    /// Parts, motions, joints and pairs.
+    Model(Box<Model>),
+    /// A contact space that was computed before.
+    Space(Box<ContactSpace>),
+}
+
+/// Reads a model, or a saved contact space: a JSON object with the key `format`.
+///
+/// ```
+/// use cspace_io::Document;
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("pin.toml");
+/// std::fs::write(&path, "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n")?;
+/// match cspace_io::read(&path)? {
+///     Document::Model(model) => assert_eq!(model.parts.len(), 1),
+///     Document::Space(_) => unreachable!(),
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the file cannot be read, or is neither; the error says where and what to do.
+pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
+    let path = path.as_ref();
+    if extension(path) == "json" {
+        let text = read_text(path, LARGEST)?;
+        if is_saved(&text) {
+            let space = from_json(&text, &path.display().to_string())?;
+            return Ok(Document::Space(Box::new(space)));
+        }
+        return Model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
+    }
+    Model::read(path).map(|m| Document::Model(Box::new(m)))
+}
+
+/// The contact space in JSON text; `file` is what errors call it.
+///
+/// ```
+/// use cspace::{ContactSpace, Options, Part, Vertex};
+/// use cspace_io::saved;
+/// let square = |name: &str, r: f64| {
+///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+/// };
+/// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
+/// let text = saved::to_json(&space);
+/// let again = saved::from_json(&text, "space.json")?;
+/// assert_eq!(again.to_saved(), space.to_saved());
+/// let error = saved::from_json(r#"{"format": "contact-space", "version": 99}"#, "old.json").unwrap_err();
+/// assert!(error.message().contains("version is 99"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the text is no JSON, of another format or version, or damaged.
+pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
+    let text = without_mark(text);
+    let wrong = |message: String| ModelError::of_file(message).with_help(AGAIN).in_file(file);
+    let head: Head = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
+    match &head.format {
+        Some(Value::String(f)) if f == "contact-space" => {}
+        Some(Value::String(found)) => {
+            let found = found.clone();
+            return Err(wrong(SavedError::Format { found }.to_string()));
+        }
+        Some(found) => {
+            return Err(wrong(format!(
+                "the format is {found}, not \"contact-space\""
+            )));
+        }
+        None => {
+            return Err(wrong(
+                "it is no contact space: the key \"format\" is missing".into(),
+            ));
+        }
+    }
+    // Data of another version need not have the same fields.
+    match &head.version {
+        Some(v) if v.as_u64() == Some(SAVED_VERSION.into()) => {}
+        Some(found) => {
+            return Err(wrong(format!(
+                "the format's version is {found}, this program reads version {SAVED_VERSION}"
+            )));
+        }
+        None => return Err(wrong("the format's version is missing".into())),
+    }
+    let saved =
+        serde_json::from_str(text).map_err(|e| no_json(&e).with_help(AGAIN).in_file(file))?;
+    ContactSpace::from_saved(saved).map_err(|e| wrong(e.to_string()))
+}
+
+/// The contact space as indented JSON text, with a line break at the end.
+///
+/// For an example see [`from_json`].
+pub fn to_json(space: &ContactSpace) -> String {
+    // Plain data with text for keys can always be written.
+    let mut text = serde_json::to_string_pretty(&space.to_saved()).unwrap_or_default();
+    text.push('\n');
+    text
+}
+
+/// What tells a saved contact space, and its version.
+#[derive(serde::Deserialize)]
+struct Head {
+    format: Option<Value>,
+    version: Option<Value>,
+}
+
+/// Whether the text is meant to be a saved contact space: models have no format.
+fn is_saved(text: &str) -> bool {
+    serde_json::from_str::<Head>(without_mark(text)).is_ok_and(|head| head.format.is_some())
+}
