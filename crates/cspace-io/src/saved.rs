@@ -8,6 +8,7 @@ use std::path::Path;
 
 use cspace::ContactSpace;
 use cspace::space::{SAVED_VERSION, SavedError};
+use serde::de::IgnoredAny;
 use serde_json::Value;
 
 use crate::file::{extension, read_text, without_mark};
@@ -81,6 +82,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
 pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
     let text = without_mark(text);
     let wrong = |message: String| ModelError::of_file(message).with_help(AGAIN).in_file(file);
+    if !is_object(text) {
+        // Text that is no JSON at all is told apart.
+        serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
+        return Err(wrong("it is no contact space: not an object".into()));
+    }
     let head: Head = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
     match &head.format {
         Some(Value::String(f)) if f == "contact-space" => {}
@@ -124,6 +130,11 @@ pub fn to_json(space: &ContactSpace) -> String {
     text
 }
 
+/// A structure would be read from a list, too.
+fn is_object(text: &str) -> bool {
+    text.trim_start().starts_with('{')
+}
+
 /// What tells a saved contact space, and its version.
 #[derive(serde::Deserialize)]
 struct Head {
@@ -133,5 +144,6 @@ struct Head {
 
 /// Whether the text is meant to be a saved contact space: models have no format.
 fn is_saved(text: &str) -> bool {
-    serde_json::from_str::<Head>(without_mark(text)).is_ok_and(|head| head.format.is_some())
+    let text = without_mark(text);
+    is_object(text) && serde_json::from_str::<Head>(text).is_ok_and(|head| head.format.is_some())
 }

@@ -61,9 +61,17 @@ fn toml_and_json_are_the_same() {
 
 #[test]
 fn errors_name_the_place_and_say_what_to_do() {
-    says(&error(""), &["m.toml", "no parts", "[[part]]"]);
-    says(&error("[[part]\n"), &["m.toml", "line 1"]);
-    says(&error("x = = 2"), &["line 1, column 5"]);
+    for empty in ["", " \n\n", "\u{feff}"] {
+        says(
+            &error(empty),
+            &["m.toml: the file is empty", "[[part]]", "loops"],
+        );
+        let json = Model::from_json(empty, "m.json").unwrap_err();
+        says(&json, &["m.json: the file is empty"]);
+    }
+    says(&error("# a comment\n"), &["m.toml", "no parts", "[[part]]"]);
+    says(&error("[[part]\n"), &["m.toml:1:", "no TOML"]);
+    says(&error("x = = 2"), &["m.toml:1:5: "]);
     says(
         &error(&part("a", &format!("loop = [{SQUARE}]"))),
         &["part 0 \"a\"", "unknown key \"loop\"", "`loops`"],
@@ -209,10 +217,182 @@ fn errors_of_files() {
         &read(&path("b.toml", &[0x66, 0xff, 0x00])),
         &["b.toml", "not text"],
     );
-    says(
-        &read(&path("c.json", b"{\"part\": [}")),
-        &["c.json", "line 1"],
-    );
+    says(&read(&path("c.json", b"{\"part\": [}")), &["c.json:1:"]);
     std::fs::create_dir(folder.path().join("d.toml")).unwrap();
     says(&read(&folder.path().join("d.toml")), &["folder"]);
+}
+
+/// Positions are those of the value that is wrong, or of the key that should not be there.
+#[test]
+fn errors_name_line_and_column() {
+    let toml = |part: &str| {
+        let text = format!("name = \"m\"\n\n[[part]]\nname = \"a\"\n{part}\n");
+        let e = error(&text);
+        (e.line(), e.column(), e)
+    };
+    for (part, line, column) in [
+        ("loop = []", 5, 1),
+        ("loops = 3", 5, 9),
+        ("loops = [\n  [[0, 0], [1, 0],\n   [1]]]", 7, 4),
+        ("loops = [\n  [[0, 0], [1, 0], [1, \"0\"]]]", 6, 20),
+        // A part that makes no outline: crossing, spike, coincident vertices, a bad bulge, a loop twice.
+        (
+            "loops = [\n [[0, 0],\n  [1, 1],\n  [1, 0],\n  [0, 1]]]",
+            6,
+            3,
+        ),
+        (
+            "loops = [\n [[0, 0],\n  [2, 0],\n  [1, 0],\n  [0, 1]]]",
+            7,
+            3,
+        ),
+        (
+            "loops = [\n [[0, 0],\n  [1, 0],\n  [1, 0],\n  [0, 1]]]",
+            7,
+            3,
+        ),
+        ("loops = [\n [[0, 0],\n  [1, 0, 1e300],\n  [0, 1]]]", 7, 3),
+        (
+            "loops = [\n [[0, 0], [1, 0], [0, 1]],\n [[0, 0], [1, 0], [0, 1]]]",
+            7,
+            2,
+        ),
+        ("loops = [\n [[0, 0], [1, 0]]]", 6, 2),
+        (
+            "loops = [[[0, 0], [1, 0], [0, 1]]]\nmotion = { type = \"planar\",\n  range = [0, 1] }",
+            7,
+            3,
+        ),
+        ("loops = [[[0, 0], [1, 0], [0, 1]]]\nmotion.type = 1", 6, 15),
+        (
+            "loops = [[[0, 0], [1, 0], [0, 1]]]\n[part.motion]\ntype = \"revolute\"\ncenter = [0]",
+            8,
+            10,
+        ),
+        ("loops = [[[0, 0], [1, 0], [0, 1]]]\nsymmetry = 1.5", 6, 12),
+        (
+            "loops = [[[0, 0], [1, 0], [0, 1]]]\n[[pair]]\nfixed = \"a\"\nmoving = \"b\"",
+            8,
+            10,
+        ),
+        ("motion = { type = \"fixed\" }", 3, 1),
+    ] {
+        let (l, c, e) = toml(part);
+        assert_eq!((l, c), (Some(line), Some(column)), "{part}: {e}");
+        assert!(
+            e.to_string()
+                .starts_with(&format!("m.toml:{line}:{column}: ")),
+            "{e}"
+        );
+        assert!(e.help().is_some_and(|h| !h.is_empty()), "{e}");
+    }
+}
+
+#[test]
+fn errors_in_json_name_line_and_column_once() {
+    let error = |text: &str| Model::from_json(text, "m.json").unwrap_err();
+    let e =
+        error("{\"part\": [\n  {\"name\": \"a\",\n   \"loops\": [[[0, 0],\n     [1, null]]]}]}");
+    says(
+        &e,
+        &["m.json:4:6: part 0 \"a\", loop 0, vertex 1: null where"],
+    );
+    let e = error("{\"part\": [\n  {\"nmae\": \"a\"}]}");
+    says(&e, &["m.json:2:4: part 0: unknown key", "`name`"]);
+    let e = error("{\"part\": [}");
+    assert_eq!((e.line(), e.column()), (Some(1), Some(11)));
+    assert_eq!(e.to_string().matches("11").count(), 1, "{e}");
+    assert!(!e.to_string().contains("column"), "{e}");
+    let e = error("{\"part\": [\n");
+    says(&e, &["m.json:2:", "no JSON", "whole"]);
+    let e = error("{\"name\": \"a\", \"name\": \"b\"}");
+    says(&e, &["given twice"]);
+    let e = error("[]");
+    says(&e, &["m.json:1:1", "an empty list where a table"]);
+}
+
+#[test]
+fn one_outline_for_each_part() {
+    let with = |keys: &str| error(&part("a", keys));
+    let loops = format!("loops = [{SQUARE}]");
+    for drawing in ["dxf", "svg"] {
+        says(
+            &with(&format!("{loops}\n{drawing} = \"a.{drawing}\"")),
+            &[
+                "m.toml:4:1",
+                &format!("both `loops` and `{drawing}`"),
+                "remove",
+            ],
+        );
+        says(
+            &with(&format!("{drawing} = \"a.{drawing}\"")),
+            &["m.toml:3:1", "not read yet"],
+        );
+    }
+    says(
+        &with("svg = \"a.svg\"\ndxf = \"a.dxf\""),
+        &["both `dxf` and `svg`"],
+    );
+    says(&with(&format!("{loops}\nlayer = \"0\"")), &["`layer`"]);
+    says(
+        &error(&format!("[part]\nname = \"a\"\n{loops}\n")),
+        &["`part` is a table", "[[part]]"],
+    );
+    says(
+        &with("loops = [[0, 0], [1, 0], [0, 1]]"),
+        &["vertex 0", "a pair of brackets missing"],
+    );
+}
+
+#[test]
+fn many_parts_are_refused_before_their_pairs_are_made() {
+    let text: String = (0..1001)
+        .map(|i| part(&format!("p{i}"), &format!("loops = [{SQUARE}]")))
+        .collect();
+    says(&error(&text), &["1001 parts", "split"]);
+}
+
+#[test]
+fn a_byte_order_mark_is_no_part_of_the_text() {
+    let text = format!("\u{feff}{}", part("a", &format!("loops = [{SQUARE}]")));
+    assert_eq!(Model::from_toml(&text, "m.toml").unwrap().parts.len(), 1);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("marked.toml");
+    std::fs::write(&path, &text).unwrap();
+    assert_eq!(Model::read(&path).unwrap().name, "marked");
+    let path = folder.path().join("marked.json");
+    let json = format!("\u{feff}{{\"part\": [{{\"name\": \"a\", \"loops\": [{SQUARE}]}}]}}");
+    std::fs::write(&path, json).unwrap();
+    assert_eq!(Model::read(&path).unwrap().parts.len(), 1);
+    // The mark takes no column.
+    says(
+        &Model::from_toml("\u{feff}x = = 2", "m.toml").unwrap_err(),
+        &["m.toml:1:5"],
+    );
+}
+
+/// A device may never end, a pipe may never begin.
+#[cfg(unix)]
+#[test]
+fn only_regular_files_are_opened() {
+    let folder = tempfile::tempdir().unwrap();
+    let zero = folder.path().join("zero.toml");
+    std::os::unix::fs::symlink("/dev/zero", &zero).unwrap();
+    says(
+        &Model::read(&zero).unwrap_err(),
+        &["zero.toml", "no regular file", "write the text to a file"],
+    );
+    let pipe = folder.path().join("pipe.json");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    if made.is_ok_and(|s| s.success()) {
+        says(&cspace_io::read(&pipe).unwrap_err(), &["no regular file"]);
+    }
+    // Larger than what is read, though it takes no room on the disk.
+    let large = folder.path().join("large.toml");
+    let file = std::fs::File::create(&large).unwrap();
+    file.set_len((256 << 20) + 1).unwrap();
+    says(
+        &Model::read(&large).unwrap_err(),
+        &["large.toml", "at most"],
+    );
 }

@@ -223,10 +223,10 @@ mod tests {
     use super::{Page, slices};
     use cspace::{Part, Slice, Vertex};
 
-    /// The numbers that follow each `before`.
+    /// The numbers in quotes that follow each `before`.
     fn numbers(text: &str, before: &str) -> Vec<f64> {
         (text.split(before).skip(1))
-            .map(|rest| rest[..rest.find('"').unwrap()].parse().unwrap())
+            .filter_map(|rest| rest[..rest.find('"').unwrap()].parse().ok())
             .collect()
     }
 
@@ -239,13 +239,13 @@ mod tests {
         };
         let (table, block) = (square("table", 2.0), square("block", 1.0));
         for n in [0, 1, 2, 5, 12] {
-            let slices_: Vec<Slice> = (0..n)
+            let drawn: Vec<Slice> = (0..n)
                 .map(|i| Slice::compute(&table, &block, 0.1 * f64::from(i)))
                 .collect();
             let page = Page {
                 title: "block in table".into(),
                 size: 4.0,
-                slices: &slices_,
+                slices: &drawn,
             };
             let picture = slices(&page);
             let height = numbers(&picture, " height=\"")[0];

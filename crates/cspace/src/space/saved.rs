@@ -111,6 +111,14 @@ pub enum SavedError {
         /// What is wrong with it.
         error: PartError,
     },
+    /// What a space has once is not as any computation leaves it.
+    #[error("{what} is damaged: {why}")]
+    Whole {
+        /// Which field.
+        what: &'static str,
+        /// What is wrong.
+        why: &'static str,
+    },
     /// A link or patch refers to something that does not exist, or a number is not finite.
     #[error("{what} {index} is damaged: {why}")]
     Damaged {
@@ -168,15 +176,19 @@ impl ContactSpace {
                 found: saved.version,
             });
         }
-        check(&saved)?;
-        let part = |p: SavedPart| {
-            let name = p.name.clone();
-            Part::new(p.name, p.loops).map_err(|error| SavedError::Part { name, error })
+        let part = |p: &SavedPart| {
+            let name = || p.name.clone();
+            Part::new(name(), p.loops.clone()).map_err(|error| SavedError::Part {
+                name: name(),
+                error,
+            })
         };
+        let (fixed, moving) = (part(&saved.fixed)?, part(&saved.moving)?);
+        check(&saved)?;
         let walk = Walk::new(saved.patches.len(), &saved.side_links);
         Ok(Self {
-            fixed: part(saved.fixed)?,
-            moving: part(saved.moving)?,
+            fixed,
+            moving,
             window: saved.window,
             frame: PairFrame {
                 fixed_center: saved.frame.fixed_center,
@@ -203,11 +215,7 @@ const SLACK: f64 = 1e-6;
 
 /// That everything referred to is there, and that every number is one that a computation can have given.
 fn check(saved: &SavedSpace) -> Result<(), SavedError> {
-    check_whole(saved).map_err(|(what, why)| SavedError::Damaged {
-        what,
-        index: 0,
-        why,
-    })?;
+    check_whole(saved).map_err(|(what, why)| SavedError::Whole { what, why })?;
     each("patch", &saved.patches, |p| check_patch(saved, p))?;
     let patches = saved.patches.len();
     let is_patch = |i: u32| (i as usize) < patches;
@@ -255,29 +263,46 @@ fn each<T>(what: &'static str, list: &[T], check: impl Fn(&T) -> Check) -> Resul
 fn check_whole(saved: &SavedSpace) -> Result<(), (&'static str, &'static str)> {
     let w = saved.window;
     if !(is_interval(w.lo, w.hi) && w.lo < w.hi) {
-        return Err(("window", "its orientations are no interval"));
+        return Err(("the window", "its orientations are no interval"));
     }
     let f = saved.frame;
     if !(is_place(f.fixed_center) && is_place(f.moving_center)) {
-        return Err(("frame", "a centre is no point"));
+        return Err(("the frame", "a centre is no point"));
     }
     if !(f.scale.is_normal() && f.scale > 0.0) {
-        return Err(("frame", "the scale is not positive"));
+        return Err(("the frame", "the scale is not positive"));
     }
     // A loop of n vertices has at most n edges and n corners.
     let most = |p: &SavedPart| 2 * p.loops.iter().map(Vec::len).sum::<usize>();
     let counts = saved.features;
     if counts.fixed as usize > most(&saved.fixed) || counts.moving as usize > most(&saved.moving) {
-        return Err(("features", "there are more than the parts can have"));
+        return Err((
+            "the number of features",
+            "there are more than the parts can have",
+        ));
     }
     let c = &saved.critical_orientations;
-    if !c.iter().all(|&t| t >= w.lo - SLACK && t <= w.hi + SLACK) {
-        return Err(("critical orientations", "one is outside the window"));
+    let (lo, hi) = orientations(w);
+    if !c.iter().all(|&t| (lo..=hi).contains(&t)) {
+        return Err((
+            "the list of critical orientations",
+            "one is outside the window",
+        ));
     }
     if !c.is_sorted() {
-        return Err(("critical orientations", "they are not in order"));
+        return Err(("the list of critical orientations", "they are not in order"));
     }
     Ok(())
+}
+
+/// Where things may begin: the window, but a full turn counts from −π, wherever it was begun.
+fn orientations(window: Window) -> (f64, f64) {
+    use core::f64::consts::PI;
+    if window.full_turn {
+        (-PI - SLACK, PI + SLACK)
+    } else {
+        (window.lo - SLACK, window.hi + SLACK)
+    }
 }
 
 fn check_patch(saved: &SavedSpace, p: &Patch) -> Check {
@@ -286,9 +311,9 @@ fn check_patch(saved: &SavedSpace, p: &Patch) -> Check {
         "there is no such free region",
     )?;
     ensure(is_interval(p.lo, p.hi), "its orientations are no interval")?;
-    let w = saved.window;
+    let (lo, hi) = orientations(saved.window);
     ensure(
-        p.lo >= w.lo - SLACK && p.lo <= w.hi + SLACK && (w.full_turn || p.hi <= w.hi + SLACK),
+        (lo..=hi).contains(&p.lo) && (saved.window.full_turn || p.hi <= hi),
         "its orientations are outside the window",
     )?;
     let is_feature = |part: &SavedPart, name: FeatureName| {
