@@ -47,7 +47,7 @@ pub(crate) enum Format {
 /// What all commands that take a file have.
 #[derive(Debug, Args)]
 pub(crate) struct Common {
-    /// A model (.toml, .json), or a contact space saved by `cspace export -o OUT.json`
+    /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`
     pub(crate) file: PathBuf,
 
     /// The pair: names of its fixed and its moving part
@@ -69,7 +69,7 @@ pub(crate) struct Common {
     pub(crate) output: Option<PathBuf>,
 
     /// Number of threads; 0 or none for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=1024))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=1024), allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
 }
 
@@ -121,13 +121,13 @@ pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) window: WindowArg,
     /// Meshes: how far a triangle may be from the contact surface, as a share of the pair's size
-    #[arg(long, value_name = "SHARE", default_value_t = 1e-3, value_parser = share)]
+    #[arg(long, value_name = "SHARE", default_value_t = 1e-3, value_parser = share, allow_negative_numbers = true)]
     pub(crate) tolerance: f64,
     /// Meshes: write numbers as text where the format can have either
     #[arg(long)]
     pub(crate) ascii: bool,
     /// Pictures: the largest number of slices
-    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=400))]
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
     pub(crate) slices: u32,
 }
 
@@ -161,6 +161,8 @@ const INFO: &str = "\
 Examples:
   cspace info models/ratchet_pawl.toml
   cspace info models/geneva.toml --format json
+
+A model of one part is shown as well; the other commands need two.
 
 The class is what the motions and joints of the model make of a pair: lower, fixed-axes or general.
 Features are lines, arcs and vertices that are not smooth joints.";

@@ -75,6 +75,11 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
         ))
         .help("create the directory first, or give another path after -o"));
     }
+    if is_replaceable(path) {
+        // Only trying tells whether a file may be made there.
+        let target = target(path);
+        tempfile::tempfile_in(self::directory(&target)).map_err(|e| Failure::writing(path, &e))?;
+    }
     Ok(())
 }
 
@@ -82,9 +87,18 @@ fn is_replaceable(path: &Path) -> bool {
     std::fs::metadata(path).map_or(true, |m| m.is_file())
 }
 
-/// Where a symbolic link leads.
+/// Where a symbolic link leads, also if nothing is there yet.
 fn target(path: &Path) -> PathBuf {
-    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+    /// More links than that lead in a circle.
+    const MOST_LINKS: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match std::fs::read_link(&path) {
+            Ok(next) => path = directory(&path).join(next),
+            Err(_) => break,
+        }
+    }
+    path
 }
 
 fn directory(path: &Path) -> &Path {

@@ -1,6 +1,6 @@
 //! What a long computation shows, and how it is stopped.
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
@@ -30,7 +30,10 @@ pub(crate) fn catch_interrupts() {
                 std::thread::sleep(GRACE);
             }
             output::abandon();
-            let _ = writeln!(std::io::stderr(), "\nerror: interrupted");
+            let mut err = std::io::stderr();
+            // The bar may stand on the line.
+            let line_break = if err.is_terminal() { "\n" } else { "" };
+            let _ = writeln!(err, "{line_break}error: interrupted");
             std::process::exit(1);
         });
     });

@@ -349,7 +349,7 @@ fn usage_and_input_errors_leave_with_2() {
     fails(
         cspace(&["compute", &file, "--theta", "1,0"]),
         2,
-        &["greater"],
+        &["smaller"],
     );
     fails(
         cspace(&["compute", &file, "--pair", "ratchet,pall"]),
@@ -378,11 +378,11 @@ fn usage_and_input_errors_leave_with_2() {
 #[test]
 fn formats_of_later_versions_are_refused() {
     let dir = tempfile::tempdir().unwrap();
-    let out = dir.path().join("a.stl");
+    let out = dir.path().join("a.glb");
     fails(
         cspace(&["export", &model("knee"), "-o", out.to_str().unwrap()]),
         1,
-        &["does not write .stl"],
+        &["a.glb", ".glb is not supported yet", ".ply"],
     );
     assert!(!out.exists());
 }
@@ -420,7 +420,7 @@ fn bad_files_are_named() {
     fails(
         cspace(&["compute", &old]),
         2,
-        &["old.json", "version is 99"],
+        &["old.json", "version is 99", "cspace export"],
     );
     let empty = write("empty.json", r#"{"format": "contact-space", "version": 1}"#);
     fails(
@@ -450,4 +450,317 @@ fn help_has_examples_and_shells_are_completed() {
         );
     }
     assert!(printed(&["--version"]).starts_with("cspace "));
+}
+
+#[test]
+fn info_shows_a_part_alone() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("one.toml");
+    std::fs::write(
+        &file,
+        "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n",
+    )
+    .unwrap();
+    let file = file.to_str().unwrap();
+    let text = printed(&["info", file]);
+    assert!(text.contains("2 features: 0 lines, 2 arcs"), "{text}");
+    assert!(text.contains("none: a pair takes two parts"), "{text}");
+    let info = json(&["info", file, "--format", "json"]);
+    assert_eq!(info["parts"][0]["features"]["arcs"], 2);
+    assert_eq!(info["pairs"], serde_json::json!([]));
+    let out = dir.path().join("out.json");
+    for args in [
+        &["compute", file] as &[&str],
+        &["slice", file, "--theta", "0"],
+        &["classify", file],
+        &["export", file, "-o", out.to_str().unwrap()],
+    ] {
+        fails(cspace(args), 2, &["one.toml", "one part", "[[part]]"]);
+    }
+    assert!(!out.exists());
+}
+
+#[test]
+fn errors_in_models_name_the_line_and_what_to_do() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("bad.toml");
+    std::fs::write(
+        &file,
+        "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1],\n  [8, 0, 1, 4]]]\n",
+    )
+    .unwrap();
+    fails(
+        cspace(&["info", file.to_str().unwrap()]),
+        2,
+        &[
+            "bad.toml:4:3: part 0 \"pin\", loop 0, vertex 1:",
+            "help: a vertex is [x, y] or [x, y, bulge]",
+        ],
+    );
+    fails(
+        cspace(&["info", dir.path().to_str().unwrap()]),
+        2,
+        &["folder"],
+    );
+}
+
+#[test]
+fn angles_may_be_negative_and_have_units() {
+    let file = model("peg_hole");
+    for theta in ["-0.5", "-0.5rad", " -0.5 ", "-.5"] {
+        let slice = json(&["slice", &file, "--theta", theta, "--format", "json"]);
+        assert_eq!(slice["theta"], -0.5, "{theta}");
+    }
+    for window in [
+        "-0.25turn,0.25turn",
+        "-90deg,90°",
+        "-90deg, 1.5707963267948966",
+    ] {
+        let result = &json(&["compute", &file, "--theta", window, "--format", "json"])[0];
+        assert_eq!(
+            result["window"]["lo"],
+            -core::f64::consts::FRAC_PI_2,
+            "{window}"
+        );
+        assert_eq!(
+            result["window"]["hi"],
+            core::f64::consts::FRAC_PI_2,
+            "{window}"
+        );
+    }
+    let whole = &json(&["compute", &file, "--theta", "0,1turn", "--format", "json"])[0];
+    assert_eq!(whole["window"]["full_turn"], true);
+    for (window, word) in [
+        ("0.5,-0.5", "smaller"),
+        ("1,1", "smaller"),
+        ("0,400deg", "more than a turn"),
+        ("nan,1", "is no angle"),
+        ("1", "comma"),
+    ] {
+        fails(cspace(&["compute", &file, "--theta", window]), 2, &[word]);
+    }
+    for theta in ["", "inf", "5grad", "1,2"] {
+        fails(
+            cspace(&["slice", &file, "--theta", theta]),
+            2,
+            &["is no angle", "18deg"],
+        );
+    }
+}
+
+#[test]
+fn threads_are_a_number_within_reason() {
+    let file = model("ball_in_c");
+    for threads in ["0", "1", "3"] {
+        printed(&["compute", &file, "--threads", threads]);
+    }
+    for threads in ["-1", "100000", "many"] {
+        fails(
+            cspace(&["compute", &file, "--threads", threads]),
+            2,
+            &["--threads"],
+        );
+    }
+}
+
+#[test]
+fn places_that_cannot_be_written_are_told_before_the_work() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().to_str().unwrap();
+    fails(
+        cspace(&["compute", &model("knee"), "-o", folder]),
+        2,
+        &["is a directory"],
+    );
+    let mesh = dir.path().join("folder.ply");
+    std::fs::create_dir(&mesh).unwrap();
+    fails(
+        cspace(&["export", &model("knee"), "-o", mesh.to_str().unwrap()]),
+        2,
+        &["is a directory"],
+    );
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+}
+
+/// A link stays a link, and leads to what was written.
+#[cfg(unix)]
+#[test]
+fn outputs_go_where_links_lead() {
+    let dir = tempfile::tempdir().unwrap();
+    let (link, real) = (dir.path().join("link.txt"), dir.path().join("real.txt"));
+    std::os::unix::fs::symlink("real.txt", &link).unwrap();
+    for _ in 0..2 {
+        printed(&["info", &model("knee"), "-o", link.to_str().unwrap()]);
+        assert!(link.is_symlink());
+        assert!(std::fs::read_to_string(&real).unwrap().contains("parts\n"));
+    }
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 2);
+}
+
+/// A reader that has enough is no error.
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    use std::process::{Command, Stdio};
+    for args in [
+        vec!["slice", "--theta", "0.1", "--format", "json"],
+        vec!["compute", "--format", "json"],
+    ] {
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin("cspace"))
+            .args(&args)
+            .arg(model("peg_hole"))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{args:?}");
+        assert!(output.stderr.is_empty(), "{args:?}");
+    }
+}
+
+/// An interrupt ends the work soon, with code 1 and nothing written.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing_behind() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.csv");
+    // Waits for its standard input, which never comes.
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin("cspace"))
+        .args(["classify", &model("knee"), "-o", out.to_str().unwrap()])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let input = child.stdin.take();
+    std::thread::sleep(Duration::from_millis(500));
+    let begin = Instant::now();
+    let interrupt = Command::new("sh")
+        .args(["-c", &format!("kill -INT {}", child.id())])
+        .status()
+        .unwrap();
+    assert!(interrupt.success());
+    let output = child.wait_with_output().unwrap();
+    drop(input);
+    assert!(begin.elapsed() < Duration::from_secs(10));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("interrupted"));
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn obj_and_stl_have_the_triangles_of_the_ply() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let saved = path("space.json");
+    printed(&["export", &model("ball_in_c"), "-o", &saved]);
+    let export = |name: &str, more: &[&str]| -> Vec<u8> {
+        let out = path(name);
+        let args = [&["export", &saved, "-o", &out, "--tolerance", "0.01"], more].concat();
+        cspace(&args).assert().success().stdout("");
+        std::fs::read(out).unwrap()
+    };
+    let ply = String::from_utf8(export("a.ply", &["--ascii"])).unwrap();
+    let obj = String::from_utf8(export("a.obj", &[])).unwrap();
+    let stl = export("a.stl", &[]);
+    let text = String::from_utf8(export("b.stl", &["--ascii"])).unwrap();
+    let (vertices, faces) = counts(&ply);
+    let body: Vec<&str> = ply
+        .lines()
+        .skip_while(|l| *l != "end_header")
+        .skip(1)
+        .collect();
+    // The vertices of both text files are the same numbers, which lie on the surface.
+    let of_obj: Vec<&str> = obj.lines().filter_map(|l| l.strip_prefix("v ")).collect();
+    assert_eq!(of_obj, &body[..vertices]);
+    let mut patch = "";
+    let mut triangles = Vec::new();
+    for line in obj.lines() {
+        if let Some(name) = line.strip_prefix("g patch_") {
+            patch = name;
+        } else if let Some(t) = line.strip_prefix("f ") {
+            let t = t.split(' ').map(|v| v.parse::<usize>().unwrap() - 1);
+            let t: Vec<String> = t.map(|v| v.to_string()).collect();
+            triangles.push(format!("3 {} {patch}", t.join(" ")));
+        }
+    }
+    let mut of_ply: Vec<String> = body[vertices..].iter().map(|l| (*l).to_owned()).collect();
+    of_ply.sort();
+    triangles.sort();
+    assert_eq!(triangles, of_ply);
+    // STL: fewer only by triangles that single precision makes flat; edges remain matched.
+    let n = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
+    assert_eq!(stl.len(), 84 + 50 * n);
+    assert!(!stl.starts_with(b"solid"));
+    assert!(n <= faces && n * 10 > faces * 9, "{n} of {faces}");
+    assert_eq!(text.matches("endfacet").count(), n);
+    let mut edges = std::collections::BTreeMap::new();
+    let at = |i: usize| f32::from_le_bytes(stl[i..i + 4].try_into().unwrap());
+    for t in 0..n {
+        let corner = |k: usize| {
+            let from = 84 + 50 * t + 12 + 12 * k;
+            [0, 4, 8].map(|j| (at(from + j) + 0.0).to_bits())
+        };
+        for k in 0..3 {
+            let (a, b) = (corner(k), corner((k + 1) % 3));
+            *edges.entry((a.min(b), a.max(b))).or_insert(0) += if a < b { 1 } else { -1 };
+        }
+    }
+    let theta = |bits: u32| f32::from_bits(bits).abs();
+    let is_end = |p: [u32; 3]| (theta(p[2]) - core::f32::consts::PI).abs() < 1e-6;
+    let open = edges
+        .iter()
+        .filter(|(e, sum)| **sum != 0 && !(is_end(e.0) && is_end(e.1)));
+    assert_eq!(open.count(), 0);
+}
+
+/// Every example that a help text gives is run, with the files it makes.
+#[test]
+fn the_examples_of_the_help_are_true() {
+    let dir = tempfile::tempdir().unwrap();
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let copy = dir.path().join("models");
+    std::fs::create_dir(&copy).unwrap();
+    for name in MODELS {
+        std::fs::copy(model(name), copy.join(format!("{name}.toml"))).unwrap();
+    }
+    assert!(
+        std::path::Path::new(root)
+            .join("docs/contact-space.schema.json")
+            .is_file()
+    );
+    let mut run = 0;
+    for command in ["", "info", "compute", "slice", "classify", "export"] {
+        let help = if command.is_empty() {
+            printed(&["--help"])
+        } else {
+            printed(&[command, "--help"])
+        };
+        let examples = help.lines().map(str::trim).filter(|l| {
+            l.starts_with("cspace ") && l.contains("models/") || l.contains(".json -o")
+        });
+        for line in examples {
+            let words: Vec<&str> = line.split_whitespace().skip(1).collect();
+            let output = cspace(&words).current_dir(dir.path()).output().unwrap();
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{line}: {said}");
+            run += 1;
+        }
+        // The one with a pipe.
+        for line in help.lines().filter(|l| l.contains("| cspace classify")) {
+            let rows = "x,y,theta\n42,56,0\n0,0,0\n";
+            assert!(line.contains(&rows.replace('\n', "\\n")), "{line}");
+            let file = line.split_whitespace().last().unwrap();
+            let mut command = cspace(&["classify", file]);
+            let run = command.current_dir(dir.path()).write_stdin(rows);
+            run.assert()
+                .success()
+                .stdout("x,y,theta,class\n42,56,0,free\n0,0,0,blocked\n");
+        }
+    }
+    assert!(run >= 14, "{run}");
 }

@@ -39,7 +39,7 @@ impl Model {
     pub fn read(path: impl AsRef<Path>) -> core::result::Result<Self, ModelError> {
         let path = path.as_ref();
         let extension = extension(path);
-        if !matches!(extension.as_str(), "toml" | "json") {
+        if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
             let message = match extension.as_str() {
                 "" => "the name has no extension".to_owned(),
                 _ => format!("the extension .{extension} is not that of a model file"),
