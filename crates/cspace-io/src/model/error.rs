@@ -18,7 +18,10 @@ use super::place::Place;
 /// );
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ModelError {
+pub struct ModelError(Box<Inner>);
+
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+struct Inner {
     file: String,
     position: Option<(usize, usize)>,
     place: Place,
@@ -29,13 +32,11 @@ pub struct ModelError {
 impl ModelError {
     /// An error at a place of the file's tree of values.
     pub(crate) fn new(place: &Place, message: impl Into<String>) -> Self {
-        Self {
-            file: String::new(),
-            position: None,
+        Self(Box::new(Inner {
             place: place.clone(),
             message: message.into(),
-            help: None,
-        }
+            ..Inner::default()
+        }))
     }
 
     /// An error of the file as a whole.
@@ -44,68 +45,68 @@ impl ModelError {
     }
 
     pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.0.help = Some(help.into());
         self
     }
 
     pub(crate) fn in_file(mut self, file: &str) -> Self {
-        file.clone_into(&mut self.file);
+        file.clone_into(&mut self.0.file);
         self
     }
 
     /// At a line and column, counted from 1.
     pub(crate) fn at(mut self, position: Option<(usize, usize)>) -> Self {
-        self.position = position;
+        self.0.position = position;
         self
     }
 
     /// Where in the tree of values.
     pub(super) fn tree_place(&self) -> &Place {
-        &self.place
+        &self.0.place
     }
 
     /// The file.
     pub fn file(&self) -> &str {
-        &self.file
+        &self.0.file
     }
 
     /// The line of the file, counted from 1; none if the error is of the file as a whole.
     pub fn line(&self) -> Option<usize> {
-        self.position.map(|p| p.0)
+        self.0.position.map(|p| p.0)
     }
 
     /// The column of that line, counted from 1.
     pub fn column(&self) -> Option<usize> {
-        self.position.map(|p| p.1)
+        self.0.position.map(|p| p.1)
     }
 
     /// Where in the model: the part, loop and vertex, the joint or pair; empty for the file as a whole.
     pub fn place(&self) -> &str {
-        self.place.words()
+        self.0.place.words()
     }
 
     /// What is wrong.
     pub fn message(&self) -> &str {
-        &self.message
+        &self.0.message
     }
 
     /// What to do about it.
     pub fn help(&self) -> Option<&str> {
-        self.help.as_deref()
+        self.0.help.as_deref()
     }
 }
 
 impl fmt::Display for ModelError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.file)?;
-        if let Some((line, column)) = self.position {
+        f.write_str(&self.0.file)?;
+        if let Some((line, column)) = self.0.position {
             write!(f, ":{line}:{column}")?;
         }
         f.write_str(": ")?;
-        if !self.place.words().is_empty() {
-            write!(f, "{}: ", self.place.words())?;
+        if !self.0.place.words().is_empty() {
+            write!(f, "{}: ", self.0.place.words())?;
         }
-        f.write_str(&self.message)
+        f.write_str(&self.0.message)
     }
 }
 
