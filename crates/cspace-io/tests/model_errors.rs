@@ -396,3 +396,57 @@ fn only_regular_files_are_opened() {
         &["large.toml", "at most"],
     );
 }
+
+/// Whatever is done to a model's text: a model or an error with a place, and no panic.
+#[test]
+fn damaged_models_are_refused_or_read() {
+    use rand::{Rng, SeedableRng, seq::IndexedRandom};
+    const PIECES: [&str; 18] = [
+        "[", "]", "{", "}", "\"", ",", "=", ":", "\n", "-", "nan", "1e308", "-0.0", "[[part]]",
+        "é", "null", "1e-320", "\\",
+    ];
+    let toml = format!(
+        "name = \"räder\"\n{}motion = {{ type = \"revolute\", center = [0, 0], range = [\"-10deg\", 1] }}\n{}{}",
+        part("a", &format!("loops = [{SQUARE}]\nsymmetry = 4")),
+        part("b", "loops = [[[2, 0, 1], [3, 0, 1]]]"),
+        "[[joint]]\ntype = \"revolute\"\nparts = [\"a\", \"b\"]\nat = [0, 1]\n[[pair]]\nfixed = \"a\"\nmoving = \"b\"\ntheta = [-1, 1]\n"
+    );
+    let json = format!(
+        r#"{{"name": "räder", "part": [
+            {{"name": "a", "loops": [{SQUARE}], "motion": {{"type": "prismatic", "direction": [1, 0], "range": [0, 1]}}}},
+            {{"name": "b", "loops": [[[2, 0, 1], [3, 0, 1]]]}}],
+            "joint": [{{"type": "rigid", "parts": ["a", "b"]}}], "pair": [{{"fixed": "b", "moving": "a"}}]}}"#
+    );
+    Model::from_toml(&toml, "m.toml").unwrap();
+    Model::from_json(&json, "m.json").unwrap();
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+    for i in 0..20_000 {
+        let is_toml = i % 2 == 0;
+        let mut text: Vec<char> = if is_toml { &toml } else { &json }.chars().collect();
+        for _ in 0..rng.random_range(1..4) {
+            let at = rng.random_range(0..text.len());
+            let end = (at + rng.random_range(0..6)).min(text.len());
+            let piece = PIECES.choose(&mut rng).unwrap();
+            text.splice(at..end, piece.chars());
+        }
+        if rng.random_bool(0.1) {
+            text.truncate(rng.random_range(0..text.len()));
+        }
+        let text: String = text.into_iter().collect();
+        let read = if is_toml {
+            Model::from_toml(&text, "m")
+        } else {
+            Model::from_json(&text, "m")
+        };
+        if let Err(e) = read {
+            assert!(!e.message().is_empty() && e.help().is_some(), "{e}: {text}");
+            let lines = text.split('\n').count();
+            assert!(e.line().is_none_or(|l| (1..=lines).contains(&l)), "{e}");
+            // Only what the file as a whole lacks has no line.
+            let is_whole = ["no parts", "is empty"]
+                .iter()
+                .any(|w| e.message().contains(w));
+            assert!(e.line().is_some() || is_whole, "{e}: {text}");
+        }
+    }
+}
