@@ -81,6 +81,27 @@ fn info_counts_features_as_the_computation_does() {
 }
 
 #[test]
+fn models_have_the_regions_that_their_readme_tells() {
+    let regression = format!(
+        "{}/../../tests/regression/disc_in_annulus.toml",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    for (file, regions) in [
+        (model("ball_in_c"), 2),
+        (model("cam_follower"), 1),
+        (model("fixture_plate"), 8),
+        (model("knee"), 1),
+        (model("peg_hole"), 1),
+        (model("ratchet_pawl"), 1),
+        (model("snap_fastener"), 2),
+        (regression, 2),
+    ] {
+        let r = &json(&["compute", &file, "--format", "json"])[0];
+        assert_eq!(r["free_regions"], regions, "{file}");
+    }
+}
+
+#[test]
 fn compute_has_the_keys_of_the_contract() {
     let file = model("ratchet_pawl");
     let all = json(&["compute", &file, "--format", "json"]);

@@ -196,14 +196,19 @@ case!(
     free & [(11.6, 0.0, 0.0)],
     blocked & [(5.0, 0.0, 0.0)]
 );
-// Half a turn brings the pegs into the same holes.
+// Half a turn brings the pegs into the same holes: two pockets, each one through the orientation at which all three circles
+// are one.
 case!(
     three_pegs,
     "three pegs in three holes",
-    5,
-    // Known gap: at θ = 0 exactly, where three circles are one, the slice read off has a piece missing.
-    free & [(0.0, 0.0, 1e-6), (0.0, 0.0, PI - 1e-6), (0.049, 0.0, 1e-6)],
-    blocked & [(0.051, 0.0, 1e-6)]
+    3,
+    free & [
+        (0.0, 0.0, 0.0),
+        (0.0, 0.0, PI),
+        (0.0, 0.0, -1e-6),
+        (0.049, 0.0, 0.0)
+    ],
+    blocked & [(0.051, 0.0, 0.0), (0.0, 0.051, 1e-9), (0.0, 0.051, -1e-9)]
 );
 case!(
     three_pegs_that_fill,

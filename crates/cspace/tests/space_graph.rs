@@ -5,8 +5,8 @@ use core::cell::RefCell;
 use core::f64::consts::{PI, TAU};
 
 use cspace::{
-    BoundaryCurve, BoundaryKind, Configuration, ContactSpace, CurveGeometry, FeatureName, Options,
-    PatchRef, Point, Slice, SliceCurve,
+    BoundaryCurve, BoundaryKind, Configuration, ContactSpace, FeatureName, Options, PatchRef,
+    Point, Slice, SliceCurve,
 };
 use cspace_oracle::{Pair, pair, pairs};
 use rand::{Rng, SeedableRng};
@@ -268,20 +268,25 @@ fn side_links_lie_on_both_patches_and_cover_them() {
     });
 }
 
-/// The curve of a patch at an end of its orientations, taken a little inside of it.
-fn end_curve(space: &ContactSpace, patch: u32, theta: f64) -> Option<CurveGeometry> {
-    let slice = space.slice(theta);
-    slice
-        .curves
-        .iter()
-        .find(|c| c.patch == Some(patch))
-        .map(|c| c.geometry)
+/// The length of a curve of a slice that another curve, facing it, has come within `near` of.
+fn pinched(slice: &Slice, curve: &SliceCurve, near: f64) -> f64 {
+    let at = |i: u32| (f64::from(i) + 0.5) / f64::from(SAMPLES);
+    let met = (0..SAMPLES).filter(|&i| {
+        let p = curve.geometry.point(at(i));
+        slice
+            .curves
+            .iter()
+            .any(|c| c.patch != curve.patch && c.geometry.nearest(p).distance(p) <= near)
+    });
+    curve.geometry.length() * met.count() as f64 / f64::from(SAMPLES)
 }
 
+/// Places at which a curve is looked at to see what faces it.
+const SAMPLES: u32 = 2000;
+
 #[test]
-#[ignore = "known gap: some tops and bottoms of circular patches are not linked over their whole length"]
 fn vertical_links_lie_on_both_patches_and_cover_their_ends() {
-    /// How far from its end a patch's curve is measured, in radians, and what that may change.
+    /// How far from its end a patch's curve is measured, in radians.
     const INSIDE: f64 = 1e-11;
     on_all_pairs(|trial| {
         for l in trial.space.vertical_links().to_vec() {
@@ -301,7 +306,9 @@ fn vertical_links_lie_on_both_patches_and_cover_their_ends() {
                 continue;
             }
             for (top, theta) in [(true, p.hi - INSIDE), (false, p.lo + INSIDE)] {
-                let length = end_curve(&trial.space, i, theta).map_or(0.0, |g| g.length());
+                let slice = trial.space.slice(theta);
+                let curve = slice.curves.iter().find(|c| c.patch == Some(i));
+                let length = curve.map_or(0.0, |c| c.geometry.length());
                 let linked: f64 = trial
                     .space
                     .vertical_links()
@@ -310,9 +317,18 @@ fn vertical_links_lie_on_both_patches_and_cover_their_ends() {
                     .map(|l| l.overlap.length())
                     .sum();
                 // Ends that meet in a tangency grow with the square root of what is left of the orientation.
-                trial.check((length - linked).abs() <= 3e-5 * trial.size, || {
+                let tolerance = 3e-5 * trial.size;
+                if (length - linked).abs() <= tolerance {
+                    continue;
+                }
+                // Where another curve faces this one without any distance, free space itself ends or begins.
+                let met = curve.map_or(0.0, |c| pinched(&slice, c, 10.0 * INSIDE * trial.size));
+                let known = tolerance + 2.0 * length / f64::from(SAMPLES);
+                trial.check((length - linked - met).abs() <= known, || {
                     let end = if top { "top" } else { "bottom" };
-                    format!("patch {i}: {end} of {length:e} at {theta} is linked over {linked:e}")
+                    format!(
+                        "patch {i}: {end} of {length:e} at {theta} is linked over {linked:e}, met over {met:e}"
+                    )
                 });
             }
         }
@@ -433,6 +449,8 @@ fn known_pairs_have_their_numbers_of_regions() {
         ("disc that hides a ring", 1),
         ("sector in a groove of the same arcs", 1),
         ("sector in a wider groove", 2),
+        // One pocket each way round, each through an orientation at which three circles are one.
+        ("three pegs in three holes", 3),
     ] {
         let pair = pair(name);
         let space = ContactSpace::compute(&pair.fixed, &pair.moving, &Options::default()).unwrap();

@@ -1,5 +1,6 @@
 //! Carriers of contact curves at one orientation, and where two of them cross, in any arithmetic.
 
+use crate::geometry::{Point, Vector};
 use crate::number::Real;
 
 /// A line through a point with a unit normal, or a circle.
@@ -88,4 +89,41 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             (v.0 * along - v.1 * across, v.1 * along + v.0 * across)
         }
     }
+}
+
+/// Rounding error of a place, in the pair's frame; to be divided by the sine of the angle of crossing.
+pub(crate) const PLACE_ERROR: f64 = 1e-14;
+
+/// How far rounding may have moved the place at which g crosses f, given as [`place_on`] gives it.
+///
+/// The sharper the crossing, the better it is known. Towards a tangency of curves that bend apart, the error grows like
+/// the square root of the rounding at most; where two carriers become one, it has no bound.
+pub(crate) fn place_error(f: &Carrier<f64>, g: &Carrier<f64>, place: (f64, f64)) -> f64 {
+    let vector = |v: (f64, f64)| Vector::new(v.0, v.1);
+    let point = |p: (f64, f64)| Point::new(p.0, p.1);
+    // The place may be off the circle if there is no crossing, or none that rounding leaves.
+    let (normal, at, off) = match *f {
+        Carrier::Line { normal, through } => {
+            let n = vector(normal);
+            (n, point(through) + n.left() * place.0, 0.0)
+        }
+        Carrier::Circle { center, radius } => {
+            let v = vector(place);
+            let length = v.length();
+            let off = (length - radius.abs()).abs();
+            (v * (radius.signum() / length), point(center) + v, off)
+        }
+    };
+    let other = match *g {
+        Carrier::Line { normal, .. } => vector(normal),
+        Carrier::Circle { center, radius } => (at - point(center)) * (1.0 / radius),
+    };
+    let curvature = |c: &Carrier<f64>| match *c {
+        Carrier::Line { .. } => 0.0,
+        Carrier::Circle { radius, .. } => 1.0 / radius,
+    };
+    // Seen from one side of the common tangent.
+    let bend = (curvature(f) - curvature(g) * normal.dot(other).signum()).abs();
+    let error = off + PLACE_ERROR / normal.cross(other).abs().max((PLACE_ERROR * bend).sqrt());
+    if error.is_nan() { f64::INFINITY } else { error }
 }

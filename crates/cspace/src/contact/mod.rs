@@ -10,7 +10,7 @@ mod overlap;
 mod pair;
 mod sheet;
 
-pub(crate) use carrier::{Carrier, place_on};
+pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};
 pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape, wrap};

@@ -108,16 +108,23 @@ fn critical_orientations(window: Window, patches: &[Patch]) -> Vec<f64> {
         }
     }
     all.sort_by(f64::total_cmp);
-    // The same cluster brought home by different turns differs by rounding.
-    const SAME: f64 = 8.0 * f64::EPSILON;
-    all.dedup_by(|b, a| *b - *a <= SAME);
+    all.dedup_by(|b, a| *b - *a <= SAME_ORIENTATION);
     all
 }
 
-/// Brings an orientation to [−π, π).
+/// The same cluster brought home by different turns differs by rounding.
+const SAME_ORIENTATION: f64 = 8.0 * f64::EPSILON;
+
+/// Brings an orientation to [−π, π); half a turn is −π, whichever side of it rounding has it on.
 fn normalized(theta: f64) -> f64 {
     let t = theta - TAU * ((theta + PI) / TAU).floor();
-    if t >= PI { t - TAU } else { t }
+    if (t - PI).abs() <= SAME_ORIENTATION || (t + PI).abs() <= SAME_ORIENTATION {
+        -PI
+    } else if t >= PI {
+        t - TAU
+    } else {
+        t
+    }
 }
 
 impl Assembler<'_> {

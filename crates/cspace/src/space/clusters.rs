@@ -14,19 +14,40 @@ use crate::number::Event;
 pub(super) struct Clusters {
     lo: Vec<f64>,
     hi: Vec<f64>,
+    /// The event of each that is known best: the orientation at which curves and places are measured.
+    best: Vec<Event>,
 }
 
 impl Clusters {
-    pub(super) fn new(mut events: Vec<Event>) -> Self {
-        events.par_sort_unstable_by(|a, b| (a.theta - a.error).total_cmp(&(b.theta - b.error)));
+    pub(super) fn new(events: Vec<Event>) -> Self {
+        Self::gather(
+            events
+                .into_iter()
+                .map(|e| (e.theta - e.error, e.theta + e.error, e))
+                .collect(),
+        )
+    }
+
+    /// From intervals with the best-known event in each.
+    fn gather(mut intervals: Vec<(f64, f64, Event)>) -> Self {
+        intervals.par_sort_unstable_by(|a, b| {
+            a.0.total_cmp(&b.0)
+                .then(a.2.error.total_cmp(&b.2.error))
+                .then(a.2.theta.total_cmp(&b.2.theta))
+        });
         let mut this = Self::default();
-        for e in events {
-            let (lo, hi) = (e.theta - e.error, e.theta + e.error);
-            match this.hi.last_mut() {
-                Some(last) if lo <= *last + NARROWEST_BAND => *last = last.max(hi),
+        for (lo, hi, e) in intervals {
+            match (this.hi.last_mut(), this.best.last_mut()) {
+                (Some(last), Some(best)) if lo <= *last + NARROWEST_BAND => {
+                    *last = last.max(hi);
+                    if e.error < best.error {
+                        *best = e;
+                    }
+                }
                 _ => {
                     this.lo.push(lo);
                     this.hi.push(hi);
+                    this.best.push(e);
                 }
             }
         }
@@ -35,15 +56,13 @@ impl Clusters {
 
     /// These clusters with more events, and where each of the old ones went.
     pub(super) fn with(&self, more: Vec<Event>) -> (Self, Vec<u32>) {
-        let mut events = more;
-        events.extend((0..self.lo.len()).map(|i| Event {
-            theta: 0.5 * (self.lo[i] + self.hi[i]),
-            error: 0.5 * (self.hi[i] - self.lo[i]),
-        }));
-        let merged = Self::new(events);
-        let moved = (0..self.lo.len())
-            .map(|i| merged.index(0.5 * (self.lo[i] + self.hi[i])))
+        let mut intervals: Vec<_> = more
+            .into_iter()
+            .map(|e| (e.theta - e.error, e.theta + e.error, e))
             .collect();
+        intervals.extend((0..self.lo.len()).map(|i| (self.lo[i], self.hi[i], self.best[i])));
+        let merged = Self::gather(intervals);
+        let moved = self.best.iter().map(|e| merged.index(e.theta)).collect();
         (merged, moved)
     }
 
@@ -56,9 +75,9 @@ impl Clusters {
         self.lo.partition_point(|&lo| lo <= theta).max(1) as u32 - 1
     }
 
-    /// An orientation in the cluster.
+    /// The orientation in the cluster at which an event is known best to happen.
     pub(super) fn at(&self, i: u32) -> f64 {
-        0.5 * (self.lo[i as usize] + self.hi[i as usize])
+        self.best[i as usize].theta
     }
 
     /// Where the cluster begins.
@@ -74,5 +93,15 @@ impl Clusters {
     /// Half way from one cluster to another.
     pub(super) fn between(&self, i: u32, j: u32) -> f64 {
         0.5 * (self.hi[i as usize] + self.lo[j as usize])
+    }
+
+    /// Half way to the cluster before, or at the cluster if there is none.
+    pub(super) fn below(&self, i: u32) -> f64 {
+        self.between(i.max(1) - 1, i)
+    }
+
+    /// Half way to the cluster after, or at the cluster if there is none.
+    pub(super) fn above(&self, i: u32) -> f64 {
+        self.between(i, (i + 1).min(self.len() as u32 - 1))
     }
 }

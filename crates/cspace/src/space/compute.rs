@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use crate::contact::Geometry;
+use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::Event;
 use crate::part::Part;
 
@@ -163,6 +164,8 @@ impl ContactSpace {
         let pair_events = pair_events(&geometry, &candidates.pairs);
         /// Error of the orientation at which two normals oppose each other.
         const ALIGNMENT_ERROR: f64 = 16.0 * f64::EPSILON;
+        /// Cuts between slots are no events: within a cluster, any event's orientation is preferred to theirs.
+        const SLOT_ERROR: f64 = NARROWEST_BAND / 4.0;
         let mut events: Vec<Event> = pair_events.iter().flatten().copied().collect();
         let pair_event_count = events.len() as u64;
         let exact = |theta: f64, error: f64| Event { theta, error };
@@ -171,7 +174,7 @@ impl ContactSpace {
                 .iter()
                 .flat_map(|s| [exact(s.lo, ALIGNMENT_ERROR), exact(s.hi, ALIGNMENT_ERROR)]),
         );
-        events.extend(candidates.slots.iter().map(|&s| exact(s, 0.0)));
+        events.extend(candidates.slots.iter().map(|&s| exact(s, SLOT_ERROR)));
         let clusters = Clusters::new(events);
         lap(&mut seconds.pair_events);
 
@@ -224,6 +227,7 @@ impl ContactSpace {
             branches: &branches,
             candidates: &candidates,
             coincidences: &coincidences,
+            sweep: &sweep,
         };
         let shells = finder.find(&cells);
         lap(&mut seconds.shells);

@@ -16,12 +16,18 @@ use crate::union_find::UnionFind;
 use super::branch::{Branch, Coincidence};
 use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
-use super::sweep::CellExtents;
+use super::sweep::{CellExtents, Extent, Side};
 
 pub(super) struct Levels<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) clusters: &'a Clusters,
     pub(super) branches: &'a [Branch],
+    pub(super) cells: &'a [Cell],
+    /// Which cells are free, once that is known.
+    ///
+    /// Cells are joined to shells where what they share is certainly longer than its error. Later, free cells are linked
+    /// over all that they share as measured: nothing else can continue them.
+    pub(super) free: Option<&'a [bool]>,
 }
 
 /// The common curve: a line through a point, or a circle; with the coordinate along it.
@@ -43,9 +49,22 @@ struct Piece {
     cell: u32,
     mid: f64,
     half: f64,
-    error: f64,
+    /// Errors of its ends, in the order of the coordinate.
+    errors: (f64, f64),
     /// Whether its free side is that of the track.
     along: bool,
+}
+
+impl Piece {
+    fn covers(&self, track: &Track, place: f64) -> bool {
+        track.difference(place, self.mid).abs() < self.half
+    }
+
+    /// Whether it covers a place with more to spare than its errors.
+    fn certainly_covers(&self, track: &Track, place: f64) -> bool {
+        let off = track.difference(place, self.mid);
+        off - self.errors.0 > -self.half && off + self.errors.1 < self.half
+    }
 }
 
 impl Track {
@@ -70,23 +89,43 @@ impl Track {
 
 impl Levels<'_> {
     /// Adds the contacts across all levels.
-    pub(super) fn connect(
-        &self,
-        cells: &[Cell],
-        coincidences: &[Coincidence],
-        out: &mut Vec<VerticalContact>,
-    ) {
-        self.connect_wraps(cells, out);
-        for (at, sheets) in self.groups(cells, coincidences) {
-            self.connect_group(cells, at, &sheets, out);
+    pub(super) fn connect(&self, groups: &[(u32, Vec<u32>)], out: &mut Vec<VerticalContact>) {
+        self.connect_wraps(out);
+        for (at, sheets) in groups {
+            self.connect_group(*at, sheets, out);
+        }
+    }
+
+    fn counts(&self, cell: u32) -> bool {
+        self.free.is_none_or(|free| free[cell as usize])
+    }
+
+    /// The cells that count, with their numbers.
+    fn counting(&self) -> impl Iterator<Item = (u32, &Cell)> {
+        (0u32..).zip(self.cells).filter(|(i, _)| self.counts(*i))
+    }
+
+    fn extent(&self, cell: &Cell, at: u32, side: Side) -> Extent {
+        let measured = CellExtents::new(
+            self.geometry,
+            self.clusters,
+            self.branches,
+            cell.sheet,
+            at,
+            side,
+        )
+        .of(cell);
+        match self.free {
+            Some(_) => measured.without_errors(),
+            None => measured,
         }
     }
 
     /// Sheets that share a curve at a cluster: by the seams at which they begin and end, and by coincidence.
-    fn groups(&self, cells: &[Cell], coincidences: &[Coincidence]) -> Vec<(u32, Vec<u32>)> {
+    pub(super) fn groups(&self, coincidences: &[Coincidence]) -> Vec<(u32, Vec<u32>)> {
         let sheets = &self.geometry.contacts.sheets;
         let mut seams: Vec<(Seam, u32, u32)> = Vec::new();
-        for c in cells {
+        for c in self.cells {
             let sheet = &sheets[c.sheet as usize];
             let counts = |s: Seam| !matches!(s, Seam::Point | Seam::Window | Seam::Wrap(..));
             // If both ends change at once, the piece between was dropped: it does not matter which end it was.
@@ -133,13 +172,7 @@ impl Levels<'_> {
             .collect()
     }
 
-    fn connect_group(
-        &self,
-        cells: &[Cell],
-        at: u32,
-        group: &[u32],
-        out: &mut Vec<VerticalContact>,
-    ) {
+    fn connect_group(&self, at: u32, group: &[u32], out: &mut Vec<VerticalContact>) {
         let theta = self.clusters.at(at);
         let turn = Rotation::by(theta);
         let first = &self.geometry.contacts.sheets[group[0] as usize];
@@ -155,16 +188,17 @@ impl Levels<'_> {
         };
         let (mut below, mut above) = (Vec::new(), Vec::new());
         for &sheet in group {
-            let from = cells.partition_point(|c| c.sheet < sheet);
+            let from = self.cells.partition_point(|c| c.sheet < sheet);
             let mine = (from as u32..)
-                .zip(&cells[from..])
-                .take_while(|(_, c)| c.sheet == sheet);
+                .zip(&self.cells[from..])
+                .take_while(|(_, c)| c.sheet == sheet)
+                .filter(|(i, _)| self.counts(*i));
             for (i, c) in mine {
                 if c.to == at {
-                    below.extend(self.piece(i, c, at, &track));
+                    below.extend(self.piece(i, c, at, Side::Below, &track));
                 }
                 if c.from == at {
-                    above.extend(self.piece(i, c, at, &track));
+                    above.extend(self.piece(i, c, at, Side::Above, &track));
                 }
             }
         }
@@ -183,54 +217,51 @@ impl Levels<'_> {
             marks.extend([-half_turn, half_turn]);
         }
         marks.sort_by(f64::total_cmp);
-        let mut shared: BTreeMap<(u32, u32), (f64, f64)> = BTreeMap::new();
-        for w in marks.windows(2) {
-            let (middle, length) = (0.5 * (w[0] + w[1]), w[1] - w[0]);
-            if length <= SHORTEST_OVERLAP {
-                continue;
-            }
-            let p = self.point(&track, first.start.at(turn), middle);
-            for along in [true, false] {
-                let low =
-                    self.outermost(cells, &below, &track, middle, p, along, self.slab_below(at));
-                let high =
-                    self.outermost(cells, &above, &track, middle, p, along, self.slab_above(at));
+        let (theta_below, theta_above) = (self.clusters.below(at), self.clusters.above(at));
+        let certainly = |q: &Piece, place| self.free.is_some() || q.certainly_covers(&track, place);
+        for along in [true, false] {
+            // Stretches of the track with the cells that continue each other there; neighbours of one pair are one.
+            let mut stretches: Vec<(u32, u32, f64, f64)> = Vec::new();
+            for w in marks.windows(2) {
+                if w[1] - w[0] <= SHORTEST_OVERLAP {
+                    continue;
+                }
+                let middle = 0.5 * (w[0] + w[1]);
+                let p = self.point(&track, first.start.at(turn), middle);
+                let low = self.outermost(&below, &track, middle, p, along, theta_below);
+                let high = self.outermost(&above, &track, middle, p, along, theta_above);
                 let (Some(low), Some(high)) = (low, high) else {
                     continue;
                 };
-                if length > low.error + high.error + SHORTEST_OVERLAP {
-                    // Along the lower cell's own curve, from its middle.
-                    let cell = &cells[low.cell as usize];
-                    let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
-                    let curve = sheet.curve(theta, turn);
-                    let ends = [w[0], w[1]]
-                        .map(|m| curve.position(self.point(&track, first.start.at(turn), m)));
-                    let (lo, hi) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-                    let entry = shared.entry((low.cell, high.cell)).or_insert((lo, hi));
-                    *entry = (entry.0.min(lo), entry.1.max(hi));
+                if !certainly(low, middle) || !certainly(high, middle) {
+                    continue;
+                }
+                match stretches.last_mut() {
+                    Some(s)
+                        if (s.0, s.1) == (low.cell, high.cell)
+                            && w[0] - s.3 <= SHORTEST_OVERLAP =>
+                    {
+                        s.3 = w[1];
+                    }
+                    _ => stretches.push((low.cell, high.cell, w[0], w[1])),
                 }
             }
-        }
-        out.extend(
-            shared
-                .into_iter()
-                .map(|((lower, upper), (lo, hi))| VerticalContact {
+            for (lower, upper, from, to) in stretches {
+                // Along the lower cell's own curve, from its middle.
+                let sheet =
+                    &self.geometry.contacts.sheets[self.cells[lower as usize].sheet as usize];
+                let middle = self.point(&track, first.start.at(turn), 0.5 * (from + to));
+                let place = sheet.curve(theta, turn).position(middle);
+                let half = 0.5 * (to - from);
+                out.push(VerticalContact {
                     lower,
                     upper,
                     at,
-                    lo,
-                    hi,
-                }),
-        );
-    }
-
-    fn slab_below(&self, at: u32) -> f64 {
-        self.clusters.between(at.max(1) - 1, at)
-    }
-
-    fn slab_above(&self, at: u32) -> f64 {
-        self.clusters
-            .between(at, (at + 1).min(self.clusters.len() as u32 - 1))
+                    lo: place - half,
+                    hi: place + half,
+                });
+            }
+        }
     }
 
     fn point(&self, track: &Track, on: Point, coordinate: f64) -> Point {
@@ -247,34 +278,40 @@ impl Levels<'_> {
         }
     }
 
-    fn piece(&self, index: u32, cell: &Cell, at: u32, track: &Track) -> Option<Piece> {
+    fn piece(&self, index: u32, cell: &Cell, at: u32, side: Side, track: &Track) -> Option<Piece> {
         let theta = self.clusters.at(at);
         let turn = Rotation::by(theta);
         let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
         let curve = sheet.curve(theta, turn);
-        let e =
-            CellExtents::new(self.geometry, self.clusters, self.branches, cell.sheet, at).of(cell);
+        let e = self.extent(cell, at, side);
         let p = curve.point(0.5 * (e.lo + e.hi));
         let along = match *track {
             Track::Line { normal } => normal.dot(curve.normal(p)) > 0.0,
             Track::Circle { radius, .. } => (sheet.radius > 0.0) == (radius > 0.0),
         };
+        // On a line travel goes with the coordinate if the normals agree, on a circle if the radius is positive.
+        let forward = match *track {
+            Track::Line { .. } => along,
+            Track::Circle { .. } => sheet.radius > 0.0,
+        };
+        let errors = if forward {
+            (e.lo_error, e.hi_error)
+        } else {
+            (e.hi_error, e.lo_error)
+        };
         let half = 0.5 * (e.hi - e.lo);
-        let error = e.lo_error + e.hi_error;
         (half > 0.0).then(|| Piece {
             cell: index,
             mid: track.coordinate(p),
             half,
-            error,
+            errors,
             along,
         })
     }
 
-    #[allow(clippy::too_many_arguments)]
     /// The piece that faces free space at a place, just off the level, on one of the two faces of the track.
     fn outermost<'p>(
         &self,
-        cells: &[Cell],
         pieces: &'p [Piece],
         track: &Track,
         place: f64,
@@ -282,20 +319,16 @@ impl Levels<'_> {
         along: bool,
         theta: f64,
     ) -> Option<&'p Piece> {
-        let covering = pieces
-            .iter()
-            .filter(|q| track.difference(q.mid, place).abs() < q.half);
         let outward = match *track {
             Track::Line { normal } => normal,
             Track::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
         };
         let outward = if along { outward } else { -outward };
         let turn = Rotation::by(theta);
-        let height = |q: &Piece| self.height(&cells[q.cell as usize], p, outward, turn);
         let mut best: Option<(f64, &Piece)> = None;
         let mut ceiling = f64::INFINITY;
-        for q in covering {
-            let h = height(q);
+        for q in pieces.iter().filter(|q| q.covers(track, place)) {
+            let h = self.height(&self.cells[q.cell as usize], p, outward, turn);
             if q.along != along {
                 ceiling = ceiling.min(h);
             } else if best.is_none_or(|b| h > b.0) {
@@ -322,10 +355,10 @@ impl Levels<'_> {
     }
 
     /// Cells that continue each other at the two ends of a full turn, which are one orientation.
-    fn connect_wraps(&self, cells: &[Cell], out: &mut Vec<VerticalContact>) {
+    fn connect_wraps(&self, out: &mut Vec<VerticalContact>) {
         let sheets = &self.geometry.contacts.sheets;
         let mut groups: BTreeMap<Seam, (Vec<u32>, Vec<u32>)> = BTreeMap::new();
-        for (i, c) in (0u32..).zip(cells) {
+        for (i, c) in self.counting() {
             let sheet = &sheets[c.sheet as usize];
             if c.at_top && matches!(sheet.top, Seam::Wrap(..)) {
                 groups.entry(sheet.top).or_default().0.push(i);
@@ -334,21 +367,17 @@ impl Levels<'_> {
                 groups.entry(sheet.bottom).or_default().1.push(i);
             }
         }
-        let extent = |i: u32, at: u32| {
-            let cell = &cells[i as usize];
-            CellExtents::new(self.geometry, self.clusters, self.branches, cell.sheet, at).of(cell)
-        };
         for (ends, starts) in groups.values() {
             for &lower in ends {
                 for &upper in starts {
-                    let at = cells[lower as usize].to;
-                    let below = extent(lower, at);
-                    let above = extent(upper, cells[upper as usize].from);
+                    let (l, u) = (&self.cells[lower as usize], &self.cells[upper as usize]);
+                    let below = self.extent(l, l.to, Side::Below);
+                    let above = self.extent(u, u.from, Side::Above);
                     if let Some((lo, hi)) = below.shared_with(&above) {
                         out.push(VerticalContact {
                             lower,
                             upper,
-                            at,
+                            at: l.to,
                             lo,
                             hi,
                         });

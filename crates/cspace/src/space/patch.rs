@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::contact::{Carrier, ContactFunction, Spiral, place_on};
+use crate::contact::{Carrier, ContactFunction, Spiral, place_error, place_on};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::number::Dual;
@@ -134,6 +134,36 @@ impl Patch {
         let t = theta + TAU * ((self.lo - theta) / TAU).ceil();
         (t <= self.hi).then_some(t)
     }
+
+    /// The position of one of its boundaries in the pair's frame.
+    ///
+    /// Where the two carriers almost become one, their crossing is hardly known, or not at all, yet has a limit. It is
+    /// found from nearby slices, as section 3.1 of Sacks 1999 has it: along the patch's own curve, on the patch's side.
+    pub(crate) fn inner_at(&self, boundary: &Boundary, theta: f64) -> Point {
+        /// A rounding error up to this is accepted, in the pair's frame.
+        const GOOD: f64 = 1e-7;
+        /// How far away the nearer of two slices is taken, radians: the square of it is below what their rounding makes.
+        const ASIDE: f64 = 1e-5;
+        let (p, error) = boundary.inner_and_error(&self.function, theta);
+        if error <= GOOD {
+            return p;
+        }
+        let t = self.turned_into(theta).unwrap_or(theta);
+        let step = ASIDE.min(0.25 * (self.hi - self.lo));
+        let step = if t - self.lo < self.hi - t {
+            step
+        } else {
+            -step
+        };
+        let (near, near_error) = boundary.inner_and_error(&self.function, theta + step);
+        let (far, far_error) = boundary.inner_and_error(&self.function, theta + 2.0 * step);
+        if near_error.max(far_error) >= error {
+            return p;
+        }
+        let p = near + (near - far);
+        let (normal, _) = self.function.gradient(p, theta);
+        p + -(normal * self.function.value(p, theta))
+    }
 }
 
 impl BoundaryCurve<'_> {
@@ -163,7 +193,7 @@ impl BoundaryCurve<'_> {
     ///
     /// Where rounding has just lost the crossing (at a tangency), the nearest point to one.
     pub fn at(&self, theta: f64) -> Configuration {
-        let p = self.boundary.inner_at(&self.patch.patch.function, theta);
+        let p = self.patch.patch.inner_at(self.boundary, theta);
         self.patch.frame.outer_from_inner(p, theta)
     }
 
@@ -180,11 +210,18 @@ impl BoundaryCurve<'_> {
 }
 
 impl Boundary {
-    /// The position in the pair's frame.
-    pub(crate) fn inner_at(&self, own: &ContactFunction, theta: f64) -> Point {
+    /// The position in the pair's frame, and its rounding error.
+    fn inner_and_error(&self, own: &ContactFunction, theta: f64) -> (Point, f64) {
         let (sin, cos) = theta.sin_cos();
         let p = self.inner(own, cos, sin);
-        Point::new(p.0, p.1)
+        let error = match self {
+            Self::End { .. } => 0.0,
+            Self::Crossing { with, root } => {
+                let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
+                place_error(&f, &g, place_on(&f, &g, *root, false))
+            }
+        };
+        (Point::new(p.0, p.1), error)
     }
 
     fn inner<T: crate::number::Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {

@@ -13,7 +13,7 @@ use super::candidates::{Candidates, SheetRun};
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
 use super::levels::Levels;
-use super::sweep::{Cells, Placing};
+use super::sweep::{Cells, Placing, Sweep};
 
 /// Contacts between cells, and the verdict on each cell.
 #[derive(Debug)]
@@ -35,6 +35,7 @@ pub(super) struct ShellFinder<'a> {
     pub(super) branches: &'a [Branch],
     pub(super) candidates: &'a Candidates,
     pub(super) coincidences: &'a [Coincidence],
+    pub(super) sweep: &'a Sweep<'a>,
 }
 
 impl ShellFinder<'_> {
@@ -45,8 +46,11 @@ impl ShellFinder<'_> {
             geometry: self.geometry,
             clusters: self.clusters,
             branches: self.branches,
+            cells: &cells.cells,
+            free: None,
         };
-        levels.connect(&cells.cells, self.coincidences, &mut vertical);
+        let groups = levels.groups(self.coincidences);
+        levels.connect(&groups, &mut vertical);
         let mut sets = UnionFind::new(cells.cells.len());
         for s in &side {
             sets.union(s.before, s.after);
@@ -66,7 +70,30 @@ impl ShellFinder<'_> {
             conflicts: 0,
         };
         self.judge(&cells.cells, &mut shells);
+        shells.vertical = self.links(cells, &shells.free, &groups);
         shells
+    }
+
+    /// How free cells continue each other: all that they share, as measured.
+    ///
+    /// Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
+    /// what may be too short to join shells is still the best there is to link patches by.
+    fn links(
+        &self,
+        cells: &Cells,
+        free: &[bool],
+        groups: &[(u32, Vec<u32>)],
+    ) -> Vec<VerticalContact> {
+        let mut links = self.sweep.connect_measured(&cells.cells, free);
+        let levels = Levels {
+            geometry: self.geometry,
+            clusters: self.clusters,
+            branches: self.branches,
+            cells: &cells.cells,
+            free: Some(free),
+        };
+        levels.connect(groups, &mut links);
+        links
     }
 
     /// Cells that follow each other at shared ends and at branches.

@@ -43,8 +43,8 @@ impl ContactSpace {
     /// The curve of a patch at an orientation of its interval.
     fn curve(&self, patch: &Patch, theta: f64) -> CurveGeometry {
         let outer = |p: Point| self.frame.outer_from_inner(p, theta).position();
-        let start = patch.left.inner_at(&patch.function, theta);
-        let end = patch.right.inner_at(&patch.function, theta);
+        let start = patch.inner_at(&patch.left, theta);
+        let end = patch.inner_at(&patch.right, theta);
         match patch.function {
             ContactFunction::Circle { center, radius } => {
                 let c = center.at(Rotation::by(theta));

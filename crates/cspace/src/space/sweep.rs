@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::contact::{Carrier, Geometry, Sheet, place_on, wrap};
+use crate::contact::{Carrier, Geometry, PLACE_ERROR, place_error, place_on, wrap};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Rotation, Vector};
 
@@ -25,7 +25,7 @@ pub(super) struct Sweep<'a> {
     pub(super) splits: &'a [(u32, u32)],
 }
 
-/// The clusters listed for a sheet.
+/// What is listed under a number: the clusters of a sheet, the cells of a cluster.
 fn listed(list: &[(u32, u32)], sheet: u32) -> impl Iterator<Item = u32> + '_ {
     let from = list.partition_point(|p| p.0 < sheet);
     list[from..]
@@ -44,7 +44,6 @@ pub(super) struct Cells {
 /// A sheet at one orientation, able to place branches along its curve.
 pub(super) struct Placing<'a> {
     geometry: &'a Geometry,
-    sheet: &'a Sheet,
     index: u32,
     carrier: Carrier<f64>,
     turn: Rotation,
@@ -72,7 +71,6 @@ impl<'a> Placing<'a> {
         let carrier = sheet.carrier(turn.cos, turn.sin);
         Self {
             geometry,
-            sheet,
             index,
             carrier,
             turn,
@@ -89,43 +87,36 @@ impl<'a> Placing<'a> {
     /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
     /// nearest place to one.
     pub(super) fn place(&self, b: &Branch) -> f64 {
-        let (place, _) = self.place_and_sine(b, false);
-        place
+        let g = self.other_carrier(b);
+        self.length_of(place_on(&self.carrier, &g, b.root, b.second == self.index))
     }
 
-    /// The place with how sharply the curves cross: the sine of the angle between them.
-    pub(super) fn place_and_sine(&self, b: &Branch, with_sine: bool) -> (f64, f64) {
-        let other = &self.geometry.contacts.sheets[b.other(self.index) as usize];
-        let g = other.carrier(self.turn.cos, self.turn.sin);
+    /// The place, not beyond the ends of the curve, and its rounding error.
+    fn within(&self, b: &Branch) -> (f64, f64) {
+        let g = self.other_carrier(b);
         let v = place_on(&self.carrier, &g, b.root, b.second == self.index);
-        let radius = self.sheet.radius;
-        let place = match self.carrier {
+        let error = place_error(&self.carrier, &g, v);
+        let place = self.length_of(v);
+        if place.is_nan() {
+            return (0.0, f64::INFINITY);
+        }
+        (place.clamp(-self.half, self.half), error)
+    }
+
+    fn other_carrier(&self, b: &Branch) -> Carrier<f64> {
+        let other = &self.geometry.contacts.sheets[b.other(self.index) as usize];
+        other.carrier(self.turn.cos, self.turn.sin)
+    }
+
+    /// Length of travel from the middle to a place as [`place_on`] gives it.
+    fn length_of(&self, v: (f64, f64)) -> f64 {
+        match self.carrier {
             Carrier::Line { .. } => v.0 - self.half,
-            Carrier::Circle { .. } => {
+            Carrier::Circle { radius, .. } => {
                 let v = Vector::new(v.0, v.1) * radius.signum();
                 wrap(v.angle() - self.mid_angle) * radius
             }
-        };
-        if !with_sine {
-            return (place, 1.0);
         }
-        let (normal, point) = match self.carrier {
-            Carrier::Line { normal, through } => {
-                let n = Vector::new(normal.0, normal.1);
-                (n, Vector::new(through.0, through.1) + n.left() * v.0)
-            }
-            Carrier::Circle { center, radius } => {
-                let v = Vector::new(v.0, v.1);
-                (v * (1.0 / radius), Vector::new(center.0, center.1) + v)
-            }
-        };
-        let other_normal = match g {
-            Carrier::Line { normal, .. } => Vector::new(normal.0, normal.1),
-            Carrier::Circle { center, radius } => {
-                (point - Vector::new(center.0, center.1)) * (1.0 / radius)
-            }
-        };
-        (place, normal.cross(other_normal).abs())
     }
 }
 
@@ -252,20 +243,64 @@ impl Sweep<'_> {
 
     /// Cells that end and cells that begin at one cluster continue each other where they overlap by more than error.
     fn connect(&self, sheet: u32, at: u32, closing: &[u32], opening: &[u32], out: &mut Cells) {
+        let Cells { cells, vertical } = out;
+        self.pair_up(sheet, at, (closing, opening), cells, false, vertical);
+    }
+
+    /// As [`connect`](Self::connect) for free cells only, over all that they share as measured.
+    pub(super) fn connect_measured(&self, cells: &[Cell], free: &[bool]) -> Vec<VerticalContact> {
+        let mut out = Vec::new();
+        let (mut closing, mut opening) = (Vec::new(), Vec::new());
+        let mut at = 0;
+        while at < cells.len() {
+            let sheet = cells[at].sheet;
+            let count = cells[at..].iter().take_while(|c| c.sheet == sheet).count();
+            let mine = (at as u32..(at + count) as u32).filter(|&i| free[i as usize]);
+            at += count;
+            let ends: Vec<(u32, u32)> = sorted(mine.clone().map(|i| (cells[i as usize].to, i)));
+            let starts: Vec<(u32, u32)> = sorted(mine.map(|i| (cells[i as usize].from, i)));
+            for group in ends.chunk_by(|a, b| a.0 == b.0) {
+                let cluster = group[0].0;
+                if self.splits.binary_search(&(sheet, cluster)).is_ok() {
+                    continue;
+                }
+                closing.clear();
+                closing.extend(group.iter().map(|g| g.1));
+                opening.clear();
+                opening.extend(listed(&starts, cluster));
+                self.pair_up(sheet, cluster, (&closing, &opening), cells, true, &mut out);
+            }
+        }
+        out
+    }
+
+    fn pair_up(
+        &self,
+        sheet: u32,
+        at: u32,
+        (closing, opening): (&[u32], &[u32]),
+        cells: &[Cell],
+        measured: bool,
+        out: &mut Vec<VerticalContact>,
+    ) {
         if closing.is_empty() || opening.is_empty() {
             return;
         }
-        let extents = CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at);
-        let ranges = |list: &[u32], cells: &[Cell]| -> Vec<Extent> {
+        let ranges = |list: &[u32], side: Side| -> Vec<Extent> {
+            let extents =
+                CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at, side);
             list.iter()
-                .map(|&c| extents.of(&cells[c as usize]))
+                .map(|&c| {
+                    let e = extents.of(&cells[c as usize]);
+                    if measured { e.without_errors() } else { e }
+                })
                 .collect()
         };
-        let (below, above) = (ranges(closing, &out.cells), ranges(opening, &out.cells));
+        let (below, above) = (ranges(closing, Side::Below), ranges(opening, Side::Above));
         for (i, b) in below.iter().enumerate() {
             for (j, a) in above.iter().enumerate() {
                 if let Some((lo, hi)) = b.shared_with(a) {
-                    out.vertical.push(VerticalContact {
+                    out.push(VerticalContact {
                         lower: closing[i],
                         upper: opening[j],
                         at,
@@ -278,6 +313,12 @@ impl Sweep<'_> {
     }
 }
 
+fn sorted(list: impl Iterator<Item = (u32, u32)>) -> Vec<(u32, u32)> {
+    let mut list: Vec<(u32, u32)> = list.collect();
+    list.sort_unstable();
+    list
+}
+
 /// A cell's range along its contact curve at one orientation, with the errors of both ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extent {
@@ -288,6 +329,15 @@ pub(super) struct Extent {
 }
 
 impl Extent {
+    /// The range as measured.
+    pub(super) fn without_errors(self) -> Self {
+        Self {
+            lo_error: 0.0,
+            hi_error: 0.0,
+            ..self
+        }
+    }
+
     /// The common range, if it is longer than the errors of its ends.
     pub(super) fn shared_with(&self, other: &Self) -> Option<(f64, f64)> {
         let (lo, lo_error) = if self.lo > other.lo {
@@ -304,11 +354,29 @@ impl Extent {
     }
 }
 
-/// Measures cells of one sheet at one cluster.
+/// On which side of a cluster a cell lies that ends or begins there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Below,
+    Above,
+}
+
+/// Measures cells of one sheet where they meet a cluster.
+///
+/// A place is measured at the cluster's orientation. The event that ends or begins the cell may happen anywhere in the
+/// cluster; what that may change is seen by measuring again at both its edges. A bound on the speed would be of no use
+/// where carriers are tangent.
 pub(super) struct CellExtents<'a> {
-    placing: Placing<'a>,
+    geometry: &'a Geometry,
     branches: &'a [Branch],
-    spread: f64,
+    sheet: u32,
+    at: Placing<'a>,
+    edges: [Placing<'a>; 2],
+    theta: f64,
+    /// The cluster's edge on the cell's side, and half way into the slab there.
+    edge: f64,
+    slab: f64,
+    width: f64,
 }
 
 impl<'a> CellExtents<'a> {
@@ -318,17 +386,30 @@ impl<'a> CellExtents<'a> {
         branches: &'a [Branch],
         sheet: u32,
         at: u32,
+        side: Side,
     ) -> Self {
+        let (lo, theta, hi) = (clusters.lo(at), clusters.at(at), clusters.hi(at));
+        let (edge, slab) = match side {
+            Side::Below => (lo, clusters.below(at)),
+            Side::Above => (hi, clusters.above(at)),
+        };
+        let placing = |theta| Placing::new(geometry, sheet, theta);
         Self {
-            placing: Placing::new(geometry, sheet, clusters.at(at)),
+            geometry,
             branches,
-            spread: clusters.hi(at) - clusters.lo(at),
+            sheet,
+            at: placing(theta),
+            edges: [placing(lo), placing(hi)],
+            theta,
+            edge,
+            slab,
+            width: hi - lo,
         }
     }
 
     pub(super) fn of(&self, cell: &Cell) -> Extent {
-        let (lo, lo_error) = self.bound(cell.left, -self.placing.half());
-        let (hi, hi_error) = self.bound(cell.right, self.placing.half());
+        let (lo, lo_error) = self.bound(cell.left, -1.0);
+        let (hi, hi_error) = self.bound(cell.right, 1.0);
         Extent {
             lo,
             hi,
@@ -337,17 +418,40 @@ impl<'a> CellExtents<'a> {
         }
     }
 
+    /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
     fn bound(&self, branch: u32, end: f64) -> (f64, f64) {
-        /// Rounding error of a place, to be divided by the sine of the angle of crossing.
-        const PLACE_ERROR: f64 = 1e-14;
-        /// The sine below which curves count as tangent.
-        const TANGENT: f64 = 1e-9;
+        /// A larger rounding error than this is worth a second measurement, in the pair's frame.
+        const GOOD: f64 = 1e-7;
+        let motion = |at: f64, edges: [f64; 2]| (edges[0] - at).abs().max((edges[1] - at).abs());
+        let [first, last] = &self.edges;
         if branch == END {
-            return (end, self.spread);
+            let at = self.at.half();
+            let error = motion(at, [first.half(), last.half()]) + PLACE_ERROR;
+            return (end * at, error);
         }
-        let (place, sine) = self
-            .placing
-            .place_and_sine(&self.branches[branch as usize], true);
-        (place, (PLACE_ERROR + 4.0 * self.spread) / sine.max(TANGENT))
+        let b = &self.branches[branch as usize];
+        let (at, rounding) = self.at.within(b);
+        let error = rounding + motion(at, [first.within(b).0, last.within(b).0]);
+        if rounding <= GOOD {
+            return (at, error);
+        }
+        let (place, other) = self.approached(b);
+        if other < error {
+            (place.clamp(-self.at.half(), self.at.half()), other)
+        } else {
+            (at, error)
+        }
+    }
+
+    /// The place measured a little aside. Where two lines become one, their crossing is undefined, yet it has a limit.
+    fn approached(&self, b: &Branch) -> (f64, f64) {
+        /// How far aside, radians: the motion and the rounding divided by the sine are both about this then.
+        const ASIDE: f64 = 1e-7;
+        let step = (0.5 * (self.slab - self.edge)).clamp(-ASIDE, ASIDE);
+        let placed = |theta: f64| Placing::new(self.geometry, self.sheet, theta).within(b);
+        let (near, rounding) = placed(self.edge + step);
+        let (far, _) = placed(self.edge + 2.0 * step);
+        let away = ((self.edge + step - self.theta).abs() + self.width) / step.abs();
+        (near, rounding + away * (far - near).abs())
     }
 }
