@@ -32,6 +32,8 @@ pub(super) struct VerticalContact {
     /// Places on the lower cell's contact curve.
     pub(super) lo: f64,
     pub(super) hi: f64,
+    /// Whether what they share is certainly longer than its error.
+    pub(super) certain: bool,
 }
 
 /// Two cells that follow each other along the boundary.

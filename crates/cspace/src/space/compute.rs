@@ -227,7 +227,6 @@ impl ContactSpace {
             branches: &branches,
             candidates: &candidates,
             coincidences: &coincidences,
-            sweep: &sweep,
         };
         let shells = finder.find(&cells);
         lap(&mut seconds.shells);

@@ -8,6 +8,8 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use crate::contact::{Carrier, Geometry, Seam, wrap};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Rotation, Vector};
@@ -25,8 +27,8 @@ pub(super) struct Levels<'a> {
     pub(super) cells: &'a [Cell],
     /// Which cells are free, once that is known.
     ///
-    /// Cells are joined to shells where what they share is certainly longer than its error. Later, free cells are linked
-    /// over all that they share as measured: nothing else can continue them.
+    /// Among all cells on a level it is not certain which are outermost. Once the others are known to be blocked, a
+    /// free cell can be continued by a free cell only.
     pub(super) free: Option<&'a [bool]>,
 }
 
@@ -53,6 +55,16 @@ struct Piece {
     errors: (f64, f64),
     /// Whether its free side is that of the track.
     along: bool,
+}
+
+/// A stretch of a level over which two cells continue each other.
+struct Stretch {
+    lower: u32,
+    upper: u32,
+    from: f64,
+    to: f64,
+    /// Whether some of it is certainly covered by both.
+    certain: bool,
 }
 
 impl Piece {
@@ -90,23 +102,19 @@ impl Track {
 impl Levels<'_> {
     /// Adds the contacts across all levels.
     pub(super) fn connect(&self, groups: &[(u32, Vec<u32>)], out: &mut Vec<VerticalContact>) {
-        self.connect_wraps(out);
-        for (at, sheets) in groups {
-            self.connect_group(*at, sheets, out);
-        }
+        let found: Vec<Vec<VerticalContact>> = groups
+            .par_iter()
+            .map(|(at, sheets)| self.connect_group(*at, sheets))
+            .collect();
+        out.extend(found.into_iter().flatten());
     }
 
     fn counts(&self, cell: u32) -> bool {
         self.free.is_none_or(|free| free[cell as usize])
     }
 
-    /// The cells that count, with their numbers.
-    fn counting(&self) -> impl Iterator<Item = (u32, &Cell)> {
-        (0u32..).zip(self.cells).filter(|(i, _)| self.counts(*i))
-    }
-
     fn extent(&self, cell: &Cell, at: u32, side: Side) -> Extent {
-        let measured = CellExtents::new(
+        CellExtents::new(
             self.geometry,
             self.clusters,
             self.branches,
@@ -114,11 +122,7 @@ impl Levels<'_> {
             at,
             side,
         )
-        .of(cell);
-        match self.free {
-            Some(_) => measured.without_errors(),
-            None => measured,
-        }
+        .of(cell)
     }
 
     /// Sheets that share a curve at a cluster: by the seams at which they begin and end, and by coincidence.
@@ -172,7 +176,27 @@ impl Levels<'_> {
             .collect()
     }
 
-    fn connect_group(&self, at: u32, group: &[u32], out: &mut Vec<VerticalContact>) {
+    fn connect_group(&self, at: u32, group: &[u32]) -> Vec<VerticalContact> {
+        let mut out = Vec::new();
+        let (mut ending, mut beginning) = (Vec::new(), Vec::new());
+        for &sheet in group {
+            let from = self.cells.partition_point(|c| c.sheet < sheet);
+            let mine = (from as u32..)
+                .zip(&self.cells[from..])
+                .take_while(|(_, c)| c.sheet == sheet)
+                .filter(|(i, _)| self.counts(*i));
+            for (i, c) in mine {
+                if c.to == at {
+                    ending.push(i);
+                }
+                if c.from == at {
+                    beginning.push(i);
+                }
+            }
+        }
+        if ending.is_empty() || beginning.is_empty() {
+            return out;
+        }
         let theta = self.clusters.at(at);
         let turn = Rotation::by(theta);
         let first = &self.geometry.contacts.sheets[group[0] as usize];
@@ -186,25 +210,16 @@ impl Levels<'_> {
                 zero: (first.start.at(turn) - Point::new(center.0, center.1)).angle(),
             },
         };
-        let (mut below, mut above) = (Vec::new(), Vec::new());
-        for &sheet in group {
-            let from = self.cells.partition_point(|c| c.sheet < sheet);
-            let mine = (from as u32..)
-                .zip(&self.cells[from..])
-                .take_while(|(_, c)| c.sheet == sheet)
-                .filter(|(i, _)| self.counts(*i));
-            for (i, c) in mine {
-                if c.to == at {
-                    below.extend(self.piece(i, c, at, Side::Below, &track));
-                }
-                if c.from == at {
-                    above.extend(self.piece(i, c, at, Side::Above, &track));
-                }
-            }
-        }
-        if below.is_empty() || above.is_empty() {
-            return;
-        }
+        let pieces = |cells: &[u32], side: Side| -> Vec<Piece> {
+            cells
+                .iter()
+                .filter_map(|&i| self.piece(i, at, side, &track))
+                .collect()
+        };
+        let (below, above) = (
+            pieces(&ending, Side::Below),
+            pieces(&beginning, Side::Above),
+        );
         let mut marks: Vec<f64> = below
             .iter()
             .chain(&above)
@@ -218,10 +233,9 @@ impl Levels<'_> {
         }
         marks.sort_by(f64::total_cmp);
         let (theta_below, theta_above) = (self.clusters.below(at), self.clusters.above(at));
-        let certainly = |q: &Piece, place| self.free.is_some() || q.certainly_covers(&track, place);
         for along in [true, false] {
             // Stretches of the track with the cells that continue each other there; neighbours of one pair are one.
-            let mut stretches: Vec<(u32, u32, f64, f64)> = Vec::new();
+            let mut stretches: Vec<Stretch> = Vec::new();
             for w in marks.windows(2) {
                 if w[1] - w[0] <= SHORTEST_OVERLAP {
                     continue;
@@ -233,20 +247,34 @@ impl Levels<'_> {
                 let (Some(low), Some(high)) = (low, high) else {
                     continue;
                 };
-                if !certainly(low, middle) || !certainly(high, middle) {
-                    continue;
-                }
+                let certain = [low, high]
+                    .iter()
+                    .all(|q| q.certainly_covers(&track, middle));
                 match stretches.last_mut() {
                     Some(s)
-                        if (s.0, s.1) == (low.cell, high.cell)
-                            && w[0] - s.3 <= SHORTEST_OVERLAP =>
+                        if (s.lower, s.upper) == (low.cell, high.cell)
+                            && w[0] - s.to <= SHORTEST_OVERLAP =>
                     {
-                        s.3 = w[1];
+                        s.to = w[1];
+                        s.certain |= certain;
                     }
-                    _ => stretches.push((low.cell, high.cell, w[0], w[1])),
+                    _ => stretches.push(Stretch {
+                        lower: low.cell,
+                        upper: high.cell,
+                        from: w[0],
+                        to: w[1],
+                        certain,
+                    }),
                 }
             }
-            for (lower, upper, from, to) in stretches {
+            for Stretch {
+                lower,
+                upper,
+                from,
+                to,
+                certain,
+            } in stretches
+            {
                 // Along the lower cell's own curve, from its middle.
                 let sheet =
                     &self.geometry.contacts.sheets[self.cells[lower as usize].sheet as usize];
@@ -259,9 +287,11 @@ impl Levels<'_> {
                     at,
                     lo: place - half,
                     hi: place + half,
+                    certain,
                 });
             }
         }
+        out
     }
 
     fn point(&self, track: &Track, on: Point, coordinate: f64) -> Point {
@@ -278,7 +308,8 @@ impl Levels<'_> {
         }
     }
 
-    fn piece(&self, index: u32, cell: &Cell, at: u32, side: Side, track: &Track) -> Option<Piece> {
+    fn piece(&self, index: u32, at: u32, side: Side, track: &Track) -> Option<Piece> {
+        let cell = &self.cells[index as usize];
         let theta = self.clusters.at(at);
         let turn = Rotation::by(theta);
         let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
@@ -355,10 +386,10 @@ impl Levels<'_> {
     }
 
     /// Cells that continue each other at the two ends of a full turn, which are one orientation.
-    fn connect_wraps(&self, out: &mut Vec<VerticalContact>) {
+    pub(super) fn connect_wraps(&self, out: &mut Vec<VerticalContact>) {
         let sheets = &self.geometry.contacts.sheets;
         let mut groups: BTreeMap<Seam, (Vec<u32>, Vec<u32>)> = BTreeMap::new();
-        for (i, c) in self.counting() {
+        for (i, c) in (0u32..).zip(self.cells) {
             let sheet = &sheets[c.sheet as usize];
             if c.at_top && matches!(sheet.top, Seam::Wrap(..)) {
                 groups.entry(sheet.top).or_default().0.push(i);
@@ -373,15 +404,14 @@ impl Levels<'_> {
                     let (l, u) = (&self.cells[lower as usize], &self.cells[upper as usize]);
                     let below = self.extent(l, l.to, Side::Below);
                     let above = self.extent(u, u.from, Side::Above);
-                    if let Some((lo, hi)) = below.shared_with(&above) {
-                        out.push(VerticalContact {
-                            lower,
-                            upper,
-                            at: l.to,
-                            lo,
-                            hi,
-                        });
-                    }
+                    out.extend(below.shared_with(&above).map(|shared| VerticalContact {
+                        lower,
+                        upper,
+                        at: l.to,
+                        lo: shared.lo,
+                        hi: shared.hi,
+                        certain: shared.certain,
+                    }));
                 }
             }
         }

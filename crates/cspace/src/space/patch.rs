@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::contact::{Carrier, ContactFunction, Spiral, place_error, place_on};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
-use crate::number::Dual;
+use crate::number::{Dual, Real};
 
 /// A maximal piece of the contact space on which one pair of features touches between the same two boundary curves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -213,18 +213,21 @@ impl Boundary {
     /// The position in the pair's frame, and its rounding error.
     fn inner_and_error(&self, own: &ContactFunction, theta: f64) -> (Point, f64) {
         let (sin, cos) = theta.sin_cos();
-        let p = self.inner(own, cos, sin);
-        let error = match self {
-            Self::End { .. } => 0.0,
+        match self {
+            Self::End { .. } => {
+                let p = self.inner(own, cos, sin);
+                (Point::new(p.0, p.1), 0.0)
+            }
             Self::Crossing { with, root } => {
                 let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
-                place_error(&f, &g, place_on(&f, &g, *root, false))
+                let place = place_on(&f, &g, *root, false);
+                let p = point_on(&f, place);
+                (Point::new(p.0, p.1), place_error(&f, &g, place))
             }
-        };
-        (Point::new(p.0, p.1), error)
+        }
     }
 
-    fn inner<T: crate::number::Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {
+    fn inner<T: Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {
         let real = T::constant;
         match self {
             Self::End {
@@ -235,14 +238,18 @@ impl Boundary {
             ),
             Self::Crossing { with, root } => {
                 let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
-                let v = place_on(&f, &g, *root, false);
-                match f {
-                    Carrier::Line { normal, through } => {
-                        (through.0 - normal.1 * v.0, through.1 + normal.0 * v.0)
-                    }
-                    Carrier::Circle { center, .. } => (center.0 + v.0, center.1 + v.1),
-                }
+                point_on(&f, place_on(&f, &g, *root, false))
             }
         }
+    }
+}
+
+/// The point of a carrier at a place given as by [`place_on`].
+fn point_on<T: Real>(f: &Carrier<T>, v: (T, T)) -> (T, T) {
+    match *f {
+        Carrier::Line { normal, through } => {
+            (through.0 - normal.1 * v.0, through.1 + normal.0 * v.0)
+        }
+        Carrier::Circle { center, .. } => (center.0 + v.0, center.1 + v.1),
     }
 }

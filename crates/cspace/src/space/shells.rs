@@ -13,7 +13,7 @@ use super::candidates::{Candidates, SheetRun};
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
 use super::levels::Levels;
-use super::sweep::{Cells, Placing, Sweep};
+use super::sweep::{Cells, Placing};
 
 /// Contacts between cells, and the verdict on each cell.
 #[derive(Debug)]
@@ -35,13 +35,11 @@ pub(super) struct ShellFinder<'a> {
     pub(super) branches: &'a [Branch],
     pub(super) candidates: &'a Candidates,
     pub(super) coincidences: &'a [Coincidence],
-    pub(super) sweep: &'a Sweep<'a>,
 }
 
 impl ShellFinder<'_> {
     pub(super) fn find(&self, cells: &Cells) -> Shells {
         let side = self.side_contacts(&cells.cells);
-        let mut vertical = cells.vertical.clone();
         let levels = Levels {
             geometry: self.geometry,
             clusters: self.clusters,
@@ -49,13 +47,16 @@ impl ShellFinder<'_> {
             cells: &cells.cells,
             free: None,
         };
+        let mut vertical = cells.vertical.clone();
+        levels.connect_wraps(&mut vertical);
+        let without_levels = vertical.len();
         let groups = levels.groups(self.coincidences);
         levels.connect(&groups, &mut vertical);
         let mut sets = UnionFind::new(cells.cells.len());
         for s in &side {
             sets.union(s.before, s.after);
         }
-        for v in &vertical {
+        for v in vertical.iter().filter(|v| v.certain) {
             sets.union(v.lower, v.upper);
         }
         let shell: Vec<u32> = (0..cells.cells.len() as u32)
@@ -70,30 +71,15 @@ impl ShellFinder<'_> {
             conflicts: 0,
         };
         self.judge(&cells.cells, &mut shells);
-        shells.vertical = self.links(cells, &shells.free, &groups);
-        shells
-    }
-
-    /// How free cells continue each other: all that they share, as measured.
-    ///
-    /// Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
-    /// what may be too short to join shells is still the best there is to link patches by.
-    fn links(
-        &self,
-        cells: &Cells,
-        free: &[bool],
-        groups: &[(u32, Vec<u32>)],
-    ) -> Vec<VerticalContact> {
-        let mut links = self.sweep.connect_measured(&cells.cells, free);
+        // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
+        // what may be too short to join shells is still the best there is to link patches by.
+        shells.vertical.truncate(without_levels);
         let levels = Levels {
-            geometry: self.geometry,
-            clusters: self.clusters,
-            branches: self.branches,
-            cells: &cells.cells,
-            free: Some(free),
+            free: Some(&shells.free),
+            ..levels
         };
-        levels.connect(groups, &mut links);
-        links
+        levels.connect(&groups, &mut shells.vertical);
+        shells
     }
 
     /// Cells that follow each other at shared ends and at branches.

@@ -25,7 +25,7 @@ pub(super) struct Sweep<'a> {
     pub(super) splits: &'a [(u32, u32)],
 }
 
-/// What is listed under a number: the clusters of a sheet, the cells of a cluster.
+/// The clusters listed for a sheet.
 fn listed(list: &[(u32, u32)], sheet: u32) -> impl Iterator<Item = u32> + '_ {
     let from = list.partition_point(|p| p.0 < sheet);
     list[from..]
@@ -77,6 +77,11 @@ impl<'a> Placing<'a> {
             half,
             mid_angle,
         }
+    }
+
+    /// The same sheet at another orientation.
+    fn turned(&self, theta: f64) -> Self {
+        Self::new(self.geometry, self.index, theta)
     }
 
     /// Half the length of the contact curve.
@@ -241,82 +246,33 @@ impl Sweep<'_> {
         out
     }
 
-    /// Cells that end and cells that begin at one cluster continue each other where they overlap by more than error.
+    /// Cells that end and cells that begin at one cluster continue each other where they overlap.
     fn connect(&self, sheet: u32, at: u32, closing: &[u32], opening: &[u32], out: &mut Cells) {
-        let Cells { cells, vertical } = out;
-        self.pair_up(sheet, at, (closing, opening), cells, false, vertical);
-    }
-
-    /// As [`connect`](Self::connect) for free cells only, over all that they share as measured.
-    pub(super) fn connect_measured(&self, cells: &[Cell], free: &[bool]) -> Vec<VerticalContact> {
-        let mut out = Vec::new();
-        let (mut closing, mut opening) = (Vec::new(), Vec::new());
-        let mut at = 0;
-        while at < cells.len() {
-            let sheet = cells[at].sheet;
-            let count = cells[at..].iter().take_while(|c| c.sheet == sheet).count();
-            let mine = (at as u32..(at + count) as u32).filter(|&i| free[i as usize]);
-            at += count;
-            let ends: Vec<(u32, u32)> = sorted(mine.clone().map(|i| (cells[i as usize].to, i)));
-            let starts: Vec<(u32, u32)> = sorted(mine.map(|i| (cells[i as usize].from, i)));
-            for group in ends.chunk_by(|a, b| a.0 == b.0) {
-                let cluster = group[0].0;
-                if self.splits.binary_search(&(sheet, cluster)).is_ok() {
-                    continue;
-                }
-                closing.clear();
-                closing.extend(group.iter().map(|g| g.1));
-                opening.clear();
-                opening.extend(listed(&starts, cluster));
-                self.pair_up(sheet, cluster, (&closing, &opening), cells, true, &mut out);
-            }
-        }
-        out
-    }
-
-    fn pair_up(
-        &self,
-        sheet: u32,
-        at: u32,
-        (closing, opening): (&[u32], &[u32]),
-        cells: &[Cell],
-        measured: bool,
-        out: &mut Vec<VerticalContact>,
-    ) {
         if closing.is_empty() || opening.is_empty() {
             return;
         }
+        let Cells { cells, vertical } = out;
         let ranges = |list: &[u32], side: Side| -> Vec<Extent> {
             let extents =
                 CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at, side);
             list.iter()
-                .map(|&c| {
-                    let e = extents.of(&cells[c as usize]);
-                    if measured { e.without_errors() } else { e }
-                })
+                .map(|&c| extents.of(&cells[c as usize]))
                 .collect()
         };
         let (below, above) = (ranges(closing, Side::Below), ranges(opening, Side::Above));
         for (i, b) in below.iter().enumerate() {
             for (j, a) in above.iter().enumerate() {
-                if let Some((lo, hi)) = b.shared_with(a) {
-                    out.push(VerticalContact {
-                        lower: closing[i],
-                        upper: opening[j],
-                        at,
-                        lo,
-                        hi,
-                    });
-                }
+                vertical.extend(b.shared_with(a).map(|shared| VerticalContact {
+                    lower: closing[i],
+                    upper: opening[j],
+                    at,
+                    lo: shared.lo,
+                    hi: shared.hi,
+                    certain: shared.certain,
+                }));
             }
         }
     }
-}
-
-fn sorted(list: impl Iterator<Item = (u32, u32)>) -> Vec<(u32, u32)> {
-    let mut list: Vec<(u32, u32)> = list.collect();
-    list.sort_unstable();
-    list
 }
 
 /// A cell's range along its contact curve at one orientation, with the errors of both ends.
@@ -328,18 +284,18 @@ pub(super) struct Extent {
     pub(super) hi_error: f64,
 }
 
-impl Extent {
-    /// The range as measured.
-    pub(super) fn without_errors(self) -> Self {
-        Self {
-            lo_error: 0.0,
-            hi_error: 0.0,
-            ..self
-        }
-    }
+/// What two cells share of one curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shared {
+    pub(super) lo: f64,
+    pub(super) hi: f64,
+    /// Whether it is longer than the errors of its ends.
+    pub(super) certain: bool,
+}
 
-    /// The common range, if it is longer than the errors of its ends.
-    pub(super) fn shared_with(&self, other: &Self) -> Option<(f64, f64)> {
+impl Extent {
+    /// The common range as measured, if there is one.
+    pub(super) fn shared_with(&self, other: &Self) -> Option<Shared> {
         let (lo, lo_error) = if self.lo > other.lo {
             (self.lo, self.lo_error)
         } else {
@@ -350,7 +306,12 @@ impl Extent {
         } else {
             (other.hi, other.hi_error)
         };
-        (hi - lo > lo_error + hi_error + SHORTEST_OVERLAP).then_some((lo, hi))
+        let length = hi - lo;
+        (length > SHORTEST_OVERLAP).then_some(Shared {
+            lo,
+            hi,
+            certain: length > lo_error + hi_error + SHORTEST_OVERLAP,
+        })
     }
 }
 
@@ -364,46 +325,33 @@ pub(super) enum Side {
 /// Measures cells of one sheet where they meet a cluster.
 ///
 /// A place is measured at the cluster's orientation. The event that ends or begins the cell may happen anywhere in the
-/// cluster; what that may change is seen by measuring again at both its edges. A bound on the speed would be of no use
-/// where carriers are tangent.
+/// cluster; what that may change is bounded by the sharpness of the crossing, or, towards a tangency, seen by measuring
+/// again at both edges of the cluster.
 pub(super) struct CellExtents<'a> {
-    geometry: &'a Geometry,
-    branches: &'a [Branch],
-    sheet: u32,
     at: Placing<'a>,
-    edges: [Placing<'a>; 2],
-    theta: f64,
-    /// The cluster's edge on the cell's side, and half way into the slab there.
-    edge: f64,
-    slab: f64,
+    branches: &'a [Branch],
+    clusters: &'a Clusters,
+    cluster: u32,
+    side: Side,
     width: f64,
 }
 
 impl<'a> CellExtents<'a> {
     pub(super) fn new(
         geometry: &'a Geometry,
-        clusters: &Clusters,
+        clusters: &'a Clusters,
         branches: &'a [Branch],
         sheet: u32,
-        at: u32,
+        cluster: u32,
         side: Side,
     ) -> Self {
-        let (lo, theta, hi) = (clusters.lo(at), clusters.at(at), clusters.hi(at));
-        let (edge, slab) = match side {
-            Side::Below => (lo, clusters.below(at)),
-            Side::Above => (hi, clusters.above(at)),
-        };
-        let placing = |theta| Placing::new(geometry, sheet, theta);
         Self {
-            geometry,
+            at: Placing::new(geometry, sheet, clusters.at(cluster)),
             branches,
-            sheet,
-            at: placing(theta),
-            edges: [placing(lo), placing(hi)],
-            theta,
-            edge,
-            slab,
-            width: hi - lo,
+            clusters,
+            cluster,
+            side,
+            width: clusters.hi(cluster) - clusters.lo(cluster),
         }
     }
 
@@ -420,18 +368,27 @@ impl<'a> CellExtents<'a> {
 
     /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
     fn bound(&self, branch: u32, end: f64) -> (f64, f64) {
+        /// The largest speed of an end or a crossing, to be divided by the sine, in the pair's frame per radian.
+        const SPEED: f64 = 4.0;
+        /// Up to this length the sharpness of the crossing hardly changes on the way, and bounds its motion.
+        const SHORT: f64 = 1e-8;
         /// A larger rounding error than this is worth a second measurement, in the pair's frame.
         const GOOD: f64 = 1e-7;
-        let motion = |at: f64, edges: [f64; 2]| (edges[0] - at).abs().max((edges[1] - at).abs());
-        let [first, last] = &self.edges;
         if branch == END {
-            let at = self.at.half();
-            let error = motion(at, [first.half(), last.half()]) + PLACE_ERROR;
-            return (end * at, error);
+            return (end * self.at.half(), SPEED * self.width + PLACE_ERROR);
         }
         let b = &self.branches[branch as usize];
         let (at, rounding) = self.at.within(b);
-        let error = rounding + motion(at, [first.within(b).0, last.within(b).0]);
+        let error = rounding * (1.0 + SPEED * self.width / PLACE_ERROR);
+        if error <= SHORT {
+            return (at, error);
+        }
+        let motion = [
+            self.clusters.lo(self.cluster),
+            self.clusters.hi(self.cluster),
+        ]
+        .map(|edge| (self.at.turned(edge).within(b).0 - at).abs());
+        let error = rounding + motion[0].max(motion[1]);
         if rounding <= GOOD {
             return (at, error);
         }
@@ -447,11 +404,21 @@ impl<'a> CellExtents<'a> {
     fn approached(&self, b: &Branch) -> (f64, f64) {
         /// How far aside, radians: the motion and the rounding divided by the sine are both about this then.
         const ASIDE: f64 = 1e-7;
-        let step = (0.5 * (self.slab - self.edge)).clamp(-ASIDE, ASIDE);
-        let placed = |theta: f64| Placing::new(self.geometry, self.sheet, theta).within(b);
-        let (near, rounding) = placed(self.edge + step);
-        let (far, _) = placed(self.edge + 2.0 * step);
-        let away = ((self.edge + step - self.theta).abs() + self.width) / step.abs();
+        let (edge, slab) = match self.side {
+            Side::Below => (
+                self.clusters.lo(self.cluster),
+                self.clusters.below(self.cluster),
+            ),
+            Side::Above => (
+                self.clusters.hi(self.cluster),
+                self.clusters.above(self.cluster),
+            ),
+        };
+        let step = (0.5 * (slab - edge)).clamp(-ASIDE, ASIDE);
+        let (near, rounding) = self.at.turned(edge + step).within(b);
+        let (far, _) = self.at.turned(edge + 2.0 * step).within(b);
+        let theta = self.clusters.at(self.cluster);
+        let away = ((edge + step - theta).abs() + self.width) / step.abs();
         (near, rounding + away * (far - near).abs())
     }
 }
