@@ -142,7 +142,7 @@ impl Patch {
     pub(crate) fn inner_at(&self, boundary: &Boundary, theta: f64) -> Point {
         /// A rounding error up to this is accepted, in the pair's frame.
         const GOOD: f64 = 1e-7;
-        /// How far away the nearer of two slices is taken, radians: the square of it is below what their rounding makes.
+        /// How far away the nearest slice is taken, radians: the square of it is below what their rounding makes.
         const ASIDE: f64 = 1e-5;
         let (p, error) = boundary.inner_and_error(&self.function, theta);
         if error <= GOOD {
@@ -155,12 +155,17 @@ impl Patch {
         } else {
             -step
         };
-        let (near, near_error) = boundary.inner_and_error(&self.function, theta + step);
-        let (far, far_error) = boundary.inner_and_error(&self.function, theta + 2.0 * step);
-        if near_error.max(far_error) >= error {
+        let [near, next, far] = [1.0, 2.0, 3.0].map(|k| {
+            let (p, error) = boundary.inner_and_error(&self.function, theta + k * step);
+            (p.to_vector(), error)
+        });
+        // A straight line through two, and how far the third is off it: at a tangency, where places move with the square
+        // root of the orientation, that is far, and the place itself is better.
+        let bend = (near.0 - next.0 * 2.0 + far.0).length();
+        if bend + near.1 + next.1 >= error {
             return p;
         }
-        let p = near + (near - far);
+        let p = Point::ORIGIN + (near.0 * 2.0 - next.0);
         let (normal, _) = self.function.gradient(p, theta);
         p + -(normal * self.function.value(p, theta))
     }

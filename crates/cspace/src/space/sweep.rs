@@ -419,6 +419,7 @@ impl<'a> CellExtents<'a> {
         let (far, _) = self.at.turned(edge + 2.0 * step).within(b);
         let theta = self.clusters.at(self.cluster);
         let away = ((edge + step - theta).abs() + self.width) / step.abs();
-        (near, rounding + away * (far - near).abs())
+        // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
+        (near, rounding + 3.0 * away * (far - near).abs())
     }
 }
