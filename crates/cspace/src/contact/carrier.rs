@@ -124,6 +124,11 @@ pub(crate) fn place_error(f: &Carrier<f64>, g: &Carrier<f64>, place: (f64, f64))
     };
     // Seen from one side of the common tangent.
     let bend = (curvature(f) - curvature(g) * normal.dot(other).signum()).abs();
-    let error = off + PLACE_ERROR / normal.cross(other).abs().max((PLACE_ERROR * bend).sqrt());
+    let error = off
+        + PLACE_ERROR
+            / normal
+                .cross(other)
+                .abs()
+                .max((0.5 * PLACE_ERROR * bend).sqrt());
     if error.is_nan() { f64::INFINITY } else { error }
 }

@@ -356,13 +356,15 @@ impl<'a> CellExtents<'a> {
     }
 
     pub(super) fn of(&self, cell: &Cell) -> Extent {
+        /// Errors are estimates, of events and of places; this much worse they may be.
+        const MARGIN: f64 = 2.0;
         let (lo, lo_error) = self.bound(cell.left, -1.0);
         let (hi, hi_error) = self.bound(cell.right, 1.0);
         Extent {
             lo,
             hi,
-            lo_error,
-            hi_error,
+            lo_error: MARGIN * lo_error,
+            hi_error: MARGIN * hi_error,
         }
     }
 
