@@ -31,6 +31,13 @@ impl PairFrame {
         }
     }
 
+    /// How far from the origin of this frame the moving part can be in contact with the fixed part: no farther than
+    /// their radii together, and what the fixed part is grown by.
+    pub(crate) fn reach(&self, fixed: &Part, moving: &Part) -> f64 {
+        let grown = super::tolerance::MITRE * super::tolerance::GROWTH;
+        (center_and_radius(fixed).1 + center_and_radius(moving).1) * self.scale + grown
+    }
+
     /// From a configuration's position to this frame.
     pub(crate) fn inner_from_outer(&self, c: Configuration) -> Point {
         let turned = Rotation::by(c.theta) * self.moving_center.to_vector();

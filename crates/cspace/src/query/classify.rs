@@ -19,7 +19,8 @@ pub enum Classification {
 
 impl ContactSpace {
     /// Classifies a configuration: contact if a contact curve of its slice is within [`resolution`](Self::resolution),
-    /// otherwise by the side from which a ray meets the first contact curve. `None` outside the window.
+    /// otherwise by the side from which a ray meets the first contact curve. `None` outside the window, or if the
+    /// configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
@@ -35,6 +36,9 @@ impl ContactSpace {
     /// ```
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
         let window = self.window();
+        if !(c.position().is_finite() && c.theta.is_finite()) {
+            return None;
+        }
         if !window.full_turn && !(window.lo..=window.hi).contains(&c.theta) {
             return None;
         }

@@ -232,7 +232,8 @@ impl Boundary {
         }
     }
 
-    fn inner<T: Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {
+    /// The position in the pair's frame, in any arithmetic, from the cosine and sine of the orientation.
+    pub(crate) fn inner<T: Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {
         let real = T::constant;
         match self {
             Self::End {

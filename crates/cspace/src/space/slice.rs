@@ -18,7 +18,7 @@ impl ContactSpace {
         let mut number = vec![u32::MAX; self.patches.len()];
         let mut at = Vec::new();
         for (i, patch) in (0u32..).zip(&self.patches) {
-            if let Some(t) = patch.turned_into(theta).filter(|&t| t < patch.hi) {
+            if let Some(t) = self.alive(patch, theta) {
                 number[i as usize] = curves.len() as u32;
                 at.push((i, t));
                 curves.push(SliceCurve {
@@ -31,7 +31,10 @@ impl ContactSpace {
             }
         }
         for (curve, &(i, t)) in curves.iter_mut().zip(&at) {
-            let link = self.links_after(i).find(|l| l.lo <= t && t < l.hi);
+            let last = t == self.patches[i as usize].hi;
+            let link = self
+                .links_after(i)
+                .find(|l| l.lo <= t && (t < l.hi || (last && t <= l.hi)));
             // The link's orientations are those of the patch before it.
             if let Some(link) = link {
                 curve.next = number[link.after as usize];
@@ -40,8 +43,18 @@ impl ContactSpace {
         Slice::from_curves(theta, curves)
     }
 
+    /// The orientation brought into the interval of a patch, if the patch is part of the slice there: where one patch
+    /// ends and another begins it is the upper one, and at the end of the window the last.
+    #[inline]
+    pub(crate) fn alive(&self, patch: &Patch, theta: f64) -> Option<f64> {
+        if !self.window.full_turn && theta == self.window.hi {
+            return (patch.hi >= theta).then_some(patch.hi);
+        }
+        patch.turned_into(theta).filter(|&t| t < patch.hi)
+    }
+
     /// The curve of a patch at an orientation of its interval.
-    fn curve(&self, patch: &Patch, theta: f64) -> CurveGeometry {
+    pub(crate) fn curve(&self, patch: &Patch, theta: f64) -> CurveGeometry {
         let outer = |p: Point| self.frame.outer_from_inner(p, theta).position();
         let start = patch.inner_at(&patch.left, theta);
         let end = patch.inner_at(&patch.right, theta);

@@ -1,0 +1,59 @@
+//! Configurations classified in a second on one core, and what it takes to be prepared for that.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use core::f64::consts::PI;
+use std::hint::black_box;
+use std::time::Instant;
+
+use cspace::{Configuration, ContactSpace, Options};
+use cspace_oracle::shapes::gear;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+fn main() {
+    for (n, m) in [(10, 9), (26, 24)] {
+        report(n, m);
+    }
+}
+
+fn report(n: usize, m: usize) {
+    let (fixed, moving) = (gear(n, 1.0), gear(m, 1.0));
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let begin = Instant::now();
+    let classifier = space.classifier();
+    let seconds = begin.elapsed().as_secs_f64();
+    let computed = space.statistics().seconds.total;
+    let patches = space.patches().len();
+    println!("gears {n} and {m}: {patches} patches in {:.1} ms", 1e3 * computed);
+    println!(
+        "  classifier in {:.1} ms, {:.2} times as long; {:.1} MB, {} bytes a patch",
+        1e3 * seconds,
+        seconds / computed,
+        classifier.bytes() as f64 / 1e6,
+        classifier.bytes() / patches
+    );
+    // Where the tips' circles touch.
+    let reach = 0.5 * (n + m) as f64 + 2.0;
+    for factor in [1.0, 2.0] {
+        let mut rng = ChaCha8Rng::seed_from_u64(7);
+        let mut at = || rng.random_range(-1.0..1.0) * factor * reach;
+        let all: Vec<Configuration> = (0..4_000_000)
+            .map(|_| Configuration::new(at(), at(), at() * PI / (factor * reach)))
+            .collect();
+        let fast = per_second(&all, |c| black_box(classifier.classify(c)).is_some());
+        let slow = per_second(&all[..2000], |c| black_box(space.classify(c)).is_some());
+        println!(
+            "  box of {factor} times the reach: {:.2} million a second, {:.0} times as fast as from slices",
+            fast / 1e6,
+            fast / slow
+        );
+    }
+}
+
+fn per_second(all: &[Configuration], f: impl Fn(Configuration) -> bool) -> f64 {
+    let begin = Instant::now();
+    let known = all.iter().filter(|&&c| f(c)).count();
+    assert_eq!(known, all.len());
+    all.len() as f64 / begin.elapsed().as_secs_f64()
+}

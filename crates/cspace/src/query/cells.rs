@@ -1,0 +1,163 @@
+//! What is in each cell of a grid, packed.
+
+use super::grid::TILE;
+use super::walk::Content;
+
+/// What is in a cell: nothing but free or blocked space, one patch, or a list of patches.
+///
+/// A list is its place with the highest bit set; the first number there is its length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Entry(u32);
+
+pub(super) const PURE_FREE: Entry = Entry(u32::MAX);
+pub(super) const PURE_BLOCKED: Entry = Entry(u32::MAX - 1);
+const LIST: u32 = 1 << 31;
+
+impl Entry {
+    /// An entry for patches, of which more than one are appended to the lists.
+    pub(super) fn listed(patches: impl ExactSizeIterator<Item = u32>, lists: &mut Vec<u32>) -> Self {
+        let at = lists.len() as u32;
+        lists.push(patches.len() as u32);
+        lists.extend(patches);
+        match lists[at as usize..] {
+            [1, patch] => {
+                lists.truncate(at as usize);
+                Self(patch)
+            }
+            _ => Self(LIST | at),
+        }
+    }
+
+    pub(super) fn is_pure(self) -> bool {
+        self == PURE_FREE || self == PURE_BLOCKED
+    }
+
+    /// The patches of a cell that is not pure.
+    #[inline]
+    pub(super) fn patches<'a>(&'a self, lists: &'a [u32]) -> &'a [u32] {
+        if self.0 & LIST == 0 {
+            return core::slice::from_ref(&self.0);
+        }
+        let at = (self.0 & !LIST) as usize;
+        &lists[at + 1..][..lists[at] as usize]
+    }
+}
+
+/// A square of cells, some of which contact passes.
+#[derive(Debug, Clone, Copy)]
+struct Tile {
+    /// Which cells contact may pass, by rows.
+    mixed: u64,
+    /// Which of the others are free.
+    free: u64,
+    /// Where the entries of the mixed cells begin.
+    first: u32,
+}
+
+const FREE_TILE: u32 = 0;
+const BLOCKED_TILE: u32 = 1;
+const FIRST_TILE: u32 = 2;
+
+/// The cells of slots, one slot after the other.
+#[derive(Debug, Clone, Default)]
+pub(super) struct CellStore {
+    /// For each slot and tile of it: free, blocked, or a tile's index plus [`FIRST_TILE`].
+    directory: Vec<u32>,
+    tiles: Vec<Tile>,
+    /// The content of mixed cells.
+    entries: Vec<Entry>,
+    lists: Vec<u32>,
+}
+
+impl CellStore {
+    /// Packs the cells of one slot, given by rows.
+    pub(super) fn packed(side: usize, cells: &[Entry], lists: Vec<u32>) -> Self {
+        let mut store = Self {
+            lists,
+            ..Self::default()
+        };
+        for ty in (0..side).step_by(TILE) {
+            for tx in (0..side).step_by(TILE) {
+                let first = store.entries.len() as u32;
+                let (mut mixed, mut free, mut bit) = (0, 0, 1u64);
+                for row in ty..ty + TILE {
+                    for &entry in &cells[row * side + tx..][..TILE] {
+                        match entry {
+                            PURE_FREE => free |= bit,
+                            PURE_BLOCKED => {}
+                            _ => {
+                                mixed |= bit;
+                                store.entries.push(entry);
+                            }
+                        }
+                        bit <<= 1;
+                    }
+                }
+                store.directory.push(match (mixed, free) {
+                    (0, u64::MAX) => FREE_TILE,
+                    (0, 0) => BLOCKED_TILE,
+                    _ => FIRST_TILE + store.tiles.len() as u32,
+                });
+                if mixed != 0 || (free != 0 && free != u64::MAX) {
+                    store.tiles.push(Tile { mixed, free, first });
+                }
+            }
+        }
+        store
+    }
+
+    /// Adds the slots of another store after those of this one.
+    pub(super) fn append(&mut self, other: &Self) {
+        let tiles = self.tiles.len() as u32;
+        let entries = self.entries.len() as u32;
+        let lists = self.lists.len() as u32;
+        let later = |&t: &u32| if t < FIRST_TILE { t } else { t + tiles };
+        self.directory.extend(other.directory.iter().map(later));
+        self.tiles.extend(other.tiles.iter().map(|t| Tile {
+            first: t.first + entries,
+            ..*t
+        }));
+        let moved = |e: &Entry| Entry(if e.0 & LIST == 0 { e.0 } else { e.0 + lists });
+        self.entries.extend(other.entries.iter().map(moved));
+        self.lists.extend(&other.lists);
+    }
+
+    /// Frees what was reserved in vain.
+    pub(super) fn shrink(&mut self) {
+        self.directory.shrink_to_fit();
+        self.tiles.shrink_to_fit();
+        self.entries.shrink_to_fit();
+        self.lists.shrink_to_fit();
+    }
+
+    /// What is in a cell of a slot.
+    #[inline]
+    pub(super) fn content(&self, side: usize, slot: usize, column: usize, row: usize) -> Content<'_> {
+        let tiles = side / TILE;
+        let tile = self.directory[(slot * tiles + row / TILE) * tiles + column / TILE];
+        if tile < FIRST_TILE {
+            return Content::Pure {
+                free: tile == FREE_TILE,
+            };
+        }
+        let tile = &self.tiles[(tile - FIRST_TILE) as usize];
+        let bit = (row % TILE) * TILE + column % TILE;
+        if tile.mixed >> bit & 1 == 0 {
+            return Content::Pure {
+                free: tile.free >> bit & 1 == 1,
+            };
+        }
+        let before = (tile.mixed & ((1 << bit) - 1)).count_ones();
+        let entry = &self.entries[(tile.first + before) as usize];
+        Content::Mixed(entry.patches(&self.lists))
+    }
+
+    /// Number of bytes in memory.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<Self>()
+            + size_of_val(&*self.directory)
+            + size_of_val(&*self.tiles)
+            + size_of_val(&*self.entries)
+            + size_of_val(&*self.lists)
+    }
+}

@@ -1,0 +1,167 @@
+//! Classifying many configurations.
+
+use rayon::prelude::*;
+
+use crate::geometry::{Configuration, Point, Rotation};
+use crate::space::ContactSpace;
+
+use super::cells::CellStore;
+use super::classify::Classification;
+use super::grid::Grid;
+use super::raster::MARGIN;
+use super::ray::{Direction, off_carrier};
+use super::slot::{self, presences};
+use super::walk::{self, Content};
+
+/// Orientations farther from zero than this (radians, some hundred turns) are classified the slow way: brought home by
+/// turns, their rounding is no longer small beside the margin of cells.
+const FARTHEST_ORIENTATION: f64 = 1024.0;
+
+/// A [`ContactSpace`] prepared for classifying millions of configurations: about 0.1 µs each on one core.
+///
+/// Orientations are divided into slots, and positions, in the pair's frame, into square cells. A cell is *pure* if no
+/// patch comes to it at any orientation of its slot; then all of it is free, or all is blocked. That is certain, not
+/// sampled: the curves of a patch over an interval of orientations are enclosed by a curve and a distance. The other
+/// cells have lists of the patches that may come to them. There the patches of the list are evaluated at the very
+/// orientation: contact if one is within [`ContactSpace::resolution`], otherwise the first that an axis meets tells,
+/// from cell to cell until one does or the cell is pure. Where the axis passes too close to an end of a patch, another
+/// direction is tried, and at last the slice is made, so the answer is always that of [`ContactSpace::classify`].
+///
+/// There are about 32 mixed cells for each patch, and some 16000 in a small space: 300 to 600 bytes a patch with all
+/// indices. It is built in less time than the space. Building uses all threads, and gives the same result with any
+/// number of them.
+#[derive(Debug, Clone)]
+pub struct Classifier<'a> {
+    space: &'a ContactSpace,
+    grid: Grid,
+    /// Beyond this distance from the centre of the fixed part all is free (model length, squared).
+    far: f64,
+    cells: CellStore,
+}
+
+impl ContactSpace {
+    /// Prepares to classify many configurations; see [`Classifier`].
+    ///
+    /// ```
+    /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
+    /// let classifier = space.classifier();
+    /// let at = |x| classifier.classify(Configuration::new(x, 0.0, 1e-3));
+    /// assert_eq!(at(4.0), Some(Classification::Free));
+    /// assert_eq!(at(2.0), Some(Classification::Blocked));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn classifier(&self) -> Classifier<'_> {
+        Classifier::new(self)
+    }
+}
+
+impl<'a> Classifier<'a> {
+    fn new(space: &'a ContactSpace) -> Self {
+        let reach = space.frame.reach(&space.fixed, &space.moving) + MARGIN;
+        let grid = Grid::new(space, reach);
+        let drawn = space.frame.moving_center.to_vector().length();
+        let far = space.frame.outer_length(2.0 * reach) + drawn * (1.0 + 1e-12);
+        let stores: Vec<CellStore> = presences(space, &grid)
+            .par_iter()
+            .enumerate()
+            .map(|(slot, presences)| slot::cells(space, &grid, slot, presences))
+            .collect();
+        let mut cells = CellStore::default();
+        for store in &stores {
+            cells.append(store);
+        }
+        cells.shrink();
+        Self {
+            space,
+            grid,
+            far: far * far,
+            cells,
+        }
+    }
+
+    /// As [`ContactSpace::classify`], and with the same answers: `None` outside the window, and for a configuration that
+    /// is not finite.
+    #[inline]
+    pub fn classify(&self, c: Configuration) -> Option<Classification> {
+        let slot = self.grid.slot(c.theta)?;
+        let from = c.position() - self.space.frame.fixed_center;
+        let square = from.length_squared();
+        // Not "at least", so that NaN comes here too.
+        if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
+            return self.classify_far(c, square);
+        }
+        let turn = Rotation::by(c.theta);
+        let frame = &self.space.frame;
+        let p = Point::ORIGIN + (from + turn * frame.moving_center.to_vector()) * frame.scale;
+        let (Some(column), Some(row)) = (self.grid.index(p.x), self.grid.index(p.y)) else {
+            return Some(Classification::Free);
+        };
+        match self.content(slot, column, row) {
+            Content::Pure { free: true } => Some(Classification::Free),
+            Content::Pure { free: false } => Some(Classification::Blocked),
+            Content::Mixed(patches) => self.classify_among(c, turn, p, slot, patches),
+        }
+    }
+
+    /// Number of bytes in memory, without the space itself.
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>() + self.cells.bytes()
+    }
+
+    #[inline]
+    fn content(&self, slot: usize, column: usize, row: usize) -> Content<'_> {
+        self.cells.content(self.grid.side, slot, column, row)
+    }
+
+    #[cold]
+    fn classify_far(&self, c: Configuration, square: f64) -> Option<Classification> {
+        if !(c.position().is_finite() && c.theta.is_finite()) {
+            None
+        } else if square >= self.far {
+            Some(Classification::Free)
+        } else {
+            self.space.classify(c)
+        }
+    }
+
+    /// Classifies a configuration of a cell that contact may pass.
+    #[inline(never)]
+    fn classify_among(
+        &self,
+        c: Configuration,
+        turn: Rotation,
+        p: Point,
+        slot: usize,
+        patches: &[u32],
+    ) -> Option<Classification> {
+        let resolution = self.space.resolution();
+        for &i in patches {
+            let patch = &self.space.patches[i as usize];
+            if off_carrier(patch, turn, p) <= MARGIN
+                && let Some(theta) = self.space.alive(patch, c.theta)
+            {
+                let curve = self.space.curve(patch, theta);
+                if curve.nearest(c.position()).distance(c.position()) <= resolution {
+                    return Some(Classification::Contact);
+                }
+            }
+        }
+        let place = (p, c.theta, turn);
+        for direction in Direction::ALL {
+            let content = |column, row| self.content(slot, column, row);
+            if let Some(free) = walk::is_free(self.space, &self.grid, place, direction, content) {
+                return Some(if free {
+                    Classification::Free
+                } else {
+                    Classification::Blocked
+                });
+            }
+        }
+        self.space.classify(c)
+    }
+}

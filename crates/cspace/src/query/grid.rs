@@ -1,0 +1,126 @@
+//! A grid over orientations and positions.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::space::{ContactSpace, Window};
+
+/// Side of a tile of cells.
+pub(super) const TILE: usize = 8;
+
+/// Cells which contact passes, for each patch: about so many, of some ten bytes each.
+const CELLS_PER_PATCH: f64 = 32.0;
+/// The same for a whole space, at least: small spaces shall be fast as well.
+const LEAST_CELLS: f64 = 16384.0;
+/// All cells, as a multiple of those which contact passes: one bit of a tile's masks each, so bounded as well.
+const ALL_CELLS: f64 = 32.0;
+const MOST_SLOTS: f64 = 4096.0;
+const MOST_COLUMNS: f64 = 2048.0;
+
+/// Slots of orientation, each with the same square of square cells about the origin of the pair's frame.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Grid {
+    /// First orientation, radians.
+    lo: f64,
+    /// All orientations, radians.
+    span: f64,
+    full_turn: bool,
+    pub(super) slots: usize,
+    /// Slots per radian.
+    slot_density: f64,
+    /// Cells in a row, and in a column; a multiple of [`TILE`].
+    pub(super) side: usize,
+    /// Half the side of the square (length).
+    reach: f64,
+    /// Side of a cell (length).
+    pub(super) cell: f64,
+    cell_density: f64,
+}
+
+impl Grid {
+    /// A grid for a space; `reach` is how far from the origin there may be contact.
+    ///
+    /// In a slice, curves of length A pass about 2 A / h cells of side h and of as many radians, as a radian moves
+    /// them by about one. So cells of h = √(2 ∫ A dθ / M) are M in number.
+    pub(super) fn new(space: &ContactSpace, reach: f64) -> Self {
+        let Window { lo, hi, full_turn } = space.window();
+        let (lo, span) = if full_turn { (-PI, TAU) } else { (lo, hi - lo) };
+        let area: f64 = space
+            .patches
+            .iter()
+            .map(|p| {
+                let curve = space.curve(p, 0.5 * (p.lo + p.hi));
+                curve.length() * space.frame.scale * (p.hi - p.lo)
+            })
+            .sum();
+        let wanted = (CELLS_PER_PATCH * space.patches.len() as f64).max(LEAST_CELLS);
+        let by_contact = (2.0 * area / wanted).sqrt();
+        let by_volume = (span * 4.0 * reach * reach / (ALL_CELLS * wanted)).cbrt();
+        let cell = by_contact.max(by_volume);
+        let count = |length: f64, most: f64| (length / cell).ceil().clamp(1.0, most);
+        let slots = count(span, MOST_SLOTS);
+        let side = count(2.0 * reach, MOST_COLUMNS) as usize;
+        let side = side.next_multiple_of(TILE);
+        let cell = 2.0 * reach / side as f64;
+        Self {
+            lo,
+            span,
+            full_turn,
+            slots: slots as usize,
+            slot_density: slots / span,
+            side,
+            reach,
+            cell,
+            cell_density: 1.0 / cell,
+        }
+    }
+
+    /// The slot of an orientation; `None` outside the window.
+    #[inline]
+    pub(super) fn slot(&self, theta: f64) -> Option<usize> {
+        let mut t = theta - self.lo;
+        if !(0.0..=self.span).contains(&t) {
+            if !self.full_turn {
+                return None;
+            }
+            t -= TAU * (t / TAU).floor();
+        }
+        Some(((t * self.slot_density) as usize).min(self.slots - 1))
+    }
+
+    /// The slots that have orientations between two.
+    pub(super) fn slots_between(&self, lo: f64, hi: f64) -> core::ops::Range<usize> {
+        let at = |t: f64| (t - self.lo) * self.slot_density;
+        let first = at(lo).floor().max(0.0) as usize;
+        let last = at(hi).floor();
+        if last < 0.0 {
+            0..0
+        } else {
+            first..(last as usize + 1).min(self.slots)
+        }
+    }
+
+    /// The orientations of a slot.
+    pub(super) fn orientations(&self, slot: usize) -> (f64, f64) {
+        let at = |i: usize| self.lo + i as f64 / self.slot_density;
+        (at(slot), at(slot + 1))
+    }
+
+    /// A coordinate in cells from the edge of the square.
+    #[inline]
+    pub(super) fn in_cells(&self, coordinate: f64) -> f64 {
+        (coordinate + self.reach) * self.cell_density
+    }
+
+    /// The place of a line between cells, as a coordinate.
+    #[inline]
+    pub(super) fn line(&self, index: usize) -> f64 {
+        index as f64 * self.cell - self.reach
+    }
+
+    /// Column or row of a coordinate, if it is in the square.
+    #[inline]
+    pub(super) fn index(&self, coordinate: f64) -> Option<usize> {
+        let at = self.in_cells(coordinate);
+        (at >= 0.0 && at < self.side as f64).then_some(at as usize)
+    }
+}

@@ -1,0 +1,178 @@
+//! Where the curves of a patch are over an interval of orientations.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::contact::{ContactFunction, place_on};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::{Ball, Jet, Real};
+use crate::space::{Boundary, Patch, sweep};
+
+/// Longer than anything in the pair's frame, where all contact is within 2 of the origin (length).
+const FAR: f64 = 8.0;
+/// More than the rounding errors of a position in the pair's frame (length).
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A curve and a distance: the curves of a patch at all orientations of an interval are within `spread` of `shape`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Swept {
+    pub(super) shape: Shape,
+    pub(super) spread: f64,
+    /// By how much the shape was made longer at its ends.
+    pub(super) slack: f64,
+}
+
+/// A curve of the pair's frame.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Shape {
+    Segment {
+        start: Point,
+        end: Point,
+    },
+    Arc {
+        center: Point,
+        radius: f64,
+        start_angle: f64,
+        sweep: f64,
+    },
+}
+
+impl Swept {
+    /// Encloses the curves of a patch at the orientations from `mid − half` to `mid + half`, which must be the patch's.
+    ///
+    /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do. An arc moves with its
+    /// centre by |w| · half, and is longer than in the middle by no more than its ends go astray on the circle.
+    pub(super) fn new(patch: &Patch, mid: f64, half: f64) -> Self {
+        let turn = Rotation::by(mid);
+        let left = end(&patch.left, &patch.function, mid, half);
+        let right = end(&patch.right, &patch.function, mid, half);
+        match patch.function {
+            ContactFunction::Circle { center, radius } => {
+                let r = radius.abs();
+                let spread = center.w.length() * half + ROUNDING;
+                let sweep = sweep(left.0, right.0, radius);
+                // A chord of length e spans an arc of π/2 e at most.
+                let angle = |e: f64| FRAC_PI_2 * e / r;
+                let (before, after) = (angle(left.1), angle(right.1));
+                let length = sweep.abs() + before + after;
+                let whole = length.is_nan() || length >= TAU;
+                let direction = radius.signum();
+                let shape = Shape::Arc {
+                    center: center.at(turn),
+                    radius: r,
+                    start_angle: left.0.angle() - direction * before,
+                    sweep: direction * if whole { TAU } else { length },
+                };
+                let slack = if whole { TAU * r } else { left.1.max(right.1) };
+                Self {
+                    shape,
+                    spread,
+                    slack,
+                }
+            }
+            ContactFunction::FixedLine { normal, through } => {
+                let moves = through.w.length() * half;
+                segment(left, right, normal, through.at(turn), moves)
+            }
+            ContactFunction::MovingLine { normal, through } => {
+                // Anything within FAR is no farther than twice that from the point it turns about.
+                let moves = (through.w.length() + 2.0 * FAR) * half;
+                segment(left, right, turn * normal, through.at(turn), moves)
+            }
+        }
+    }
+
+    /// A box about it: its middle, and half its width and height.
+    pub(super) fn bounds(&self) -> (Point, Vector) {
+        match self.shape {
+            Shape::Segment { start, end } => {
+                let half = (end - start) * 0.5;
+                let grown = Vector::new(half.x.abs() + self.spread, half.y.abs() + self.spread);
+                (start.midpoint(end), grown)
+            }
+            Shape::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => {
+                // The disc about the arc's middle that reaches its ends, or that about the centre.
+                let quarter = 0.25 * sweep.abs();
+                if quarter >= 0.5 * FRAC_PI_2 {
+                    let reach = radius + self.spread;
+                    return (center, Vector::new(reach, reach));
+                }
+                let middle = center + Vector::from_angle(start_angle + 0.5 * sweep) * radius;
+                let reach = 2.0 * radius * quarter.sin() + self.spread;
+                (middle, Vector::new(reach, reach))
+            }
+        }
+    }
+}
+
+/// The segments whose ends are known to the given errors; of the whole carrier, if an end is not known at all.
+fn segment(
+    left: (Vector, f64),
+    right: (Vector, f64),
+    normal: Vector,
+    through: Point,
+    moves: f64,
+) -> Swept {
+    let spread = left.1.max(right.1) + ROUNDING;
+    if spread < FAR {
+        return Swept {
+            shape: Shape::Segment {
+                start: Point::ORIGIN + left.0,
+                end: Point::ORIGIN + right.0,
+            },
+            spread,
+            slack: 0.0,
+        };
+    }
+    let foot = Point::ORIGIN + normal * normal.dot(through.to_vector());
+    Swept {
+        shape: Shape::Segment {
+            start: foot + normal.left() * FAR,
+            end: foot + normal.right() * FAR,
+        },
+        spread: moves + ROUNDING,
+        slack: FAR,
+    }
+}
+
+/// The end of a curve in the middle of the interval, and how far it is from there at other orientations of it, at most.
+/// Of a circle it is relative to the centre.
+fn end(boundary: &Boundary, own: &ContactFunction, mid: f64, half: f64) -> (Vector, f64) {
+    match *boundary {
+        Boundary::End { spiral } => {
+            let base = match *own {
+                ContactFunction::Circle { center, .. } => (center.u.to_vector(), center.w),
+                _ => (Vector::ZERO, Vector::ZERO),
+            };
+            let w = spiral.w - base.1;
+            let at = (spiral.u.to_vector() - base.0) + Rotation::by(mid) * w;
+            (at, w.length() * half + ROUNDING)
+        }
+        Boundary::Crossing { ref with, root } => {
+            let place = |theta: Ball| {
+                let (cos, sin) = Jet::cos_sin(theta);
+                if own.is_circular() {
+                    let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
+                    place_on(&f, &g, root, false)
+                } else {
+                    boundary.inner(own, cos, sin)
+                }
+            };
+            let at = place(Ball::constant(mid));
+            let over = place(Ball::new(mid, half));
+            // The enclosure itself, or what the mean value theorem says, whichever is narrower.
+            let error = |at: Jet, over: Jet| {
+                let direct = (over.value.mid - at.value.mid).abs() + over.value.radius;
+                let mean = at.value.radius + (over.slope.mid.abs() + over.slope.radius) * half;
+                let least = direct.min(mean);
+                if least.is_nan() { f64::INFINITY } else { least }
+            };
+            let mid = Vector::new(at.0.value.mid, at.1.value.mid);
+            (mid, error(at.0, over.0).hypot(error(at.1, over.1)))
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Deciding whether a position is free by a walk from cell to cell.
+
+use crate::geometry::{Point, Rotation};
+use crate::space::ContactSpace;
+
+use super::grid::Grid;
+use super::ray::{Direction, END_ERROR, Local, Meeting};
+
+/// What is in a cell over the orientations of its slot.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Content<'a> {
+    /// No contact: all is free, or all is blocked.
+    Pure { free: bool },
+    /// The patches that may pass.
+    Mixed(&'a [u32]),
+}
+
+/// Whether a position is free at an orientation of a slot: follows an axis to the first contact, or to a cell without.
+///
+/// The list of a cell has all patches that come to it, so a contact that is met within the cell is the first. `None` if
+/// something is too close to the way to be sure.
+pub(super) fn is_free<'a>(
+    space: &ContactSpace,
+    grid: &Grid,
+    (p, theta, turn): (Point, f64, Rotation),
+    direction: Direction,
+    content: impl Fn(usize, usize) -> Content<'a>,
+) -> Option<bool> {
+    let start = (grid.index(p.x)?, grid.index(p.y)?);
+    from_cell(space, grid, start, (p, theta, turn), direction, content)
+}
+
+/// The same for a position of, or on the edge of, a given cell.
+pub(super) fn from_cell<'a>(
+    space: &ContactSpace,
+    grid: &Grid,
+    (mut column, mut row): (usize, usize),
+    (p, theta, turn): (Point, f64, Rotation),
+    direction: Direction,
+    content: impl Fn(usize, usize) -> Content<'a>,
+) -> Option<bool> {
+    loop {
+        let patches = match content(column, row) {
+            Content::Pure { free } => return Some(free),
+            Content::Mixed(patches) => patches,
+        };
+        let mut first: Option<(f64, bool)> = None;
+        // The nearest contact from the other side.
+        let mut other = f64::INFINITY;
+        for &i in patches {
+            let patch = &space.patches[i as usize];
+            if space.alive(patch, theta).is_none() {
+                continue;
+            }
+            match Local::new(patch, turn, p).meet(direction) {
+                Meeting::Nothing => {}
+                Meeting::Unclear => return None,
+                Meeting::Curve {
+                    distance,
+                    from_free,
+                } => match first {
+                    Some((d, f)) if distance >= d => {
+                        if from_free != f {
+                            other = other.min(distance);
+                        }
+                    }
+                    _ => {
+                        if let Some((d, f)) = first
+                            && f != from_free
+                        {
+                            other = d;
+                        }
+                        first = Some((distance, from_free));
+                    }
+                },
+            }
+        }
+        let wall = match direction {
+            Direction::Right => grid.line(column + 1) - p.x,
+            Direction::Up => grid.line(row + 1) - p.y,
+            Direction::Left => p.x - grid.line(column),
+            Direction::Down => p.y - grid.line(row),
+        };
+        if let Some((distance, from_free)) = first
+            && distance <= wall
+        {
+            return (other - distance >= END_ERROR).then_some(from_free);
+        }
+        let at_edge = match direction {
+            Direction::Right => column + 1 == grid.side,
+            Direction::Up => row + 1 == grid.side,
+            Direction::Left => column == 0,
+            Direction::Down => row == 0,
+        };
+        if at_edge {
+            // There is nothing but free space beyond.
+            return Some(true);
+        }
+        match direction {
+            Direction::Right => column += 1,
+            Direction::Up => row += 1,
+            Direction::Left => column -= 1,
+            Direction::Down => row -= 1,
+        }
+    }
+}
