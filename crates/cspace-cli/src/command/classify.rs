@@ -3,10 +3,9 @@
 use core::f64::consts::TAU;
 use std::io::Read;
 
-use cspace::{Configuration, ContactSpace, Point, Rotation, Vector};
+use cspace::{Classification, Configuration, ContactSpace, Rotation, Vector};
 use cspace_io::Motion;
 use rayon::prelude::*;
-use serde::Serialize;
 
 use crate::angle;
 use crate::args::{ClassifyArgs, Format};
@@ -14,14 +13,8 @@ use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
-/// What a configuration is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-enum Class {
-    Free,
-    Blocked,
-    Contact,
-}
+/// From so many rows on it pays to prepare the space for them: that takes about as long as so many rows without.
+const MANY: usize = 4096;
 
 /// Where the coordinates of a row stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,11 +41,7 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         .map_err(|e| Failure::input(format_args!("standard input: {e}")))?;
     let rows = read(&bytes, &pair)?;
     let space = pair.space()?;
-    let classes: Vec<Class> = rows
-        .configurations
-        .par_iter()
-        .map(|&c| classify(&space, c))
-        .collect();
+    let classes = classify(&space, &rows.configurations)?;
     let bytes = match common.format {
         Format::Text => as_csv(&rows, &classes)?,
         Format::Json => as_json(&rows, &classes)?,
@@ -60,55 +49,26 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     output::write(common.output.as_deref(), &bytes)
 }
 
-fn classify(space: &ContactSpace, c: Configuration) -> Class {
-    let slice = space.slice(c.theta);
-    let p = c.position();
-    let resolution = space.resolution();
-    if slice
-        .curves
-        .iter()
-        .any(|k| distance(&k.geometry, p) <= resolution)
-    {
-        Class::Contact
-    } else if slice.is_free(p) {
-        Class::Free
+/// Classifies all rows; orientations, which were checked, are brought into the window by turns.
+fn classify(
+    space: &ContactSpace,
+    configurations: &[Configuration],
+) -> Result<Vec<Classification>, Failure> {
+    let window = space.window();
+    let all = configurations.par_iter().map(|&c| {
+        if window.full_turn {
+            return c;
+        }
+        let turned = c.theta + TAU * ((window.lo - c.theta) / TAU).ceil();
+        Configuration::new(c.x, c.y, turned)
+    });
+    let classes: Option<Vec<Classification>> = if configurations.len() < MANY {
+        all.map(|c| space.classify(c)).collect()
     } else {
-        Class::Blocked
-    }
-}
-
-/// The distance of a point from a curve.
-fn distance(curve: &cspace::CurveGeometry, p: Point) -> f64 {
-    use cspace::CurveGeometry::{Arc, Segment};
-    let ends = curve
-        .point(0.0)
-        .distance(p)
-        .min(curve.point(1.0).distance(p));
-    match *curve {
-        Segment { start, end } => {
-            let v = end - start;
-            let s = v.dot(p - start) / v.length_squared();
-            if (0.0..=1.0).contains(&s) {
-                ends.min(v.unit().cross(p - start).abs())
-            } else {
-                ends
-            }
-        }
-        Arc {
-            center,
-            radius,
-            start_angle,
-            sweep,
-        } => {
-            let v = p - center;
-            let turned = (v.angle() - start_angle) * sweep.signum();
-            if turned - TAU * (turned / TAU).floor() <= sweep.abs() {
-                ends.min((v.length() - radius).abs())
-            } else {
-                ends
-            }
-        }
-    }
+        let classifier = space.classifier();
+        all.map(|c| classifier.classify(c)).collect()
+    };
+    classes.ok_or_else(|| Failure::work("a row is outside the orientations of the pair"))
 }
 
 /// Reads all rows; nothing is computed before all of them are understood.
@@ -251,7 +211,7 @@ fn placed(motion: Motion, by: f64) -> Configuration {
     }
 }
 
-fn as_csv(rows: &Rows, classes: &[Class]) -> Result<Vec<u8>, Failure> {
+fn as_csv(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut write = |record: &csv::StringRecord, last: &str| {
         let mut record = record.clone();
@@ -261,9 +221,9 @@ fn as_csv(rows: &Rows, classes: &[Class]) -> Result<Vec<u8>, Failure> {
     write(&rows.header, "class").map_err(Failure::work)?;
     for (record, class) in rows.records.iter().zip(classes) {
         let word = match class {
-            Class::Free => "free",
-            Class::Blocked => "blocked",
-            Class::Contact => "contact",
+            Classification::Free => "free",
+            Classification::Blocked => "blocked",
+            Classification::Contact => "contact",
         };
         write(record, word).map_err(Failure::work)?;
     }
@@ -271,7 +231,7 @@ fn as_csv(rows: &Rows, classes: &[Class]) -> Result<Vec<u8>, Failure> {
 }
 
 /// An array of objects: the columns as given, numbers where they are numbers, and `class`.
-fn as_json(rows: &Rows, classes: &[Class]) -> Result<Vec<u8>, Failure> {
+fn as_json(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> {
     let objects: Vec<serde_json::Map<String, serde_json::Value>> = rows
         .records
         .iter()

@@ -15,7 +15,10 @@ const LIST: u32 = 1 << 31;
 
 impl Entry {
     /// An entry for patches, of which more than one are appended to the lists.
-    pub(super) fn listed(patches: impl ExactSizeIterator<Item = u32>, lists: &mut Vec<u32>) -> Self {
+    pub(super) fn listed(
+        patches: impl ExactSizeIterator<Item = u32>,
+        lists: &mut Vec<u32>,
+    ) -> Self {
         let at = lists.len() as u32;
         lists.push(patches.len() as u32);
         lists.extend(patches);
@@ -132,7 +135,13 @@ impl CellStore {
 
     /// What is in a cell of a slot.
     #[inline]
-    pub(super) fn content(&self, side: usize, slot: usize, column: usize, row: usize) -> Content<'_> {
+    pub(super) fn content(
+        &self,
+        side: usize,
+        slot: usize,
+        column: usize,
+        row: usize,
+    ) -> Content<'_> {
         let tiles = side / TILE;
         let tile = self.directory[(slot * tiles + row / TILE) * tiles + column / TILE];
         if tile < FIRST_TILE {

@@ -21,8 +21,8 @@ const MOST_COLUMNS: f64 = 2048.0;
 pub(super) struct Grid {
     /// First orientation, radians.
     lo: f64,
-    /// All orientations, radians.
-    span: f64,
+    /// Last orientation, radians.
+    hi: f64,
     full_turn: bool,
     pub(super) slots: usize,
     /// Slots per radian.
@@ -43,7 +43,8 @@ impl Grid {
     /// them by about one. So cells of h = √(2 ∫ A dθ / M) are M in number.
     pub(super) fn new(space: &ContactSpace, reach: f64) -> Self {
         let Window { lo, hi, full_turn } = space.window();
-        let (lo, span) = if full_turn { (-PI, TAU) } else { (lo, hi - lo) };
+        let (lo, hi) = if full_turn { (-PI, PI) } else { (lo, hi) };
+        let span = hi - lo;
         let area: f64 = space
             .patches
             .iter()
@@ -63,7 +64,7 @@ impl Grid {
         let cell = 2.0 * reach / side as f64;
         Self {
             lo,
-            span,
+            hi,
             full_turn,
             slots: slots as usize,
             slot_density: slots / span,
@@ -78,7 +79,7 @@ impl Grid {
     #[inline]
     pub(super) fn slot(&self, theta: f64) -> Option<usize> {
         let mut t = theta - self.lo;
-        if !(0.0..=self.span).contains(&t) {
+        if !(self.lo..=self.hi).contains(&theta) {
             if !self.full_turn {
                 return None;
             }

@@ -10,8 +10,9 @@ use super::swept::{Shape, Swept};
 /// of contact, all rounding, and the rounding of orientations divided by their speed.
 pub(super) const MARGIN: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// How far curves may move while they are taken for one, in cells.
-const LOOSE: f64 = 0.25;
+/// How far curves may move while they are taken for one, in cells, and by how much they may be too long.
+const LOOSE: f64 = 0.5;
+const LOOSE_ENDS: f64 = 1.0;
 /// Slots are halved at most so often.
 const HALVINGS: u32 = 6;
 
@@ -26,17 +27,11 @@ pub(super) fn cells_of(
     halve(grid, patch, lo, hi, HALVINGS, pass);
 }
 
-fn halve(
-    grid: &Grid,
-    patch: &Patch,
-    lo: f64,
-    hi: f64,
-    left: u32,
-    pass: &mut impl FnMut(usize),
-) {
+fn halve(grid: &Grid, patch: &Patch, lo: f64, hi: f64, left: u32, pass: &mut impl FnMut(usize)) {
     let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let swept = Swept::new(patch, mid, half);
-    if left > 0 && swept.spread.max(swept.slack) > LOOSE * grid.cell {
+    let loose = swept.spread > LOOSE * grid.cell || swept.slack > LOOSE_ENDS * grid.cell;
+    if left > 0 && loose {
         halve(grid, patch, lo, mid, left - 1, pass);
         halve(grid, patch, mid, hi, left - 1, pass);
         return;
@@ -69,7 +64,8 @@ fn halve(
 /// The cells within a distance of a segment, and maybe a few more.
 fn near_segment(grid: &Grid, a: Point, b: Point, distance: f64, pass: &mut impl FnMut(usize)) {
     let clamp = |x: f64| (x.clamp(0.0, grid.side as f64 - 1.0)) as usize;
-    let outside = |lo: f64, hi: f64| grid.in_cells(hi) < 0.0 || grid.in_cells(lo) >= grid.side as f64;
+    let outside =
+        |lo: f64, hi: f64| grid.in_cells(hi) < 0.0 || grid.in_cells(lo) >= grid.side as f64;
     let (low, high) = (a.y.min(b.y) - distance, a.y.max(b.y) + distance);
     if outside(low, high) {
         return;

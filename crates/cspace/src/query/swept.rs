@@ -153,26 +153,40 @@ fn end(boundary: &Boundary, own: &ContactFunction, mid: f64, half: f64) -> (Vect
             (at, w.length() * half + ROUNDING)
         }
         Boundary::Crossing { ref with, root } => {
-            let place = |theta: Ball| {
-                let (cos, sin) = Jet::cos_sin(theta);
-                if own.is_circular() {
-                    let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
-                    place_on(&f, &g, root, false)
-                } else {
-                    boundary.inner(own, cos, sin)
-                }
-            };
-            let at = place(Ball::constant(mid));
-            let over = place(Ball::new(mid, half));
+            let at = place(own, boundary, with, root, Ball::constant(mid).cos_sin());
+            let over = place(
+                own,
+                boundary,
+                with,
+                root,
+                Jet::cos_sin(Ball::new(mid, half)),
+            );
             // The enclosure itself, or what the mean value theorem says, whichever is narrower.
-            let error = |at: Jet, over: Jet| {
-                let direct = (over.value.mid - at.value.mid).abs() + over.value.radius;
-                let mean = at.value.radius + (over.slope.mid.abs() + over.slope.radius) * half;
+            let error = |at: Ball, over: Jet| {
+                let direct = (over.value.mid - at.mid).abs() + over.value.radius;
+                let mean = at.radius + (over.slope.mid.abs() + over.slope.radius) * half;
                 let least = direct.min(mean);
                 if least.is_nan() { f64::INFINITY } else { least }
             };
-            let mid = Vector::new(at.0.value.mid, at.1.value.mid);
+            let mid = Vector::new(at.0.mid, at.1.mid);
             (mid, error(at.0, over.0).hypot(error(at.1, over.1)))
         }
+    }
+}
+
+/// A crossing, relative to the centre of a circle.
+#[inline]
+fn place<T: Real>(
+    own: &ContactFunction,
+    boundary: &Boundary,
+    with: &ContactFunction,
+    root: u8,
+    (cos, sin): (T, T),
+) -> (T, T) {
+    if own.is_circular() {
+        let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
+        place_on(&f, &g, root, false)
+    } else {
+        boundary.inner(own, cos, sin)
     }
 }

@@ -21,7 +21,7 @@ mod triple;
 
 pub use compute::{ComputeError, Options, Progress, Stage};
 pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};
-pub(crate) use slice::sweep;
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
+pub(crate) use slice::sweep;
 pub use stats::{StageSeconds, Statistics};

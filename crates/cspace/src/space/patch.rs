@@ -131,7 +131,16 @@ impl Patch {
     /// The orientation brought into the patch's interval by whole turns, if it can be.
     pub(crate) fn turned_into(&self, theta: f64) -> Option<f64> {
         use core::f64::consts::TAU;
-        let t = theta + TAU * ((self.lo - theta) / TAU).ceil();
+        // The usual cases, without a division: less than a turn above the first orientation, or below.
+        const LESS: f64 = 6.28;
+        let above = theta - self.lo;
+        let t = if (0.0..LESS).contains(&above) {
+            theta
+        } else if (-LESS..0.0).contains(&above) {
+            theta + TAU
+        } else {
+            theta + TAU * ((self.lo - theta) / TAU).ceil()
+        };
         (t <= self.hi).then_some(t)
     }
 
