@@ -14,7 +14,9 @@ pub use contact::{ContactFunction, Spiral};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use part::{Edge, Loop, Part, PartError, Vertex};
-pub use query::{Classification, Classifier, NearestContact};
+pub use query::{
+    Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,
+};
 pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, FeatureCounts,

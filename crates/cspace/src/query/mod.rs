@@ -1,16 +1,20 @@
-//! Questions about single configurations, answered from the patches alone.
+//! Questions about configurations and motions, answered from the patches alone.
 
 mod cells;
 mod classifier;
 mod classify;
 mod contacts;
 mod grid;
+mod motion;
+mod path;
 mod raster;
 mod ray;
 mod slot;
 mod swept;
+mod touch;
 mod walk;
 
 pub use classifier::Classifier;
 pub use classify::Classification;
 pub use contacts::NearestContact;
+pub use motion::{FirstContact, MotionError, MotionOutcome};

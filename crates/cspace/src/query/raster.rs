@@ -1,10 +1,11 @@
 //! Which cells of a slot a patch may pass.
 
 use crate::geometry::{Point, Vector};
+use crate::slice::CurveGeometry;
 use crate::space::Patch;
 
 use super::grid::Grid;
-use super::swept::{Shape, Swept};
+use super::swept::Swept;
 
 /// Cells are entered if a patch comes within this of them (length of the pair's frame, about 1e-9): above the resolution
 /// of contact, all rounding, and the rounding of orientations divided by their speed.
@@ -38,8 +39,8 @@ fn halve(grid: &Grid, patch: &Patch, lo: f64, hi: f64, left: u32, pass: &mut imp
     }
     let spread = swept.spread + MARGIN;
     match swept.shape {
-        Shape::Segment { start, end } => near_segment(grid, start, end, spread, pass),
-        Shape::Arc {
+        CurveGeometry::Segment { start, end } => near_segment(grid, start, end, spread, pass),
+        CurveGeometry::Arc {
             center,
             radius,
             start_angle,

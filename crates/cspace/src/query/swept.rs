@@ -5,6 +5,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use crate::contact::{ContactFunction, place_on};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Ball, Jet, Real};
+use crate::slice::CurveGeometry;
 use crate::space::{Boundary, Patch, sweep};
 
 /// Longer than anything in the pair's frame, where all contact is within 2 of the origin (length).
@@ -15,25 +16,10 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// A curve and a distance: the curves of a patch at all orientations of an interval are within `spread` of `shape`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Swept {
-    pub(super) shape: Shape,
+    pub(super) shape: CurveGeometry,
     pub(super) spread: f64,
     /// By how much the shape was made longer at its ends.
     pub(super) slack: f64,
-}
-
-/// A curve of the pair's frame.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Shape {
-    Segment {
-        start: Point,
-        end: Point,
-    },
-    Arc {
-        center: Point,
-        radius: f64,
-        start_angle: f64,
-        sweep: f64,
-    },
 }
 
 impl Swept {
@@ -56,7 +42,7 @@ impl Swept {
                 let length = sweep.abs() + before + after;
                 let whole = length.is_nan() || length >= TAU;
                 let direction = radius.signum();
-                let shape = Shape::Arc {
+                let shape = CurveGeometry::Arc {
                     center: center.at(turn),
                     radius: r,
                     start_angle: left.0.angle() - direction * before,
@@ -81,31 +67,9 @@ impl Swept {
         }
     }
 
-    /// A box about it: its middle, and half its width and height.
-    pub(super) fn bounds(&self) -> (Point, Vector) {
-        match self.shape {
-            Shape::Segment { start, end } => {
-                let half = (end - start) * 0.5;
-                let grown = Vector::new(half.x.abs() + self.spread, half.y.abs() + self.spread);
-                (start.midpoint(end), grown)
-            }
-            Shape::Arc {
-                center,
-                radius,
-                start_angle,
-                sweep,
-            } => {
-                // The disc about the arc's middle that reaches its ends, or that about the centre.
-                let quarter = 0.25 * sweep.abs();
-                if quarter >= 0.5 * FRAC_PI_2 {
-                    let reach = radius + self.spread;
-                    return (center, Vector::new(reach, reach));
-                }
-                let middle = center + Vector::from_angle(start_angle + 0.5 * sweep) * radius;
-                let reach = 2.0 * radius * quarter.sin() + self.spread;
-                (middle, Vector::new(reach, reach))
-            }
-        }
+    /// Whether a position is farther than a distance from the curves at all orientations of the interval.
+    pub(super) fn is_away(&self, p: Point, distance: f64) -> bool {
+        self.shape.nearest(p).distance(p) > self.spread + distance
     }
 }
 
@@ -120,7 +84,7 @@ fn segment(
     let spread = left.1.max(right.1) + ROUNDING;
     if spread < FAR {
         return Swept {
-            shape: Shape::Segment {
+            shape: CurveGeometry::Segment {
                 start: Point::ORIGIN + left.0,
                 end: Point::ORIGIN + right.0,
             },
@@ -130,7 +94,7 @@ fn segment(
     }
     let foot = Point::ORIGIN + normal * normal.dot(through.to_vector());
     Swept {
-        shape: Shape::Segment {
+        shape: CurveGeometry::Segment {
             start: foot + normal.left() * FAR,
             end: foot + normal.right() * FAR,
         },

@@ -1,0 +1,162 @@
+//! A motion of constant rates, in the frame of a pair.
+
+use core::f64::consts::TAU;
+
+use crate::feature::PairFrame;
+use crate::geometry::{Configuration, Point, Vector};
+use crate::number::{Ball, Jet, Real};
+use crate::space::{ContactSpace, Window};
+
+/// x(t), y(t) and θ(t), linear in time.
+///
+/// In the pair's frame the position is s (p₀ − c + v t + R(θ₀ + ω t) d).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Path {
+    from: Configuration,
+    velocity: Vector,
+    /// Radians per unit of time.
+    pub(super) turning: f64,
+    frame: PairFrame,
+    /// How far from the origin of the frame there may be contact.
+    reach: f64,
+}
+
+impl Path {
+    pub(super) fn new(
+        space: &ContactSpace,
+        from: Configuration,
+        velocity: Vector,
+        turning: f64,
+    ) -> Self {
+        Self {
+            from,
+            velocity,
+            turning,
+            frame: space.frame,
+            reach: space.frame.reach(&space.fixed, &space.moving),
+        }
+    }
+
+    /// The orientation at a time, radians.
+    pub(super) fn theta(&self, t: f64) -> f64 {
+        self.from.theta + self.turning * t
+    }
+
+    /// The configuration at a time.
+    pub(super) fn outer_at(&self, t: f64) -> Configuration {
+        let p = self.from.position() + self.velocity * t;
+        Configuration::new(p.x, p.y, self.theta(t))
+    }
+
+    /// The position in the pair's frame at a time.
+    pub(super) fn inner_at(&self, t: f64) -> Point {
+        self.frame.inner_from_outer(self.outer_at(t))
+    }
+
+    /// Cosine and sine of the orientation, and the position, enclosed over times with their derivatives by time.
+    pub(super) fn enclosed(&self, t: Ball) -> ((Jet, Jet), (Jet, Jet)) {
+        let rate = Ball::constant(self.turning);
+        let theta = Ball::constant(self.from.theta) + rate * t;
+        let (cos, sin) = theta.cos_sin();
+        let cos_sin = (
+            Jet {
+                value: cos,
+                slope: -(sin * rate),
+            },
+            Jet {
+                value: sin,
+                slope: cos * rate,
+            },
+        );
+        let start = self.from.position() - self.frame.fixed_center;
+        let linear = |from: f64, rate: f64| Jet {
+            value: Ball::constant(from) + Ball::constant(rate) * t,
+            slope: Ball::constant(rate),
+        };
+        let d = self.frame.moving_center;
+        let (dx, dy) = (Jet::constant(d.x), Jet::constant(d.y));
+        let (cos, sin) = cos_sin;
+        let scale = Jet::constant(self.frame.scale);
+        let x = linear(start.x, self.velocity.x) + (cos * dx - sin * dy);
+        let y = linear(start.y, self.velocity.y) + (sin * dx + cos * dy);
+        (cos_sin, (x * scale, y * scale))
+    }
+
+    /// How fast a position of the pair's frame moves at most (length per unit of time).
+    pub(super) fn speed(&self) -> f64 {
+        let drawn = self.frame.moving_center.to_vector().length();
+        (self.velocity.length() + drawn * self.turning.abs()) * self.frame.scale
+    }
+
+    /// More than the rounding of positions within reach (length of the pair's frame): parts may be drawn far from their
+    /// origins.
+    pub(super) fn rounding(&self) -> f64 {
+        let frame = &self.frame;
+        let coordinates = [
+            frame.fixed_center,
+            frame.moving_center,
+            self.from.position(),
+        ]
+        .iter()
+        .map(|p| p.to_vector().length())
+        .sum::<f64>();
+        16.0 * f64::EPSILON * coordinates * frame.scale
+    }
+
+    /// When it leaves the window of orientations, if it does.
+    pub(super) fn time_in_window(&self, window: Window) -> Option<f64> {
+        if window.full_turn || self.turning == 0.0 {
+            return None;
+        }
+        let edge = if self.turning > 0.0 {
+            window.hi
+        } else {
+            window.lo
+        };
+        Some(((edge - self.from.theta) / self.turning).max(0.0))
+    }
+
+    /// The times up to `end` at which contact is possible: the position without its turning share is within the reach,
+    /// and the length of that share, of the centre of the fixed part.
+    pub(super) fn times_in_reach(&self, end: f64) -> Option<(f64, f64)> {
+        let start = self.from.position() - self.frame.fixed_center;
+        let drawn = self.frame.moving_center.to_vector().length();
+        // A little more, for rounding.
+        let radius = (self.frame.outer_length(self.reach) + drawn) * (1.0 + 1e-9);
+        let speed = self.velocity.length();
+        if speed == 0.0 {
+            return (start.length() <= radius).then_some((0.0, end));
+        }
+        let along = self.velocity * (1.0 / speed);
+        let (at, aside) = (start.dot(along), start.cross(along));
+        if aside.abs() > radius {
+            return None;
+        }
+        let half = ((radius - aside) * (radius + aside)).sqrt();
+        let slack = 1e-9 * radius;
+        let lo = ((-at - half - slack) / speed).max(0.0);
+        let hi = ((-at + half + slack) / speed).min(end);
+        (lo <= hi).then_some((lo, hi))
+    }
+
+    /// Pieces of the times from `lo` to `hi` in which it turns by a radian at most; of a motion that turns in place, only
+    /// the first turn matters.
+    pub(super) fn pieces(self, lo: f64, hi: f64) -> impl Iterator<Item = (f64, f64)> {
+        /// So much of a turn is searched at once, radians.
+        const PIECE: f64 = 1.0;
+        let hi = if self.velocity == Vector::ZERO && self.turning != 0.0 {
+            hi.min(lo + 1.01 * TAU / self.turning.abs())
+        } else {
+            hi
+        };
+        let count = ((hi - lo) * self.turning.abs() / PIECE).ceil().max(1.0);
+        let at = move |i: f64| {
+            if i < count {
+                lo + (hi - lo) * (i / count)
+            } else {
+                hi
+            }
+        };
+        (0..count as u64).map(move |i| (at(i as f64), at(i as f64 + 1.0)))
+    }
+}

@@ -1,0 +1,367 @@
+//! Searching the contact functions along a motion for their first root that is on a patch.
+
+use core::f64::consts::TAU;
+
+use crate::contact::Carrier;
+use crate::feature::tolerance::GROWTH;
+use crate::number::{Ball, Jet, Real};
+use crate::space::{ContactSpace, Patch};
+
+use super::classify::Classification;
+use super::path::Path;
+use super::swept::Swept;
+
+/// Positions nearer than this to a curve are on it (length of the pair's frame): the resolution of a space.
+const ON_CURVE: f64 = 8.0 * GROWTH;
+/// A motion from contact is stopped where it is as deep as this in blocked space (length of the pair's frame).
+const DEPTH: f64 = 2.0 * ON_CURVE;
+/// At that depth it may be beyond an end of a patch by this (length of the pair's frame): there the answer is checked.
+const BESIDE: f64 = 64.0 * ON_CURVE;
+/// Orientations of patches are taken to begin and end a little later (radians): more than their rounding, after turns.
+const SEAM: f64 = 64.0 * f64::EPSILON;
+/// Times are halved until neither way nor orientation moves by this (length of the pair's frame, and radians).
+const NARROWEST: f64 = 1e-13;
+
+/// The search along one motion.
+pub(super) struct Search<'a> {
+    space: &'a ContactSpace,
+    path: Path,
+    /// Whether it begins in contact: then roots are sought at [`DEPTH`].
+    from_contact: bool,
+    /// Times narrower than this are not halved.
+    narrowest: f64,
+}
+
+/// The first contact that is known.
+type Best = Option<Touch>;
+
+/// A contact along the motion.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Touch {
+    /// When it is certain: where the motion touches, or is at [`DEPTH`].
+    known: f64,
+    /// When the motion comes to the patch.
+    pub(super) time: f64,
+    pub(super) patch: u32,
+}
+
+/// A patch along the motion, whose orientations are `turn` more than the patch counts them.
+struct Along<'a> {
+    index: u32,
+    patch: &'a Patch,
+    turn: f64,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(space: &'a ContactSpace, path: Path, from_contact: bool) -> Self {
+        let speed = path.speed().max(path.turning.abs());
+        Self {
+            space,
+            path,
+            from_contact,
+            narrowest: NARROWEST / speed.max(f64::MIN_POSITIVE),
+        }
+    }
+
+    /// The first contact at a time from 0 to `end`.
+    pub(super) fn first(&self, end: f64) -> Best {
+        let (lo, hi) = self.path.times_in_reach(end)?;
+        self.path
+            .pieces(lo, hi)
+            .find_map(|(lo, hi)| self.first_between(lo, hi))
+            .or_else(|| self.squeezed_in(hi))
+    }
+
+    /// Contact of a motion that began in contact and ends in blocked space, though no patch was seen to be passed: it
+    /// slid into a notch so sharp that its sides are left behind before either is passed at [`DEPTH`].
+    fn squeezed_in(&self, end: f64) -> Best {
+        if !self.from_contact || !self.is_blocked(end) {
+            return None;
+        }
+        let time = self.last_not_blocked(end);
+        let nearest = self.space.nearest_contact(self.path.outer_at(time))?;
+        Some(Touch {
+            known: end,
+            time,
+            patch: nearest.patch,
+        })
+    }
+
+    /// A time after which, to rounding, the motion is blocked, before one at which it is.
+    fn last_not_blocked(&self, blocked: f64) -> f64 {
+        let (mut lo, mut hi) = (0.0, blocked);
+        loop {
+            let mid = 0.5 * (lo + hi);
+            if self.is_narrow(lo, mid, hi) {
+                return lo;
+            }
+            if self.is_blocked(mid) {
+                hi = mid
+            } else {
+                lo = mid
+            }
+        }
+    }
+
+    fn first_between(&self, lo: f64, hi: f64) -> Best {
+        let mut all: Vec<(f64, f64, Along<'_>)> = Vec::new();
+        for (index, patch) in (0u32..).zip(&self.space.patches) {
+            self.presences(patch, lo, hi, |turn, from, to| {
+                let along = Along { index, patch, turn };
+                all.push((from, to, along));
+            });
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.index.cmp(&b.2.index)));
+        let mut best: Best = None;
+        for (from, to, along) in &all {
+            if best.is_some_and(|b| b.known < *from) {
+                break;
+            }
+            self.search(along, *from, *to, &mut best);
+        }
+        best
+    }
+
+    /// Calls `with` for every turn by which a patch is met between two times: the turn, and the times.
+    fn presences(&self, patch: &Patch, lo: f64, hi: f64, mut with: impl FnMut(f64, f64, f64)) {
+        let (a, b) = (self.path.theta(lo), self.path.theta(hi));
+        let (least, most) = (a.min(b), a.max(b));
+        let seam = SEAM * (1.0 + least.abs().max(most.abs()));
+        let (first, last) = if self.space.window.full_turn {
+            let turns = |x: f64| x / TAU;
+            (
+                turns(least - patch.hi - seam).ceil(),
+                turns(most - patch.lo + seam).floor(),
+            )
+        } else {
+            (0.0, 0.0)
+        };
+        let mut k = first;
+        while k <= last {
+            let turn = k * TAU;
+            let (begin, end) = (patch.lo + turn - seam, patch.hi + turn + seam);
+            if begin <= most && end >= least {
+                if self.path.turning == 0.0 {
+                    with(turn, lo, hi);
+                } else {
+                    let at = |theta: f64| lo + (theta - a) / self.path.turning;
+                    let (s, t) = (at(begin), at(end));
+                    with(turn, s.min(t).max(lo), s.max(t).min(hi));
+                }
+            }
+            k += 1.0;
+        }
+    }
+
+    /// Looks for a root between two times, the first first, and makes it the best if it is.
+    fn search(&self, along: &Along<'_>, lo: f64, hi: f64, best: &mut Best) {
+        if best.is_some_and(|b| b.known <= lo) {
+            return;
+        }
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let f = self.function(along, Ball::between(lo, hi));
+        if f.value.sign() != 0 {
+            return;
+        }
+        let at = self.function(along, Ball::constant(mid)).value;
+        // By the mean value theorem, f is within |f′| · half of its value in the middle.
+        let rise = (f.slope.mid.abs() + f.slope.radius) * half;
+        if at.mid.abs() > at.radius + rise || self.is_away(along, mid, half) {
+            return;
+        }
+        let sign = f.slope.sign();
+        if sign != 0 {
+            self.alone(along, (lo, hi), sign, best);
+        } else if self.is_narrow(lo, mid, hi) {
+            self.accept(along, lo, hi, best);
+        } else {
+            self.search(along, lo, mid, best);
+            self.search(along, mid, hi, best);
+        }
+    }
+
+    /// Whether the position is off the curves of the patch at all times mid − half to mid + half.
+    fn is_away(&self, along: &Along<'_>, mid: f64, half: f64) -> bool {
+        let (theta, wide) = self.within(along, mid, half);
+        let swept = Swept::new(along.patch, theta, wide);
+        let moves = self.path.speed() * half;
+        swept.is_away(self.path.inner_at(mid), moves + self.near())
+    }
+
+    /// How near to a curve a position counts as on it.
+    fn near(&self) -> f64 {
+        self.path.rounding() + if self.from_contact { BESIDE } else { ON_CURVE }
+    }
+
+    /// The orientations of the patch about a time: the middle, and half their range.
+    fn within(&self, along: &Along<'_>, mid: f64, half: f64) -> (f64, f64) {
+        let theta = self.path.theta(mid) - along.turn;
+        let wide = self.path.turning.abs() * half + SEAM;
+        let clamp = |t: f64| t.clamp(along.patch.lo, along.patch.hi);
+        let (a, b) = (clamp(theta - wide), clamp(theta + wide));
+        (0.5 * (a + b), 0.5 * (b - a))
+    }
+
+    /// The contact function of a patch over times, with its derivative by time; above the depth at which it is sought.
+    ///
+    /// Of a circle it is (|v|² − r²) / 2 |r|, which has no root of a square in it.
+    fn function(&self, along: &Along<'_>, t: Ball) -> Jet {
+        let ((cos, sin), (x, y)) = self.path.enclosed(t);
+        let depth = Jet::constant(if self.from_contact { DEPTH } else { 0.0 });
+        let value = match along.patch.function.carrier(cos, sin) {
+            Carrier::Line { normal, through } => {
+                normal.0 * (x - through.0) + normal.1 * (y - through.1)
+            }
+            Carrier::Circle { center, radius } => {
+                let (vx, vy) = (x - center.0, y - center.1);
+                let r = Jet::constant(radius);
+                (vx * vx + vy * vy - r * r) * Jet::constant(0.5 / radius)
+            }
+        };
+        value + depth
+    }
+
+    /// Narrows down the only root there may be, f being monotonous.
+    fn alone(&self, along: &Along<'_>, (mut lo, mut hi): (f64, f64), sign: i8, best: &mut Best) {
+        let value = |t: f64| self.function(along, Ball::constant(t)).value;
+        let sign_at = |t: f64| value(t).sign() * sign;
+        // Of a motion that is deep in blocked space only the way in counts.
+        if self.from_contact && sign > 0 {
+            return;
+        }
+        // Increasing, say: below the root −1, above it 1.
+        if sign_at(lo) > 0 || sign_at(hi) < 0 {
+            return;
+        }
+        for _ in 0..100 {
+            let mid = 0.5 * (lo + hi);
+            if self.is_narrow(lo, mid, hi) {
+                break;
+            }
+            match sign_at(mid) {
+                1 => hi = mid,
+                -1 => lo = mid,
+                _ => {
+                    // Within rounding of the root: both sides are narrowed as far as signs are known.
+                    self.narrow_about(mid, &mut lo, &mut hi, sign_at);
+                    break;
+                }
+            }
+        }
+        self.accept(along, lo, hi, best);
+    }
+
+    /// Moves both ends of an interval towards a time at which there is no sign, as far as there are signs.
+    fn narrow_about(&self, about: f64, lo: &mut f64, hi: &mut f64, sign_at: impl Fn(f64) -> i8) {
+        let (mut below, mut above) = (about, about);
+        for _ in 0..60 {
+            let mid = 0.5 * (*lo + below);
+            if self.is_narrow(*lo, mid, below) {
+                break;
+            }
+            if sign_at(mid) < 0 {
+                *lo = mid
+            } else {
+                below = mid
+            }
+        }
+        for _ in 0..60 {
+            let mid = 0.5 * (*hi + above);
+            if self.is_narrow(above, mid, *hi) {
+                break;
+            }
+            if sign_at(mid) > 0 {
+                *hi = mid
+            } else {
+                above = mid
+            }
+        }
+    }
+
+    /// Whether times are too near to each other to be halved, or have no number between them.
+    fn is_narrow(&self, lo: f64, mid: f64, hi: f64) -> bool {
+        hi - lo <= self.narrowest || mid <= lo || mid >= hi
+    }
+
+    /// Takes the first time of an interval, in which f cannot be told from zero, for contact at which the position is on
+    /// the patch.
+    fn accept(&self, along: &Along<'_>, lo: f64, hi: f64, best: &mut Best) {
+        let (time, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        if best.is_some_and(|b| b.known <= time) {
+            return;
+        }
+        let frame = &self.space.frame;
+        let (theta, wide) = self.within(along, time, half);
+        let curve = self.space.curve(along.patch, theta);
+        let p = frame.outer_from_inner(self.path.inner_at(time), theta);
+        let off = curve.nearest(p.position()).distance(p.position()) * frame.scale;
+        // How the position, and the curve with its ends, move within the uncertainty of time and orientation.
+        let swept = Swept::new(along.patch, theta, wide);
+        let uncertain = self.path.speed() * half + swept.spread + swept.slack;
+        if off > self.near() + uncertain {
+            return;
+        }
+        if uncertain > self.near() && !self.is_narrow(lo, time, hi) {
+            self.accept(along, lo, time, best);
+            self.accept(along, time, hi, best);
+            return;
+        }
+        if !self.from_contact || self.is_blocked(time) {
+            *best = Some(Touch {
+                known: time,
+                time: if self.from_contact {
+                    self.came(along, time)
+                } else {
+                    time
+                },
+                patch: along.index,
+            });
+        }
+    }
+
+    fn is_blocked(&self, time: f64) -> bool {
+        let class = self.space.classify(self.path.outer_at(time));
+        class == Some(Classification::Blocked)
+    }
+
+    /// When a motion that began in contact, and is deep in blocked space at a time, came to the patch: the last root of
+    /// the contact function since it was clear of the patch; 0 if it never was.
+    fn came(&self, along: &Along<'_>, deep: f64) -> f64 {
+        let value = |t: f64| {
+            let p = self.path.inner_at(t);
+            along.patch.function.value(p, self.path.theta(t))
+        };
+        let (mut lo, mut hi) = (0.0, deep);
+        // Backwards by steps that double, to a time at which it was clear of the patch.
+        let mut step = self.narrowest.max(deep * f64::EPSILON);
+        loop {
+            let t = deep - step;
+            if t <= 0.0 {
+                let start = value(0.0);
+                if start > ON_CURVE {
+                    break;
+                }
+                // In contact with this patch all the time, or with others first.
+                return if start >= -DEPTH {
+                    0.0
+                } else {
+                    self.last_not_blocked(deep)
+                };
+            }
+            if value(t) > ON_CURVE {
+                lo = t;
+                break;
+            }
+            hi = t;
+            step *= 2.0;
+        }
+        loop {
+            let mid = 0.5 * (lo + hi);
+            if self.is_narrow(lo, mid, hi) {
+                break;
+            }
+            if value(mid) > 0.0 { lo = mid } else { hi = mid }
+        }
+        hi
+    }
+}
