@@ -1,4 +1,4 @@
-//! Configurations classified in a second on one core, and what it takes to be prepared for that.
+//! Configurations classified in a second on one core, what it takes to be prepared for that, and first contacts.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::{Configuration, ContactSpace, Options};
+use cspace::{Classification, Configuration, ContactSpace, Options};
 use cspace_oracle::shapes::gear;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -56,6 +56,7 @@ fn report(n: usize, m: usize) {
             fast / slow
         );
     }
+    motions(&space, reach);
 }
 
 /// The best of five.
@@ -67,4 +68,45 @@ fn per_second(all: &[Configuration], f: impl Fn(Configuration) -> bool) -> f64 {
         all.len() as f64 / begin.elapsed().as_secs_f64()
     };
     (0..5).map(|_| once()).fold(0.0, f64::max)
+}
+
+/// Motions across the contact zone of gears, from free starts: the time of each.
+fn motions(space: &ContactSpace, reach: f64) {
+    let mut rng = ChaCha8Rng::seed_from_u64(9);
+    let mut starts = Vec::new();
+    while starts.len() < 200 {
+        let angle = rng.random_range(-PI..PI);
+        let distance = reach * rng.random_range(0.9..1.2);
+        let at = Configuration::new(
+            distance * angle.cos(),
+            distance * angle.sin(),
+            rng.random_range(-PI..PI),
+        );
+        if space.classify(at) == Some(Classification::Free) {
+            starts.push(at);
+        }
+    }
+    for (name, speed, turning) in [
+        ("translations", 1.0, 0.0),
+        ("small turns", 1.0, 0.1),
+        ("screws of a turn", 1.0, 6.0),
+        ("spins in place of many turns", 0.0, 100.0),
+    ] {
+        let (mut contacts, mut worst) = (0, 0.0_f64);
+        let begin = Instant::now();
+        for c in &starts {
+            let rates = [-speed * c.x, -speed * c.y, turning];
+            let begin = Instant::now();
+            let outcome = space.first_contact(*c, rates, 1.0).unwrap();
+            worst = worst.max(begin.elapsed().as_secs_f64());
+            contacts += usize::from(outcome.contact().is_some());
+        }
+        let mean = begin.elapsed().as_secs_f64() / starts.len() as f64;
+        println!(
+            "  first contact of {name}: {:.0} µs, at most {:.0} µs; {contacts} of {} touch",
+            1e6 * mean,
+            1e6 * worst,
+            starts.len()
+        );
+    }
 }

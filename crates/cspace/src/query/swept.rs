@@ -154,3 +154,58 @@ fn place<T: Real>(
         boundary.inner(own, cos, sin)
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::part::{Part, Vertex};
+    use crate::space::{ContactSpace, Options};
+
+    /// A part with corners, concave ones too, and arcs that bulge either way.
+    fn part(name: &str, size: f64) -> Part {
+        let at = |x: f64, y: f64, bulge: f64| Vertex {
+            bulge,
+            ..Vertex::line(x * size, y * size)
+        };
+        let outline = vec![
+            at(-1.0, -1.0, 0.0),
+            at(1.0, -0.9, 0.4),
+            at(1.1, 1.0, 0.0),
+            at(0.2, 0.1, -0.3),
+            at(-0.4, 1.2, 0.2),
+        ];
+        Part::new(name, vec![outline]).unwrap()
+    }
+
+    #[test]
+    fn encloses_the_curves_of_all_patches() {
+        let (fixed, moving) = (part("fixed", 1.0), part("moving", 0.6));
+        let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+        let (mut asked, mut narrow) = (0, 0);
+        for patch in &space.patches {
+            for half in [0.2, 0.02, 1e-3, 1e-6] {
+                for i in 0..9 {
+                    let mid = patch.lo + (patch.hi - patch.lo) * f64::from(i) / 8.0;
+                    let (lo, hi) = ((mid - half).max(patch.lo), (mid + half).min(patch.hi));
+                    let swept = Swept::new(patch, 0.5 * (lo + hi), 0.5 * (hi - lo));
+                    narrow += usize::from(swept.spread + swept.slack < 8.0 * half + 1e-9);
+                    for j in 1..8 {
+                        let theta = lo + (hi - lo) * f64::from(j) / 8.0;
+                        let curve = space.curve(patch, theta);
+                        for s in [0.0, 0.3, 0.5, 0.9, 1.0] {
+                            let q = curve.point(s);
+                            let c = crate::Configuration::new(q.x, q.y, theta);
+                            let p = space.frame.inner_from_outer(c);
+                            assert!(!swept.is_away(p, 1e-13), "{patch:?} at {theta}");
+                            asked += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(asked > 10_000);
+        // Nor is it wider than it need be, but next to tangencies.
+        assert!(narrow * 10 > asked / 35 * 8, "{narrow} of {}", asked / 35);
+    }
+}
