@@ -240,6 +240,48 @@ fn classify_tells_contact() {
     assert!(text.trim_end().ends_with(",contact"), "{text}");
 }
 
+/// Thousands of rows are answered in another way than a few; the answers are the same, of models, of saved graphs and in
+/// windows, where orientations count modulo a turn.
+#[test]
+fn classify_answers_many_rows_as_it_does_few() {
+    let file = model("ratchet_pawl");
+    let directory = tempfile::tempdir().unwrap();
+    let saved = directory.path().join("space.json");
+    let saved = saved.to_str().unwrap();
+    let window = "--theta=-0.3,0.4";
+    cspace(&["export", &file, "-o", saved, window])
+        .assert()
+        .success();
+    // A low-discrepancy sequence, on both sides of the window's turn.
+    let rows: Vec<String> = (0..5000)
+        .map(|i| {
+            let share = |a: f64| (f64::from(i) * a).fract();
+            let (x, y) = (16.0 * share(0.7548) - 8.0, 16.0 * share(0.5698) - 8.0);
+            let turn = core::f64::consts::TAU * f64::from(i % 3 - 1);
+            format!("{x},{y},{}", -0.29 + 0.68 * share(0.3247) + turn)
+        })
+        .collect();
+    let classes = |args: &[&str], rows: &[String]| -> Vec<String> {
+        let input = format!("x,y,theta\n{}\n", rows.join("\n"));
+        let output = cspace(args).write_stdin(input).assert().success();
+        let text = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+        text.lines().skip(1).map(str::to_owned).collect()
+    };
+    let model = ["classify", &file, window];
+    let graph = ["classify", saved];
+    let many = classes(&model, &rows);
+    assert_eq!(many.len(), rows.len());
+    let few: Vec<String> = rows
+        .chunks(2500)
+        .flat_map(|chunk| classes(&model, chunk))
+        .collect();
+    assert_eq!(many, few);
+    assert_eq!(many, classes(&graph, &rows));
+    for word in [",free", ",blocked"] {
+        assert!(many.iter().any(|row| row.ends_with(word)), "{word}");
+    }
+}
+
 #[test]
 fn classify_takes_motions_on_fixed_axes() {
     // The Geneva drive as drawn is at dwell, the parts apart.

@@ -18,13 +18,14 @@ const SLOW: [&str; 3] = [
 ];
 
 /// Pairs in which the space itself is wrong here and there, or contact is nearer than rounding tells.
-const INEXACT: [&str; 4] = [
+const INEXACT: [&str; 5] = [
     "lens and crescent",
     "crescents of equal arcs",
     // Arcs of radii about 1e9 times their length.
     "nearly straight arcs",
     // Coordinates about 1e6: their rounding exceeds the resolution.
     "squares drawn far away",
+    "random parts drawn far away",
 ];
 
 fn tried() -> Vec<Pair> {
@@ -112,7 +113,7 @@ fn agrees_with_the_space_and_with_brute_force() {
         }
     }
     assert!(mistakes.is_empty(), "{}", mistakes.join("\n"));
-    assert!(tried_at > 100_000, "{tried_at}");
+    assert!(tried_at > 200_000, "{tried_at}");
 }
 
 /// Random configurations, some near contact; the classifier and the space must say the same of them, turned anyhow.

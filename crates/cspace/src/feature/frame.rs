@@ -38,6 +38,12 @@ impl PairFrame {
         (center_and_radius(fixed).1 + center_and_radius(moving).1) * self.scale + grown
     }
 
+    /// More than the rounding error of positions within reach, in this frame: parts may be drawn far from their origins.
+    pub(crate) fn rounding(&self) -> f64 {
+        let drawn = |center: Point| center.to_vector().length() * self.scale;
+        32.0 * f64::EPSILON * (drawn(self.fixed_center) + drawn(self.moving_center) + 2.0)
+    }
+
     /// From a configuration's position to this frame.
     pub(crate) fn inner_from_outer(&self, c: Configuration) -> Point {
         let turned = Rotation::by(c.theta) * self.moving_center.to_vector();

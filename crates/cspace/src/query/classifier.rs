@@ -7,8 +7,7 @@ use crate::space::ContactSpace;
 
 use super::cells::CellStore;
 use super::classify::Classification;
-use super::grid::Grid;
-use super::raster::MARGIN;
+use super::grid::{Grid, MARGIN};
 use super::ray::{Direction, off_carrier};
 use super::slot::{self, presences};
 use super::walk::{self, Content};
@@ -36,6 +35,9 @@ pub struct Classifier<'a> {
     grid: Grid,
     /// Beyond this distance from the centre of the fixed part all is free (model length, squared).
     far: f64,
+    /// The rounding error of positions (length of the pair's frame). Parts may be drawn so far from their origins that it
+    /// exceeds the resolution.
+    rounding: f64,
     cells: CellStore,
 }
 
@@ -62,7 +64,8 @@ impl ContactSpace {
 
 impl<'a> Classifier<'a> {
     fn new(space: &'a ContactSpace) -> Self {
-        let reach = space.frame.reach(&space.fixed, &space.moving) + MARGIN;
+        let reach =
+            space.frame.reach(&space.fixed, &space.moving) + MARGIN + 2.0 * space.frame.rounding();
         let grid = Grid::new(space, reach);
         let drawn = space.frame.moving_center.to_vector().length();
         let far = space.frame.outer_length(2.0 * reach) + drawn * (1.0 + 1e-12);
@@ -80,6 +83,7 @@ impl<'a> Classifier<'a> {
             space,
             grid,
             far: far * far,
+            rounding: space.frame.rounding(),
             cells,
         }
     }
@@ -140,16 +144,22 @@ impl<'a> Classifier<'a> {
         patches: &[u32],
     ) -> Option<Classification> {
         let resolution = self.space.resolution();
+        let mut unclear = false;
         for &i in patches {
             let patch = &self.space.patches[i as usize];
-            if off_carrier(patch, turn, p) <= MARGIN
+            let off = off_carrier(patch, turn, p);
+            if off <= self.grid.margin
                 && let Some(theta) = self.space.alive(patch, c.theta)
             {
                 let curve = self.space.curve(patch, theta);
                 if curve.nearest(c.position()).distance(c.position()) <= resolution {
                     return Some(Classification::Contact);
                 }
+                unclear |= off <= self.rounding;
             }
+        }
+        if unclear {
+            return self.space.classify(c);
         }
         let place = (p, c.theta, turn);
         for direction in Direction::ALL {

@@ -16,6 +16,11 @@ const ALL_CELLS: f64 = 32.0;
 const MOST_SLOTS: f64 = 4096.0;
 const MOST_COLUMNS: f64 = 2048.0;
 
+/// Cells are entered if a patch comes within this of them (length of the pair's frame, about 1e-9): above the resolution
+/// of contact, and all rounding, unless parts are drawn very far from their origins. Slots are longer by as much
+/// (radians), for orientations are rounded when they are brought home by turns.
+pub(super) const MARGIN: f64 = 1.0 / (1u64 << 30) as f64;
+
 /// Slots of orientation, each with the same square of square cells about the origin of the pair's frame.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grid {
@@ -34,6 +39,8 @@ pub(super) struct Grid {
     /// Side of a cell (length).
     pub(super) cell: f64,
     cell_density: f64,
+    /// Cells are entered if a patch comes within this of them (length).
+    pub(super) margin: f64,
 }
 
 impl Grid {
@@ -72,6 +79,7 @@ impl Grid {
             reach,
             cell,
             cell_density: 1.0 / cell,
+            margin: MARGIN.max(2.0 * space.frame.rounding()),
         }
     }
 

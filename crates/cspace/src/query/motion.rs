@@ -65,8 +65,8 @@ impl ContactSpace {
     /// derivative are enclosed over intervals of time; an interval in which there is no root is dropped, one with a root
     /// that is alone is narrowed to rounding, and others are halved. A root counts if the position is on the patch, to
     /// the [`resolution`](Self::resolution) and the uncertainty of the root. No contact is found by sampling, so none is
-    /// slipped through, however thin. Time and configuration are right to rounding where the motion is not tangent to
-    /// the contact.
+    /// slipped through, however thin. Contact is that of the space, which comes an eighth of the resolution early;
+    /// to this, time and configuration are right to rounding where the motion is not tangent to the contact.
     ///
     /// *Grazing* at a distance that is below the resolution may count as touching, or not; anything that goes deeper
     /// does count.

@@ -88,21 +88,6 @@ impl Path {
         (self.velocity.length() + drawn * self.turning.abs()) * self.frame.scale
     }
 
-    /// More than the rounding of positions within reach (length of the pair's frame): parts may be drawn far from their
-    /// origins.
-    pub(super) fn rounding(&self) -> f64 {
-        let frame = &self.frame;
-        let coordinates = [
-            frame.fixed_center,
-            frame.moving_center,
-            self.from.position(),
-        ]
-        .iter()
-        .map(|p| p.to_vector().length())
-        .sum::<f64>();
-        16.0 * f64::EPSILON * coordinates * frame.scale
-    }
-
     /// When it leaves the window of orientations, if it does.
     pub(super) fn time_in_window(&self, window: Window) -> Option<f64> {
         if window.full_turn || self.turning == 0.0 {

@@ -7,10 +7,6 @@ use crate::space::Patch;
 use super::grid::Grid;
 use super::swept::Swept;
 
-/// Cells are entered if a patch comes within this of them (length of the pair's frame, about 1e-9): above the resolution
-/// of contact, all rounding, and the rounding of orientations divided by their speed.
-pub(super) const MARGIN: f64 = 1.0 / (1u64 << 30) as f64;
-
 /// How far curves may move while they are taken for one, in cells, and by how much they may be too long.
 const LOOSE: f64 = 0.5;
 const LOOSE_ENDS: f64 = 1.0;
@@ -37,7 +33,7 @@ fn halve(grid: &Grid, patch: &Patch, lo: f64, hi: f64, left: u32, pass: &mut imp
         halve(grid, patch, mid, hi, left - 1, pass);
         return;
     }
-    let spread = swept.spread + MARGIN;
+    let spread = swept.spread + grid.margin;
     match swept.shape {
         CurveGeometry::Segment { start, end } => near_segment(grid, start, end, spread, pass),
         CurveGeometry::Arc {

@@ -6,8 +6,8 @@ use crate::geometry::{Point, Rotation};
 use crate::space::ContactSpace;
 
 use super::cells::{CellStore, Entry, PURE_BLOCKED, PURE_FREE};
-use super::grid::Grid;
-use super::raster::{MARGIN, cells_of};
+use super::grid::{Grid, MARGIN};
+use super::raster::cells_of;
 use super::ray::Direction;
 use super::walk::{self, Content};
 

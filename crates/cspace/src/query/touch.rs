@@ -89,16 +89,20 @@ impl<'a> Search<'a> {
 
     /// A time after which, to rounding, the motion is blocked, before one at which it is.
     fn last_not_blocked(&self, blocked: f64) -> f64 {
-        let (mut lo, mut hi) = (0.0, blocked);
+        self.bisect(0.0, blocked, |t| self.is_blocked(t)).0
+    }
+
+    /// Halves an interval down to the narrowest, towards where `is_upper` becomes true.
+    fn bisect(&self, mut lo: f64, mut hi: f64, is_upper: impl Fn(f64) -> bool) -> (f64, f64) {
         loop {
             let mid = 0.5 * (lo + hi);
             if self.is_narrow(lo, mid, hi) {
-                return lo;
+                return (lo, hi);
             }
-            if self.is_blocked(mid) {
-                hi = mid
+            if is_upper(mid) {
+                hi = mid;
             } else {
-                lo = mid
+                lo = mid;
             }
         }
     }
@@ -190,7 +194,7 @@ impl<'a> Search<'a> {
 
     /// How near to a curve a position counts as on it.
     fn near(&self) -> f64 {
-        self.path.rounding() + if self.from_contact { BESIDE } else { ON_CURVE }
+        self.space.frame.rounding() + if self.from_contact { BESIDE } else { ON_CURVE }
     }
 
     /// The orientations of the patch about a time: the middle, and half their range.
@@ -233,7 +237,8 @@ impl<'a> Search<'a> {
         if sign_at(lo) > 0 || sign_at(hi) < 0 {
             return;
         }
-        for _ in 0..100 {
+        // Down to the narrowest, or to where rounding hides the sign; then both ends towards there.
+        loop {
             let mid = 0.5 * (lo + hi);
             if self.is_narrow(lo, mid, hi) {
                 break;
@@ -242,40 +247,13 @@ impl<'a> Search<'a> {
                 1 => hi = mid,
                 -1 => lo = mid,
                 _ => {
-                    // Within rounding of the root: both sides are narrowed as far as signs are known.
-                    self.narrow_about(mid, &mut lo, &mut hi, sign_at);
+                    lo = self.bisect(lo, mid, |t| sign_at(t) >= 0).0;
+                    hi = self.bisect(mid, hi, |t| sign_at(t) > 0).1;
                     break;
                 }
             }
         }
         self.accept(along, lo, hi, best);
-    }
-
-    /// Moves both ends of an interval towards a time at which there is no sign, as far as there are signs.
-    fn narrow_about(&self, about: f64, lo: &mut f64, hi: &mut f64, sign_at: impl Fn(f64) -> i8) {
-        let (mut below, mut above) = (about, about);
-        for _ in 0..60 {
-            let mid = 0.5 * (*lo + below);
-            if self.is_narrow(*lo, mid, below) {
-                break;
-            }
-            if sign_at(mid) < 0 {
-                *lo = mid
-            } else {
-                below = mid
-            }
-        }
-        for _ in 0..60 {
-            let mid = 0.5 * (*hi + above);
-            if self.is_narrow(above, mid, *hi) {
-                break;
-            }
-            if sign_at(mid) > 0 {
-                *hi = mid
-            } else {
-                above = mid
-            }
-        }
     }
 
     /// Whether times are too near to each other to be halved, or have no number between them.
@@ -355,13 +333,6 @@ impl<'a> Search<'a> {
             hi = t;
             step *= 2.0;
         }
-        loop {
-            let mid = 0.5 * (lo + hi);
-            if self.is_narrow(lo, mid, hi) {
-                break;
-            }
-            if value(mid) > 0.0 { lo = mid } else { hi = mid }
-        }
-        hi
+        self.bisect(lo, hi, |t| value(t) <= 0.0).1
     }
 }
