@@ -256,7 +256,7 @@ fn classify_answers_many_rows_as_it_does_few() {
     let rows: Vec<String> = (0..5000)
         .map(|i| {
             let share = |a: f64| (f64::from(i) * a).fract();
-            let (x, y) = (16.0 * share(0.7548) - 8.0, 16.0 * share(0.5698) - 8.0);
+            let (x, y) = (200.0 * share(0.7548) - 100.0, 200.0 * share(0.5698) - 100.0);
             let turn = core::f64::consts::TAU * f64::from(i % 3 - 1);
             format!("{x},{y},{}", -0.29 + 0.68 * share(0.3247) + turn)
         })

@@ -60,7 +60,8 @@ fn classify(
             return c;
         }
         let turned = c.theta + TAU * ((window.lo - c.theta) / TAU).ceil();
-        Configuration::new(c.x, c.y, turned)
+        // Rounding may leave it just below.
+        Configuration::new(c.x, c.y, turned.clamp(window.lo, window.hi))
     });
     let classes: Option<Vec<Classification>> = if configurations.len() < MANY {
         all.map(|c| space.classify(c)).collect()
