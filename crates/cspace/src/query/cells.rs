@@ -57,6 +57,13 @@ struct Tile {
     first: u32,
 }
 
+/// Which cells of a tile are free in all slots, and which are blocked in all.
+#[derive(Debug, Clone, Copy)]
+struct Constant {
+    free: u64,
+    blocked: u64,
+}
+
 const FREE_TILE: u32 = 0;
 const BLOCKED_TILE: u32 = 1;
 const FIRST_TILE: u32 = 2;
@@ -70,6 +77,8 @@ pub(super) struct CellStore {
     /// The content of mixed cells.
     entries: Vec<Entry>,
     lists: Vec<u32>,
+    /// For each tile of positions: so few that they stay in the nearest cache, and they answer for most positions.
+    constant: Vec<Constant>,
 }
 
 impl CellStore {
@@ -125,8 +134,28 @@ impl CellStore {
         self.lists.extend(&other.lists);
     }
 
-    /// Frees what was reserved in vain.
-    pub(super) fn shrink(&mut self) {
+    /// Finds what is the same in all slots, when all slots are there; frees what was reserved in vain.
+    pub(super) fn finish(&mut self, side: usize) {
+        let tiles = (side / TILE) * (side / TILE);
+        let all = Constant {
+            free: u64::MAX,
+            blocked: u64::MAX,
+        };
+        self.constant = vec![all; tiles];
+        for slot in self.directory.chunks(tiles) {
+            for (constant, &tile) in self.constant.iter_mut().zip(slot) {
+                let (free, blocked) = match tile {
+                    FREE_TILE => (u64::MAX, 0),
+                    BLOCKED_TILE => (0, u64::MAX),
+                    _ => {
+                        let tile = self.tiles[(tile - FIRST_TILE) as usize];
+                        (tile.free, !(tile.free | tile.mixed))
+                    }
+                };
+                constant.free &= free;
+                constant.blocked &= blocked;
+            }
+        }
         self.directory.shrink_to_fit();
         self.tiles.shrink_to_fit();
         self.entries.shrink_to_fit();
@@ -143,14 +172,21 @@ impl CellStore {
         row: usize,
     ) -> Content<'_> {
         let tiles = side / TILE;
-        let tile = self.directory[(slot * tiles + row / TILE) * tiles + column / TILE];
+        let place = (row / TILE) * tiles + column / TILE;
+        let bit = (row % TILE) * TILE + column % TILE;
+        let constant = &self.constant[place];
+        if (constant.free | constant.blocked) >> bit & 1 == 1 {
+            return Content::Pure {
+                free: constant.free >> bit & 1 == 1,
+            };
+        }
+        let tile = self.directory[slot * tiles * tiles + place];
         if tile < FIRST_TILE {
             return Content::Pure {
                 free: tile == FREE_TILE,
             };
         }
         let tile = &self.tiles[(tile - FIRST_TILE) as usize];
-        let bit = (row % TILE) * TILE + column % TILE;
         if tile.mixed >> bit & 1 == 0 {
             return Content::Pure {
                 free: tile.free >> bit & 1 == 1,
@@ -168,5 +204,6 @@ impl CellStore {
             + size_of_val(&*self.tiles)
             + size_of_val(&*self.entries)
             + size_of_val(&*self.lists)
+            + size_of_val(&*self.constant)
     }
 }
