@@ -17,7 +17,7 @@ pub use part::{Edge, Loop, Part, PartError, Vertex};
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,
 };
-pub use slice::{CurveGeometry, Slice, SliceCurve};
+pub use slice::{CurveGeometry, Slice, SliceCurve, Slicer};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, FeatureCounts,
     FreeRegion, Options, Patch, PatchRef, Progress, SideLink, Stage, StageSeconds, Statistics,

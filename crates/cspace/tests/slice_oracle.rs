@@ -33,3 +33,45 @@ fn slices_agree_with_brute_force() {
     }
     assert!(bad.is_empty(), "{} of {checked} wrong", bad.len());
 }
+
+#[test]
+fn prepared_pairs_give_the_same_slices() {
+    /// Shorter curves may be there or not; ends are compared to this share of the size.
+    const NEAR: f64 = 1e-9;
+    for pair in cspace_oracle::pairs() {
+        let size = pair.fixed.size().max(pair.moving.size());
+        let far = pair.fixed.bounds().center().to_vector().length()
+            + pair.moving.bounds().center().to_vector().length();
+        let near = NEAR * size + 1e-14 * far;
+        let described = |slice: &Slice| {
+            let mut all: Vec<_> = slice
+                .curves
+                .iter()
+                .filter(|c| c.geometry.length() > near)
+                .map(|c| {
+                    let (p, q) = (c.geometry.point(0.0), c.geometry.point(1.0));
+                    (format!("{:?} {:?}", c.fixed, c.moving), p, q)
+                })
+                .collect();
+            all.sort_by(|a, b| {
+                (a.0.cmp(&b.0))
+                    .then(a.1.x.total_cmp(&b.1.x))
+                    .then(a.1.y.total_cmp(&b.1.y))
+            });
+            all
+        };
+        let slicer = cspace::Slicer::new(&pair.fixed, &pair.moving);
+        for k in 0..12 {
+            let theta = -3.0 + 0.7123 * f64::from(k);
+            let made = described(&Slice::compute(&pair.fixed, &pair.moving, theta));
+            let prepared = described(&slicer.slice(theta));
+            assert_eq!(made.len(), prepared.len(), "{} at {theta}", pair.name);
+            for (a, b) in made.iter().zip(&prepared) {
+                assert_eq!(a.0, b.0, "{} at {theta}", pair.name);
+                let off = a.1.distance(b.1).max(a.2.distance(b.2));
+                assert!(off <= near, "{} at {theta}: {off:e}", pair.name);
+            }
+        }
+        assert!(slicer.slice(f64::NAN).curves.is_empty());
+    }
+}

@@ -56,10 +56,10 @@ struct Cut {
 }
 
 impl Arrangement {
-    /// Computes the slice at `theta`, which must not be a critical orientation.
-    pub(crate) fn new(geometry: &Geometry, theta: f64) -> Self {
+    /// Computes the slice at `theta`, which must not be a critical orientation, from the sheets that may exist there.
+    pub(crate) fn new(geometry: &Geometry, sheets: impl Iterator<Item = u32>, theta: f64) -> Self {
         let turn = Rotation::by(theta);
-        let (mut live, live_of_sheet) = live_curves(geometry, theta, turn);
+        let (mut live, live_of_sheet) = live_curves(geometry, sheets, theta, turn);
         cut(&mut live, geometry, turn);
         let mut this = Self { gaps: Vec::new() };
         this.keep_free(geometry, &mut live, &live_of_sheet, theta);
@@ -181,6 +181,15 @@ impl Arrangement {
 }
 
 impl Live {
+    /// Whether a point of the carrier is in the curve's box, up to more than rounding.
+    fn may_hold(&self, p: Point) -> bool {
+        const MARGIN: f64 = 1e-9;
+        self.lo.x - MARGIN <= p.x
+            && p.x <= self.hi.x + MARGIN
+            && self.lo.y - MARGIN <= p.y
+            && p.y <= self.hi.y + MARGIN
+    }
+
     fn gap_range(&self, gap: usize) -> (f64, f64) {
         let from = if gap == 0 {
             -self.half
@@ -192,11 +201,17 @@ impl Live {
     }
 }
 
-fn live_curves(geometry: &Geometry, theta: f64, turn: Rotation) -> (Vec<Live>, Vec<u32>) {
+fn live_curves(
+    geometry: &Geometry,
+    sheets: impl Iterator<Item = u32>,
+    theta: f64,
+    turn: Rotation,
+) -> (Vec<Live>, Vec<u32>) {
     let (core, reach) = geometry.core(turn);
     let mut live = Vec::new();
     let mut live_of_sheet = vec![u32::MAX; geometry.contacts.sheets.len()];
-    for (i, sheet) in geometry.contacts.sheets.iter().enumerate() {
+    for i in sheets {
+        let sheet = &geometry.contacts.sheets[i as usize];
         if !(sheet.lo < theta && theta < sheet.hi) {
             continue;
         }
@@ -209,10 +224,10 @@ fn live_curves(geometry: &Geometry, theta: f64, turn: Rotation) -> (Vec<Live>, V
         if far < reach {
             continue;
         }
-        live_of_sheet[i] = live.len() as u32;
+        live_of_sheet[i as usize] = live.len() as u32;
         let half = curve.half_length();
         live.push(Live {
-            sheet: i as u32,
+            sheet: i,
             curve,
             half,
             lo,
@@ -267,6 +282,9 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     let mut cuts = Vec::new();
     for (root, c) in (0u8..).zip(found) {
         let Some((p, enters)) = c else { continue };
+        if !(f.may_hold(p) && g.may_hold(p)) {
+            continue;
+        }
         let (s, t) = (f.curve.position(p), g.curve.position(p));
         if s.abs() < f.half && t.abs() < g.half {
             cuts.push((root, enters, s, t));

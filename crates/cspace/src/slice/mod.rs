@@ -1,6 +1,8 @@
 //! One slice of the contact space, computed from nothing but the two parts at one orientation.
 
 mod arrange;
+mod slicer;
 mod types;
 
+pub use slicer::Slicer;
 pub use types::{CurveGeometry, Slice, SliceCurve};

@@ -202,7 +202,8 @@ impl CurveGeometry {
 impl Slice {
     /// Computes the slice of a pair at one orientation from scratch.
     ///
-    /// If `theta` is a critical orientation exactly, the slice just above it is meant, within rounding.
+    /// If `theta` is a critical orientation exactly, the slice just above it is meant, within rounding. For many slices
+    /// of one pair a [`Slicer`](crate::Slicer) is faster.
     ///
     /// ```
     /// use cspace::{Part, Slice, Vertex};
@@ -217,7 +218,12 @@ impl Slice {
     /// ```
     pub fn compute(fixed: &Part, moving: &Part, theta: f64) -> Self {
         let geometry = Geometry::new(fixed, moving, Some((theta - 0.25, theta + 0.25)));
-        Self::from_arrangement(&Arrangement::new(&geometry, theta), &geometry, theta)
+        let sheets = 0..geometry.contacts.sheets.len() as u32;
+        Self::from_arrangement(
+            &Arrangement::new(&geometry, sheets, theta),
+            &geometry,
+            theta,
+        )
     }
 
     pub(crate) fn from_arrangement(

@@ -42,6 +42,8 @@ pub(super) struct Candidates {
     pub(super) pairs: Vec<PairRun>,
     /// Sorted by sheet, then by orientation.
     pub(super) sheets: Vec<SheetRun>,
+    /// For every slot the sheets that are not known to be blocked in it.
+    by_slot: Vec<Vec<u32>>,
 }
 
 struct Boxed {
@@ -67,7 +69,7 @@ impl Candidates {
                 list.push(i);
             }
         }
-        let per_slot: Vec<(Vec<u64>, Vec<u64>)> = in_slot
+        let per_slot: Vec<(Vec<u64>, Vec<u32>)> = in_slot
             .par_iter()
             .enumerate()
             .map(|(slot, list)| {
@@ -76,9 +78,11 @@ impl Candidates {
             .collect();
 
         let (mut pairs, mut alive) = (Vec::new(), Vec::new());
-        for (p, a) in per_slot {
+        let mut by_slot = Vec::with_capacity(count);
+        for (slot, (p, a)) in (0..).zip(per_slot) {
             pairs.extend(p);
-            alive.extend(a);
+            alive.extend(a.iter().map(|&i| u64::from(i) << SLOT_BITS | slot));
+            by_slot.push(a);
         }
         pairs.par_sort_unstable();
         alive.par_sort_unstable();
@@ -114,7 +118,14 @@ impl Candidates {
             slots,
             pairs,
             sheets: sheet_runs,
+            by_slot,
         }
+    }
+
+    /// The sheets that are not known to be blocked about an orientation; some may not exist there.
+    pub(super) fn around(&self, theta: f64) -> &[u32] {
+        let slot = self.slots.partition_point(|&s| s <= theta);
+        &self.by_slot[slot.clamp(1, self.by_slot.len()) - 1]
     }
 }
 
@@ -151,7 +162,7 @@ fn look_at_slot(
     slot: usize,
     slot_lo: f64,
     slot_hi: f64,
-) -> (Vec<u64>, Vec<u64>) {
+) -> (Vec<u64>, Vec<u32>) {
     let contacts = &geometry.contacts;
     let mut boxes: Vec<Boxed> = Vec::with_capacity(list.len());
     let mut alive = Vec::with_capacity(list.len());
@@ -164,7 +175,7 @@ fn look_at_slot(
             continue;
         }
         let (box_lo, box_hi) = sheet_box(sheet, mid, turn, half);
-        alive.push(u64::from(i) << SLOT_BITS | slot as u64);
+        alive.push(i);
         boxes.push(Boxed {
             sheet: i,
             lo: box_lo,

@@ -9,7 +9,7 @@ use crate::geometry::{Rotation, Vector};
 use crate::union_find::UnionFind;
 
 use super::branch::{Branch, Coincidence};
-use super::candidates::{Candidates, SheetRun};
+use super::candidates::Candidates;
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
 use super::levels::Levels;
@@ -228,16 +228,10 @@ impl ShellFinder<'_> {
         } else {
             STEP
         };
-        for run in &self.candidates.sheets {
-            let SheetRun {
-                sheet: other,
-                lo,
-                hi,
-                ..
-            } = *run;
-            if other != cell.sheet && lo <= theta && theta <= hi {
-                let c = sheets[other as usize].curve(theta, turn);
-                reach = c.hit(p, normal, reach).unwrap_or(reach);
+        for &other in self.candidates.around(theta) {
+            let s = &sheets[other as usize];
+            if other != cell.sheet && s.lo <= theta && theta <= s.hi {
+                reach = s.curve(theta, turn).hit(p, normal, reach).unwrap_or(reach);
             }
         }
         !self.geometry.overlaps(p + normal * (0.5 * reach), theta)
