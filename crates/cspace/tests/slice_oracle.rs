@@ -1,6 +1,6 @@
 //! Slices computed from scratch, against brute force.
 
-use cspace::Slice;
+use cspace::{Slice, Slicer};
 use cspace_oracle::{Oracle, near_contact_about, pairs};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -38,7 +38,7 @@ fn slices_agree_with_brute_force() {
 fn prepared_pairs_give_the_same_slices() {
     /// Shorter curves may be there or not; ends are compared to this share of the size.
     const NEAR: f64 = 1e-9;
-    for pair in cspace_oracle::pairs() {
+    for pair in pairs() {
         let size = pair.fixed.size().max(pair.moving.size());
         let far = pair.fixed.bounds().center().to_vector().length()
             + pair.moving.bounds().center().to_vector().length();
@@ -60,7 +60,7 @@ fn prepared_pairs_give_the_same_slices() {
             });
             all
         };
-        let slicer = cspace::Slicer::new(&pair.fixed, &pair.moving);
+        let slicer = Slicer::new(&pair.fixed, &pair.moving);
         for k in 0..12 {
             let theta = -3.0 + 0.7123 * f64::from(k);
             let made = described(&Slice::compute(&pair.fixed, &pair.moving, theta));
