@@ -24,7 +24,7 @@ const CONFLICTS: [(&str, u64); 1] = [
 
 /// The known gap: beside orientations at which arcs of nearly equal radii touch to second order, bands of about 1e-5 rad
 /// have pieces missing; see `arcs_that_touch_to_second_order`.
-const SECOND_ORDER: [&str; 2] = ["lens and crescent", "crescents of equal arcs"];
+const SECOND_ORDER: [&str; 1] = ["crescents of equal arcs"];
 
 /// What the margin of a verdict must exceed to count, as a share of the size.
 const CERTAIN: f64 = 1e-10;

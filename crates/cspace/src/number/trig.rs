@@ -26,7 +26,10 @@ const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
 /// A function that varies by less than this (in units of its scale) is constant up to rounding and has no roots.
 const CONSTANT: f64 = 64.0 * f64::EPSILON;
 /// The largest error with which a root is reported, radians.
-const LARGEST_ERROR: f64 = 1e-7;
+///
+/// Arcs of nearly equal radii that touch lose and regain each other several times within some 1e-7: one cluster has them
+/// all.
+const LARGEST_ERROR: f64 = 1e-6;
 
 impl Trig {
     /// Calls `found` with every root in the interval (mid − half, mid + half), with its error.

@@ -4,11 +4,11 @@ use crate::contact::{Carrier, ContactFunction};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::space::Patch;
 
-/// Ends of curves are known this well (length of the pair's frame, about 2.4e-7): next to a tangency they move with the
-/// square root of rounding, and critical orientations are known to 1e-7 at worst.
+/// Ends of curves are known this well (length of the pair's frame, about 1.9e-6): next to a tangency they move with the
+/// square root of rounding, and critical orientations are known to 1e-6 at worst.
 ///
 /// A way that passes an end at less is not followed; neither is one that meets two curves at less from each other.
-pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 22) as f64;
+pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
 /// What a way meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,7 +142,7 @@ impl Span {
     /// passed each other are one point and not a full turn.
     #[inline]
     fn new(start: Vector, end: Vector, radius: f64) -> Self {
-        const SAME: f64 = 1e-6;
+        const SAME: f64 = 1e-5;
         let (from, to) = if radius > 0.0 {
             (start, end)
         } else {
