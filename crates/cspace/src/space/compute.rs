@@ -8,7 +8,7 @@ use crate::number::Event;
 use crate::part::Part;
 
 use super::assemble::assemble;
-use super::branch::{branches, pair_events};
+use super::branch::{Traced, branches, pair_events};
 use super::candidates::{Candidates, MAX_SHEETS};
 use super::clusters::Clusters;
 use super::core::Cores;
@@ -179,13 +179,16 @@ impl ContactSpace {
         lap(&mut seconds.pair_events);
 
         progress.stage(Stage::Branches)?;
-        let (mut branches, mut coincidences) =
-            branches(&geometry, &candidates.pairs, &pair_events, &clusters);
+        let Traced {
+            mut branches,
+            mut coincidences,
+            encounters,
+        } = branches(&geometry, &candidates.pairs, &pair_events, &clusters);
         lap(&mut seconds.branches);
 
         progress.stage(Stage::TripleEvents)?;
         let on_sheet = OnSheet::new(sheets.len(), &branches);
-        let triples = triple_events(&geometry, &branches, &on_sheet, &clusters);
+        let triples = triple_events(&geometry, &branches, &encounters, &on_sheet, &clusters);
         let (clusters, moved) = clusters.with(triples.iter().map(|t| t.1).collect());
         for b in &mut branches {
             b.from = moved[b.from as usize];

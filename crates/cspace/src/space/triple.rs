@@ -4,7 +4,7 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its second derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 use rayon::prelude::*;
 
@@ -13,7 +13,7 @@ use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
 use crate::number::{Ball, Dual, Event, Jet, Real, TrigPolynomial};
 
-use super::branch::Branch;
+use super::branch::{Branch, Encounter};
 use super::clusters::Clusters;
 use super::gaps::Gaps;
 
@@ -65,19 +65,22 @@ impl OnSheet {
 pub(super) fn triple_events(
     geometry: &Geometry,
     branches: &[Branch],
+    encounters: &[Encounter],
     on_sheet: &OnSheet,
     clusters: &Clusters,
 ) -> Vec<(u32, Event)> {
+    let meetings = Meetings::new(geometry, encounters);
     (0..geometry.contacts.sheets.len() as u32)
         .into_par_iter()
         .flat_map_iter(|sheet| {
             let mut search = Search {
                 geometry,
                 branches,
+                meetings: &meetings,
                 clusters,
                 sheet,
                 dead: Gaps::dead_ends(geometry, sheet),
-                known: BTreeMap::new(),
+                concurrencies: HashMap::new(),
                 events: Vec::new(),
             };
             search.run(on_sheet.of(sheet));
@@ -86,16 +89,75 @@ pub(super) fn triple_events(
         .collect()
 }
 
+/// Which sheets cross or touch, and when.
+struct Meetings<'a> {
+    geometry: &'a Geometry,
+    encounters: &'a [Encounter],
+    /// Encounters in which sheet i is the first of the two: `encounters[start[i]..start[i + 1]]`.
+    start: Vec<u32>,
+}
+
+impl<'a> Meetings<'a> {
+    fn new(geometry: &'a Geometry, encounters: &'a [Encounter]) -> Self {
+        let mut start = vec![0u32; geometry.contacts.sheets.len() + 1];
+        for e in encounters {
+            start[e.first as usize + 1] += 1;
+        }
+        for i in 1..start.len() {
+            start[i] += start[i - 1];
+        }
+        Self {
+            geometry,
+            encounters,
+            start,
+        }
+    }
+
+    /// Whether two sheets may have a point in common between two clusters: three sheets meet only where every two do.
+    ///
+    /// Sheets that share an end or a carrier have that in common without crossing.
+    fn may_meet(&self, f: u32, g: u32, from: u32, to: u32) -> bool {
+        if f == g {
+            return false;
+        }
+        let (first, second) = (f.min(g), f.max(g));
+        let range = self.start[first as usize] as usize..self.start[first as usize + 1] as usize;
+        let mine = &self.encounters[range];
+        let at = mine.partition_point(|e| e.second < second);
+        let encountered = mine[at..]
+            .iter()
+            .take_while(|e| e.second == second)
+            .any(|e| e.from <= to && from <= e.to);
+        if encountered {
+            return true;
+        }
+        let contacts = &self.geometry.contacts;
+        let shared = contacts.sheets[f as usize]
+            .shared_ends(&contacts.sheets[g as usize], contacts.first_vertex_name);
+        shared.tangent || shared.corners.iter().any(Option::is_some)
+    }
+}
+
 /// The search on one sheet.
 struct Search<'a> {
     geometry: &'a Geometry,
     branches: &'a [Branch],
+    meetings: &'a Meetings<'a>,
     clusters: &'a Clusters,
     sheet: u32,
     dead: (bool, bool),
-    /// Orientations at which two branches pass each other, for pairs already looked at.
-    known: BTreeMap<(u32, u32), Vec<Event>>,
+    /// What vanishes where two branches pass each other, for pairs already looked at; `None` for pairs that never do.
+    concurrencies: HashMap<(u32, u32), Option<TrigPolynomial>>,
     events: Vec<(u32, Event)>,
+}
+
+/// An interval between two clusters in which the same branches exist on the sheet.
+struct Window<'a> {
+    active: &'a [u32],
+    lo: f64,
+    hi: f64,
+    /// For every two of its branches, by their indices, the events found: a range of the list of events.
+    found: Vec<Option<(u32, u32)>>,
 }
 
 impl Search<'_> {
@@ -110,6 +172,7 @@ impl Search<'_> {
         times.sort_unstable();
         times.dedup();
         let mut active = Vec::new();
+        let mut found = Vec::new();
         for w in times.windows(2) {
             active.clear();
             active.extend(list.iter().copied().filter(|&b| {
@@ -117,18 +180,28 @@ impl Search<'_> {
                 b.from <= w[0] && b.to >= w[1]
             }));
             if active.len() > 1 {
-                self.slab(&active, self.clusters.hi(w[0]), self.clusters.lo(w[1]));
+                found.clear();
+                found.resize(active.len() * active.len(), None);
+                let mut window = Window {
+                    active: &active,
+                    lo: self.clusters.hi(w[0]),
+                    hi: self.clusters.lo(w[1]),
+                    found: core::mem::take(&mut found),
+                };
+                let (lo, hi) = (window.lo, window.hi);
+                self.slab(&mut window, lo, hi);
+                found = window.found;
             }
         }
     }
 
-    /// Looks at an interval in which the same branches exist, and again at its pieces if some pass each other.
-    fn slab(&mut self, active: &[u32], lo: f64, hi: f64) {
+    /// Looks at a part of a window, and again at its pieces if some branches pass each other.
+    fn slab(&mut self, window: &mut Window, lo: f64, hi: f64) {
         let gaps = Gaps::new(
             self.geometry,
             self.branches,
             self.sheet,
-            active,
+            window.active,
             0.5 * (lo + hi),
             self.dead,
         );
@@ -136,10 +209,11 @@ impl Search<'_> {
         for (n, &(_, i)) in gaps.order.iter().enumerate() {
             for (m, &(_, j)) in gaps.order.iter().enumerate().skip(n + 1) {
                 if gaps.passing_matters(n, m) {
-                    let found = self.passings(i.min(j), i.max(j));
+                    let (from, to) = self.passings(window, i.min(j), i.max(j));
                     cuts.extend(
-                        found
+                        self.events[from as usize..to as usize]
                             .iter()
+                            .map(|e| e.1)
                             .filter(|e| lo < e.theta - e.error && e.theta + e.error < hi),
                     );
                 }
@@ -152,35 +226,44 @@ impl Search<'_> {
         let mut from = lo;
         for c in cuts {
             if c.theta - c.error - from > NARROWEST_BAND {
-                self.slab(active, from, c.theta - c.error);
+                self.slab(window, from, c.theta - c.error);
             }
             from = from.max(c.theta + c.error);
         }
         if hi - from > NARROWEST_BAND {
-            self.slab(active, from, hi);
+            self.slab(window, from, hi);
         }
     }
 
-    fn passings(&mut self, i: u32, j: u32) -> Vec<Event> {
-        if let Some(found) = self.known.get(&(i, j)) {
-            return found.clone();
+    /// The events at which two branches of a window, given by their order, pass each other in it.
+    fn passings(&mut self, window: &mut Window, i: u32, j: u32) -> (u32, u32) {
+        let (active, size) = (window.active, window.active.len());
+        let index = |b: u32| active.partition_point(|&a| a < b);
+        let slot = &mut window.found[index(i) * size + index(j)];
+        if let Some(range) = *slot {
+            return range;
         }
+        let from = self.events.len() as u32;
         let (x, y) = (&self.branches[i as usize], &self.branches[j as usize]);
-        let (from, to) = (x.from.max(y.from), x.to.min(y.to));
-        let mut found = Vec::new();
-        if x.other(self.sheet) != y.other(self.sheet) {
-            let (lo, hi) = (self.clusters.hi(from), self.clusters.lo(to));
-            let pair = Passing {
-                geometry: self.geometry,
-                sheet: self.sheet,
-                x,
-                y,
-            };
-            pair.isolate(lo, hi, &mut |e| found.push(e));
+        let (sheet, events) = (self.sheet, &mut self.events);
+        let pair = Passing {
+            geometry: self.geometry,
+            sheet,
+            x,
+            y,
+        };
+        let known = self.concurrencies.entry((i, j)).or_insert_with(|| {
+            let (from, to) = (x.from.max(y.from), x.to.min(y.to));
+            self.meetings
+                .may_meet(x.other(sheet), y.other(sheet), from, to)
+                .then(|| TrigPolynomial::sampled(|cos, sin| pair.concurrency(cos, sin)))
+        });
+        if let Some(f) = known {
+            pair.isolate(f, window.lo, window.hi, &mut |e| events.push((sheet, e)));
         }
-        self.events.extend(found.iter().map(|&e| (self.sheet, e)));
-        self.known.insert((i, j), found.clone());
-        found
+        let range = (from, events.len() as u32);
+        *slot = Some(range);
+        range
     }
 }
 
@@ -276,14 +359,13 @@ impl Passing<'_> {
     }
 
     /// Finds every orientation at which the two branches pass each other.
-    fn isolate(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
-        let f = TrigPolynomial::sampled(|cos, sin| self.concurrency(cos, sin));
+    fn isolate(&self, f: &TrigPolynomial, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
         let mut vague: Vec<(f64, f64)> = Vec::new();
         f.brackets(
             lo,
             hi,
             NARROWEST,
-            &mut |lo, hi| self.refine(&f, lo, hi, found),
+            &mut |lo, hi| self.refine(f, lo, hi, found),
             &mut |lo, hi| vague.push((lo, hi)),
         );
         for (lo, hi) in vague {
@@ -377,29 +459,30 @@ impl Passing<'_> {
         const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
         /// No root is reported with a larger error, radians.
         const LARGEST_ERROR: f64 = 1e-9;
+        /// Steps shorter than this are rounding, radians.
+        const SAME: f64 = 1e-15;
         let (first, last) = (lo, hi);
-        let (mut at_lo, mut at_hi) = (f.at(lo).0, f.at(hi).0);
-        for step in 0..200 {
-            if hi - lo <= 1e-15 {
+        let at_lo = f.at(lo).0;
+        let mut theta = 0.5 * (lo + hi);
+        // By Newton's rule, halving the bracket where a step leaves it or does not shorten it enough.
+        let mut width = hi - lo;
+        for _ in 0..100 {
+            let (value, slope) = f.at(theta);
+            if (value > 0.0) == (at_lo > 0.0) {
+                lo = theta;
+            } else {
+                hi = theta;
+            }
+            let next = theta - value / slope;
+            let step = (next - theta).abs();
+            let good = lo < next && next < hi && step <= 0.5 * width;
+            let next = if good { next } else { 0.5 * (lo + hi) };
+            width = if good { step } else { hi - lo };
+            if width <= SAME || value == 0.0 {
                 break;
             }
-            let secant = lo - at_lo * (hi - lo) / (at_hi - at_lo);
-            let mid = if step % 3 == 2 || !(lo < secant && secant < hi) {
-                0.5 * (lo + hi)
-            } else {
-                secant
-            };
-            let d = f.at(mid).0;
-            if d == 0.0 {
-                (lo, hi) = (mid, mid);
-            } else if (d > 0.0) == (at_lo > 0.0) {
-                // Halving the other side's value keeps the secant from creeping (the Illinois rule).
-                (lo, at_lo, at_hi) = (mid, d, 0.5 * at_hi);
-            } else {
-                (hi, at_hi, at_lo) = (mid, d, 0.5 * at_lo);
-            }
+            theta = next;
         }
-        let mut theta = 0.5 * (lo + hi);
         let mut d = self.gap(theta);
         if d.value.abs() > NEAR {
             return;
