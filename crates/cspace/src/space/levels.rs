@@ -18,13 +18,13 @@ use crate::union_find::UnionFind;
 use super::branch::{Branch, Coincidence};
 use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
-use super::sweep::{CellExtents, Extent, Side};
+use super::sweep::{CellExtents, Cells, Extent, Side};
 
 pub(super) struct Levels<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) clusters: &'a Clusters,
     pub(super) branches: &'a [Branch],
-    pub(super) cells: &'a [Cell],
+    pub(super) cells: &'a Cells,
     /// Which cells are free, once that is known.
     ///
     /// Among all cells on a level it is not certain which are outermost. Once the others are known to be blocked, a
@@ -129,7 +129,7 @@ impl Levels<'_> {
     pub(super) fn groups(&self, coincidences: &[Coincidence]) -> Vec<(u32, Vec<u32>)> {
         let sheets = &self.geometry.contacts.sheets;
         let mut seams: Vec<(Seam, u32, u32)> = Vec::new();
-        for c in self.cells {
+        for c in &self.cells.cells {
             let sheet = &sheets[c.sheet as usize];
             let counts = |s: Seam| !matches!(s, Seam::Point | Seam::Window | Seam::Wrap(..));
             // If both ends change at once, the piece between was dropped: it does not matter which end it was.
@@ -180,12 +180,7 @@ impl Levels<'_> {
         let mut out = Vec::new();
         let (mut ending, mut beginning) = (Vec::new(), Vec::new());
         for &sheet in group {
-            let from = self.cells.partition_point(|c| c.sheet < sheet);
-            let mine = (from as u32..)
-                .zip(&self.cells[from..])
-                .take_while(|(_, c)| c.sheet == sheet)
-                .filter(|(i, _)| self.counts(*i));
-            for (i, c) in mine {
+            for (i, c) in self.cells.of(sheet).filter(|(i, _)| self.counts(*i)) {
                 if c.to == at {
                     ending.push(i);
                 }
@@ -194,7 +189,10 @@ impl Levels<'_> {
                 }
             }
         }
-        if ending.is_empty() || beginning.is_empty() {
+        // What is blocked below and above is so anyway.
+        let matters = |&i: &u32| !self.cells.cells[i as usize].blocked;
+        let none_matters = !ending.iter().chain(&beginning).any(matters);
+        if ending.is_empty() || beginning.is_empty() || none_matters {
             return out;
         }
         let theta = self.clusters.at(at);
@@ -277,7 +275,7 @@ impl Levels<'_> {
             {
                 // Along the lower cell's own curve, from its middle.
                 let sheet =
-                    &self.geometry.contacts.sheets[self.cells[lower as usize].sheet as usize];
+                    &self.geometry.contacts.sheets[self.cells.cells[lower as usize].sheet as usize];
                 let middle = self.point(&track, first.start.at(turn), 0.5 * (from + to));
                 let place = sheet.curve(theta, turn).position(middle);
                 let half = 0.5 * (to - from);
@@ -309,7 +307,7 @@ impl Levels<'_> {
     }
 
     fn piece(&self, index: u32, at: u32, side: Side, track: &Track) -> Option<Piece> {
-        let cell = &self.cells[index as usize];
+        let cell = &self.cells.cells[index as usize];
         let theta = self.clusters.at(at);
         let turn = Rotation::by(theta);
         let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
@@ -359,7 +357,7 @@ impl Levels<'_> {
         let mut best: Option<(f64, &Piece)> = None;
         let mut ceiling = f64::INFINITY;
         for q in pieces.iter().filter(|q| q.covers(track, place)) {
-            let h = self.height(&self.cells[q.cell as usize], p, outward, turn);
+            let h = self.height(&self.cells.cells[q.cell as usize], p, outward, turn);
             if q.along != along {
                 ceiling = ceiling.min(h);
             } else if best.is_none_or(|b| h > b.0) {
@@ -389,7 +387,7 @@ impl Levels<'_> {
     pub(super) fn connect_wraps(&self, out: &mut Vec<VerticalContact>) {
         let sheets = &self.geometry.contacts.sheets;
         let mut groups: BTreeMap<Seam, (Vec<u32>, Vec<u32>)> = BTreeMap::new();
-        for (i, c) in (0u32..).zip(self.cells) {
+        for (i, c) in (0u32..).zip(&self.cells.cells) {
             let sheet = &sheets[c.sheet as usize];
             if c.at_top && matches!(sheet.top, Seam::Wrap(..)) {
                 groups.entry(sheet.top).or_default().0.push(i);
@@ -401,7 +399,10 @@ impl Levels<'_> {
         for (ends, starts) in groups.values() {
             for &lower in ends {
                 for &upper in starts {
-                    let (l, u) = (&self.cells[lower as usize], &self.cells[upper as usize]);
+                    let (l, u) = (
+                        &self.cells.cells[lower as usize],
+                        &self.cells.cells[upper as usize],
+                    );
                     let below = self.extent(l, l.to, Side::Below);
                     let above = self.extent(u, u.from, Side::Above);
                     out.extend(below.shared_with(&above).map(|shared| VerticalContact {

@@ -1,5 +1,6 @@
 //! The contact space of a pair of parts, over all orientations.
 
+mod active;
 mod assemble;
 mod branch;
 mod candidates;

@@ -13,6 +13,7 @@ use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
 use crate::number::{Ball, Dual, Event, Jet, Real, TrigPolynomial};
 
+use super::active::Active;
 use super::branch::{Branch, Encounter};
 use super::clusters::Clusters;
 use super::gaps::Gaps;
@@ -79,7 +80,7 @@ pub(super) fn triple_events(
                 meetings: &meetings,
                 clusters,
                 sheet,
-                dead: Gaps::dead_ends(geometry, sheet),
+                gaps: Gaps::of(geometry, sheet),
                 concurrencies: HashMap::new(),
                 events: Vec::new(),
             };
@@ -145,7 +146,7 @@ struct Search<'a> {
     meetings: &'a Meetings<'a>,
     clusters: &'a Clusters,
     sheet: u32,
-    dead: (bool, bool),
+    gaps: Gaps,
     /// What vanishes where two branches pass each other, for pairs already looked at; `None` for pairs that never do.
     concurrencies: HashMap<(u32, u32), Option<TrigPolynomial>>,
     events: Vec<(u32, Event)>,
@@ -171,19 +172,15 @@ impl Search<'_> {
             .collect();
         times.sort_unstable();
         times.dedup();
-        let mut active = Vec::new();
+        let mut all = Active::new(self.branches, list);
         let mut found = Vec::new();
         for w in times.windows(2) {
-            active.clear();
-            active.extend(list.iter().copied().filter(|&b| {
-                let b = &self.branches[b as usize];
-                b.from <= w[0] && b.to >= w[1]
-            }));
+            let active = all.after(w[0]);
             if active.len() > 1 {
                 found.clear();
                 found.resize(active.len() * active.len(), None);
                 let mut window = Window {
-                    active: &active,
+                    active,
                     lo: self.clusters.hi(w[0]),
                     hi: self.clusters.lo(w[1]),
                     found: core::mem::take(&mut found),
@@ -197,18 +194,19 @@ impl Search<'_> {
 
     /// Looks at a part of a window, and again at its pieces if some branches pass each other.
     fn slab(&mut self, window: &mut Window, lo: f64, hi: f64) {
-        let gaps = Gaps::new(
+        let mut gaps = core::mem::take(&mut self.gaps);
+        gaps.arrange(
             self.geometry,
             self.branches,
             self.sheet,
             window.active,
             0.5 * (lo + hi),
-            self.dead,
         );
         let mut cuts: Vec<Event> = Vec::new();
-        for (n, &(_, i)) in gaps.order.iter().enumerate() {
-            for (m, &(_, j)) in gaps.order.iter().enumerate().skip(n + 1) {
+        for n in 0..gaps.branches() {
+            for m in n + 1..gaps.branches() {
                 if gaps.passing_matters(n, m) {
+                    let (i, j) = (gaps.branch(n), gaps.branch(m));
                     let (from, to) = self.passings(window, i.min(j), i.max(j));
                     cuts.extend(
                         self.events[from as usize..to as usize]
@@ -219,6 +217,7 @@ impl Search<'_> {
                 }
             }
         }
+        self.gaps = gaps;
         if cuts.is_empty() {
             return;
         }
