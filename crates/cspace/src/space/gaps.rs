@@ -7,7 +7,7 @@ use crate::contact::Geometry;
 
 use super::branch::Branch;
 use super::cells::END;
-use super::sweep::Placing;
+use super::placing::Placing;
 
 /// The branches that cross a contact curve at one orientation, in order of travel.
 #[derive(Debug, Default)]

@@ -11,7 +11,8 @@ use super::candidates::Candidates;
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
 use super::levels::Levels;
-use super::sweep::{Cells, Placing};
+use super::placing::Placing;
+use super::sweep::Cells;
 
 /// Contacts between cells, and the verdict on each cell.
 #[derive(Debug)]
@@ -246,7 +247,7 @@ impl ShellFinder<'_> {
         } else {
             STEP
         };
-        for &other in self.candidates.around(theta) {
+        for other in self.candidates.around(theta, p, reach) {
             let s = &sheets[other as usize];
             let exists = s.lo <= theta && theta <= s.hi;
             if other != cell.sheet && exists && off(&s.carrier(turn.cos, turn.sin), p) <= reach {
