@@ -7,12 +7,27 @@ const DEGREE: usize = 4;
 /// Orientations at which a polynomial is sampled; enough for its coefficients.
 const SAMPLES: usize = 2 * DEGREE + 1;
 
-/// Cosines and sines of the sampled orientations, by sample.
-static TURNS: LazyLock<[(f64, f64); SAMPLES]> = LazyLock::new(|| {
-    core::array::from_fn(|j| {
+/// What a polynomial's coefficients are made of.
+struct Sampling {
+    /// Cosine and sine of the sampled orientations.
+    turns: [(f64, f64); SAMPLES],
+    /// By sample and frequency, how much of a value goes to the coefficients of the cosine and of the sine.
+    weights: [[(f64, f64); DEGREE + 1]; SAMPLES],
+}
+
+static SAMPLING: LazyLock<Sampling> = LazyLock::new(|| {
+    let turns: [(f64, f64); SAMPLES] = core::array::from_fn(|j| {
         let (sin, cos) = (core::f64::consts::TAU * j as f64 / SAMPLES as f64).sin_cos();
         (cos, sin)
-    })
+    });
+    let weights = core::array::from_fn(|j| {
+        core::array::from_fn(|k| {
+            let factor = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
+            let (cos, sin) = turns[j * k % SAMPLES];
+            (cos * factor, sin * factor)
+        })
+    });
+    Sampling { turns, weights }
 });
 
 /// Σ aₖ cos kθ + bₖ sin kθ, k = 0 … 4, known up to an error.
@@ -36,22 +51,18 @@ impl TrigPolynomial {
         const ERROR: f64 = 64.0 * f64::EPSILON;
         let (mut a, mut b) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
         let mut size: f64 = 0.0;
-        for (j, &(cos, sin)) in TURNS.iter().enumerate() {
+        let Sampling { turns, weights } = &*SAMPLING;
+        for (&(cos, sin), weights) in turns.iter().zip(weights) {
             let (value, terms) = f(cos, sin);
             size = size.max(terms);
-            for k in 0..=DEGREE {
-                let (c, s) = TURNS[j * k % SAMPLES];
-                a[k] += value * c;
-                b[k] += value * s;
+            for (k, w) in weights.iter().enumerate() {
+                a[k] += value * w.0;
+                b[k] += value * w.1;
             }
         }
-        let mut twist = 0.0;
-        for k in 0..=DEGREE {
-            let factor = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
-            a[k] *= factor;
-            b[k] *= factor;
-            twist += (k * k * k) as f64 * (a[k] * a[k] + b[k] * b[k]).sqrt();
-        }
+        let twist: f64 = (0..=DEGREE)
+            .map(|k| (k * k * k) as f64 * (a[k] * a[k] + b[k] * b[k]).sqrt())
+            .sum();
         Self {
             a,
             b,

@@ -251,11 +251,14 @@ impl Search<'_> {
             x,
             y,
         };
+        let sheets = &self.geometry.contacts.sheets;
         let known = self.concurrencies.entry((i, j)).or_insert_with(|| {
             let (from, to) = (x.from.max(y.from), x.to.min(y.to));
-            self.meetings
-                .may_meet(x.other(sheet), y.other(sheet), from, to)
-                .then(|| TrigPolynomial::sampled(|cos, sin| pair.concurrency(cos, sin)))
+            let (f, g) = (x.other(sheet), y.other(sheet));
+            self.meetings.may_meet(f, g, from, to).then(|| {
+                let three = [sheet, f, g].map(|s| &sheets[s as usize]);
+                TrigPolynomial::sampled(|cos, sin| concurrency(three.map(|s| s.carrier(cos, sin))))
+            })
         });
         if let Some(f) = known {
             pair.isolate(f, window.lo, window.hi, &mut |e| events.push((sheet, e)));
@@ -263,6 +266,62 @@ impl Search<'_> {
         let range = (from, events.len() as u32);
         *slot = Some(range);
         range
+    }
+}
+
+/// A function without roots or divisions that vanishes where the three sheets meet.
+///
+/// With a circle of centre c and radius r among them, and p = c + v: |v| = r, and each of the others is linear in
+/// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
+/// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
+///
+/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
+fn concurrency(mut three: [Carrier<f64>; 3]) -> (f64, f64) {
+    if let Some(circle) = three
+        .iter()
+        .position(|c| matches!(c, Carrier::Circle { .. }))
+    {
+        three.swap(0, circle);
+    }
+    let vector = |v: (f64, f64)| Vector::new(v.0, v.1);
+    match three[0] {
+        Carrier::Circle { center, radius } => {
+            let center = vector(center);
+            let linear = |other: &Carrier<f64>| match *other {
+                Carrier::Line { normal, through } => {
+                    let n = vector(normal);
+                    (n, n.dot(vector(through) - center), 1.0)
+                }
+                Carrier::Circle {
+                    center: c,
+                    radius: r,
+                } => {
+                    let a = vector(c) - center;
+                    let terms = a.length_squared() + r * r + radius * radius;
+                    (
+                        a,
+                        0.5 * (a.length_squared() - (r - radius) * (r + radius)),
+                        terms,
+                    )
+                }
+            };
+            let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
+            let v = b * e - a * g;
+            let d = radius * a.cross(b);
+            let terms = (b.length() * p + a.length() * q).powi(2)
+                + (radius * a.length() * b.length()).powi(2);
+            (v.length_squared() - d * d, terms)
+        }
+        Carrier::Line { .. } => {
+            let line = |c: &Carrier<f64>| match *c {
+                Carrier::Line { normal, through } => {
+                    (vector(normal), vector(normal).dot(vector(through)))
+                }
+                Carrier::Circle { center, .. } => (vector(center), 0.0),
+            };
+            let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
+            (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0)
+        }
     }
 }
 
@@ -291,69 +350,6 @@ impl Passing<'_> {
             p.0 * q.1 - p.1 * q.0
         } else {
             p.0 - q.0
-        }
-    }
-
-    /// A function without roots or divisions that vanishes where the three sheets meet.
-    ///
-    /// With a circle of centre c and radius r among them, and p = c + v: |v| = r, and each of the others is linear in
-    /// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
-    /// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
-    ///
-    /// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
-    fn concurrency(&self, cos: f64, sin: f64) -> (f64, f64) {
-        let sheets = &self.geometry.contacts.sheets;
-        let mut three = [
-            self.sheet,
-            self.x.other(self.sheet),
-            self.y.other(self.sheet),
-        ]
-        .map(|s| sheets[s as usize].carrier(cos, sin));
-        if let Some(circle) = three
-            .iter()
-            .position(|c| matches!(c, Carrier::Circle { .. }))
-        {
-            three.swap(0, circle);
-        }
-        let vector = |v: (f64, f64)| Vector::new(v.0, v.1);
-        match three[0] {
-            Carrier::Circle { center, radius } => {
-                let center = vector(center);
-                let linear = |other: &Carrier<f64>| match *other {
-                    Carrier::Line { normal, through } => {
-                        let n = vector(normal);
-                        (n, n.dot(vector(through) - center), 1.0)
-                    }
-                    Carrier::Circle {
-                        center: c,
-                        radius: r,
-                    } => {
-                        let a = vector(c) - center;
-                        let terms = a.length_squared() + r * r + radius * radius;
-                        (
-                            a,
-                            0.5 * (a.length_squared() - (r - radius) * (r + radius)),
-                            terms,
-                        )
-                    }
-                };
-                let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
-                let v = b * e - a * g;
-                let d = radius * a.cross(b);
-                let terms = (b.length() * p + a.length() * q).powi(2)
-                    + (radius * a.length() * b.length()).powi(2);
-                (v.length_squared() - d * d, terms)
-            }
-            Carrier::Line { .. } => {
-                let line = |c: &Carrier<f64>| match *c {
-                    Carrier::Line { normal, through } => {
-                        (vector(normal), vector(normal).dot(vector(through)))
-                    }
-                    Carrier::Circle { center, .. } => (vector(center), 0.0),
-                };
-                let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
-                (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0)
-            }
         }
     }
 
