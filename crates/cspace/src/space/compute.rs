@@ -1,5 +1,6 @@
 //! From two parts to their contact space.
 
+use core::f64::consts::TAU;
 use std::time::Instant;
 
 use crate::contact::Geometry;
@@ -17,6 +18,12 @@ use super::shells::ShellFinder;
 use super::stats::{StageSeconds, Statistics};
 use super::sweep::Sweep;
 use super::triple::{OnSheet, triple_events};
+
+/// How much more than a turn a window may be, by rounding, radians.
+const WINDOW_SLACK: f64 = 1e-12;
+
+/// The longest window of orientations: a turn, give or take its rounding.
+pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
 
 /// What to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -274,15 +281,12 @@ impl ContactSpace {
 
 /// The window, checked; a window of a whole turn is the full turn.
 fn checked_window(window: Option<(f64, f64)>) -> Result<Option<(f64, f64)>, ComputeError> {
-    use core::f64::consts::TAU;
-    /// How much more than a turn a window may be, by rounding.
-    const SLACK: f64 = 1e-12;
     let Some((lo, hi)) = window else {
         return Ok(None);
     };
     let length = hi - lo;
-    if !(length > 0.0 && length <= TAU + SLACK && lo.abs() < 1e6) {
+    if !(length > 0.0 && length <= LONGEST_WINDOW && lo.abs() < 1e6) {
         return Err(ComputeError::Window { lo, hi });
     }
-    Ok((length < TAU - SLACK).then_some((lo, hi)))
+    Ok((length < TAU - WINDOW_SLACK).then_some((lo, hi)))
 }

@@ -7,7 +7,7 @@ use crate::contact::Geometry;
 use super::active::Active;
 use super::branch::Branch;
 use super::candidates::SheetRun;
-use super::cells::{Cell, END, VerticalContact};
+use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
 use super::extent::{CellExtents, Extent, Side};
 use super::gaps::Gaps;
@@ -130,8 +130,7 @@ impl Sweep<'_> {
             closing.clear();
             closing.extend(&open[kept_before..kept_to]);
             let new_first = out.cells.len() as u32;
-            for gap in kept_before..opened_to {
-                let (left, right) = keys[gap];
+            for (gap, &(left, right)) in (kept_before..).zip(&keys[kept_before..opened_to]) {
                 out.cells.push(Cell {
                     sheet: run.sheet,
                     from: t0,
