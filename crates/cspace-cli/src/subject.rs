@@ -253,6 +253,7 @@ impl Chosen<'_> {
         }
         let options = Options {
             window: self.pair.and_then(|p| p.window),
+            ..Options::default()
         };
         let bar = Bar::new(self.names());
         bar.watch(|bar| ContactSpace::compute_with(self.fixed(), self.moving(), &options, bar))

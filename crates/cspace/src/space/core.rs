@@ -24,13 +24,13 @@ impl Cores {
         let frame = &geometry.frame;
         let fixed = inscribed_discs(
             geometry.fixed_part(),
-            frame.fixed_center,
+            geometry.fixed_center(),
             frame.scale,
             geometry.fixed.disc,
         );
         let moving = inscribed_discs(
             geometry.moving_part(),
-            frame.moving_center,
+            geometry.moving_center(),
             frame.scale,
             geometry.moving.disc,
         );
