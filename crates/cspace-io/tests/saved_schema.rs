@@ -26,7 +26,7 @@ fn space(model: &str, window: Option<(f64, f64)>) -> ContactSpace {
     let pair = &model.pairs[0];
     let part = |i: usize| &model.parts[i].part;
     let window = window.or(pair.window);
-    ContactSpace::compute(part(pair.fixed), part(pair.moving), &Options { window }).unwrap()
+    ContactSpace::compute(part(pair.fixed), part(pair.moving), &Options { window, ..Options::default() }).unwrap()
 }
 
 fn as_json(space: &ContactSpace) -> Value {

@@ -8,7 +8,7 @@ use cspace::{
     Symmetry,
 };
 use cspace_oracle::shapes::*;
-use cspace_oracle::{Oracle, Verdict, near_contact, pairs};
+use cspace_oracle::{Oracle, near_contact, pairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -179,21 +179,31 @@ fn same_answers(a: &ContactSpace, b: &ContactSpace, n: usize, name: &str) {
         let c = Configuration::new(at.x + share() - turned.x, at.y + share() - turned.y, theta);
         assert_eq!(one.classify(c), other.classify(c), "{name} {c:?}");
     }
+    // A search for contact may end within the resolution of it; then free and blocked may both be contact.
+    let mut touching = 0;
     for near in near_contact(&oracle, &mut rng, n / 2) {
         let c = near.configuration;
         if !inside(c.theta) {
             continue;
         }
-        let Verdict { overlap, .. } = near.verdict;
-        let expected = if overlap {
+        let expected = if near.verdict.overlap {
             Classification::Blocked
         } else {
             Classification::Free
         };
-        let symmetric = one.classify(c);
-        assert_eq!(symmetric, other.classify(c), "{name} {c:?}");
-        assert_eq!(symmetric, Some(expected), "{name} {c:?}");
+        for answer in [one.classify(c), other.classify(c)] {
+            let contact = answer == Some(Classification::Contact);
+            touching += usize::from(contact);
+            assert!(
+                contact || answer == Some(expected),
+                "{name} {answer:?} {c:?}"
+            );
+        }
     }
+    assert!(
+        touching <= n / 50,
+        "{name}: {touching} of {n} are told to touch"
+    );
 }
 
 fn compare(name: &str, fixed: &Part, moving: &Part, window: Option<(f64, f64)>, slabs: u32) {

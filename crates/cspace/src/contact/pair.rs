@@ -15,6 +15,9 @@ pub(crate) struct Geometry {
     pub(crate) fixed: Outline,
     pub(crate) moving: Outline,
     pub(crate) contacts: Contacts,
+    /// Folds of the parts about the origin, as far as they were made exactly symmetric.
+    pub(crate) fixed_fold: u32,
+    pub(crate) moving_fold: u32,
     fixed_body: Body,
     moving_body: Body,
 }
@@ -29,6 +32,8 @@ pub(crate) struct Placed<'a> {
     pub(crate) drawn_center: Point,
     /// Where one step of its symmetry takes its loops, if it is drawn in order of travel and about its centre.
     pub(crate) images: Option<&'a [LoopImage]>,
+    /// The fold of that symmetry, or 1.
+    pub(crate) fold: u32,
 }
 
 impl<'a> Placed<'a> {
@@ -40,6 +45,7 @@ impl<'a> Placed<'a> {
             center,
             drawn_center: center,
             images: None,
+            fold: 1,
         }
     }
 }
@@ -113,6 +119,8 @@ struct Outlines {
     frame: PairFrame,
     fixed: Outline,
     moving: Outline,
+    fixed_fold: u32,
+    moving_fold: u32,
     fixed_body: Body,
     moving_body: Body,
 }
@@ -128,6 +136,8 @@ impl Outlines {
                 moving_center: moving.drawn_center,
                 scale,
             },
+            fixed_fold: fixed.fold,
+            moving_fold: moving.fold,
             fixed_body: Body::new(&a, fixed.part, fixed.center, scale),
             moving_body: Body::new(&b, moving.part, moving.center, scale),
             fixed: a,
@@ -141,6 +151,8 @@ impl Outlines {
             frame,
             fixed,
             moving,
+            fixed_fold,
+            moving_fold,
             fixed_body,
             moving_body,
         } = self;
@@ -149,6 +161,8 @@ impl Outlines {
             fixed,
             moving,
             contacts,
+            fixed_fold,
+            moving_fold,
             fixed_body,
             moving_body,
         }

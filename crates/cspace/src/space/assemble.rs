@@ -100,34 +100,31 @@ impl Assembler<'_> {
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
         let geometry = self.linker.geometry;
         let carried = &geometry.contacts.carried;
-        let slabs = i64::from(lifts.steps.slabs);
-        let mut placed: Vec<(i64, u32, u32)> = (0..chains.chains.len() as u32)
-            .flat_map(|c| lifts.patches(c).map(move |(by, number)| (by, number, c)))
-            .collect();
-        // Slab by slab, so that features are carried on step by step.
-        placed.sort_unstable_by_key(|&(by, number, _)| (by.rem_euclid(slabs), number));
-        let (mut fixed, mut moving) = (Images::new(&geometry.fixed), Images::new(&geometry.moving));
-        let (mut at, mut twist) = (0, lifts.steps.twist(0));
         let firsts: Vec<Patch> = chains.chains.iter().map(|c| self.patch(c)).collect();
-        let mut patches: Vec<(u32, Patch)> = Vec::with_capacity(placed.len());
-        for (by, number, c) in placed {
-            while at < by.rem_euclid(slabs) {
-                at += 1;
+        let Some(&any) = firsts.first() else {
+            return Vec::new();
+        };
+        let mut patches = vec![any; lifts.len()];
+        // Slab by slab, so that features are carried on step by step.
+        let (mut fixed, mut moving) = (Images::new(&geometry.fixed), Images::new(&geometry.moving));
+        for slab in 0..i64::from(lifts.steps.slabs) {
+            if slab > 0 {
                 fixed.carry(&carried.fixed.features);
                 moving.carry(&carried.moving.features);
-                twist = lifts.steps.twist(at);
             }
-            let chain = &chains.chains[c as usize];
-            let sheet = self.linker.sheet(chain.first);
-            let (lo, hi) = lifts.interval(chain, by);
-            let mut patch = copied(&firsts[c as usize], &twist);
-            (patch.lo, patch.hi) = (lo, hi);
-            patch.fixed = self.names.fixed(fixed.name(sheet.fixed));
-            patch.moving = self.names.moving(moving.name(sheet.moving));
-            patches.push((number, patch));
+            let twist = lifts.steps.twist(slab);
+            for (c, (chain, first)) in (0u32..).zip(chains.chains.iter().zip(&firsts)) {
+                let sheet = self.linker.sheet(chain.first);
+                for (slabs, number) in lifts.patches_in(c, slab) {
+                    let mut patch = copied(first, &twist);
+                    (patch.lo, patch.hi) = lifts.interval(chain, slabs);
+                    patch.fixed = self.names.fixed(fixed.name(sheet.fixed));
+                    patch.moving = self.names.moving(moving.name(sheet.moving));
+                    patches[number as usize] = patch;
+                }
+            }
         }
-        patches.sort_unstable_by_key(|p| p.0);
-        patches.into_iter().map(|p| p.1).collect()
+        patches
     }
 
     /// The patch of a chain in the slab of its first cell.

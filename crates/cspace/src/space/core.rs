@@ -27,12 +27,14 @@ impl Cores {
             geometry.fixed_center(),
             frame.scale,
             geometry.fixed.disc,
+            geometry.fixed_fold,
         );
         let moving = inscribed_discs(
             geometry.moving_part(),
             geometry.moving_center(),
             frame.scale,
             geometry.moving.disc,
+            geometry.moving_fold,
         );
         let all = fixed.len() * moving.len() <= ALL_PAIRS;
         let mut pairs = Vec::new();

@@ -64,6 +64,13 @@ impl<'a> Lifts<'a> {
         this
     }
 
+    /// Number of patches.
+    pub(super) fn len(&self) -> usize {
+        self.copies
+            .last()
+            .map_or(0, |c| (c.base + c.count) as usize)
+    }
+
     pub(super) fn window(&self) -> Window {
         self.window
     }
@@ -92,6 +99,20 @@ impl<'a> Lifts<'a> {
     pub(super) fn patches(&self, chain: u32) -> impl Iterator<Item = (i64, u32)> + use<> {
         let c = self.copies[chain as usize];
         (c.first..).zip(c.base..c.base + c.count)
+    }
+
+    /// The same, only shifts that differ from the given by whole turns.
+    pub(super) fn patches_in(
+        &self,
+        chain: u32,
+        slab: i64,
+    ) -> impl Iterator<Item = (i64, u32)> + use<> {
+        let c = self.copies[chain as usize];
+        let turn = i64::from(self.steps.slabs);
+        let skip = (slab - c.first).rem_euclid(turn);
+        (skip..i64::from(c.count))
+            .step_by(turn as usize)
+            .map(move |i| (c.first + i, c.base + i as u32))
     }
 
     /// The patch that a chain shifted by some slabs is, if the window has it.

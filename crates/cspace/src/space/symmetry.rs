@@ -149,6 +149,7 @@ fn placed<'a>(symmetrized: &'a Option<Symmetrized>, drawn: &'a Part) -> Placed<'
             center: crate::geometry::Point::ORIGIN,
             drawn_center: s.center,
             images: Some(&s.images),
+            fold: s.fold,
         },
         None => Placed::as_drawn(drawn),
     }
