@@ -292,6 +292,13 @@ fn check_whole(saved: &SavedSpace) -> Result<(), (&'static str, &'static str)> {
             "there are more than the parts can have",
         ));
     }
+    let s = saved.symmetry;
+    if s.fixed == 0 || s.moving == 0 || s.slabs == 0 {
+        return Err(("the symmetry", "a fold is not positive"));
+    }
+    if !(s.deviation.is_finite() && s.deviation >= 0.0) {
+        return Err(("the symmetry", "the deviation is no length"));
+    }
     let c = &saved.critical_orientations;
     let (lo, hi) = orientations(w);
     if !c.iter().all(|&t| (lo..=hi).contains(&t)) {

@@ -6,6 +6,7 @@
 //! that count: a bore drawn as two half circles does not spoil the symmetry of a wheel, wherever the halves meet. Other
 //! vertices count, also those that could be left out because an edge goes straight on there.
 
+mod merge;
 mod redraw;
 mod trace;
 
@@ -14,6 +15,7 @@ pub(crate) use redraw::{LoopImage, Symmetrized};
 use crate::geometry::Point;
 
 use super::Part;
+use merge::merged;
 use trace::Trace;
 
 /// How far a part may be off its own image under a rotation, as a fraction of its size: 2⁻³⁰ ≈ 9·10⁻¹⁰.
@@ -90,6 +92,24 @@ impl Part {
             deviation: found.map_or(0.0, |f| f.deviation),
             round: trace.is_round(),
         }
+    }
+
+    /// Whether turning by 2π/`fold` about its own centre maps the part to itself.
+    ///
+    /// As [`PartSymmetry::allows`], but vertices at which an edge goes straight on, or on along the same arc, do not
+    /// count either.
+    ///
+    /// ```
+    /// use cspace::{Part, Vertex};
+    /// let corners = [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+    /// let square = Part::new("square", vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])?;
+    /// assert!(square.is_symmetric(4) && !square.is_symmetric(8));
+    /// assert_eq!(square.symmetry().fold(), 1);
+    /// # Ok::<(), cspace::PartError>(())
+    /// ```
+    pub fn is_symmetric(&self, fold: u32) -> bool {
+        self.symmetry().allows(fold)
+            || merged(self).is_some_and(|part| part.symmetry().allows(fold))
     }
 
     /// The nearest part that is exactly symmetric, with how its loops are mapped; `None` without symmetry.
