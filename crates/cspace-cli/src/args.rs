@@ -56,7 +56,7 @@ pub(crate) struct Common {
 
     /// Use the general method whatever the class of the pair
     ///
-    /// This version has no other method: it computes every pair in (x, y, θ).
+    /// The symmetry of parts is not used then.
     #[arg(long)]
     pub(crate) general: bool,
 
@@ -164,7 +164,9 @@ Examples:
 
 A model of one part is shown as well; the other commands need two.
 
-The class is what the motions and joints of the model make of a pair: lower, fixed-axes or general.
+The class is what the motions and joints of the model make of a pair: lower, fixed-axes or general;
+symmetric is a general pair of which a part is mapped to itself by a rotation about its centre.
+Symmetry is found from the outlines.
 Features are lines, arcs and vertices that are not smooth joints.";
 
 const COMPUTE: &str = "\
@@ -174,8 +176,9 @@ Examples:
   cspace compute models/fixture_plate.toml --format json -o summary.json
 
 All pairs of the file are computed, or the one that --pair names. The class in the result is the
-method that was used, which in this version is `general` for every pair; `cspace info` tells the
-class of the pair itself.
+method that was used: `symmetric` if one slab of orientations was computed and the others are
+copies, else `general`; `slices` are the bands that were computed. `cspace info` tells the class of
+the pair itself.
 
 A clearance below the resolution counts as none: such a channel is blocked, and the summary says so.";
 

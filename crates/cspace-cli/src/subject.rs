@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use cspace::{ComputeError, ContactSpace, Options, Part, Slice};
+use cspace::{ComputeError, ContactSpace, Options, Part, Slice, Symmetry};
 use cspace_io::{Document, Model, Motion, Pair, PairClass};
 
 use crate::args::Common;
@@ -28,6 +28,8 @@ pub(crate) enum Subject {
 pub(crate) struct Chosen<'a> {
     subject: &'a Subject,
     pair: Option<Pair>,
+    /// Whether symmetry is to be ignored.
+    general: bool,
 }
 
 impl Subject {
@@ -101,6 +103,7 @@ impl Subject {
                 return Ok(vec![Chosen {
                     subject: self,
                     pair: None,
+                    general: common.general,
                 }]);
             }
         };
@@ -112,6 +115,7 @@ impl Subject {
             .into_iter()
             .map(|pair| Chosen {
                 subject: self,
+                general: common.general,
                 pair: Some(Pair {
                     window: window.or(pair.window),
                     ..pair
@@ -190,15 +194,9 @@ impl Chosen<'_> {
         }
     }
 
-    /// Fold of the symmetry that the model declares, of the fixed and the moving part; 1 where it declares none.
-    pub(crate) fn symmetry(&self) -> (u32, u32) {
-        match (self.subject, &self.pair) {
-            (Subject::Model { model, .. }, Some(pair)) => {
-                let of = |i: usize| model.parts[i].symmetry.unwrap_or(1);
-                (of(pair.fixed), of(pair.moving))
-            }
-            _ => (1, 1),
-        }
+    /// Whether the general method is asked for.
+    pub(crate) fn is_general(&self) -> bool {
+        self.general
     }
 
     /// The motions of the fixed and the moving part.
@@ -253,6 +251,11 @@ impl Chosen<'_> {
         }
         let options = Options {
             window: self.pair.and_then(|p| p.window),
+            symmetry: if self.general {
+                Symmetry::Ignore
+            } else {
+                Symmetry::Detect
+            },
         };
         let bar = Bar::new(self.names());
         bar.watch(|bar| ContactSpace::compute_with(self.fixed(), self.moving(), &options, bar))

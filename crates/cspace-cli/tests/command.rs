@@ -109,7 +109,7 @@ fn compute_has_the_keys_of_the_contract() {
     let r = &all[0];
     assert_eq!(r["fixed"], "ratchet");
     assert_eq!(r["moving"], "pawl");
-    assert_eq!(r["class"], "general");
+    assert_eq!(r["class"], "symmetric");
     assert_eq!(
         r["features"],
         serde_json::json!({"fixed": 80, "moving": 7, "total": 87})
@@ -117,7 +117,10 @@ fn compute_has_the_keys_of_the_contract() {
     assert_eq!(r["symmetry"], serde_json::json!({"fixed": 20, "moving": 1}));
     let critical = r["critical_orientations"].as_array().unwrap();
     assert_eq!(r["bands"].as_u64().unwrap() as usize, critical.len());
-    assert_eq!(r["slices"], r["bands"]);
+    assert_eq!(
+        r["slices"].as_u64().unwrap() * 20,
+        r["bands"].as_u64().unwrap()
+    );
     for key in [
         "/patches",
         "/links/side",
@@ -127,6 +130,26 @@ fn compute_has_the_keys_of_the_contract() {
         assert!(r.pointer(key).unwrap().as_u64().unwrap() > 0, "{key}");
     }
     assert!(r["seconds"]["total"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn the_general_method_can_be_asked_for() {
+    let file = model("ratchet_pawl");
+    let symmetric = json(&["compute", &file, "--format", "json"]);
+    let general = json(&["compute", &file, "--general", "--format", "json"]);
+    let (s, g) = (&symmetric[0], &general[0]);
+    assert_eq!(g["class"], "general");
+    assert_eq!(g["symmetry"], serde_json::json!({"fixed": 1, "moving": 1}));
+    assert_eq!(g["slices"], g["bands"]);
+    for key in ["bands", "patches", "links", "free_regions", "features"] {
+        assert_eq!(s[key], g[key], "{key}");
+    }
+    let text = printed(&["compute", &file]);
+    assert!(text.contains("symmetry       20-fold, 1-fold"), "{text}");
+    assert!(text.contains("were computed"), "{text}");
+    let text = printed(&["info", &file]);
+    assert!(text.contains("symmetry   20-fold"), "{text}");
+    assert!(text.contains("symmetric"), "{text}");
 }
 
 #[test]

@@ -150,6 +150,28 @@ fn errors_name_the_place_and_say_what_to_do() {
 }
 
 #[test]
+fn declared_symmetry_must_be_true() {
+    let declared =
+        |loops: &str, fold: u32| part("a", &format!("loops = {loops}\nsymmetry = {fold}"));
+    let square = format!("[{SQUARE}]");
+    for fold in [1, 2, 4] {
+        Model::from_toml(&declared(&square, fold), "m.toml").unwrap();
+    }
+    says(
+        &error(&declared(&square, 3)),
+        &["symmetry", "\"a\"", "3-fold", "the largest is 4-fold"],
+    );
+    // A disc may claim anything, and a corner that is none changes nothing.
+    Model::from_toml(&declared("[[[0, 0, 1], [1, 0, 1]]]", 17), "m.toml").unwrap();
+    let seamed = "[[[0, 0], [0.5, 0], [1, 0], [1, 1], [0, 1]]]";
+    Model::from_toml(&declared(seamed, 4), "m.toml").unwrap();
+    says(
+        &error(&declared("[[[0, 0], [3, 0], [1, 1]]]", 2)),
+        &["2-fold", "no rotational symmetry", "remove"],
+    );
+}
+
+#[test]
 fn errors_in_pairs_and_joints() {
     let parts = format!(
         "{}{}",

@@ -32,6 +32,14 @@ fn every_motion_joint_and_window() {
     let parts = vec![
         entry("a \"quoted\" \\ name\n", 0.0, Motion::Fixed),
         PartEntry {
+            part: Part::new(
+                "räder",
+                vec![vec![
+                    Vertex::new(third, 0.1, 1.0),
+                    Vertex::new(1e4, 0.1 + 0.2, 1.0),
+                ]],
+            )
+            .unwrap(),
             symmetry: Some(20),
             ..entry(
                 "räder",

@@ -26,7 +26,15 @@ fn space(model: &str, window: Option<(f64, f64)>) -> ContactSpace {
     let pair = &model.pairs[0];
     let part = |i: usize| &model.parts[i].part;
     let window = window.or(pair.window);
-    ContactSpace::compute(part(pair.fixed), part(pair.moving), &Options { window }).unwrap()
+    ContactSpace::compute(
+        part(pair.fixed),
+        part(pair.moving),
+        &Options {
+            window,
+            ..Options::default()
+        },
+    )
+    .unwrap()
 }
 
 fn as_json(space: &ContactSpace) -> Value {
@@ -129,7 +137,9 @@ fn the_schema_refuses_what_is_damaged() {
     ] {
         assert!(!validator.is_valid(&set(pointer, to)), "{pointer}");
     }
-    // Every key is needed, and there are no others, except among the statistics.
+    // Every key is needed but those that files of earlier versions lack, and there are no others, except among the
+    // statistics.
+    const LATER: [&str; 2] = ["symmetry", "computed_bands"];
     fn objects(value: &Value, at: &str, all: &mut Vec<String>) {
         match value {
             Value::Object(map) => {
@@ -163,7 +173,11 @@ fn the_schema_refuses_what_is_damaged() {
         for key in keys {
             let mut fewer = good.clone();
             map(&mut fewer, &|m| drop(m.remove(&key)));
-            assert!(!validator.is_valid(&fewer), "{at}/{key}");
+            let later = at.is_empty() && LATER.contains(&key.as_str());
+            assert_eq!(validator.is_valid(&fewer), later, "{at}/{key}");
+            if later {
+                saved::from_json(&fewer.to_string(), "m.json").unwrap();
+            }
         }
     }
 }

@@ -13,13 +13,13 @@ mod union_find;
 pub use contact::{ContactFunction, Spiral};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
-pub use part::{Edge, Loop, Part, PartError, Vertex};
+pub use part::{Edge, Loop, Part, PartError, PartSymmetry, Vertex};
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,
 };
 pub use slice::{CurveGeometry, Slice, SliceCurve, Slicer};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, FeatureCounts,
-    FreeRegion, LONGEST_WINDOW, Options, Patch, PatchRef, Progress, SideLink, Stage, StageSeconds,
-    Statistics, VerticalLink, Window,
+    FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress, SideLink, Stage,
+    StageSeconds, Statistics, Symmetry, VerticalLink, Window,
 };

@@ -131,6 +131,7 @@ fn windows_and_turns() {
         ] {
             let options = Options {
                 window: Some((lo, hi)),
+                ..Options::default()
             };
             let space = ContactSpace::compute(&pair.fixed, &pair.moving, &options).unwrap();
             let classifier = space.classifier();

@@ -150,6 +150,7 @@ fn what_cannot_be_followed() {
 fn leaves_the_window() {
     let options = Options {
         window: Some((-0.5, 1.0)),
+        ..Options::default()
     };
     let space = ContactSpace::compute(&square(2.0), &square(2.0), &options).unwrap();
     let go = |x, rates, t| space.first_contact(at(x, 0.0, 0.0), rates, t);

@@ -156,6 +156,7 @@ fn a_window_has_what_the_full_turn_has_there() {
         for (lo, hi) in [(-0.43, 0.61), (2.9, 3.7), (-3.0, 2.95)] {
             let options = Options {
                 window: Some((lo, hi)),
+                ..Options::default()
             };
             let part = ContactSpace::compute(&pair.fixed, &pair.moving, &options).unwrap();
             let within: Vec<f64> = full

@@ -11,8 +11,17 @@ use crate::output;
 use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count};
 
-/// The method of this version.
-const METHOD: &str = "general";
+/// The method by which a space was computed.
+fn method(space: &ContactSpace) -> &'static str {
+    if space.symmetry().slabs > 1 {
+        SYMMETRIC
+    } else {
+        GENERAL
+    }
+}
+
+const GENERAL: &str = "general";
+const SYMMETRIC: &str = "symmetric";
 
 /// The summary of a contact space.
 #[derive(Serialize)]
@@ -114,25 +123,25 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
 
 fn summary<'a>(pair: &'a Chosen<'_>, space: &'a ContactSpace) -> Summary<'a> {
     let features = space.features();
-    let symmetry = pair.symmetry();
+    let symmetry = space.symmetry();
     let bands = space.bands().len();
     Summary {
         fixed: pair.fixed().name(),
         moving: pair.moving().name(),
-        class: METHOD,
+        class: method(space),
         features: Features {
             fixed: features.fixed,
             moving: features.moving,
             total: features.fixed + features.moving,
         },
         symmetry: PerPart {
-            fixed: symmetry.0,
-            moving: symmetry.1,
+            fixed: symmetry.fixed,
+            moving: symmetry.moving,
         },
         window: space.window(),
         critical_orientations: space.critical_orientations(),
         bands,
-        slices: bands,
+        slices: space.computed_bands(),
         patches: space.patches().len(),
         links: Links {
             side: space.side_links().len(),
@@ -150,7 +159,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
     let unit = pair.unit();
     writeln!(text, "{} (fixed), {} (moving)", s.fixed, s.moving)?;
     match pair.class().map(cspace_io::PairClass::name) {
-        Some(class) if class != s.class => writeln!(
+        Some(class) if class != GENERAL => writeln!(
             text,
             "  method         {}: all of (x, y, theta), though the pair's class is {class}",
             s.class
@@ -165,7 +174,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
     if (s.symmetry.fixed, s.symmetry.moving) != (1, 1) {
         writeln!(
             text,
-            "  symmetry       {}-fold, {}-fold (declared)",
+            "  symmetry       {}-fold, {}-fold",
             s.symmetry.fixed, s.symmetry.moving
         )?;
     }
@@ -181,13 +190,18 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
     }
     writeln!(
         text,
-        "  structure      {}, {}",
+        "  structure      {}, {}{}",
         count(
             s.critical_orientations.len(),
             "critical orientation",
             "critical orientations"
         ),
-        count(s.bands, "band", "bands")
+        count(s.bands, "band", "bands"),
+        if s.slices < s.bands {
+            format!(" of which {} were computed", s.slices)
+        } else {
+            String::new()
+        }
     )?;
     writeln!(
         text,

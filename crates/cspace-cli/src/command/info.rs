@@ -2,10 +2,10 @@
 
 use std::fmt::{self, Write};
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use cspace::{Edge, Part};
-use cspace_io::{Joint, JointKind, Model, Motion};
+use cspace_io::{Joint, JointKind, Model, Motion, PairClass};
 use serde::Serialize;
 
 use crate::args::{Format, InfoArgs};
@@ -32,7 +32,10 @@ struct PartInfo {
     size: f64,
     area: f64,
     motion: MotionInfo,
+    /// The largest fold about its own centre.
     symmetry: u32,
+    /// Whether every rotation about its own centre maps the part to itself.
+    round: bool,
 }
 
 /// Lines, arcs, and vertices that are not smooth joints.
@@ -104,7 +107,7 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
             name: model.name.clone(),
             unit: model.unit.clone(),
             parts: (model.parts.iter())
-                .map(|p| part_info(&p.part, p.motion, p.symmetry))
+                .map(|p| part_info(&p.part, p.motion))
                 .collect(),
             joints: model.joints.iter().map(|j| joint_info(model, j)).collect(),
             pairs,
@@ -113,7 +116,7 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
             name: format!("{} and {}", space.fixed().name(), space.moving().name()),
             unit: None,
             parts: [space.fixed(), space.moving()]
-                .map(|p| part_info(p, Motion::Planar, None))
+                .map(|p| part_info(p, Motion::Planar))
                 .into(),
             joints: Vec::new(),
             pairs,
@@ -125,13 +128,35 @@ fn pair_info(pair: &Chosen<'_>) -> PairInfo {
     PairInfo {
         fixed: pair.fixed().name().to_owned(),
         moving: pair.moving().name().to_owned(),
-        class: pair.class().map_or("general", cspace_io::PairClass::name),
+        class: class(pair),
         features: features(pair.fixed()).total + features(pair.moving()).total,
         theta: pair.window(),
     }
 }
 
-fn part_info(part: &Part, motion: Motion, symmetry: Option<u32>) -> PartInfo {
+/// The class by motions and joints; a general pair with a symmetric part is symmetric, unless the window is too narrow to
+/// gain anything.
+fn class(pair: &Chosen<'_>) -> &'static str {
+    let class = pair.class().unwrap_or(PairClass::General);
+    if class != PairClass::General || pair.is_general() {
+        return class.name();
+    }
+    let fold = |part: &Part| u64::from(part.symmetry().fold());
+    let (a, b) = (fold(pair.fixed()), fold(pair.moving()));
+    let slabs = (1..=b)
+        .map(|i| i * a)
+        .find(|l| l.is_multiple_of(b))
+        .unwrap_or(1);
+    let narrow = (pair.window()).is_some_and(|(lo, hi)| hi - lo <= TAU / slabs as f64);
+    if slabs > 1 && !narrow {
+        "symmetric"
+    } else {
+        class.name()
+    }
+}
+
+fn part_info(part: &Part, motion: Motion) -> PartInfo {
+    let symmetry = part.symmetry();
     PartInfo {
         name: part.name().to_owned(),
         loops: part.loops().len(),
@@ -150,7 +175,8 @@ fn part_info(part: &Part, motion: Motion, symmetry: Option<u32>) -> PartInfo {
             },
             Motion::Planar => MotionInfo::Planar,
         },
-        symmetry: symmetry.unwrap_or(1),
+        symmetry: symmetry.fold(),
+        round: symmetry.is_round(),
     }
 }
 
@@ -212,8 +238,10 @@ fn describe(text: &mut String, info: &Info) -> fmt::Result {
         writeln!(text, "    size       {:.6}{unit}", p.size)?;
         write!(text, "    motion     ")?;
         describe_motion(text, &p.motion, &unit)?;
-        if p.symmetry > 1 {
-            writeln!(text, "    symmetry   {}-fold (declared)", p.symmetry)?;
+        if p.round {
+            writeln!(text, "    symmetry   round")?;
+        } else if p.symmetry > 1 {
+            writeln!(text, "    symmetry   {}-fold", p.symmetry)?;
         }
     }
     if !info.joints.is_empty() {

@@ -46,8 +46,8 @@ pub struct PartEntry {
     pub part: Part,
     /// The motion relative to the ground.
     pub motion: Motion,
-    /// The fold of a rotational symmetry about the part's own centre, as claimed by the file: not
-    /// verified by the reader. At least 1.
+    /// The fold of a rotational symmetry about the part's own centre, as the file declares it. At least 1, and true:
+    /// the reader refuses what the outline contradicts.
     pub symmetry: Option<u32>,
 }
 

@@ -71,11 +71,32 @@ fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
         None => Motion::default(),
     };
     let symmetry = table.count("symmetry")?;
+    if let Some(fold) = symmetry {
+        check_symmetry(&table, &part, fold)?;
+    }
     Ok(PartEntry {
         part,
         motion,
         symmetry,
     })
+}
+
+/// Symmetry is found from the outline anyway; what is declared must not contradict it.
+fn check_symmetry(table: &Table<'_>, part: &Part, fold: u32) -> Result<()> {
+    if part.is_symmetric(fold) {
+        return Ok(());
+    }
+    let message = format!(
+        "part {} is not {fold}-fold symmetric: turning it by 360/{fold} degrees about its centre does not map its outline to itself",
+        quoted(part.name())
+    );
+    let error = table.error("symmetry", message);
+    Err(error.with_help(match part.symmetry().fold() {
+        1 => "it has no rotational symmetry: remove `symmetry`".to_owned(),
+        largest => format!(
+            "the largest is {largest}-fold: give symmetry = {largest}, or remove it, for it is found anyway"
+        ),
+    }))
 }
 
 /// Outlines come from one source, and not from drawings yet.

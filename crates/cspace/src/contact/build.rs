@@ -7,20 +7,22 @@ use crate::feature::{Feature, Outline, unwrap_near};
 use crate::geometry::Vector;
 
 use super::function::Spiral;
+use super::names::Sizes;
 use super::sheet::{EndAngle, Seam, Sheet, SheetKind};
+use super::twist::Carried;
 
 /// The window of orientations, in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Span {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Whether it is a full turn whose two ends are the same orientation.
+    /// Whether it is a full turn, or one slab of it, and what is at one end goes on at the other.
     pub(crate) full: bool,
 }
 
 impl Span {
-    /// A full turn that is not cut at an orientation where two normals oppose each other.
-    pub(crate) fn full_turn(fixed: &Outline, moving: &Outline) -> Self {
+    /// The first of so many equal slabs of the full turn, not cut at an orientation where two normals oppose each other.
+    pub(crate) fn slab(fixed: &Outline, moving: &Outline, slabs: u32) -> Self {
         const CLEAR: f64 = 1e-7;
         // Irrational steps: some cut is clear unless the normals are dense on that scale.
         let cuts = (0..64).map(|i| -PI + 0.01234 + 0.000_761_3 * f64::from(i));
@@ -35,7 +37,7 @@ impl Span {
         let lo = cuts.clone().find(|&c| clear(c)).unwrap_or(-PI + 0.01234);
         Self {
             lo,
-            hi: lo + TAU,
+            hi: lo + TAU / f64::from(slabs),
             full: true,
         }
     }
@@ -51,9 +53,25 @@ pub(crate) struct Contacts {
     /// For every end name, sheets that end there and sheets that start there; sorted by name.
     ends: Vec<(u32, u32)>,
     starts: Vec<(u32, u32)>,
+    /// How features are permuted from slab to slab.
+    pub(crate) carried: Carried,
+    sizes: Sizes,
 }
 
 impl Contacts {
+    /// The name of the same end one slab lower.
+    pub(crate) fn name_below(&self, name: u32) -> u32 {
+        self.sizes.name_below(name, &self.carried)
+    }
+
+    /// The feature pair that does one slab lower what this one does.
+    pub(crate) fn pair_below(&self, fixed: u32, moving: u32) -> (u32, u32) {
+        (
+            self.carried.fixed_back.features[fixed as usize],
+            self.carried.moving_back.features[moving as usize],
+        )
+    }
+
     /// The sheets that end at a name.
     pub(crate) fn ending_at(&self, name: u32) -> impl Iterator<Item = u32> + '_ {
         run(&self.ends, name)
@@ -65,11 +83,14 @@ impl Contacts {
     }
 
     /// Finds every sheet of the pair in the window.
-    pub(crate) fn new(fixed: &Outline, moving: &Outline, span: Span) -> Self {
+    pub(crate) fn new(fixed: &Outline, moving: &Outline, span: Span, carried: Carried) -> Self {
+        let sizes = Sizes::new(fixed, moving);
         let mut builder = Builder {
             fixed,
             moving,
             span,
+            carried: &carried,
+            sizes,
             fixed_vertex: fixed.vertex_of_joint(),
             moving_vertex: moving.vertex_of_joint(),
             fixed_line: fixed.line_of_joint(),
@@ -81,7 +102,7 @@ impl Contacts {
                 builder.add(a, b);
             }
         }
-        let first_vertex_name = builder.first_vertex_name();
+        let first_vertex_name = sizes.first_vertex();
         let sheets = builder.sheets;
         let index = |name: fn(&Sheet) -> u32| {
             let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
@@ -95,6 +116,8 @@ impl Contacts {
             first_vertex_name,
             ends,
             starts,
+            carried,
+            sizes,
         }
     }
 }
@@ -111,6 +134,8 @@ struct Builder<'a> {
     fixed: &'a Outline,
     moving: &'a Outline,
     span: Span,
+    carried: &'a Carried,
+    sizes: Sizes,
     fixed_vertex: Vec<Option<u32>>,
     moving_vertex: Vec<Option<u32>>,
     fixed_line: Vec<Option<u32>>,
@@ -173,7 +198,7 @@ impl Builder<'_> {
 
     fn add_line_round(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
         let (b_lo, b_hi) = b.joints_by_angle();
-        let (theta_lo, theta_hi) = (a.lo + PI - b.hi, a.lo + PI - b.lo);
+        let (theta_lo, theta_hi) = (first_orientation(a, b), a.lo - b.lo - PI);
         let (lo_seam, hi_seam) = (self.line_seam(ia, b_hi), self.line_seam(ia, b_lo));
         let normal = self.fixed.start(a).normal;
         let sheet = Sheet {
@@ -232,7 +257,7 @@ impl Builder<'_> {
 
     fn add_round_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
         let (a_lo, a_hi) = a.joints_by_angle();
-        let (theta_lo, theta_hi) = (a.lo - b.lo - PI, a.hi - b.lo - PI);
+        let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         let (lo_seam, hi_seam) = (self.joint_seam(a_lo, ib), self.joint_seam(a_hi, ib));
         let sheet = Sheet {
             kind: SheetKind::RoundLine,
@@ -297,7 +322,7 @@ impl Builder<'_> {
         }
         let (a_lo, a_hi) = a.joints_by_angle();
         let (b_lo, b_hi) = b.joints_by_angle();
-        let (theta_lo, theta_hi) = (a.lo - b.hi - PI, a.hi - b.lo - PI);
+        let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.
         let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
         self.instances(theta_lo, theta_hi, |this, shift, k| {
@@ -386,7 +411,7 @@ impl Builder<'_> {
         if sheet.hi > span.hi {
             sheet.hi = span.hi;
             sheet.top = if span.full {
-                Seam::Wrap(sheet.fixed, sheet.moving, k - 1, piece)
+                self.seam_below(sheet.fixed, sheet.moving, k, piece)
             } else {
                 Seam::Window
             };
@@ -394,6 +419,24 @@ impl Builder<'_> {
         if sheet.hi - sheet.lo > NARROWEST_BAND {
             self.sheets.push(sheet);
         }
+    }
+
+    /// The name of the seam through which a sheet that passes the upper end of the slab goes on at the lower end: that of
+    /// the features that are there, and of the turn in which they are.
+    fn seam_below(&self, fixed: u32, moving: u32, k: i32, piece: u8) -> Seam {
+        let (a, b) = (
+            self.carried.fixed_back.features[fixed as usize],
+            self.carried.moving_back.features[moving as usize],
+        );
+        let first = |a: u32, b: u32| {
+            first_orientation(
+                &self.fixed.features[a as usize],
+                &self.moving.features[b as usize],
+            )
+        };
+        let lower = first(fixed, moving) + f64::from(k) * TAU - (self.span.hi - self.span.lo);
+        let turn = ((lower - first(a, b)) / TAU).round() as i32;
+        Seam::Wrap(a, b, turn, piece)
     }
 
     /// X + ρ n − R Q: contact of a moving round feature at a joint of the fixed part.
@@ -454,30 +497,22 @@ impl Builder<'_> {
 
     fn fixed_joint_name(&self, joint: u32, ib: u32, b: &Feature) -> u32 {
         match self.fixed_vertex[joint as usize] {
-            Some(vertex) if b.is_vertex() => self.vertex_name(vertex, ib),
-            _ => joint * self.moving.features.len() as u32 + ib,
+            Some(vertex) if b.is_vertex() => self.sizes.vertices(vertex, ib),
+            _ => self.sizes.fixed_joint(joint, ib),
         }
     }
 
     fn moving_joint_name(&self, ia: u32, a: &Feature, joint: u32) -> u32 {
         match self.moving_vertex[joint as usize] {
-            Some(vertex) if a.is_vertex() => self.vertex_name(ia, vertex),
-            _ => {
-                let before = self.fixed.joints.len() * self.moving.features.len();
-                before as u32 + ia * self.moving.joints.len() as u32 + joint
-            }
+            Some(vertex) if a.is_vertex() => self.sizes.vertices(ia, vertex),
+            _ => self.sizes.moving_joint(ia, joint),
         }
     }
+}
 
-    fn first_vertex_name(&self) -> u32 {
-        let (fixed, moving) = (self.fixed, self.moving);
-        (fixed.joints.len() * moving.features.len() + fixed.features.len() * moving.joints.len())
-            as u32
-    }
-
-    fn vertex_name(&self, ia: u32, ib: u32) -> u32 {
-        self.first_vertex_name() + ia * self.moving.features.len() as u32 + ib
-    }
+/// The lowest orientation, up to whole turns, at which a normal of one feature opposes one of the other.
+fn first_orientation(a: &Feature, b: &Feature) -> f64 {
+    a.lo - b.hi - PI
 }
 
 type SheetEnd = (Spiral, u32, EndAngle);

@@ -6,14 +6,17 @@ mod condition;
 mod crossing;
 mod curve;
 mod function;
+mod names;
 mod overlap;
 mod pair;
 mod sheet;
+mod twist;
 
 pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};
 pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape, wrap};
 pub use function::{ContactFunction, Spiral};
-pub(crate) use pair::Geometry;
+pub(crate) use pair::{Geometry, Placed};
 pub(crate) use sheet::{Seam, Sheet};
+pub(crate) use twist::{Steps, Twist};

@@ -60,13 +60,19 @@ impl Body {
         &self.part
     }
 
+    /// The point of the part that is the origin of the pair's frame.
+    pub(crate) fn center(&self) -> Point {
+        self.center
+    }
+
     fn contains(&self, p: Point) -> bool {
         self.part
             .contains(self.center + (p - Point::ORIGIN) * (1.0 / self.scale))
     }
 }
 
-fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve {
+/// A curve turned by `theta`, of which `turn` is the rotation, then moved by `p`.
+pub(super) fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve {
     let place = |q: Point| turn * q + p;
     Curve {
         start: place(c.start),

@@ -2,10 +2,11 @@
 
 use crate::feature::{Outline, PairFrame};
 use crate::geometry::{Point, Rotation};
-use crate::part::Part;
+use crate::part::{LoopImage, Part};
 
 use super::build::{Contacts, Span};
 use super::overlap::{Body, overlap};
+use super::twist::{Carried, LoopImages, Steps};
 
 /// A pair in its own frame: outlines, sheets of contact, and the bodies for tests of overlap.
 #[derive(Debug)]
@@ -14,35 +15,73 @@ pub(crate) struct Geometry {
     pub(crate) fixed: Outline,
     pub(crate) moving: Outline,
     pub(crate) contacts: Contacts,
+    /// Folds of the parts about the origin, as far as they were made exactly symmetric.
+    pub(crate) fixed_fold: u32,
+    pub(crate) moving_fold: u32,
     fixed_body: Body,
     moving_body: Body,
 }
 
+/// A part as it is to be computed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Placed<'a> {
+    pub(crate) part: &'a Part,
+    /// The point that becomes the origin of the pair's frame, in the part's frame.
+    pub(crate) center: Point,
+    /// The same point in the frame of the part as the user drew it.
+    pub(crate) drawn_center: Point,
+    /// Where one step of its symmetry takes its loops, if it is drawn in order of travel and about its centre.
+    pub(crate) images: Option<&'a [LoopImage]>,
+    /// The fold of that symmetry, or 1.
+    pub(crate) fold: u32,
+}
+
+impl<'a> Placed<'a> {
+    /// A part as drawn, about the centre of its box.
+    pub(crate) fn as_drawn(part: &'a Part) -> Self {
+        let center = PairFrame::center(part);
+        Self {
+            part,
+            center,
+            drawn_center: center,
+            images: None,
+            fold: 1,
+        }
+    }
+}
+
 impl Geometry {
     /// Prepares a pair. `window` of `None` is the full turn.
-    pub(crate) fn new(fixed_part: &Part, moving_part: &Part, window: Option<(f64, f64)>) -> Self {
-        let frame = PairFrame::new(fixed_part, moving_part);
-        let fixed = Outline::new(fixed_part, frame.fixed_center, frame.scale, true);
-        let moving = Outline::new(moving_part, frame.moving_center, frame.scale, false);
-        let fixed_body = Body::new(&fixed, fixed_part, frame.fixed_center, frame.scale);
-        let moving_body = Body::new(&moving, moving_part, frame.moving_center, frame.scale);
+    pub(crate) fn new(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> Self {
+        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving));
+        let carried = Carried::none(&outlines.fixed, &outlines.moving);
         let span = match window {
             Some((lo, hi)) => Span {
                 lo,
                 hi,
                 full: false,
             },
-            None => Span::full_turn(&fixed, &moving),
+            None => Span::slab(&outlines.fixed, &outlines.moving, 1),
         };
-        let contacts = Contacts::new(&fixed, &moving, span);
-        Self {
-            frame,
-            fixed,
-            moving,
-            contacts,
-            fixed_body,
-            moving_body,
-        }
+        outlines.sheets(span, carried)
+    }
+
+    /// Prepares one slab of a symmetric pair. `None` if features do not correspond under the symmetry.
+    pub(crate) fn slab(fixed: Placed<'_>, moving: Placed<'_>, steps: Steps) -> Option<Self> {
+        let lengths = |p: Placed<'_>| -> Vec<u32> {
+            (p.part.loops().iter())
+                .map(|l| l.vertices().len() as u32)
+                .collect()
+        };
+        let (of_fixed, of_moving) = (lengths(fixed), lengths(moving));
+        let outlines = Outlines::new(fixed, moving);
+        let carried = Carried::new(
+            steps,
+            (&outlines.fixed, LoopImages::of(fixed.images, &of_fixed)),
+            (&outlines.moving, LoopImages::of(moving.images, &of_moving)),
+        )?;
+        let span = Span::slab(&outlines.fixed, &outlines.moving, steps.slabs);
+        Some(outlines.sheets(span, carried))
     }
 
     pub(crate) fn fixed_part(&self) -> &Part {
@@ -51,6 +90,16 @@ impl Geometry {
 
     pub(crate) fn moving_part(&self) -> &Part {
         self.moving_body.part()
+    }
+
+    /// The point of the fixed part, as it is computed, that is the origin.
+    pub(crate) fn fixed_center(&self) -> Point {
+        self.fixed_body.center()
+    }
+
+    /// The point of the moving part, as it is computed, that is the origin.
+    pub(crate) fn moving_center(&self) -> Point {
+        self.moving_body.center()
     }
 
     /// Whether the parts overlap with the moving one at `p` in the pair's frame.
@@ -62,5 +111,60 @@ impl Geometry {
     pub(crate) fn core(&self, turn: Rotation) -> (Point, f64) {
         let ((a, ra), (b, rb)) = (self.fixed.disc, self.moving.disc);
         (a + (-(turn * b.to_vector())), ra + rb)
+    }
+}
+
+/// A pair before its sheets are made.
+struct Outlines {
+    frame: PairFrame,
+    fixed: Outline,
+    moving: Outline,
+    fixed_fold: u32,
+    moving_fold: u32,
+    fixed_body: Body,
+    moving_body: Body,
+}
+
+impl Outlines {
+    fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
+        let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
+        let outline = |p: Placed<'_>, grown| Outline::new(p.part, p.center, scale, grown);
+        let (a, b) = (outline(fixed, true), outline(moving, false));
+        Self {
+            frame: PairFrame {
+                fixed_center: fixed.drawn_center,
+                moving_center: moving.drawn_center,
+                scale,
+            },
+            fixed_fold: fixed.fold,
+            moving_fold: moving.fold,
+            fixed_body: Body::new(&a, fixed.part, fixed.center, scale),
+            moving_body: Body::new(&b, moving.part, moving.center, scale),
+            fixed: a,
+            moving: b,
+        }
+    }
+
+    fn sheets(self, span: Span, carried: Carried) -> Geometry {
+        let contacts = Contacts::new(&self.fixed, &self.moving, span, carried);
+        let Self {
+            frame,
+            fixed,
+            moving,
+            fixed_fold,
+            moving_fold,
+            fixed_body,
+            moving_body,
+        } = self;
+        Geometry {
+            frame,
+            fixed,
+            moving,
+            contacts,
+            fixed_fold,
+            moving_fold,
+            fixed_body,
+            moving_body,
+        }
     }
 }

@@ -15,19 +15,27 @@ pub(crate) struct PairFrame {
 }
 
 impl PairFrame {
-    pub(crate) fn new(fixed: &Part, moving: &Part) -> Self {
-        let (fixed_center, fixed_radius) = center_and_radius(fixed);
-        let (moving_center, moving_radius) = center_and_radius(moving);
-        let radius = fixed_radius.max(moving_radius);
-        let scale = if radius > 0.0 && radius.is_finite() {
+    /// The centre of a part without symmetry: that of its box, or of one a little larger.
+    pub(crate) fn center(part: &Part) -> Point {
+        let (mut lo, mut hi) = (
+            Point::new(f64::INFINITY, f64::INFINITY),
+            Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+        );
+        for p in part.edges().flat_map(extent) {
+            lo = Point::new(lo.x.min(p.x), lo.y.min(p.y));
+            hi = Point::new(hi.x.max(p.x), hi.y.max(p.y));
+        }
+        lo.midpoint(hi)
+    }
+
+    /// The power of two that scales parts about their centres into the unit disc.
+    pub(crate) fn scale_of(parts: [(&Part, Point); 2]) -> f64 {
+        let [a, b] = parts.map(|(part, center)| radius_about(part, center));
+        let radius = a.max(b);
+        if radius > 0.0 && radius.is_finite() {
             (-radius.log2().ceil()).exp2()
         } else {
             1.0
-        };
-        Self {
-            fixed_center,
-            moving_center,
-            scale,
         }
     }
 
@@ -35,7 +43,9 @@ impl PairFrame {
     /// their radii together, and what the fixed part is grown by.
     pub(crate) fn reach(&self, fixed: &Part, moving: &Part) -> f64 {
         let grown = super::tolerance::MITRE * super::tolerance::GROWTH;
-        (center_and_radius(fixed).1 + center_and_radius(moving).1) * self.scale + grown
+        let radii =
+            radius_about(fixed, self.fixed_center) + radius_about(moving, self.moving_center);
+        radii * self.scale + grown
     }
 
     /// More than the rounding error of positions within reach, in this frame: parts may be drawn far from their origins.
@@ -64,28 +74,14 @@ impl PairFrame {
     }
 }
 
-/// The centre of the bounding box of the edges, and the largest distance of the boundary from it (at most).
-fn center_and_radius(part: &Part) -> (Point, f64) {
-    let (mut lo, mut hi) = (
-        Point::new(f64::INFINITY, f64::INFINITY),
-        Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-    );
-    let mut take = |p: Point| {
-        lo = Point::new(lo.x.min(p.x), lo.y.min(p.y));
-        hi = Point::new(hi.x.max(p.x), hi.y.max(p.y));
-    };
-    for edge in part.edges() {
-        extent(&edge).for_each(&mut take);
-    }
-    let center = lo.midpoint(hi);
-    let radius = part
-        .edges()
+/// The largest distance of the boundary from a point, at most.
+fn radius_about(part: &Part, center: Point) -> f64 {
+    part.edges()
         .map(|e| {
             let far_end = center.distance(e.start).max(center.distance(e.end));
             far_end + sagitta(&e)
         })
-        .fold(0.0, f64::max);
-    (center, radius)
+        .fold(0.0, f64::max)
 }
 
 fn sagitta(edge: &Edge) -> f64 {
@@ -93,7 +89,7 @@ fn sagitta(edge: &Edge) -> f64 {
 }
 
 /// Points whose bounding box contains the edge: its ends, and the corners of its bulge.
-fn extent(edge: &Edge) -> impl Iterator<Item = Point> {
+fn extent(edge: Edge) -> impl Iterator<Item = Point> {
     let chord = edge.end - edge.start;
     let up = chord.right() * (0.5 * edge.bulge);
     // An arc beyond a half circle is wider than its chord by its radius less half the chord, on either side.

@@ -1,6 +1,8 @@
 //! A disc inside a part's material.
 
-use crate::geometry::{Point, Vector};
+use core::f64::consts::TAU;
+
+use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Edge, Part};
 
 /// Points tried along each side of the bounding box.
@@ -70,11 +72,15 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, 
 
 /// Discs inside the material, the largest first: one that touches the boundary at the middle of each edge, without
 /// those that lie mostly within another.
+///
+/// If turning by 2π/`fold` about `center` maps the part to itself, only edges of one sector are looked at, and their
+/// discs turned.
 pub(crate) fn inscribed_discs(
     part: &Part,
     center: Point,
     scale: f64,
     largest: (Point, f64),
+    fold: u32,
 ) -> Vec<(Point, f64)> {
     /// More discs than this cost more than they save.
     const MOST: usize = 64;
@@ -93,8 +99,13 @@ pub(crate) fn inscribed_discs(
             .map(|e| distance(e, p))
             .fold(f64::INFINITY, f64::min)
     };
+    let step = TAU / f64::from(fold);
+    let in_sector = |p: Point| {
+        let angle = p.to_vector().angle() / step;
+        fold == 1 || (0.0..1.0).contains(&angle)
+    };
     let mut found: Vec<(Point, f64)> = Vec::new();
-    for e in &edges {
+    for e in edges.iter().filter(|e| in_sector(e.at(0.5))) {
         let (p, inward) = (e.at(0.5), e.direction_at(0.5).left());
         let (mut lo, mut hi) = (0.0, 2.0);
         for _ in 0..STEPS {
@@ -110,7 +121,8 @@ pub(crate) fn inscribed_discs(
         let outer = center + (c - Point::ORIGIN) * (1.0 / scale);
         let radius = clearance(c) - 1e-9;
         if radius > 0.0 && part.contains(outer) {
-            found.push((c, radius));
+            let turned = |j| Rotation::by(step * f64::from(j)) * c;
+            found.extend((0..fold).map(|j| (turned(j), radius)));
         }
     }
     found.sort_by(|a, b| b.1.total_cmp(&a.1));

@@ -17,6 +17,7 @@ mod nearness;
 mod outline;
 mod status;
 mod sweep;
+mod symmetry;
 pub mod tolerance;
 mod vertex;
 
@@ -24,4 +25,6 @@ pub use bounds::Bounds;
 pub use edge::Edge;
 pub use error::PartError;
 pub use loops::{Loop, Part};
+pub(crate) use symmetry::{Corresponding, LoopImage, Symmetrized};
+pub use symmetry::{PartSymmetry, SYMMETRIC};
 pub use vertex::Vertex;

@@ -3,20 +3,21 @@
 use core::f64::consts::TAU;
 use std::time::Instant;
 
-use crate::contact::Geometry;
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::Event;
-use crate::part::Part;
+use crate::part::{Corresponding, Part};
 
-use super::assemble::assemble;
+use super::assemble::Assembler;
 use super::branch::{Traced, branches, pair_events};
 use super::candidates::{Candidates, MAX_SHEETS};
+use super::chains::Linker;
 use super::clusters::Clusters;
 use super::core::Cores;
 use super::graph::{ContactSpace, Window};
 use super::shells::ShellFinder;
 use super::stats::{StageSeconds, Statistics};
 use super::sweep::Sweep;
+use super::symmetry::{Method, Plan, Symmetry};
 use super::triple::{OnSheet, triple_events};
 
 /// How much more than a turn a window may be, by rounding, radians.
@@ -30,6 +31,8 @@ pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
 pub struct Options {
     /// Only orientations from the first to the second, in radians; `None` is the full turn.
     pub window: Option<(f64, f64)>,
+    /// Whether symmetric parts are computed for one slab of orientations, of which the others are copies.
+    pub symmetry: Symmetry,
 }
 
 /// Why a contact space cannot be computed.
@@ -106,7 +109,7 @@ impl Progress for Silent {
 }
 
 impl ContactSpace {
-    /// Computes the contact space of two parts by the general method.
+    /// Computes the contact space of two parts: by the general method, or one slab of it if a part is symmetric.
     ///
     /// # Errors
     /// If the window is no interval of at most one turn, or the parts have too many features.
@@ -138,6 +141,16 @@ impl ContactSpace {
         progress: &dyn Progress,
     ) -> Result<Self, ComputeError> {
         let window = checked_window(options.window)?;
+        Self::compute_by(fixed, moving, window, options.symmetry.into(), progress)
+    }
+
+    fn compute_by(
+        fixed: &Part,
+        moving: &Part,
+        window: Option<(f64, f64)>,
+        method: Method,
+        progress: &dyn Progress,
+    ) -> Result<Self, ComputeError> {
         let (n, m) = (fixed.edges().count(), moving.edges().count());
         // An edge and its vertex with an edge or a vertex make four pairs, and a pair of arcs up to three sheets a turn.
         let limit = MAX_SHEETS / 16;
@@ -157,7 +170,11 @@ impl ContactSpace {
         };
 
         progress.stage(Stage::Sheets)?;
-        let geometry = Geometry::new(fixed, moving, window);
+        let Plan {
+            geometry,
+            symmetry,
+            names,
+        } = Plan::new(fixed, moving, window, method);
         let span = geometry.contacts.span;
         let sheets = &geometry.contacts.sheets;
         lap(&mut seconds.sheets);
@@ -254,21 +271,29 @@ impl ContactSpace {
             conflicts: shells.conflicts as u64,
             seconds: StageSeconds::default(),
         };
-        let window = Window {
-            lo: span.lo,
-            hi: span.hi,
-            full_turn: span.full,
+        let (lo, hi) = window.unwrap_or((span.lo, span.lo + TAU));
+        let assembler = Assembler {
+            linker: Linker {
+                geometry: &geometry,
+                clusters: &clusters,
+                branches: &branches,
+                cells: &cells.cells,
+            },
+            shells: &shells,
+            window: Window {
+                lo,
+                hi,
+                full_turn: window.is_none(),
+            },
+            symmetry,
+            names: &names,
         };
-        let mut space = assemble(
-            fixed,
-            moving,
-            window,
-            &geometry,
-            &clusters,
-            &branches,
-            &cells.cells,
-            &shells,
-        );
+        if assembler.divides_contacts() {
+            // Circles divided for the sake of symmetry are touched after all: rather not divide them.
+            let method = Method::Slab(Corresponding::Vertices);
+            return Self::compute_by(fixed, moving, window, method, progress);
+        }
+        let mut space = assembler.assemble(fixed, moving);
         lap(&mut seconds.graph);
         seconds.total = begin.elapsed().as_secs_f64();
         space.statistics = Statistics {

@@ -24,15 +24,17 @@ impl Cores {
         let frame = &geometry.frame;
         let fixed = inscribed_discs(
             geometry.fixed_part(),
-            frame.fixed_center,
+            geometry.fixed_center(),
             frame.scale,
             geometry.fixed.disc,
+            geometry.fixed_fold,
         );
         let moving = inscribed_discs(
             geometry.moving_part(),
-            frame.moving_center,
+            geometry.moving_center(),
             frame.scale,
             geometry.moving.disc,
+            geometry.moving_fold,
         );
         let all = fixed.len() * moving.len() <= ALL_PAIRS;
         let mut pairs = Vec::new();

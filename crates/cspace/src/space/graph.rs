@@ -9,6 +9,7 @@ use crate::slice::CurveGeometry;
 
 use super::patch::{Patch, PatchRef};
 use super::stats::Statistics;
+use super::symmetry::PairSymmetry;
 
 /// The orientations a contact space covers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -71,6 +72,8 @@ pub struct ContactSpace {
     pub(crate) vertical_links: Vec<VerticalLink>,
     pub(crate) regions: Vec<FreeRegion>,
     pub(crate) features: FeatureCounts,
+    pub(crate) symmetry: PairSymmetry,
+    pub(crate) computed_bands: u32,
     pub(crate) statistics: Statistics,
     pub(crate) walk: Walk,
 }
@@ -154,6 +157,16 @@ impl ContactSpace {
         self.features
     }
 
+    /// The symmetry of the parts, and how many slabs it made of the computation.
+    pub fn symmetry(&self) -> PairSymmetry {
+        self.symmetry
+    }
+
+    /// How many bands were computed; the others are copies of these by symmetry.
+    pub fn computed_bands(&self) -> usize {
+        self.computed_bands as usize
+    }
+
     /// Orientations at which the structure of the slice changes: sorted, in [−π, π) for a full turn.
     pub fn critical_orientations(&self) -> &[f64] {
         &self.critical_orientations
@@ -212,9 +225,13 @@ impl ContactSpace {
     }
 
     /// The resolution in the model's unit of length: clearances below it count as none.
+    ///
+    /// With symmetry, how far the parts as drawn are from being symmetric is part of it.
     pub fn resolution(&self) -> f64 {
-        self.frame
-            .outer_length(8.0 * crate::feature::tolerance::GROWTH)
+        let grown = self
+            .frame
+            .outer_length(8.0 * crate::feature::tolerance::GROWTH);
+        grown + self.symmetry.deviation
     }
 
     /// The bands, in order. A space without critical orientations has one.

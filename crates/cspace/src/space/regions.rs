@@ -4,16 +4,60 @@
 //! in some slice; a slice through each shell tells: going right from the rightmost point of a loop that has its free
 //! space outside, the next contact curve bounds the same free space, and if there is none, it is the unbounded one.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
+use crate::contact::Steps;
 use crate::geometry::{Configuration, Point, Vector};
 use crate::slice::{CurveGeometry, Slice, is_on_arc};
 use crate::union_find::UnionFind;
 
 use super::graph::{ContactSpace, FreeRegion};
+use super::lifts::normalized;
+
+/// How the patches of a space are copies of each other.
+pub(super) enum Copying {
+    /// They are not; but those of one shell hang together, and this is each patch's shell.
+    None { shells: Vec<u32> },
+    /// Every patch is there once in every slab, and the copies of one patch are numbered on.
+    Slabs(Steps),
+    /// Some copies are cut off.
+    Some,
+}
+
+impl Copying {
+    /// By how many slabs the whole can be shifted.
+    fn shifts(&self) -> u32 {
+        match self {
+            Self::Slabs(steps) => steps.slabs,
+            Self::None { .. } | Self::Some => 1,
+        }
+    }
+
+    /// The copy of a patch some slabs further; what is far away is everywhere.
+    fn copy(&self, patch: u32, slabs: u32, far: u32) -> u32 {
+        let n = self.shifts();
+        if patch == far {
+            return far;
+        }
+        patch - patch % n + (patch % n + slabs) % n
+    }
+
+    /// A configuration shifted by some slabs.
+    fn configuration(&self, space: &ContactSpace, c: Configuration, slabs: u32) -> Configuration {
+        match self {
+            Self::Slabs(steps) if slabs > 0 => {
+                let slabs = i64::from(slabs);
+                let p = steps.twist(slabs).point(space.frame.inner_from_outer(c));
+                let theta = normalized(c.theta + steps.period(slabs));
+                space.frame.outer_from_inner(p, theta)
+            }
+            _ => c,
+        }
+    }
+}
 
 /// Numbers the regions, the unbounded one first, and tells each patch its own.
-pub(super) fn find_regions(space: &mut ContactSpace, shell_of_patch: &[u32]) {
+pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
     let n = space.patches.len();
     // One more member stands for all that is far away.
     let far = n as u32;
@@ -24,38 +68,54 @@ pub(super) fn find_regions(space: &mut ContactSpace, shell_of_patch: &[u32]) {
     for l in &space.vertical_links {
         sets.union(l.lower, l.upper);
     }
-    let mut first_of_shell = std::collections::BTreeMap::new();
-    for (i, &shell) in (0u32..).zip(shell_of_patch) {
-        let &mut first = first_of_shell.entry(shell).or_insert(i);
-        sets.union(first, i);
+    if let Copying::None { shells } = copying {
+        let mut first_of_shell = BTreeMap::new();
+        for (i, &shell) in (0u32..).zip(shells) {
+            let &mut first = first_of_shell.entry(shell).or_insert(i);
+            sets.union(first, i);
+        }
     }
-    // One slice through each shell, at the middle of its longest-lived patch.
-    let mut longest: std::collections::BTreeMap<u32, u32> = std::collections::BTreeMap::new();
+    // One slice through each shell, at the middle of its longest-lived patch; shells that are copies have copies of one.
+    let mut longest: BTreeMap<u32, u32> = BTreeMap::new();
     let life = |i: u32| space.patches[i as usize].hi - space.patches[i as usize].lo;
-    for i in 0..n as u32 {
-        let best = longest.entry(sets.find(i)).or_insert(i);
-        if life(i) > life(*best) {
+    let shell: Vec<u32> = (0..n as u32).map(|i| sets.find(i)).collect();
+    for (i, &s) in (0u32..).zip(&shell) {
+        let best = longest.entry(s).or_insert(i);
+        // Copies live equally long, but for rounding.
+        if life(i) > life(*best) * (1.0 + 1e-9) {
             *best = i;
         }
     }
-    let mut samples: Vec<(u32, Configuration, f64)> = Vec::new();
+    let mut samples: Vec<(u32, Configuration)> = Vec::new();
     let mut done: BTreeSet<u32> = BTreeSet::new();
-    for &i in longest.values() {
+    for (&s, &i) in &longest {
+        if done.contains(&s) {
+            continue;
+        }
         let p = &space.patches[i as usize];
         let slice = space.slice(0.5 * (p.lo + p.hi));
+        let mut together: Vec<(u32, u32)> = Vec::new();
         for l in &slice.loops {
             for w in l.windows(2) {
                 if let [Some(a), Some(b)] = [w[0], w[1]].map(|c| slice.curves[c as usize].patch) {
-                    sets.union(a, b);
+                    together.push((a, b));
                 }
             }
         }
-        nest(&slice, far, &mut sets);
-        done.insert(i);
-        samples.push((i, sample(&slice, i), 0.0));
+        nest(&slice, far, |a, b| together.push((a, b)));
+        let inside = sample(&slice, i);
+        for slabs in 0..copying.shifts() {
+            for &(a, b) in &together {
+                sets.union(copying.copy(a, slabs, far), copying.copy(b, slabs, far));
+            }
+            let copy = copying.copy(i, slabs, far);
+            if done.insert(shell[copy as usize]) {
+                samples.push((copy, copying.configuration(space, inside, slabs)));
+            }
+        }
     }
     let mut regions: Vec<FreeRegion> = Vec::new();
-    let mut number = std::collections::BTreeMap::new();
+    let mut number = BTreeMap::new();
     number.insert(sets.find(far), 0u32);
     let far_sample = space
         .frame
@@ -65,7 +125,7 @@ pub(super) fn find_regions(space: &mut ContactSpace, shell_of_patch: &[u32]) {
         sample: far_sample,
         patches: 0,
     });
-    for (i, sample, _) in samples {
+    for (i, sample) in samples {
         let root = sets.find(i);
         number.entry(root).or_insert_with(|| {
             regions.push(FreeRegion {
@@ -85,7 +145,7 @@ pub(super) fn find_regions(space: &mut ContactSpace, shell_of_patch: &[u32]) {
 }
 
 /// Joins every loop with free space outside to what surrounds it.
-fn nest(slice: &Slice, far: u32, sets: &mut UnionFind) {
+fn nest(slice: &Slice, far: u32, mut join: impl FnMut(u32, u32)) {
     for l in &slice.loops {
         // The loop's rightmost point is on its curve furthest right.
         let Some((curve, p)) = l
@@ -108,10 +168,10 @@ fn nest(slice: &Slice, far: u32, sets: &mut UnionFind) {
             .filter_map(|(c, g)| g.geometry.hit(p, right).map(|h| (h.0, c)))
             .min_by(|a, b| a.0.total_cmp(&b.0));
         match hit {
-            None => sets.union(own, far),
+            None => join(own, far),
             Some((_, c)) => {
                 if let Some(other) = slice.curves[c as usize].patch {
-                    sets.union(own, other);
+                    join(own, other);
                 }
             }
         }

@@ -11,6 +11,7 @@ use crate::slice::CurveGeometry;
 use super::graph::{ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Walk, Window};
 use super::patch::{Boundary, Patch};
 use super::stats::Statistics;
+use super::symmetry::PairSymmetry;
 
 /// The version of the format that this library writes, and the only one it reads.
 pub const SAVED_VERSION: u32 = 1;
@@ -81,6 +82,12 @@ pub struct SavedSpace {
     pub vertical_links: Vec<VerticalLink>,
     /// Connected components of free space.
     pub free_regions: Vec<FreeRegion>,
+    /// The symmetry of the parts, and the slabs it made of the computation.
+    #[serde(default)]
+    pub symmetry: PairSymmetry,
+    /// How many bands were computed; 0 where this is not known.
+    #[serde(default)]
+    pub computed_bands: u32,
     /// Counts and times of the computation.
     pub statistics: Statistics,
 }
@@ -157,6 +164,8 @@ impl ContactSpace {
             side_links: self.side_links.clone(),
             vertical_links: self.vertical_links.clone(),
             free_regions: self.regions.clone(),
+            symmetry: self.symmetry,
+            computed_bands: self.computed_bands,
             statistics: self.statistics,
         }
     }
@@ -201,6 +210,8 @@ impl ContactSpace {
             vertical_links: saved.vertical_links,
             regions: saved.free_regions,
             features: saved.features,
+            symmetry: saved.symmetry,
+            computed_bands: saved.computed_bands,
             statistics: saved.statistics,
             walk,
         })
@@ -280,6 +291,13 @@ fn check_whole(saved: &SavedSpace) -> Result<(), (&'static str, &'static str)> {
             "the number of features",
             "there are more than the parts can have",
         ));
+    }
+    let s = saved.symmetry;
+    if s.fixed == 0 || s.moving == 0 || s.slabs == 0 {
+        return Err(("the symmetry", "a fold is not positive"));
+    }
+    if !(s.deviation.is_finite() && s.deviation >= 0.0) {
+        return Err(("the symmetry", "the deviation is no length"));
     }
     let c = &saved.critical_orientations;
     let (lo, hi) = orientations(w);

@@ -91,7 +91,15 @@ fn check(name: &str, space: &ContactSpace) {
 }
 
 fn space(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> ContactSpace {
-    ContactSpace::compute(fixed, moving, &Options { window }).unwrap()
+    ContactSpace::compute(
+        fixed,
+        moving,
+        &Options {
+            window,
+            ..Options::default()
+        },
+    )
+    .unwrap()
 }
 
 #[test]

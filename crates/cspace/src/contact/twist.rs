@@ -1,0 +1,318 @@
+//! Symmetries of the configuration space that symmetric parts give a pair.
+//!
+//! Let the fixed part be mapped to itself by turning it by α about its centre, the moving part by turning it by β about
+//! its own. In the pair's frame, in which both centres are the origins, the parts overlap at (p, θ) if and only if they
+//! overlap at (`R_α` p, θ + α), and if and only if they overlap at (p, θ + β). With folds k and m, the smallest turn of θ
+//! that can be had so is T = 2π / lcm(k, m), by taking α = 2πa/k and β = 2πb/m with a/k + b/m = 1/lcm(k, m) up to whole
+//! turns. This twist (p, θ) → (`R_α` p, θ + T) maps the space to itself, and a contact of features f and g to one of the
+//! features to which `R_α` takes f and `R_−β` takes g. All orientations are so many copies of a slab T wide (figure 4 of
+//! Sacks 1999, where the moving part is the symmetric one and α = 0).
+
+use core::f64::consts::TAU;
+use std::collections::BTreeMap;
+
+use crate::feature::{Feature, Outline};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::part::LoopImage;
+
+use super::function::{ContactFunction, Spiral};
+
+/// Where one step of a part's symmetry takes its features and joints.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Permutation {
+    pub(crate) features: Vec<u32>,
+    pub(crate) joints: Vec<u32>,
+}
+
+impl Permutation {
+    /// Nothing moves.
+    fn identity(outline: &Outline) -> Self {
+        Self {
+            features: (0..outline.features.len() as u32).collect(),
+            joints: (0..outline.joints.len() as u32).collect(),
+        }
+    }
+
+    /// From the images of loops that are drawn in order of travel. `None` if features do not correspond.
+    fn of_loops(outline: &Outline, loops: &[LoopImage], lengths: &[u32]) -> Option<Self> {
+        let by_name: BTreeMap<_, u32> = (0u32..)
+            .zip(&outline.features)
+            .map(|(i, f)| (f.name, i))
+            .collect();
+        let mut joints = vec![u32::MAX; outline.joints.len()];
+        let mut take = |from: u32, to: u32| {
+            let image = &mut joints[from as usize];
+            let free = *image == u32::MAX || *image == to;
+            *image = to;
+            free.then_some(())
+        };
+        let mut features = Vec::with_capacity(outline.features.len());
+        for f in &outline.features {
+            let image = loops.get(f.name.loop_index as usize)?;
+            let mut name = f.name;
+            name.loop_index = image.target;
+            name.index = (name.index + image.shift) % lengths.get(image.target as usize)?;
+            let to = *by_name.get(&name)?;
+            let g: &Feature = &outline.features[to as usize];
+            take(f.start, g.start)?;
+            take(f.end, g.end)?;
+            features.push(to);
+        }
+        let whole = joints.iter().all(|&j| j != u32::MAX);
+        whole.then_some(Self { features, joints })
+    }
+
+    fn after(&self, other: &Self) -> Self {
+        let compose = |a: &[u32], b: &[u32]| b.iter().map(|&i| a[i as usize]).collect();
+        Self {
+            features: compose(&self.features, &other.features),
+            joints: compose(&self.joints, &other.joints),
+        }
+    }
+
+    fn power(&self, mut exponent: u32, identity: Self) -> Self {
+        let (mut result, mut base) = (identity, self.clone());
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                result = base.after(&result);
+            }
+            base = base.after(&base);
+            exponent >>= 1;
+        }
+        result
+    }
+}
+
+/// How a pair's space repeats: see the module.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Steps {
+    /// Slabs in a turn: lcm(k, m).
+    pub(crate) slabs: u32,
+    /// Folds k and m.
+    pub(crate) fixed_fold: u32,
+    pub(crate) moving_fold: u32,
+    /// Steps a and b of either part for one slab.
+    pub(crate) fixed: u32,
+    pub(crate) moving: u32,
+}
+
+impl Steps {
+    /// No symmetry: the slab is the turn.
+    pub(crate) const NONE: Self = Self {
+        slabs: 1,
+        fixed_fold: 1,
+        moving_fold: 1,
+        fixed: 0,
+        moving: 0,
+    };
+
+    /// For a fixed part of fold k and a moving part of fold m. `None` if there are more slabs than can be numbered.
+    pub(crate) fn new(k: u32, m: u32) -> Option<Self> {
+        let slabs = u32::try_from(u64::from(k) / u64::from(gcd(k, m)) * u64::from(m)).ok()?;
+        let (per_fixed, per_moving) = (u64::from(slabs / k), u64::from(slabs / m));
+        // a · lcm/k + b · lcm/m = 1 modulo lcm; the two factors have no common divisor. The smallest a will do.
+        let n = u64::from(slabs);
+        let fixed = (0..u64::from(k))
+            .find(|a| ((1 + n - a * per_fixed % n) % n).is_multiple_of(per_moving))?;
+        let moving = (1 + n - fixed * per_fixed % n) % n / per_moving;
+        Some(Self {
+            slabs,
+            fixed_fold: k,
+            moving_fold: m,
+            fixed: fixed as u32,
+            moving: moving as u32,
+        })
+    }
+
+    /// Radians from a slab to another some number of slabs further.
+    pub(crate) fn period(&self, slabs: i64) -> f64 {
+        TAU * (slabs as f64 / f64::from(self.slabs))
+    }
+
+    /// The angle by which positions turn, modulo a turn: α times some number of slabs.
+    pub(crate) fn angle(&self, slabs: i64) -> f64 {
+        part_of_turn(self.fixed, self.fixed_fold, slabs)
+    }
+
+    /// What the twist does some number of times.
+    pub(crate) fn twist(&self, slabs: i64) -> Twist {
+        Twist {
+            fixed: Rotation::by(self.angle(slabs)),
+            moving: Rotation::by(part_of_turn(self.moving, self.moving_fold, slabs)).inverse(),
+        }
+    }
+}
+
+/// 2π · steps · slabs / fold, modulo a turn and exact but for one rounding.
+fn part_of_turn(steps: u32, fold: u32, slabs: i64) -> f64 {
+    let fold = i128::from(fold);
+    let part = (i128::from(steps) * i128::from(slabs)).rem_euclid(fold);
+    TAU * (part as f64 / fold as f64)
+}
+
+fn gcd(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+/// A power of the twist, applied to geometry: `R_α` to what belongs to the fixed part, `R_−β` to what turns with θ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Twist {
+    pub(crate) fixed: Rotation,
+    pub(crate) moving: Rotation,
+}
+
+impl Twist {
+    /// A position of the pair's frame.
+    pub(crate) fn point(&self, p: Point) -> Point {
+        self.fixed * p
+    }
+
+    pub(crate) fn spiral(&self, s: Spiral) -> Spiral {
+        Spiral {
+            u: self.fixed * s.u,
+            w: self.moving * s.w,
+        }
+    }
+
+    /// f(`R_−α` p, θ − T), once more in closed form.
+    pub(crate) fn function(&self, f: ContactFunction) -> ContactFunction {
+        match f {
+            ContactFunction::FixedLine { normal, through } => ContactFunction::FixedLine {
+                normal: self.fixed * normal,
+                through: self.spiral(through),
+            },
+            ContactFunction::MovingLine { normal, through } => ContactFunction::MovingLine {
+                normal: self.moving * normal,
+                through: self.spiral(through),
+            },
+            ContactFunction::Circle { center, radius } => ContactFunction::Circle {
+                center: self.spiral(center),
+                radius,
+            },
+        }
+    }
+
+    /// A curve at one orientation; `angle` is that of the rotation of positions.
+    pub(crate) fn curve(&self, c: &super::Curve, angle: f64) -> super::Curve {
+        super::overlap::placed(c, Vector::ZERO, angle, self.fixed)
+    }
+}
+
+/// How the twist permutes features and joints of both parts.
+#[derive(Debug, Clone)]
+pub(crate) struct Carried {
+    pub(crate) steps: Steps,
+    /// One slab up.
+    pub(crate) fixed: Permutation,
+    pub(crate) moving: Permutation,
+    /// One slab down.
+    pub(crate) fixed_back: Permutation,
+    pub(crate) moving_back: Permutation,
+}
+
+/// A part's loops under one step of its symmetry: images, and numbers of vertices.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LoopImages<'a> {
+    pub(crate) images: &'a [LoopImage],
+    pub(crate) lengths: &'a [u32],
+}
+
+impl<'a> LoopImages<'a> {
+    pub(crate) fn of(images: Option<&'a [LoopImage]>, lengths: &'a [u32]) -> Option<Self> {
+        images.map(|images| Self { images, lengths })
+    }
+}
+
+impl Carried {
+    /// The slab is the turn: nothing moves.
+    pub(crate) fn none(fixed: &Outline, moving: &Outline) -> Self {
+        let (fixed, moving) = (Permutation::identity(fixed), Permutation::identity(moving));
+        Self {
+            steps: Steps::NONE,
+            fixed_back: fixed.clone(),
+            moving_back: moving.clone(),
+            fixed,
+            moving,
+        }
+    }
+
+    /// `None` if the features of a part do not correspond under its symmetry.
+    pub(crate) fn new(
+        steps: Steps,
+        fixed: (&Outline, Option<LoopImages<'_>>),
+        moving: (&Outline, Option<LoopImages<'_>>),
+    ) -> Option<Self> {
+        let step = |(outline, images): (&Outline, Option<LoopImages<'_>>)| match images {
+            Some(l) => Permutation::of_loops(outline, l.images, l.lengths),
+            None => Some(Permutation::identity(outline)),
+        };
+        let (f, m) = (step(fixed)?, step(moving)?);
+        let power = |p: &Permutation, outline, by: u32, fold: u32| {
+            p.power(by % fold, Permutation::identity(outline))
+        };
+        let up = |s: u32, fold: u32| (s, fold - s % fold);
+        let (a, minus_a) = up(steps.fixed, steps.fixed_fold);
+        let (b, minus_b) = up(steps.moving, steps.moving_fold);
+        Some(Self {
+            steps,
+            fixed: power(&f, fixed.0, a, steps.fixed_fold),
+            fixed_back: power(&f, fixed.0, minus_a, steps.fixed_fold),
+            // A feature of the moving part is taken by R_−β.
+            moving: power(&m, moving.0, minus_b, steps.moving_fold),
+            moving_back: power(&m, moving.0, b, steps.moving_fold),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_of_both_parts_make_one_slab() {
+        for (k, m) in [
+            (1, 1),
+            (1, 20),
+            (20, 1),
+            (3, 5),
+            (6, 4),
+            (12, 18),
+            (26, 24),
+            (7, 7),
+        ] {
+            let s = Steps::new(k, m).unwrap_or(Steps::NONE);
+            let sum = f64::from(s.fixed) / f64::from(k) + f64::from(s.moving) / f64::from(m);
+            let slab = 1.0 / f64::from(s.slabs);
+            assert!((sum - slab - (sum - slab).round()).abs() < 1e-14, "{k} {m}");
+            assert!(s.slabs.is_multiple_of(k) && s.slabs.is_multiple_of(m));
+        }
+        assert_eq!(Steps::new(2, 20).map(|s| (s.slabs, s.fixed)), Some((20, 0)));
+    }
+
+    #[test]
+    fn a_function_is_carried_with_its_configurations() {
+        let s = Spiral {
+            u: Point::new(0.3, -0.2),
+            w: Vector::new(0.5, 0.1),
+        };
+        let normal = Vector::from_angle(0.7);
+        let steps = Steps::new(6, 4).unwrap_or(Steps::NONE);
+        for f in [
+            ContactFunction::FixedLine { normal, through: s },
+            ContactFunction::MovingLine { normal, through: s },
+            ContactFunction::Circle {
+                center: s,
+                radius: -0.4,
+            },
+        ] {
+            for slabs in [0, 1, 5, -3] {
+                let twist = steps.twist(slabs);
+                let (p, theta) = (Point::new(1.1, 0.4), 0.3);
+                let carried = twist
+                    .function(f)
+                    .value(twist.point(p), theta + steps.period(slabs));
+                assert!((carried - f.value(p, theta)).abs() < 1e-14);
+            }
+        }
+    }
+}

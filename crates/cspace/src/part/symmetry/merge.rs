@@ -1,0 +1,75 @@
+//! The same outline with as few vertices as it needs.
+
+use crate::part::{Edge, Loop, Part, Vertex};
+
+use super::SYMMETRIC;
+
+/// The part without the vertices at which two edges lie on one line or one circle, if it has such vertices.
+///
+/// Whole circles keep two vertices. `None` also if the result is no part, which rounding can bring about.
+pub(super) fn merged(part: &Part) -> Option<Part> {
+    let tolerance = SYMMETRIC * part.size();
+    let mut fewer = false;
+    let loops = part
+        .loops()
+        .iter()
+        .map(|l| {
+            let merged = merge(l, tolerance);
+            fewer |= merged.len() < l.vertices().len();
+            merged
+        })
+        .collect();
+    fewer.then(|| Part::new(part.name(), loops).ok()).flatten()
+}
+
+/// A loop in order of travel, edges that continue each other as one.
+fn merge(l: &Loop, tolerance: f64) -> Vec<Vertex> {
+    let edges: Vec<Edge> = l.edges().collect();
+    let n = edges.len();
+    let continues = |i: usize| {
+        let (a, b) = (&edges[i], &edges[(i + 1) % n]);
+        continues(a, b, tolerance)
+    };
+    // Begin after a vertex that stays; a loop that has none is a circle and is left as it is.
+    let Some(last) = (0..n).find(|&i| !continues(i)) else {
+        return edges.iter().map(vertex).collect();
+    };
+    let mut merged: Vec<(Edge, f64)> = Vec::new();
+    for step in 1..=n {
+        let i = (last + step) % n;
+        let edge = edges[i];
+        match merged.last_mut() {
+            Some((before, sweep)) if step > 1 && continues((i + n - 1) % n) => {
+                before.end = edge.end;
+                *sweep += edge.sweep();
+            }
+            _ => merged.push((edge, edge.sweep())),
+        }
+    }
+    merged
+        .into_iter()
+        .map(|(e, sweep)| Vertex::new(e.start.x, e.start.y, (0.25 * sweep).tan()))
+        .collect()
+}
+
+fn vertex(e: &Edge) -> Vertex {
+    Vertex::new(e.start.x, e.start.y, e.bulge)
+}
+
+/// Whether the second edge goes on where the first one leads, on its line or circle.
+fn continues(a: &Edge, b: &Edge, tolerance: f64) -> bool {
+    let (d, e) = (a.end_direction(), b.start_direction());
+    let length = (a.end - a.start).length() + (b.end - b.start).length();
+    if d.dot(e) <= 0.0 || d.cross(e).abs() * length > tolerance {
+        return false;
+    }
+    match (a.is_line(), b.is_line()) {
+        (true, true) => true,
+        (false, false) => {
+            a.bulge.signum() == b.bulge.signum()
+                && a.center().distance(b.center()) <= tolerance
+                && (a.radius() - b.radius()).abs() <= tolerance
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,137 @@
+//! Rotational symmetry of a part.
+//!
+//! A part is k-fold symmetric if turning it by 2π/k about its centre of area maps it to itself. It is found from the
+//! outline: a rotation that maps the part to itself maps loops to loops and vertices to vertices, so k divides their
+//! number, and of all divisors only powers of primes need to be tried. A loop that is one whole circle has no vertices
+//! that count: a bore drawn as two half circles does not spoil the symmetry of a wheel, wherever the halves meet. Other
+//! vertices count, also those that could be left out because an edge goes straight on there.
+
+mod merge;
+mod redraw;
+mod trace;
+
+pub(crate) use redraw::{LoopImage, Symmetrized};
+
+use crate::geometry::Point;
+
+use super::Part;
+use merge::merged;
+use trace::Trace;
+
+/// How far a part may be off its own image under a rotation, as a fraction of its size: 2⁻³⁰ ≈ 9·10⁻¹⁰.
+///
+/// Drawings are written with rounded coordinates. Ten digits are within this, and what a designer means as a
+/// difference is not. The contact space computed with symmetry is that of the nearest symmetric part, and tells how far
+/// that is from the drawing.
+pub const SYMMETRIC: f64 = 1.0 / (1_u64 << 30) as f64;
+
+/// The rotations about its own centre that map a part to itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartSymmetry {
+    fold: u32,
+    center: Point,
+    deviation: f64,
+    round: bool,
+}
+
+impl PartSymmetry {
+    /// The largest k for which turning by 2π/k maps the part to itself; 1 if there is none.
+    ///
+    /// For a part of concentric circles only, which every rotation maps to itself, it is the largest that also maps
+    /// the arcs as drawn to each other: 2 for a disc of two half circles.
+    pub const fn fold(&self) -> u32 {
+        self.fold
+    }
+
+    /// The centre of the rotations, in the part's own frame. Without symmetry it has no meaning.
+    pub const fn center(&self) -> Point {
+        self.center
+    }
+
+    /// How far the outline is from that of the nearest part that is exactly symmetric, in the part's unit of length:
+    /// at most [`SYMMETRIC`] of its size.
+    pub const fn deviation(&self) -> f64 {
+        self.deviation
+    }
+
+    /// Whether the part consists of concentric circles, so that every rotation maps it to itself.
+    pub const fn is_round(&self) -> bool {
+        self.round
+    }
+
+    /// Whether turning by 2π/`fold` maps the part to itself: `fold` divides the largest, or the part is round.
+    pub const fn allows(&self, fold: u32) -> bool {
+        fold > 0 && (self.round || self.fold.is_multiple_of(fold))
+    }
+}
+
+impl Part {
+    /// Finds the part's rotational symmetry.
+    ///
+    /// Takes time in proportion to n log n for n vertices, at most once for every power of a prime that divides the
+    /// number of vertices; most of these fail at the first vertex.
+    ///
+    /// ```
+    /// use cspace::{Part, Vertex};
+    /// let corners = [(0.0, 0.0), (3.0, 0.0), (3.0, 1.0), (0.0, 1.0)];
+    /// let bar = Part::new("bar", vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])?;
+    /// assert_eq!(bar.symmetry().fold(), 2);
+    /// assert_eq!(bar.symmetry().center(), cspace::Point::new(1.5, 0.5));
+    /// assert!(!bar.symmetry().allows(4));
+    /// # Ok::<(), cspace::PartError>(())
+    /// ```
+    pub fn symmetry(&self) -> PartSymmetry {
+        let trace = Trace::new(self, Corresponding::Outlines);
+        let fold = trace.fold();
+        let found = (fold > 1)
+            .then(|| Symmetrized::new(self, &trace, fold))
+            .flatten();
+        PartSymmetry {
+            fold: found.as_ref().map_or(1, |f| f.fold),
+            center: trace.center(),
+            deviation: found.map_or(0.0, |f| f.deviation),
+            round: trace.is_round(),
+        }
+    }
+
+    /// Whether turning by 2π/`fold` about its own centre maps the part to itself.
+    ///
+    /// As [`PartSymmetry::allows`], but vertices at which an edge goes straight on, or on along the same arc, do not
+    /// count either.
+    ///
+    /// ```
+    /// use cspace::{Part, Vertex};
+    /// let corners = [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+    /// let square = Part::new("square", vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])?;
+    /// assert!(square.is_symmetric(4) && !square.is_symmetric(8));
+    /// assert_eq!(square.symmetry().fold(), 1);
+    /// # Ok::<(), cspace::PartError>(())
+    /// ```
+    pub fn is_symmetric(&self, fold: u32) -> bool {
+        self.symmetry().allows(fold)
+            || merged(self).is_some_and(|part| part.symmetry().allows(fold))
+    }
+
+    /// The nearest part that is exactly symmetric, with how its loops are mapped; `None` without symmetry.
+    ///
+    /// By its vertices alone, no circle is divided further than it was drawn, and the fold may be smaller.
+    pub(crate) fn symmetrized(&self, by: Corresponding) -> Option<Symmetrized> {
+        let trace = Trace::new(self, by);
+        let fold = trace.fold();
+        (fold > 1)
+            .then(|| Symmetrized::new(self, &trace, fold))
+            .flatten()
+    }
+}
+
+/// What has to be mapped to itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Corresponding {
+    /// The outline: whole circles have no vertices.
+    Outlines,
+    /// All vertices.
+    Vertices,
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,199 @@
+//! Neighbours of patches: contacts of cells in one slab, copied to all.
+
+use crate::contact::ContactFunction;
+use crate::geometry::{Point, Rotation};
+use crate::slice::CurveGeometry;
+
+use super::cells::VerticalContact;
+use super::chains::{Chains, Linker, Member, Place};
+use super::graph::{SideLink, VerticalLink};
+use super::lifts::Lifts;
+use super::patch::Patch;
+use super::shells::Shells;
+
+pub(super) struct Links<'a> {
+    pub(super) linker: Linker<'a>,
+    pub(super) shells: &'a Shells,
+    pub(super) chains: &'a Chains,
+    pub(super) lifts: &'a Lifts<'a>,
+}
+
+/// Two chains that follow each other, the second shifted by some slabs, over orientations seen from the first's slab.
+#[derive(Clone, Copy)]
+struct Following {
+    before: u32,
+    after: u32,
+    shift: i64,
+    from: Place,
+    to: Place,
+    /// The same in radians.
+    lo: f64,
+    hi: f64,
+}
+
+/// Clusters are at least the narrowest band apart; brought home by turns they differ by rounding, in radians.
+const SAME: f64 = crate::feature::tolerance::NARROWEST_BAND / 4.0;
+
+impl Links<'_> {
+    fn member(&self, cell: u32) -> Option<Member> {
+        self.chains.members[cell as usize]
+    }
+
+    /// Neighbours along the boundary.
+    pub(super) fn side(&self, patches: &[Patch]) -> Vec<SideLink> {
+        let mut links: Vec<SideLink> = Vec::new();
+        for f in self.following() {
+            let chain = &self.chains.chains[f.before as usize];
+            for slabs in self.lifts.shifts(f.lo, f.hi) {
+                let before = self.lifts.patch(f.before, slabs);
+                let after = self.lifts.patch(f.after, slabs + f.shift);
+                let (Some(before), Some(after)) = (before, after) else {
+                    continue;
+                };
+                // Into the interval of the patch before.
+                let start = patches[before as usize].lo;
+                let bring = |place: Place, theta: f64| {
+                    let at = self.lifts.orientation(place, slabs);
+                    self.lifts.near(at, start + (theta - chain.lo))
+                };
+                let (lo, hi) = self.lifts.clipped(bring(f.from, f.lo), bring(f.to, f.hi));
+                links.push(SideLink {
+                    before,
+                    after,
+                    lo,
+                    hi,
+                });
+            }
+        }
+        links.sort_by(|a, b| {
+            (a.before, a.after)
+                .cmp(&(b.before, b.after))
+                .then(a.lo.total_cmp(&b.lo))
+        });
+        // Where a patch goes around the turn, what a window cuts from several copies hangs together.
+        links.dedup_by(|next, last| {
+            let joined =
+                (last.before, last.after) == (next.before, next.after) && next.lo - last.hi <= SAME;
+            if joined {
+                last.hi = last.hi.max(next.hi);
+            }
+            joined
+        });
+        links.sort_by(|a, b| {
+            a.before
+                .cmp(&b.before)
+                .then(a.lo.total_cmp(&b.lo))
+                .then(a.after.cmp(&b.after))
+        });
+        links
+    }
+
+    /// Side contacts of free cells, those that hang together as one.
+    fn following(&self) -> Vec<Following> {
+        let clusters = self.linker.clusters;
+        let steps = &self.lifts.steps;
+        let mut pieces: Vec<Following> = (self.shells.side.iter())
+            .filter_map(|s| {
+                let (before, after) = (self.member(s.before)?, self.member(s.after)?);
+                let place = |cluster| Place {
+                    cluster,
+                    slabs: before.slabs,
+                };
+                let up = steps.period(before.slabs);
+                Some(Following {
+                    before: before.chain,
+                    after: after.chain,
+                    shift: before.slabs - after.slabs,
+                    from: place(s.from),
+                    to: place(s.to),
+                    lo: clusters.at(s.from) + up,
+                    hi: clusters.at(s.to) + up,
+                })
+            })
+            .collect();
+        pieces.sort_by(|a, b| {
+            (a.before, a.after, a.shift)
+                .cmp(&(b.before, b.after, b.shift))
+                .then(a.lo.total_cmp(&b.lo))
+        });
+        pieces.dedup_by(|next, last| {
+            let joined = (last.before, last.after, last.shift)
+                == (next.before, next.after, next.shift)
+                && next.lo - last.hi <= SAME;
+            if joined {
+                (last.to, last.hi) = (next.to, next.hi);
+            }
+            joined
+        });
+        pieces
+    }
+
+    /// Neighbours across critical orientations.
+    pub(super) fn vertical(&self) -> Vec<VerticalLink> {
+        let window = self.lifts.window();
+        let mut links = Vec::new();
+        for v in &self.shells.vertical {
+            let (Some(lower), Some(upper)) = (self.member(v.lower), self.member(v.upper)) else {
+                continue;
+            };
+            // Seen from the lower cell's slab.
+            let shift = i64::from(self.linker.is_wrap(v.lower));
+            let place = Place {
+                cluster: v.at,
+                slabs: 0,
+            };
+            let theta = self.linker.clusters.at(v.at);
+            let around = self.lifts.shifts(theta - 1.0, theta + 1.0);
+            for slabs in around {
+                let at = self.lifts.orientation(place, slabs);
+                if !window.full_turn && !(window.lo < at && at < window.hi) {
+                    continue;
+                }
+                let below = self.lifts.patch(lower.chain, slabs - lower.slabs);
+                let above = self.lifts.patch(upper.chain, slabs + shift - upper.slabs);
+                let (Some(below), Some(above)) = (below, above) else {
+                    continue;
+                };
+                // Within one chain nothing happens, unless it meets itself around the turn without being closed.
+                let chain = &self.chains.chains[lower.chain as usize];
+                if below == above && (chain.closed || chain.last != v.lower) {
+                    continue;
+                }
+                links.push(VerticalLink {
+                    lower: below,
+                    upper: above,
+                    theta: at,
+                    overlap: self.overlap(v, slabs, at),
+                });
+            }
+        }
+        links.sort_by(|a, b| {
+            a.theta
+                .total_cmp(&b.theta)
+                .then((a.lower, a.upper).cmp(&(b.lower, b.upper)))
+        });
+        links
+    }
+
+    /// What two cells share of their curves, some slabs further.
+    fn overlap(&self, v: &VerticalContact, slabs: i64, at: f64) -> CurveGeometry {
+        let theta = self.linker.clusters.at(v.at);
+        let sheet = self.linker.sheet(v.lower);
+        let steps = &self.lifts.steps;
+        let curve = sheet.curve(theta, Rotation::by(theta));
+        let curve = steps.twist(slabs).curve(&curve, steps.angle(slabs));
+        let frame = &self.linker.geometry.frame;
+        match sheet.function() {
+            ContactFunction::Circle { .. } => {
+                CurveGeometry::from_inner(&curve, v.lo, v.hi, frame, at)
+            }
+            _ => {
+                let outer = |p: Point| frame.outer_from_inner(p, at).position();
+                CurveGeometry::Segment {
+                    start: outer(curve.point(v.lo)),
+                    end: outer(curve.point(v.hi)),
+                }
+            }
+        }
+    }
+}

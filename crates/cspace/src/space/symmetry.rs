@@ -1,0 +1,197 @@
+//! Which method computes a pair: in full, or one slab of a symmetric pair.
+
+use core::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+use crate::contact::{Geometry, Placed, Steps};
+use crate::feature::FeatureName;
+use crate::part::{Corresponding, Part, Symmetrized};
+
+/// Whether rotational symmetry of the parts is used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Symmetry {
+    /// It is looked for, and used where it saves work.
+    #[default]
+    Detect,
+    /// The general method is used whatever the parts are.
+    Ignore,
+}
+
+/// The symmetry with which a contact space was computed.
+///
+/// A fixed part of fold k and a moving part of fold m make lcm(k, m) slabs of orientations that are images of each
+/// other (figure 4 of Sacks 1999 has one symmetric part): one is computed, the others are copies.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PairSymmetry {
+    /// Fold of the fixed part about its own centre; 1 without symmetry, or where none was looked for.
+    pub fixed: u32,
+    /// Fold of the moving part.
+    pub moving: u32,
+    /// Slabs that make a turn; 1 where the general method was used.
+    pub slabs: u32,
+    /// How far the outlines computed are from the parts as drawn, in the model's unit of length: 0 for the general
+    /// method, within rounding for parts drawn well.
+    pub deviation: f64,
+}
+
+impl Default for PairSymmetry {
+    /// No symmetry.
+    fn default() -> Self {
+        Self {
+            fixed: 1,
+            moving: 1,
+            slabs: 1,
+            deviation: 0.0,
+        }
+    }
+}
+
+/// How a pair is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Method {
+    /// As it is.
+    General,
+    /// One slab, if there is symmetry of what is given.
+    Slab(Corresponding),
+}
+
+impl From<Symmetry> for Method {
+    fn from(symmetry: Symmetry) -> Self {
+        match symmetry {
+            Symmetry::Detect => Self::Slab(Corresponding::Outlines),
+            Symmetry::Ignore => Self::General,
+        }
+    }
+}
+
+/// A pair ready to be computed.
+pub(super) struct Plan {
+    pub(super) geometry: Geometry,
+    pub(super) symmetry: PairSymmetry,
+    pub(super) names: Names,
+}
+
+/// What the features of the parts as computed are called in the parts as drawn.
+#[derive(Default)]
+pub(super) struct Names {
+    fixed: Option<Symmetrized>,
+    moving: Option<Symmetrized>,
+}
+
+impl Plan {
+    /// Prepares a pair by the method that the options and the parts ask for.
+    pub(super) fn new(
+        fixed: &Part,
+        moving: &Part,
+        window: Option<(f64, f64)>,
+        method: Method,
+    ) -> Self {
+        let general = |symmetry| Self {
+            geometry: Geometry::new(fixed, moving, window),
+            symmetry,
+            names: Names::default(),
+        };
+        let Method::Slab(by) = method else {
+            return general(PairSymmetry::default());
+        };
+        let (a, b) = (fixed.symmetrized(by), moving.symmetrized(by));
+        let fold = |s: &Option<Symmetrized>| s.as_ref().map_or(1, |s| s.fold);
+        let of_outline = |part: &Part, s: &Option<Symmetrized>| match by {
+            Corresponding::Outlines => fold(s),
+            Corresponding::Vertices => part.symmetry().fold(),
+        };
+        let folds = PairSymmetry {
+            fixed: of_outline(fixed, &a),
+            moving: of_outline(moving, &b),
+            ..PairSymmetry::default()
+        };
+        let Some(steps) = Steps::new(fold(&a), fold(&b)).filter(|s| s.slabs > 1) else {
+            return general(folds);
+        };
+        // A window narrower than the slab is computed as it is.
+        if window.is_some_and(|(lo, hi)| hi - lo <= TAU / f64::from(steps.slabs)) {
+            return general(folds);
+        }
+        // A part that does not turn from slab to slab need not be drawn again.
+        let names = Names {
+            fixed: a.filter(|_| steps.fixed > 0),
+            moving: b.filter(|_| steps.moving > 0),
+        };
+        let deviation = [&names.fixed, &names.moving]
+            .into_iter()
+            .flatten()
+            .map(|s| s.deviation)
+            .sum();
+        match Geometry::slab(
+            placed(&names.fixed, fixed),
+            placed(&names.moving, moving),
+            steps,
+        ) {
+            Some(geometry) => Self {
+                geometry,
+                symmetry: PairSymmetry {
+                    slabs: steps.slabs,
+                    deviation,
+                    ..folds
+                },
+                names,
+            },
+            None => general(folds),
+        }
+    }
+}
+
+fn placed<'a>(symmetrized: &'a Option<Symmetrized>, drawn: &'a Part) -> Placed<'a> {
+    match symmetrized {
+        Some(s) => Placed {
+            part: &s.part,
+            center: crate::geometry::Point::ORIGIN,
+            drawn_center: s.center,
+            images: Some(&s.images),
+            fold: s.fold,
+        },
+        None => Placed::as_drawn(drawn),
+    }
+}
+
+impl Names {
+    pub(super) fn fixed(&self, name: FeatureName) -> FeatureName {
+        as_drawn(&self.fixed, name)
+    }
+
+    pub(super) fn moving(&self, name: FeatureName) -> FeatureName {
+        as_drawn(&self.moving, name)
+    }
+
+    /// Whether a contact of two features, by their names as computed, is on a circle that was divided.
+    ///
+    /// There the patches would be cut finer than the features as drawn.
+    pub(super) fn divides(&self, fixed: FeatureName, moving: FeatureName) -> bool {
+        let divided = |s: &Option<Symmetrized>, name: FeatureName| {
+            (s.as_ref()).is_some_and(|s| s.divided[name.loop_index as usize])
+        };
+        divided(&self.fixed, fixed) || divided(&self.moving, moving)
+    }
+
+    /// Features that the parts as computed have more than the parts as drawn.
+    pub(super) fn added(&self) -> (usize, usize) {
+        let of = |s: &Option<Symmetrized>| s.as_ref().map_or(0, |s| s.added);
+        (of(&self.fixed), of(&self.moving))
+    }
+}
+
+fn as_drawn(symmetrized: &Option<Symmetrized>, name: FeatureName) -> FeatureName {
+    let place = |s: &Symmetrized| {
+        let l = s.drawn.get(name.loop_index as usize)?;
+        l.get(name.index as usize).copied()
+    };
+    let Some(drawn) = symmetrized.as_ref().and_then(place) else {
+        return name;
+    };
+    let index = match name.kind {
+        crate::feature::FeatureKind::Vertex => drawn.vertex,
+        _ => drawn.edge,
+    };
+    FeatureName { index, ..name }
+}
