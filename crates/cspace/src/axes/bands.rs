@@ -12,6 +12,10 @@ const NARROWEST: f64 = crate::feature::tolerance::NARROWEST_BAND;
 /// Gaps of neighbouring bands join where they share more than this (radians or length).
 const SHORTEST: f64 = crate::feature::tolerance::SHORTEST_OVERLAP;
 
+/// A gap narrower than this between curves that face the same way is none (radians or length): it is what rounding leaves
+/// between curves that coincide.
+const TOO_NARROW: f64 = 1e-11;
+
 /// A free interval of y over a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Gap {
@@ -97,7 +101,7 @@ impl Sweep<'_> {
             order.extend(
                 active
                     .iter()
-                    .map(|&i| (self.y.reduced(self.at(i, middle)), i)),
+                    .map(|&i| (self.y.folded(self.at(i, middle)), i)),
             );
             order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let from = result.gaps.len() as u32;
@@ -152,7 +156,7 @@ impl Sweep<'_> {
         let mut push = |lower: Option<u32>, upper: Option<(f64, u32)>| {
             let turns = if self.y.is_circle() {
                 let of = |y: f64, i: u32| whole(self.at(i, middle), y);
-                let low = lower.map_or(0, |i| of(self.y.reduced(self.at(i, middle)), i));
+                let low = lower.map_or(0, |i| of(self.y.folded(self.at(i, middle)), i));
                 (low, upper.map_or(0, |(y, i)| of(y, i)))
             } else {
                 (0, 0)
@@ -188,7 +192,10 @@ impl Sweep<'_> {
             let free = match free_below_next {
                 None => above(i),
                 Some(next_says) if next_says == above(i) => next_says,
+                // Curves on top of each other, facing the same way.
+                Some(_) if next.is_some_and(|n| n.0 - y < TOO_NARROW) => false,
                 Some(_) => {
+                    if std::env::var("DBG").is_ok() { println!("gap conflict x={middle} y={y} {:?} {:?}", self.piece(i), next.map(|n| *self.piece(n.1))); }
                     result.conflicts += 1;
                     result.tests += 1;
                     let to = next.map_or(self.y.hi, |n| n.0);

@@ -6,7 +6,7 @@ use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::{Point, Vector};
 
-use super::condition::{Carriers, Condition};
+use super::condition::{Carriers, Condition, INDEPENDENT};
 use super::domain::{ExtentKind, wrapped};
 use super::motion::Motion;
 use super::nodes::{Key, Name, Scene, Spot};
@@ -15,6 +15,10 @@ use super::piece::{End, Pair, Piece};
 /// A section is tested by where its middle lies between the ends of its features. Nearer to one than this (length, or
 /// radians) the test is not trusted: what lies on the other side of the node beside it tells.
 const UNCLEAR: f64 = 1e-11;
+
+/// Nor is it trusted for a section shorter than this (in x, radians or length): near a turning y moves with the square root of
+/// x, and so does its rounding.
+const SHORT: f64 = 1e-13;
 
 /// A place on a curve where a section may end.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +54,44 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
             }
         }
     }
-    (builder.pairs, builder.pieces)
+    let Builder {
+        pairs, mut pieces, ..
+    } = builder;
+    snap(&pairs, &mut pieces);
+    (pairs, pieces)
+}
+
+/// Gives all ends that rounding alone keeps from the x of a vertical piece that x, so that they agree on what is left of
+/// it.
+fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
+    let mut xs: Vec<f64> = pieces
+        .iter()
+        .filter(|p| p.vertical)
+        .flat_map(|p| [p.start.x, p.end.x])
+        .collect();
+    xs.sort_by(f64::total_cmp);
+    // One value for each cluster.
+    let mut clusters: Vec<(f64, f64)> = Vec::new();
+    for x in xs {
+        match clusters.last_mut() {
+            Some(last) if x - last.1 < INDEPENDENT => last.1 = x,
+            _ => clusters.push((x, x)),
+        }
+    }
+    if clusters.is_empty() {
+        return;
+    }
+    for p in pieces {
+        for end in [&mut p.start, &mut p.end] {
+            let k = clusters.partition_point(|c| c.1 + INDEPENDENT < end.x);
+            if let Some(c) = clusters.get(k).filter(|c| c.0 - INDEPENDENT < end.x) {
+                end.x = c.0;
+            }
+        }
+        if !p.vertical && p.start.x == p.end.x {
+            p.stand_up(pairs);
+        }
+    }
 }
 
 struct Builder<'a> {
@@ -239,6 +280,9 @@ impl Builder<'_> {
         let condition = self.pairs[pair as usize].condition;
         let n = cuts.len() - 1;
         let margins = (0..n).map(|i| {
+            if cuts[i + 1].x - cuts[i].x < SHORT {
+                return 0.0;
+            }
             let x = 0.5 * (cuts[i].x + cuts[i + 1].x);
             self.margin(pair, x, condition.y(x, root))
         });
@@ -281,18 +325,13 @@ impl Builder<'_> {
             let mut piece = Piece {
                 pair,
                 root,
-                vertical,
+                vertical: false,
                 turns: 0,
                 start: end(from, x0, raw(x0)),
                 end: end(to, x1, raw(x1)),
             };
             if vertical {
-                // So steep that rounding leaves it no width.
-                let (by_x, _) = condition.gradient(x0, piece.start.y());
-                piece.root = u8::from(by_x < 0.0);
-                if piece.start.y() > piece.end.y() {
-                    core::mem::swap(&mut piece.start, &mut piece.end);
-                }
+                piece.stand_up(&self.pairs);
             }
             self.in_each_turn(piece);
         }

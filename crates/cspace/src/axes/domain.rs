@@ -52,6 +52,11 @@ impl Extent {
         if r >= self.lo + TAU { self.lo } else { r }
     }
 
+    /// The value brought into the circle; itself if the ends are not the same place.
+    pub(super) fn folded(&self, t: f64) -> f64 {
+        if self.is_circle() { self.reduced(t) } else { t }
+    }
+
     /// How many turns there are, the last perhaps not a whole one.
     pub(super) fn turns(&self) -> i32 {
         match self.kind {

@@ -112,6 +112,7 @@ impl<'a> Judge<'a> {
             return;
         }
         verdicts.conflicts += 1;
+        if std::env::var("DBG").is_ok() { println!("chain conflict at {x} {y}"); for &i in members { let c=&cells[i as usize]; println!("   {c:?} {:?}", self.pieces[c.piece as usize]); } }
         for &i in &open {
             if let Some((x, y, _)) = self.beside(&cells[i as usize]) {
                 verdicts.tests += 1;
@@ -158,7 +159,8 @@ impl<'a> Judge<'a> {
             if self.y.is_circle() {
                 d -= TAU * (d / TAU).floor();
             }
-            if d > 0.0 {
+            // What lies on top of this piece and faces the same way is no end of the free side.
+            if d > 0.0 && !(d < TOO_NEAR && q.root == p.root) {
                 reach = reach.min(d);
             }
         }
@@ -200,7 +202,12 @@ impl<'a> Judge<'a> {
                     crossing_of_level(q, self.pairs, level)
                 };
                 let d = sign * (at - x);
-                if d > 0.0 {
+                let q_right = if q.vertical {
+                    q.root == 0
+                } else {
+                    (q.root == 0) != (q.start.y() < q.end.y())
+                };
+                if d > 0.0 && !(d < TOO_NEAR && q_right == right) {
                     reach = reach.min(d);
                 }
             }

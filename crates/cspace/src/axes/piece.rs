@@ -50,6 +50,17 @@ pub(super) struct Height {
 }
 
 impl Piece {
+    /// Makes a graph a vertical piece: it is so steep that rounding leaves it no width.
+    pub(super) fn stand_up(&mut self, pairs: &[Pair]) {
+        let condition = &pairs[self.pair as usize].condition;
+        let (by_x, _) = condition.gradient(self.start.x, self.start.y());
+        self.vertical = true;
+        self.root = u8::from(by_x < 0.0);
+        if self.start.y() > self.end.y() {
+            core::mem::swap(&mut self.start, &mut self.end);
+        }
+    }
+
     pub(super) fn x_range(&self) -> (f64, f64) {
         (self.start.x, self.end.x)
     }
