@@ -195,7 +195,6 @@ impl Sweep<'_> {
                 // Curves on top of each other, facing the same way.
                 Some(_) if next.is_some_and(|n| n.0 - y < TOO_NARROW) => false,
                 Some(_) => {
-                    if std::env::var("DBG").is_ok() { println!("gap conflict x={middle} y={y} {:?} {:?}", self.piece(i), next.map(|n| *self.piece(n.1))); }
                     result.conflicts += 1;
                     result.tests += 1;
                     let to = next.map_or(self.y.hi, |n| n.0);

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::{Point, Vector};
+use crate::union_find::UnionFind;
 
 use super::condition::{Carriers, Condition, INDEPENDENT};
 use super::domain::{ExtentKind, wrapped};
@@ -20,10 +21,15 @@ const UNCLEAR: f64 = 1e-11;
 /// x, and so does its rounding.
 const SHORT: f64 = 1e-13;
 
+/// How far rounding may put a node beyond a turning (radians or length).
+const BEYOND: f64 = 1e-9;
+
 /// A place on a curve where a section may end.
 #[derive(Debug, Clone, Copy)]
 struct Cut {
+    /// Where it is on the curve, and where its node is: rounding may put that beyond a turning.
     x: f64,
+    node_x: f64,
     y: f64,
     name: Name,
     root: u8,
@@ -57,8 +63,54 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
     let Builder {
         pairs, mut pieces, ..
     } = builder;
+    contract(&pairs, &mut pieces);
     snap(&pairs, &mut pieces);
     (pairs, pieces)
+}
+
+/// Takes out pieces too short to have a place, and makes their two ends one.
+///
+/// They are what rounding leaves between a turning and a node that is exactly there: a follower's joint where its arc
+/// touches a line at the largest distance from the pivot.
+fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
+    let short = |p: &Piece| {
+        !p.vertical
+            && !pairs[p.pair as usize].condition.is_vertical()
+            && (p.end.x - p.start.x).abs() < SHORT
+            && p.start.key.name != Name::Limit
+            && p.end.key.name != Name::Limit
+    };
+    let mut same: Vec<(End, End)> = pieces
+        .iter()
+        .filter(|p| short(p))
+        .map(|p| (p.start, p.end))
+        .collect();
+    if same.is_empty() {
+        return;
+    }
+    pieces.retain(|p| !short(p));
+    let mut keys: Vec<Key> = same.iter().flat_map(|s| [s.0.key, s.1.key]).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    let index = |key: Key| keys.binary_search(&key).ok();
+    let mut sets = UnionFind::new(keys.len());
+    let mut places: Vec<Option<End>> = vec![None; keys.len()];
+    for (a, b) in &same {
+        if let (Some(i), Some(j)) = (index(a.key), index(b.key)) {
+            sets.union(i as u32, j as u32);
+            places[i] = Some(*a);
+            places[j] = Some(*b);
+        }
+    }
+    same.clear();
+    for end in pieces.iter_mut().flat_map(|p| [&mut p.start, &mut p.end]) {
+        let Some(k) = index(end.key) else { continue };
+        // The first of a set stands for it: nodes come before turnings.
+        if let Some(place) = places[sets.find(k as u32) as usize] {
+            end.turns += ((end.base - place.base) / TAU).round() as i32;
+            (end.key, end.x, end.base) = (place.key, place.x, place.base);
+        }
+    }
 }
 
 /// Gives all ends that rounding alone keeps from the x of a vertical piece that x, so that they agree on what is left of
@@ -182,9 +234,17 @@ impl Builder<'_> {
                     };
                     // At the cut of a circle both sides must have the very same y.
                     let at = if circle && breaking.is_none() { lo } else { x };
+                    let (y0, y1) = (condition.y(at, 0), condition.y(at, 1));
+                    let y = if breaking.is_some() && y0.is_finite() && y1.is_finite() {
+                        // A double root: what rounding leaves between the two is halved.
+                        y0 + 0.5 * scene.y.difference(y1, y0)
+                    } else {
+                        condition.y(at, root)
+                    };
                     Cut {
                         x,
-                        y: scene.y.reduced(condition.y(at, root)),
+                        node_x: x,
+                        y: scene.y.reduced(y),
                         name,
                         root: index,
                         ends: false,
@@ -199,6 +259,7 @@ impl Builder<'_> {
                     if s.x >= from && s.x <= to && rises(s.x, s.y) == (root == 0) {
                         cuts.push(Cut {
                             x: s.x,
+                            node_x: s.x,
                             y: s.y,
                             name: s.name,
                             root: s.root,
@@ -207,14 +268,41 @@ impl Builder<'_> {
                         });
                     }
                 }
-                // Rounding may have put a node just outside.
-                if spots.len() > 0 {
-                    self.outside(&condition, spots, &breaks, (from, to), root, &mut cuts);
+                // Rounding may have put a node just beyond a turning.
+                let alone = |k: Option<usize>| {
+                    k.is_some_and(|k| {
+                        let from = if k == 0 { lo } else { breaks[k - 1] };
+                        let to = if k + 1 == ends { hi } else { breaks[k] };
+                        !condition.exists(0.5 * (from + to), root)
+                    })
+                };
+                let below = (i > 0 && alone(i.checked_sub(1))).then_some(from);
+                let above = (i + 1 < ends && alone(Some(i + 1))).then_some(to);
+                for s in spots {
+                    let near = if below.is_some_and(|f| s.x < f && s.x > f - BEYOND) {
+                        from
+                    } else if above.is_some_and(|t| s.x > t && s.x < t + BEYOND) {
+                        to
+                    } else {
+                        continue;
+                    };
+                    if rises(s.x, s.y) == (root == 0) {
+                        cuts.push(Cut {
+                            x: near,
+                            node_x: s.x,
+                            y: s.y,
+                            name: s.name,
+                            root: s.root,
+                            ends: true,
+                            next_turn: false,
+                        });
+                    }
                 }
                 for &(x, y, index) in &around {
                     if x > from && x < to && rises(x, y) == (root == 0) {
                         cuts.push(Cut {
                             x,
+                            node_x: x,
                             y,
                             name: Name::Same(pair, index),
                             root,
@@ -235,44 +323,6 @@ impl Builder<'_> {
             }
         }
         self.breaks = breaks;
-    }
-
-    /// Nodes beyond a turning by rounding, brought back to it.
-    fn outside(
-        &self,
-        condition: &Condition,
-        spots: &[Spot],
-        breaks: &[f64],
-        (from, to): (f64, f64),
-        root: u8,
-        cuts: &mut Vec<Cut>,
-    ) {
-        /// How far rounding may put a node beyond a turning, radians or length.
-        const BEYOND: f64 = 1e-9;
-        for s in spots {
-            let near = if breaks.contains(&to) && s.x > to && s.x < to + BEYOND {
-                to
-            } else if breaks.contains(&from) && s.x < from && s.x > from - BEYOND {
-                from
-            } else {
-                continue;
-            };
-            // Only if the root is not there either.
-            if condition.exists(s.x, root) {
-                continue;
-            }
-            let rises = condition.gradient(s.x, s.y).1 > 0.0;
-            if rises == (root == 0) {
-                cuts.push(Cut {
-                    x: near,
-                    y: s.y,
-                    name: s.name,
-                    root: s.root,
-                    ends: true,
-                    next_turn: false,
-                });
-            }
-        }
     }
 
     /// Keeps those sections between cuts on which both features reach the contact.
@@ -300,8 +350,7 @@ impl Builder<'_> {
         for turn in 0..x.turns() {
             let shift = TAU * f64::from(turn);
             let (x0, x1) = (from.x + shift, to.x + shift);
-            let vertical = from.x == to.x;
-            let end = |cut: &Cut, x: f64, raw: f64| -> End {
+            let end = |cut: &Cut, raw: f64| -> End {
                 let whole = if y.repeats() {
                     ((raw - cut.y) / TAU).round() as i32
                 } else {
@@ -315,24 +364,20 @@ impl Builder<'_> {
                         x_turn: turn + i32::from(next),
                         y_turn: 0,
                     },
-                    x,
+                    x: cut.node_x + shift,
                     base: cut.y,
                     turns: whole,
                 }
             };
-            let condition = &self.pairs[pair as usize].condition;
-            let raw = |x: f64| condition.y(x, root);
-            let mut piece = Piece {
+            let raw = |x: f64| self.pairs[pair as usize].condition.y(x, root);
+            let piece = Piece {
                 pair,
                 root,
                 vertical: false,
                 turns: 0,
-                start: end(from, x0, raw(x0)),
-                end: end(to, x1, raw(x1)),
+                start: end(from, raw(x0)),
+                end: end(to, raw(x1)),
             };
-            if vertical {
-                piece.stand_up(&self.pairs);
-            }
             self.in_each_turn(piece);
         }
     }
@@ -442,6 +487,7 @@ impl Builder<'_> {
                 })
                 .map(|s| Cut {
                     x,
+                    node_x: x,
                     y: s.y,
                     name: s.name,
                     root: s.root,
@@ -458,6 +504,7 @@ impl Builder<'_> {
             };
             let end = |y: f64| Cut {
                 x,
+                node_x: x,
                 y,
                 name: if repeats {
                     Name::Same(pair, 2 + u32::from(root))

@@ -52,6 +52,15 @@ impl Extent {
         if r >= self.lo + TAU { self.lo } else { r }
     }
 
+    /// a − b, less whole turns if values repeat.
+    pub(super) fn difference(&self, a: f64, b: f64) -> f64 {
+        if self.repeats() {
+            wrapped(a - b)
+        } else {
+            a - b
+        }
+    }
+
     /// The value brought into the circle; itself if the ends are not the same place.
     pub(super) fn folded(&self, t: f64) -> f64 {
         if self.is_circle() { self.reduced(t) } else { t }

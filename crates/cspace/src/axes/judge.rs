@@ -112,7 +112,6 @@ impl<'a> Judge<'a> {
             return;
         }
         verdicts.conflicts += 1;
-        if std::env::var("DBG").is_ok() { println!("chain conflict at {x} {y}"); for &i in members { let c=&cells[i as usize]; println!("   {c:?} {:?}", self.pieces[c.piece as usize]); } }
         for &i in &open {
             if let Some((x, y, _)) = self.beside(&cells[i as usize]) {
                 verdicts.tests += 1;
