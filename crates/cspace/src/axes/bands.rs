@@ -56,14 +56,41 @@ pub(super) struct Bands {
     pub(super) tests: usize,
 }
 
-pub(super) struct Sweep<'a> {
+/// Cells as functions of x.
+pub(super) struct Graphs<'a> {
     pub(super) pairs: &'a [Pair],
     pub(super) pieces: &'a [Piece],
     pub(super) cells: &'a [Cell],
+    pub(super) y: Extent,
+}
+
+pub(super) struct Sweep<'a> {
+    pub(super) graphs: Graphs<'a>,
     pub(super) free: &'a [bool],
     pub(super) bodies: &'a Bodies,
     pub(super) x: Extent,
-    pub(super) y: Extent,
+}
+
+impl Graphs<'_> {
+    pub(super) fn piece(&self, cell: u32) -> &Piece {
+        &self.pieces[self.cells[cell as usize].piece as usize]
+    }
+
+    /// y of a cell at an x within it, or just beyond.
+    pub(super) fn at(&self, cell: u32, x: f64) -> f64 {
+        let c = &self.cells[cell as usize];
+        self.piece(cell).y(self.pairs, x.clamp(c.from, c.to))
+    }
+
+    /// From and to of a gap at x of its band; in the band's middle the lower end is in the first turn.
+    pub(super) fn interval(&self, gap: &Gap, x: f64) -> (f64, f64) {
+        let end = |cell: Option<u32>, turns: i32, limit: f64| {
+            cell.map_or(limit, |i| self.at(i, x) + TAU * f64::from(turns))
+        };
+        let from = end(gap.lower, gap.turns.0, self.y.lo);
+        let to = end(gap.upper, gap.turns.1, self.y.hi);
+        (from, to.max(from))
+    }
 }
 
 impl Sweep<'_> {
@@ -75,11 +102,14 @@ impl Sweep<'_> {
             conflicts: 0,
             tests: 0,
         };
-        let mut graphs: Vec<u32> = (0..self.cells.len() as u32)
-            .filter(|&i| self.free[i as usize] && !self.piece(i).vertical)
+        let mut graphs: Vec<u32> = (0..self.graphs.cells.len() as u32)
+            .filter(|&i| self.free[i as usize] && !self.graphs.piece(i).vertical)
             .collect();
         graphs.sort_by(|&a, &b| {
-            let (c, d) = (&self.cells[a as usize], &self.cells[b as usize]);
+            let (c, d) = (
+                &self.graphs.cells[a as usize],
+                &self.graphs.cells[b as usize],
+            );
             c.from.total_cmp(&d.from).then(a.cmp(&b))
         });
         let mut active: Vec<u32> = Vec::new();
@@ -87,13 +117,13 @@ impl Sweep<'_> {
         let mut order: Vec<(f64, u32)> = Vec::new();
         for (lo, hi) in self.critical().windows(2).map(|w| (w[0].1, w[1].0)) {
             let middle = 0.5 * (lo + hi);
-            active.retain(|&i| self.cells[i as usize].to > middle);
+            active.retain(|&i| self.graphs.cells[i as usize].to > middle);
             while let Some(&i) = graphs.get(next) {
-                if self.cells[i as usize].from >= middle {
+                if self.graphs.cells[i as usize].from >= middle {
                     break;
                 }
                 next += 1;
-                if self.cells[i as usize].to > middle {
+                if self.graphs.cells[i as usize].to > middle {
                     active.push(i);
                 }
             }
@@ -101,7 +131,7 @@ impl Sweep<'_> {
             order.extend(
                 active
                     .iter()
-                    .map(|&i| (self.y.folded(self.at(i, middle)), i)),
+                    .map(|&i| (self.graphs.y.folded(self.graphs.at(i, middle)), i)),
             );
             order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let from = result.gaps.len() as u32;
@@ -116,21 +146,11 @@ impl Sweep<'_> {
         result
     }
 
-    pub(super) fn piece(&self, cell: u32) -> &Piece {
-        &self.pieces[self.cells[cell as usize].piece as usize]
-    }
-
-    /// y of a cell at an x within it, or just beyond.
-    pub(super) fn at(&self, cell: u32, x: f64) -> f64 {
-        let c = &self.cells[cell as usize];
-        self.piece(cell).y(self.pairs, x.clamp(c.from, c.to))
-    }
-
     /// Clusters of critical values: first and last of each.
     fn critical(&self) -> Vec<(f64, f64)> {
         let mut all = vec![self.x.lo, self.x.hi];
-        for i in (0..self.cells.len() as u32).filter(|&i| self.free[i as usize]) {
-            let (c, p) = (&self.cells[i as usize], self.piece(i));
+        for i in (0..self.graphs.cells.len() as u32).filter(|&i| self.free[i as usize]) {
+            let (c, p) = (&self.graphs.cells[i as usize], self.graphs.piece(i));
             if p.vertical {
                 all.push(p.start.x);
             } else {
@@ -150,13 +170,15 @@ impl Sweep<'_> {
 
     /// The free gaps at the middle of a band, between cells in order of y.
     fn gaps(&self, middle: f64, order: &[(f64, u32)], result: &mut Bands) {
-        let above = |i: u32| self.piece(i).root == 0;
+        let above = |i: u32| self.graphs.piece(i).root == 0;
         let n = order.len();
         let whole = |from: f64, to: f64| ((to - from) / TAU).round() as i32;
         let mut push = |lower: Option<u32>, upper: Option<(f64, u32)>| {
-            let turns = if self.y.is_circle() {
-                let of = |y: f64, i: u32| whole(self.at(i, middle), y);
-                let low = lower.map_or(0, |i| of(self.y.folded(self.at(i, middle)), i));
+            let turns = if self.graphs.y.is_circle() {
+                let of = |y: f64, i: u32| whole(self.graphs.at(i, middle), y);
+                let low = lower.map_or(0, |i| {
+                    of(self.graphs.y.folded(self.graphs.at(i, middle)), i)
+                });
                 (low, upper.map_or(0, |(y, i)| of(y, i)))
             } else {
                 (0, 0)
@@ -170,12 +192,15 @@ impl Sweep<'_> {
         };
         if n == 0 {
             result.tests += 1;
-            if !self.bodies.overlap(middle, 0.5 * (self.y.lo + self.y.hi)) {
+            if !self
+                .bodies
+                .overlap(middle, 0.5 * (self.graphs.y.lo + self.graphs.y.hi))
+            {
                 push(None, None);
             }
             return;
         }
-        let circle = self.y.is_circle();
+        let circle = self.graphs.y.is_circle();
         if !circle && !above(order[0].1) {
             push(None, Some(order[0]));
         }
@@ -197,7 +222,7 @@ impl Sweep<'_> {
                 Some(_) => {
                     result.conflicts += 1;
                     result.tests += 1;
-                    let to = next.map_or(self.y.hi, |n| n.0);
+                    let to = next.map_or(self.graphs.y.hi, |n| n.0);
                     !self.bodies.overlap(middle, 0.5 * (y + to))
                 }
             };
@@ -205,16 +230,6 @@ impl Sweep<'_> {
                 push(Some(i), next);
             }
         }
-    }
-
-    /// From and to of a gap at x of its band; in the band's middle the lower end is in the first turn.
-    pub(super) fn interval(&self, gap: &Gap, x: f64) -> (f64, f64) {
-        let end = |cell: Option<u32>, turns: i32, limit: f64| {
-            cell.map_or(limit, |i| self.at(i, x) + TAU * f64::from(turns))
-        };
-        let from = end(gap.lower, gap.turns.0, self.y.lo);
-        let to = end(gap.upper, gap.turns.1, self.y.hi);
-        (from, to.max(from))
     }
 
     /// Joins gaps to regions.
@@ -229,10 +244,10 @@ impl Sweep<'_> {
             }
             let (left, right) = (&result.bands[k], &result.bands[(k + 1) % n]);
             for a in left.gaps.clone() {
-                let (p, q) = self.interval(&result.gaps[a as usize], left.hi);
+                let (p, q) = self.graphs.interval(&result.gaps[a as usize], left.hi);
                 for b in right.gaps.clone() {
-                    let (r, s) = self.interval(&result.gaps[b as usize], right.lo);
-                    let shifts = if self.y.is_circle() {
+                    let (r, s) = self.graphs.interval(&result.gaps[b as usize], right.lo);
+                    let shifts = if self.graphs.y.is_circle() {
                         ((p - s) / TAU).ceil() as i32..=((q - r) / TAU).floor() as i32
                     } else {
                         0..=0
@@ -283,12 +298,12 @@ impl Sweep<'_> {
                 let (tx, ty) = turns[g as usize];
                 let gap = result.gaps[g as usize];
                 let band = &result.bands[band_of[g as usize] as usize];
-                if gap.lower == gap.upper && self.y.is_circle() && gap.lower.is_none() {
+                if gap.lower == gap.upper && self.graphs.y.is_circle() && gap.lower.is_none() {
                     region.around_y = true;
                 }
                 let middle = 0.5 * (band.lo + band.hi);
                 let size = |(p, q): (f64, f64)| q - p;
-                let at = self.interval(&gap, middle);
+                let at = self.graphs.interval(&gap, middle);
                 let measure = size(at).min(band.hi - band.lo);
                 if measure > largest {
                     largest = measure;
@@ -298,7 +313,7 @@ impl Sweep<'_> {
                 region.x.0 = region.x.0.min(band.lo + dx);
                 region.x.1 = region.x.1.max(band.hi + dx);
                 for x in [band.lo, middle, band.hi] {
-                    let (p, q) = self.interval(&gap, x);
+                    let (p, q) = self.graphs.interval(&gap, x);
                     region.y.0 = region.y.0.min(p + dy);
                     region.y.1 = region.y.1.max(q + dy);
                 }

@@ -2,7 +2,7 @@
 
 use crate::query::Classification;
 
-use super::bands::Sweep;
+use super::bands::Graphs;
 use super::domain::ExtentKind;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
@@ -64,14 +64,11 @@ impl FixedAxesSpace {
         Some((x, y))
     }
 
-    pub(super) fn sweep(&self) -> Sweep<'_> {
-        Sweep {
+    fn graphs(&self) -> Graphs<'_> {
+        Graphs {
             pairs: &self.pairs,
             pieces: &self.pieces,
             cells: &self.cells,
-            free: &self.free,
-            bodies: &self.bodies,
-            x: self.x,
             y: self.y,
         }
     }
@@ -85,10 +82,14 @@ impl FixedAxesSpace {
             return Some(u32::MAX);
         }
         let k = bands.partition_point(|b| b.hi < x).min(bands.len() - 1);
-        let band = &bands[k];
-        let sweep = self.sweep();
-        band.gaps.clone().find(|&g| {
-            let (from, to) = sweep.interval(&self.bands.gaps[g as usize], x);
+        self.gap_in(k, x, y)
+    }
+
+    /// The free gap of a band that holds a configuration.
+    pub(super) fn gap_in(&self, band: usize, x: f64, y: f64) -> Option<u32> {
+        let graphs = self.graphs();
+        self.bands.bands[band].gaps.clone().find(|&g| {
+            let (from, to) = graphs.interval(&self.bands.gaps[g as usize], x);
             if self.y.is_circle() {
                 let turn = core::f64::consts::TAU;
                 let y = y + turn * ((from - y) / turn).ceil();

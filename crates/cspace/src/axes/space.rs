@@ -9,13 +9,15 @@ use crate::part::Part;
 
 use super::arrange::{Arrangement, Cell};
 use super::axis::{AxesError, Axis, AxisMotion, Role};
-use super::bands::{Bands, Sweep};
+use super::bands::{Bands, Graphs, Sweep};
 use super::body::Bodies;
 use super::build::build;
+use super::chain::chains;
 use super::domain::{Extent, ExtentKind};
 use super::judge::Judge;
 use super::motion::{Motion, Motions};
 use super::nodes::{Scene, Side};
+use super::patch::{AxesBranch, AxesPatch};
 use super::piece::{Pair, Piece};
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
@@ -38,7 +40,8 @@ pub struct FixedAxesSpace {
     pub(super) free: Vec<bool>,
     pub(super) bands: Bands,
     pub(super) slots: Vec<Vec<u32>>,
-    pub(super) bodies: Bodies,
+    pub(super) patches: Vec<AxesPatch>,
+    pub(super) branches: Vec<AxesBranch>,
     pub(super) statistics: AxesStatistics,
 }
 
@@ -79,6 +82,11 @@ impl Map {
         let (x, y) = (x * self.x_unit, y * self.y_unit);
         if self.swapped { (y, x) } else { (x, y) }
     }
+
+    /// Model units per unit of u and of v.
+    pub(super) fn units(&self) -> (f64, f64) {
+        self.outer(1.0, 1.0)
+    }
 }
 
 impl FixedAxesSpace {
@@ -94,6 +102,7 @@ impl FixedAxesSpace {
         moving: &Part,
         moving_axis: Axis,
     ) -> Result<Self, AxesError> {
+        let t0 = std::time::Instant::now();
         let frame = PairFrame::new(fixed, moving);
         let center = frame.fixed_center;
         let fixed_motion = motion(&fixed_axis, Role::Fixed, &frame)?;
@@ -145,20 +154,27 @@ impl FixedAxesSpace {
             second: bodies.1,
             motions,
         };
+        if std::env::var("TIMES").is_ok() { eprintln!("stage 0 {:?}", t0.elapsed()); }
         let (pairs, pieces) = build(&scene);
+        if std::env::var("TIMES").is_ok() { eprintln!("stage 1 {:?}", t0.elapsed()); }
         let arrangement = Arrangement::new(&pairs, &pieces, &scene.y);
+        if std::env::var("TIMES").is_ok() { eprintln!("stage 2 {:?}", t0.elapsed()); }
         let judge = Judge::new(&pairs, &pieces, &bodies, scene.x, scene.y);
         let verdicts = judge.verdicts(&arrangement);
+        if std::env::var("TIMES").is_ok() { eprintln!("stage 3 {:?}", t0.elapsed()); }
         let bands = Sweep {
-            pairs: &pairs,
-            pieces: &pieces,
-            cells: &arrangement.cells,
+            graphs: Graphs {
+                pairs: &pairs,
+                pieces: &pieces,
+                cells: &arrangement.cells,
+                y: scene.y,
+            },
             free: &verdicts.free,
             bodies: &bodies,
             x: scene.x,
-            y: scene.y,
         }
         .run();
+        if std::env::var("TIMES").is_ok() { eprintln!("stage 4 {:?}", t0.elapsed()); }
         let statistics = AxesStatistics {
             pairs: pairs.len(),
             pieces: pieces.len(),
@@ -178,10 +194,22 @@ impl FixedAxesSpace {
             free: verdicts.free,
             bands,
             slots: Vec::new(),
-            bodies,
+            patches: Vec::new(),
+            branches: Vec::new(),
             statistics,
         };
+        if std::env::var("TIMES").is_ok() { eprintln!("stage 5 {:?}", t0.elapsed()); }
         space.slots = space.near_slots();
+        let chains = chains(
+            &space.pairs,
+            &space.pieces,
+            &space.cells,
+            &space.free,
+            &arrangement.joints,
+            (space.x, space.y),
+        );
+        space.set_patches(chains);
+        if std::env::var("TIMES").is_ok() { eprintln!("stage end {:?}", t0.elapsed()); }
         Ok(space)
     }
 
