@@ -2,6 +2,8 @@
 
 use core::f64::consts::TAU;
 
+use rayon::prelude::*;
+
 use crate::union_find::UnionFind;
 
 use super::cross::crossings;
@@ -139,7 +141,7 @@ fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Vec<Crossing> 
         p.start.x.total_cmp(&q.start.x).then(a.cmp(&b))
     });
     let boxes: Vec<(f64, f64)> = pieces.iter().map(Piece::y_range).collect();
-    let mut found = Vec::new();
+    let mut candidates: Vec<(u32, u32, i32)> = Vec::new();
     let mut active: Vec<u32> = Vec::new();
     for i in order {
         let p = &pieces[i as usize];
@@ -147,20 +149,31 @@ fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Vec<Crossing> 
         let (p_lo, p_hi) = boxes[i as usize];
         for &j in &active {
             let (q_lo, q_hi) = boxes[j as usize];
-            let q = &pieces[j as usize];
             if y.is_circle() {
                 let first = ((p_lo - q_hi) / TAU).ceil() as i32;
                 let last = ((p_hi - q_lo) / TAU).floor() as i32;
                 for shift in first..=last {
-                    cross(pairs, pieces, (i, p), (j, q), shift, &mut found);
+                    candidates.push((i, j, shift));
                 }
             } else if p_lo <= q_hi && q_lo <= p_hi {
-                cross(pairs, pieces, (i, p), (j, q), 0, &mut found);
+                candidates.push((i, j, 0));
             }
         }
         active.push(i);
     }
-    found
+    if std::env::var("TIMES").is_ok() {
+        eprintln!("{} candidates", candidates.len());
+    }
+    candidates
+        .par_iter()
+        .with_min_len(64)
+        .flat_map_iter(|&(i, j, shift)| {
+            let mut found = Vec::new();
+            let (p, q) = (&pieces[i as usize], &pieces[j as usize]);
+            cross(pairs, pieces, (i, p), (j, q), shift, &mut found);
+            found
+        })
+        .collect()
 }
 
 fn cross(

@@ -2,6 +2,8 @@
 
 use core::f64::consts::TAU;
 
+use rayon::prelude::*;
+
 use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::{Point, Vector};
@@ -39,30 +41,44 @@ struct Cut {
     next_turn: bool,
 }
 
+/// A place at which y turns around.
+#[derive(Debug, Clone, Copy)]
+struct Around {
+    x: f64,
+    y: f64,
+    index: u32,
+}
+
 pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
-    let mut builder = Builder {
-        scene,
-        pairs: Vec::new(),
-        pieces: Vec::new(),
-        spots: Vec::new(),
-        breaks: Vec::new(),
-        cuts: Vec::new(),
-    };
-    let (first, second) = (
-        reaches(&scene.first.outline.features, scene, true),
-        reaches(&scene.second.outline.features, scene, false),
-    );
+    let first = reaches(&scene.first.outline.features, scene, true);
+    let second = reaches(&scene.second.outline.features, scene, false);
     let apart = Apart::new(scene);
-    for (ia, ra) in (0u32..).zip(&first) {
-        for (ib, rb) in (0u32..).zip(&second) {
-            if apart.may_meet(*ra, *rb) {
-                builder.add(ia, ib);
+    // One share for each feature of the first part, put together in order.
+    let shares: Vec<(Vec<Pair>, Vec<Piece>)> = first
+        .par_iter()
+        .enumerate()
+        .map(|(ia, &ra)| {
+            let mut builder = Builder {
+                scene,
+                pairs: Vec::new(),
+                pieces: Vec::new(),
+                spots: Vec::new(),
+                breaks: Vec::new(),
+            };
+            for (ib, &rb) in (0u32..).zip(&second) {
+                if apart.may_meet(ra, rb) {
+                    builder.add(ia as u32, ib);
+                }
             }
-        }
+            (builder.pairs, builder.pieces)
+        })
+        .collect();
+    let (mut pairs, mut pieces) = (Vec::new(), Vec::new());
+    for (some_pairs, some_pieces) in shares {
+        let shift = pairs.len() as u32;
+        pairs.extend(some_pairs);
+        pieces.extend(some_pieces.into_iter().map(|p| p.renumbered(shift)));
     }
-    let Builder {
-        pairs, mut pieces, ..
-    } = builder;
     contract(&pairs, &mut pieces);
     snap(&pairs, &mut pieces);
     (pairs, pieces)
@@ -152,7 +168,6 @@ struct Builder<'a> {
     pieces: Vec<Piece>,
     spots: Vec<Spot>,
     breaks: Vec<f64>,
-    cuts: Vec<Cut>,
 }
 
 impl Builder<'_> {
@@ -191,7 +206,6 @@ impl Builder<'_> {
         let condition = self.pairs[pair as usize].condition;
         let scene = self.scene;
         let (lo, hi) = self.first_turn();
-        let circle = scene.x.repeats();
         // Where roots come and go.
         let mut breaks = core::mem::take(&mut self.breaks);
         breaks.clear();
@@ -202,7 +216,111 @@ impl Builder<'_> {
             }
         });
         breaks.sort_by(f64::total_cmp);
-        // Where y turns around.
+        let mut around: Option<Vec<Around>> = None;
+        let ends = breaks.len() + 1;
+        let interval = |k: usize| {
+            let from = if k == 0 { lo } else { breaks[k - 1] };
+            let to = if k + 1 == ends { hi } else { breaks[k] };
+            (from, to)
+        };
+        let exists = |k: usize, root: u8| {
+            let (from, to) = interval(k);
+            condition.exists(0.5 * (from + to), root)
+        };
+        let mut marks: Vec<(f64, Option<&Spot>)> = Vec::new();
+        for i in 0..ends {
+            let (from, to) = interval(i);
+            if from >= to {
+                continue;
+            }
+            for root in [0, 1] {
+                if !exists(i, root) {
+                    continue;
+                }
+                let rises = |x: f64, y: f64| condition.gradient(x, y).1 > 0.0;
+                // Nodes on this root; rounding may have put one just beyond a turning.
+                let below = i > 0 && !exists(i - 1, root);
+                let above = i + 1 < ends && !exists(i + 1, root);
+                marks.clear();
+                for s in spots {
+                    let reach = (
+                        if below { from - BEYOND } else { from },
+                        if above { to + BEYOND } else { to },
+                    );
+                    if reach.0 <= s.x && s.x <= reach.1 && rises(s.x, s.y) == (root == 0) {
+                        marks.push((s.x.clamp(from, to), Some(s)));
+                    }
+                }
+                marks.sort_by(|(x, s), (y, t)| {
+                    let name = |s: &Option<&Spot>| s.map(|s| (s.name, s.root));
+                    x.total_cmp(y).then(name(s).cmp(&name(t)))
+                });
+                marks.insert(0, (from, None));
+                marks.push((to, None));
+                let margins = marks.windows(2).map(|m| {
+                    if m[1].0 - m[0].0 < SHORT {
+                        return 0.0;
+                    }
+                    let x = 0.5 * (m[0].0 + m[1].0);
+                    self.margin(pair, x, condition.y(x, root))
+                });
+                let verdicts = decide(margins.collect(), |k| marks[k].1.is_some());
+                if !verdicts.contains(&true) {
+                    continue;
+                }
+                let around = around.get_or_insert_with(|| self.around(&condition));
+                let cut = |k: usize| -> Cut {
+                    if let (x, Some(s)) = marks[k] {
+                        return Cut {
+                            x,
+                            node_x: s.x,
+                            y: s.y,
+                            name: s.name,
+                            root: s.root,
+                            ends: true,
+                            next_turn: false,
+                        };
+                    }
+                    let last = k > 0;
+                    let breaking = if last {
+                        (i + 1 < ends).then_some(i)
+                    } else {
+                        i.checked_sub(1)
+                    };
+                    self.open_end(pair, root, marks[k].0, breaking, last)
+                };
+                let kept: Vec<(Cut, Cut)> = (0..verdicts.len())
+                    .filter(|&k| verdicts[k])
+                    .map(|k| (cut(k), cut(k + 1)))
+                    .collect();
+                for (start, end) in kept {
+                    let mut from = start;
+                    for a in around.iter() {
+                        let inside = start.x < a.x && a.x < end.x;
+                        if inside && rises(a.x, a.y) == (root == 0) {
+                            let to = Cut {
+                                x: a.x,
+                                node_x: a.x,
+                                y: a.y,
+                                name: Name::Same(pair, a.index),
+                                root,
+                                ends: false,
+                                next_turn: false,
+                            };
+                            self.instances(pair, root, &from, &to);
+                            from = to;
+                        }
+                    }
+                    self.instances(pair, root, &from, &end);
+                }
+            }
+        }
+        self.breaks = breaks;
+    }
+
+    /// Where y turns around on the curves of a condition, by x.
+    fn around(&self, condition: &Condition) -> Vec<Around> {
+        let scene = self.scene;
         let mut around = Vec::new();
         let swapped = condition.swapped();
         if !swapped.is_vertical() {
@@ -210,137 +328,49 @@ impl Builder<'_> {
             swapped.turnings(|y| {
                 let x = scene.x.reduced(swapped.y(y, 0));
                 if x.is_finite() {
-                    around.push((x, scene.y.reduced(y), 8 + around.len() as u32));
+                    around.push(Around {
+                        x,
+                        y: scene.y.reduced(y),
+                        index: 8 + around.len() as u32,
+                    });
                 }
             });
         }
-        let ends = breaks.len() + 1;
-        for i in 0..ends {
-            let from = if i == 0 { lo } else { breaks[i - 1] };
-            let to = if i + 1 == ends { hi } else { breaks[i] };
-            if from >= to {
-                continue;
-            }
-            let middle = 0.5 * (from + to);
-            for root in [0, 1] {
-                if !condition.exists(middle, root) {
-                    continue;
-                }
-                let end = |x: f64, breaking: Option<usize>, last: bool| {
-                    let (name, index) = match breaking {
-                        Some(k) => (Name::Turning(pair, k as u32), 0),
-                        None if circle => (Name::Same(pair, u32::from(root)), 0),
-                        None => (Name::Limit, 0),
-                    };
-                    // At the cut of a circle both sides must have the very same y.
-                    let at = if circle && breaking.is_none() { lo } else { x };
-                    let (y0, y1) = (condition.y(at, 0), condition.y(at, 1));
-                    let y = if breaking.is_some() && y0.is_finite() && y1.is_finite() {
-                        // A double root: what rounding leaves between the two is halved.
-                        y0 + 0.5 * scene.y.difference(y1, y0)
-                    } else {
-                        condition.y(at, root)
-                    };
-                    Cut {
-                        x,
-                        node_x: x,
-                        y: scene.y.reduced(y),
-                        name,
-                        root: index,
-                        ends: false,
-                        next_turn: last,
-                    }
-                };
-                let mut cuts = core::mem::take(&mut self.cuts);
-                cuts.clear();
-                cuts.push(end(from, i.checked_sub(1), false));
-                let rises = |x: f64, y: f64| condition.gradient(x, y).1 > 0.0;
-                for s in spots {
-                    if s.x >= from && s.x <= to && rises(s.x, s.y) == (root == 0) {
-                        cuts.push(Cut {
-                            x: s.x,
-                            node_x: s.x,
-                            y: s.y,
-                            name: s.name,
-                            root: s.root,
-                            ends: true,
-                            next_turn: false,
-                        });
-                    }
-                }
-                // Rounding may have put a node just beyond a turning.
-                let alone = |k: Option<usize>| {
-                    k.is_some_and(|k| {
-                        let from = if k == 0 { lo } else { breaks[k - 1] };
-                        let to = if k + 1 == ends { hi } else { breaks[k] };
-                        !condition.exists(0.5 * (from + to), root)
-                    })
-                };
-                let below = (i > 0 && alone(i.checked_sub(1))).then_some(from);
-                let above = (i + 1 < ends && alone(Some(i + 1))).then_some(to);
-                for s in spots {
-                    let near = if below.is_some_and(|f| s.x < f && s.x > f - BEYOND) {
-                        from
-                    } else if above.is_some_and(|t| s.x > t && s.x < t + BEYOND) {
-                        to
-                    } else {
-                        continue;
-                    };
-                    if rises(s.x, s.y) == (root == 0) {
-                        cuts.push(Cut {
-                            x: near,
-                            node_x: s.x,
-                            y: s.y,
-                            name: s.name,
-                            root: s.root,
-                            ends: true,
-                            next_turn: false,
-                        });
-                    }
-                }
-                for &(x, y, index) in &around {
-                    if x > from && x < to && rises(x, y) == (root == 0) {
-                        cuts.push(Cut {
-                            x,
-                            node_x: x,
-                            y,
-                            name: Name::Same(pair, index),
-                            root,
-                            ends: false,
-                            next_turn: false,
-                        });
-                    }
-                }
-                let last = (i + 1 < ends).then_some(i);
-                cuts[1..].sort_by(|a, b| {
-                    a.x.total_cmp(&b.x)
-                        .then(a.name.cmp(&b.name))
-                        .then(a.root.cmp(&b.root))
-                });
-                cuts.push(end(to, last, last.is_none()));
-                self.sections(pair, root, &cuts);
-                self.cuts = cuts;
-            }
-        }
-        self.breaks = breaks;
+        around.sort_by(|a, b| a.x.total_cmp(&b.x));
+        around
     }
 
-    /// Keeps those sections between cuts on which both features reach the contact.
-    fn sections(&mut self, pair: u32, root: u8, cuts: &[Cut]) {
-        let condition = self.pairs[pair as usize].condition;
-        let n = cuts.len() - 1;
-        let margins = (0..n).map(|i| {
-            if cuts[i + 1].x - cuts[i].x < SHORT {
-                return 0.0;
-            }
-            let x = 0.5 * (cuts[i].x + cuts[i + 1].x);
-            self.margin(pair, x, condition.y(x, root))
-        });
-        let verdicts = decide(margins.collect(), |i| cuts[i].ends);
-        for i in 0..n {
-            if verdicts[i] {
-                self.instances(pair, root, &cuts[i], &cuts[i + 1]);
-            }
+    /// An end of a root's interval at which no feature gives way: a turning, the cut of a circle, or the window's end.
+    fn open_end(&self, pair: u32, root: u8, x: f64, breaking: Option<usize>, last: bool) -> Cut {
+        let scene = self.scene;
+        let condition = &self.pairs[pair as usize].condition;
+        let circle = scene.x.repeats();
+        let name = match breaking {
+            Some(k) => Name::Turning(pair, k as u32),
+            None if circle => Name::Same(pair, u32::from(root)),
+            None => Name::Limit,
+        };
+        // At the cut of a circle both sides must have the very same y.
+        let at = if circle && breaking.is_none() {
+            scene.x.lo
+        } else {
+            x
+        };
+        let (y0, y1) = (condition.y(at, 0), condition.y(at, 1));
+        let y = if breaking.is_some() && y0.is_finite() && y1.is_finite() {
+            // A double root: what rounding leaves between the two is halved.
+            y0 + 0.5 * scene.y.difference(y1, y0)
+        } else {
+            condition.y(at, root)
+        };
+        Cut {
+            x,
+            node_x: x,
+            y: scene.y.reduced(y),
+            name,
+            root: 0,
+            ends: false,
+            next_turn: last && breaking.is_none(),
         }
     }
 

@@ -2,6 +2,8 @@
 
 use core::f64::consts::TAU;
 
+use rayon::prelude::*;
+
 use super::arrange::{Arrangement, Cell};
 use super::body::Bodies;
 use super::build::crossing_of_level;
@@ -74,50 +76,53 @@ impl<'a> Judge<'a> {
             conflicts: 0,
         };
         let chain = |i: &u32| arrangement.chain[*i as usize];
-        for members in order.chunk_by(|a, b| chain(a) == chain(b)) {
-            self.judge_chain(&arrangement.cells, members, &mut verdicts);
+        let chains: Vec<&[u32]> = order.chunk_by(|a, b| chain(a) == chain(b)).collect();
+        let judged: Vec<(Vec<u32>, usize, bool)> = chains
+            .par_iter()
+            .map(|members| self.judge_chain(&arrangement.cells, members))
+            .collect();
+        for (free, tests, conflict) in judged {
+            verdicts.tests += tests;
+            verdicts.conflicts += usize::from(conflict);
+            for i in free {
+                verdicts.free[i as usize] = true;
+            }
         }
         verdicts
     }
 
-    fn judge_chain(&self, cells: &[Cell], members: &[u32], verdicts: &mut Verdicts) {
+    /// The free cells of a chain, how many tests that took, and whether they disagreed with what is known of it.
+    fn judge_chain(&self, cells: &[Cell], members: &[u32]) -> (Vec<u32>, usize, bool) {
         let blocked = members.iter().any(|&i| cells[i as usize].blocked);
-        let mut open: Vec<u32> = members
+        let mut open: Vec<(f64, u32)> = members
             .iter()
-            .copied()
-            .filter(|&i| !cells[i as usize].blocked)
+            .filter(|&&i| !cells[i as usize].blocked)
+            .map(|&i| (self.size(&cells[i as usize]), i))
             .collect();
-        if open.is_empty() {
-            return;
-        }
-        open.sort_by(|&a, &b| {
-            let size = |i: u32| self.size(&cells[i as usize]);
-            size(b).total_cmp(&size(a)).then(a.cmp(&b))
-        });
-        // Where some member is blocked all are, unless rounding has gone astray.
+        open.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let best = open[..open.len().min(TRIED)]
             .iter()
-            .filter_map(|&i| self.beside(&cells[i as usize]))
+            .filter_map(|o| self.beside(&cells[o.1 as usize]))
             .max_by(|a, b| a.2.total_cmp(&b.2));
-        let Some((x, y, _)) = best else { return };
-        verdicts.tests += 1;
-        let free = !self.bodies.overlap(x, y);
-        if !free {
-            return;
+        let Some((x, y, _)) = best else {
+            return (Vec::new(), 0, false);
+        };
+        if self.bodies.overlap(x, y) {
+            return (Vec::new(), 1, false);
         }
         if !blocked {
-            for &i in members {
-                verdicts.free[i as usize] = true;
-            }
-            return;
+            return (members.to_vec(), 1, false);
         }
-        verdicts.conflicts += 1;
-        for &i in &open {
-            if let Some((x, y, _)) = self.beside(&cells[i as usize]) {
-                verdicts.tests += 1;
-                verdicts.free[i as usize] = !self.bodies.overlap(x, y);
-            }
-        }
+        // All should be blocked where one is: rounding has gone astray, or something is closer than the resolution.
+        let free = open
+            .iter()
+            .map(|o| o.1)
+            .filter(|&i| {
+                self.beside(&cells[i as usize])
+                    .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
+            })
+            .collect();
+        (free, 1 + open.len(), true)
     }
 
     /// How far a cell reaches.

@@ -127,15 +127,6 @@ impl FixedAxesSpace {
         Some(self.cell_and_piece(cell).1.pair as usize)
     }
 
-    /// The patch of every free cell.
-    pub(super) fn patch_of_cells(&self) -> Vec<u32> {
-        let mut patch = vec![u32::MAX; self.cells.len()];
-        for b in &self.branches {
-            patch[b.cell as usize] = b.patch;
-        }
-        patch
-    }
-
     pub(super) fn set_patches(&mut self, mut chains: Vec<Chain>) {
         if self.map.swapped {
             // Exchanging the coordinates exchanges left and right.

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::condition::Condition;
-use super::nodes::Key;
+use super::nodes::{Key, Name};
 
 /// Two features that touch, and when.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,6 +50,18 @@ pub(super) struct Height {
 }
 
 impl Piece {
+    /// The piece when its pair's index, by itself and in names, is greater by `shift`.
+    pub(super) fn renumbered(mut self, shift: u32) -> Self {
+        self.pair += shift;
+        for end in [&mut self.start, &mut self.end] {
+            match &mut end.key.name {
+                Name::Turning(pair, _) | Name::Same(pair, _) => *pair += shift,
+                _ => {}
+            }
+        }
+        self
+    }
+
     /// Makes a graph a vertical piece: it is so steep that rounding leaves it no width.
     pub(super) fn stand_up(&mut self, pairs: &[Pair]) {
         let condition = &pairs[self.pair as usize].condition;
