@@ -1,5 +1,6 @@
 //! Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 
+pub mod axes;
 pub(crate) mod contact;
 pub(crate) mod feature;
 pub mod geometry;
@@ -10,6 +11,7 @@ pub mod slice;
 pub mod space;
 mod union_find;
 
+pub use axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use contact::{ContactFunction, Spiral};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};

@@ -5,6 +5,7 @@ mod curved;
 mod fits;
 mod gear;
 mod maze;
+pub mod mechanisms;
 mod pen;
 mod random;
 mod transform;

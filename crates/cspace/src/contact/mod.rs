@@ -17,6 +17,7 @@ pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape, wrap};
 pub use function::{ContactFunction, Spiral};
+pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Geometry, Placed};
 pub(crate) use sheet::{Seam, Sheet};
 pub(crate) use twist::{Steps, Twist};

@@ -1,0 +1,137 @@
+//! Axes as the user gives them.
+
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::{Point, Vector};
+
+/// How a part can move.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", tag = "type")]
+pub enum AxisMotion {
+    /// Not at all; its coordinate is 0.
+    Fixed,
+    /// It turns: a point q goes to c + `R_t` (q − c), with t in radians.
+    Revolute {
+        /// The point c about which it turns.
+        center: Point,
+    },
+    /// It slides: a point q goes to q + t d / |d|, with t in the model's unit of length.
+    Prismatic {
+        /// The direction d; its length does not matter.
+        direction: Vector,
+    },
+}
+
+/// How a part can move, and how far.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Axis {
+    /// The motion.
+    pub motion: AxisMotion,
+    /// Least and largest coordinate, in radians or the model's unit of length; none if it goes on for ever.
+    ///
+    /// Without a range a turning part repeats after a turn. With one it does not, even if the range is more than a turn.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// The part does not move.
+    pub const FIXED: Self = Self {
+        motion: AxisMotion::Fixed,
+        range: None,
+    };
+
+    /// The part turns about a point, without limits.
+    pub const fn revolute(center: Point) -> Self {
+        Self {
+            motion: AxisMotion::Revolute { center },
+            range: None,
+        }
+    }
+
+    /// The part slides along a direction, without limits.
+    pub const fn prismatic(direction: Vector) -> Self {
+        Self {
+            motion: AxisMotion::Prismatic { direction },
+            range: None,
+        }
+    }
+
+    /// The same motion between two limits.
+    #[must_use]
+    pub const fn within(self, lo: f64, hi: f64) -> Self {
+        Self {
+            motion: self.motion,
+            range: Some((lo, hi)),
+        }
+    }
+}
+
+/// Which of the two parts of a pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// The part called fixed, whose coordinate is u.
+    Fixed,
+    /// The part called moving, whose coordinate is v.
+    Moving,
+}
+
+impl core::fmt::Display for Role {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Fixed => "fixed",
+            Self::Moving => "moving",
+        })
+    }
+}
+
+/// Why axes are refused.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum AxesError {
+    /// A centre, a direction or a range is not finite.
+    #[error("the {part} part's axis has a number that is not finite")]
+    NotFinite {
+        /// Whose axis it is.
+        part: Role,
+    },
+    /// A direction has no length.
+    #[error(
+        "the {part} part's direction of sliding has no length; give two numbers that are not both 0"
+    )]
+    NoDirection {
+        /// Whose axis it is.
+        part: Role,
+    },
+    /// A range's limits are in the wrong order or equal.
+    #[error("the {part} part's range from {lo} to {hi} is empty; give the lower limit first")]
+    EmptyRange {
+        /// Whose axis it is.
+        part: Role,
+        /// The lower limit given.
+        lo: f64,
+        /// The upper limit given.
+        hi: f64,
+    },
+    /// A pivot is so far from the parts that positions lose the resolution by rounding.
+    #[error(
+        "the {part} part's centre is {times:.0e} times the parts' size away from them (at most {limit:.0e}); let the part slide instead"
+    )]
+    TooFar {
+        /// Whose axis it is.
+        part: Role,
+        /// The distance, in units of the parts' size.
+        times: f64,
+        /// The largest that is accepted.
+        limit: f64,
+    },
+    /// A range of a turning part has too many turns.
+    #[error("the {part} part's range is {turns:.0} turns long (at most {limit})")]
+    TooManyTurns {
+        /// Whose axis it is.
+        part: Role,
+        /// Its length in turns.
+        turns: f64,
+        /// The most that is accepted.
+        limit: u32,
+    },
+}

@@ -1,0 +1,156 @@
+//! Is a configuration free, and what touches there?
+
+use crate::query::Classification;
+
+use super::bands::Graphs;
+use super::domain::ExtentKind;
+use super::motion::Motion;
+use super::space::FixedAxesSpace;
+
+/// Slots of x in which the free boundary's cells are looked up.
+const SLOTS: usize = 1024;
+/// How far a contact within the resolution may lie outside a cell's box (radians or length of the frame).
+const NEAR: f64 = 1e-9;
+
+impl FixedAxesSpace {
+    /// Classifies a configuration: contact if a contact function of the boundary there is within the
+    /// [`resolution`](Self::resolution), otherwise by the free gaps at u. `None` outside the ranges of motion, or if the
+    /// configuration is not finite.
+    pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
+        let (x, y) = self.placed(u, v)?;
+        if self.touching(x, y).next().is_some() {
+            return Some(Classification::Contact);
+        }
+        Some(if self.gap(x, y).is_some() {
+            Classification::Free
+        } else {
+            Classification::Blocked
+        })
+    }
+
+    /// Coordinates within the extents; none outside the ranges.
+    pub(super) fn placed(&self, u: f64, v: f64) -> Option<(f64, f64)> {
+        let (x, y) = self.map.inner(u, v);
+        if !(x.is_finite() && y.is_finite()) {
+            return None;
+        }
+        let (mut x, mut y) = (x, y);
+        for (t, extent) in [(&mut x, &self.x), (&mut y, &self.y)] {
+            match extent.kind {
+                ExtentKind::Circle => *t = extent.reduced(*t),
+                ExtentKind::TurnLimits | ExtentKind::SlideLimits => {
+                    if !(extent.lo..=extent.hi).contains(t) {
+                        return None;
+                    }
+                }
+                ExtentKind::Open => {}
+            }
+        }
+        for (t, m) in [(&mut x, self.motions.first), (&mut y, self.motions.second)] {
+            if m == Motion::Still {
+                *t = 0.0;
+            }
+        }
+        if let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
+            (self.motions.first, self.motions.second)
+        {
+            // Along one line only the difference matters.
+            let open = self.x.kind == ExtentKind::Open && self.y.kind == ExtentKind::Open;
+            if open && d.cross(e).abs() < super::condition::INDEPENDENT {
+                y -= x * d.dot(e);
+                x = 0.0;
+            }
+        }
+        Some((x, y))
+    }
+
+    fn graphs(&self) -> Graphs<'_> {
+        Graphs {
+            pairs: &self.pairs,
+            pieces: &self.pieces,
+            cells: &self.cells,
+            y: self.y,
+        }
+    }
+
+    /// The free gap that holds a configuration.
+    pub(super) fn gap(&self, x: f64, y: f64) -> Option<u32> {
+        let bands = &self.bands.bands;
+        let outside = x < self.x.lo || x > self.x.hi || y < self.y.lo || y > self.y.hi;
+        if outside && !self.y.is_circle() {
+            // Beyond the window nothing touches.
+            return Some(u32::MAX);
+        }
+        let k = bands.partition_point(|b| b.hi < x).min(bands.len() - 1);
+        self.gap_in(k, x, y)
+    }
+
+    /// The free gap of a band that holds a configuration.
+    pub(super) fn gap_in(&self, band: usize, x: f64, y: f64) -> Option<u32> {
+        let graphs = self.graphs();
+        self.bands.bands[band].gaps.clone().find(|&g| {
+            let (from, to) = graphs.interval(&self.bands.gaps[g as usize], x);
+            if self.y.is_circle() {
+                let turn = core::f64::consts::TAU;
+                let y = y + turn * ((from - y) / turn).ceil();
+                y <= to
+            } else {
+                (from..=to).contains(&y)
+            }
+        })
+    }
+
+    /// Cells of the free boundary within the resolution of a configuration, with the contact functions' values.
+    pub(super) fn touching(&self, x: f64, y: f64) -> impl Iterator<Item = (u32, f64)> + '_ {
+        let resolution = self.resolution() * self.map.frame.scale;
+        self.slots[self.slot(x)].iter().filter_map(move |&i| {
+            let (c, p) = (
+                &self.cells[i as usize],
+                &self.pieces[self.cells[i as usize].piece as usize],
+            );
+            let (x_range, y_range) = if p.vertical {
+                ((p.start.x, p.start.x), (c.from, c.to))
+            } else {
+                let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
+                ((c.from, c.to), (a.min(b), a.max(b)))
+            };
+            let near = |t: f64, (lo, hi): (f64, f64), circle: bool| {
+                let t = if circle {
+                    let turn = core::f64::consts::TAU;
+                    t + turn * ((lo - NEAR - t) / turn).ceil()
+                } else {
+                    t
+                };
+                lo - NEAR <= t && t <= hi + NEAR
+            };
+            if !near(x, x_range, self.x.is_circle()) || !near(y, y_range, self.y.is_circle()) {
+                return None;
+            }
+            let value = self.pairs[p.pair as usize].condition.value(x, y);
+            (value.abs() <= resolution).then_some((i, value))
+        })
+    }
+
+    fn slot(&self, x: f64) -> usize {
+        let share = (x - self.x.lo) / (self.x.hi - self.x.lo);
+        ((share * SLOTS as f64).max(0.0) as usize).min(SLOTS - 1)
+    }
+
+    /// For every slot of x the free cells in it.
+    pub(super) fn near_slots(&self) -> Vec<Vec<u32>> {
+        let mut slots = vec![Vec::new(); SLOTS];
+        for i in (0..self.cells.len() as u32).filter(|&i| self.free[i as usize]) {
+            let c = &self.cells[i as usize];
+            let p = &self.pieces[c.piece as usize];
+            let (lo, hi) = if p.vertical {
+                (p.start.x, p.start.x)
+            } else {
+                (c.from, c.to)
+            };
+            for s in &mut slots[self.slot(lo - NEAR)..=self.slot(hi + NEAR)] {
+                s.push(i);
+            }
+        }
+        slots
+    }
+}

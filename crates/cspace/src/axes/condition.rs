@@ -1,0 +1,392 @@
+//! Contact conditions of two features, and their closed-form solutions.
+
+use crate::geometry::{Point, Vector};
+
+use super::equation::Equation;
+use super::motion::{Bearing, Motion, Motions};
+
+/// Lengths, and sines of angles, below this do not matter: a condition that depends no more than this on a coordinate is
+/// independent of it (a cam's arc about its own pivot). An eighth of what the fixed part is grown by.
+pub(super) const INDEPENDENT: f64 = crate::feature::tolerance::SAME_CARRIER;
+
+/// When two features touch: their carriers, at zero coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Carriers {
+    /// A line of the first part and an arc or vertex of the second: n(x)·(q(y) − l(x)) = ρ.
+    FirstLine {
+        normal: Vector,
+        through: Point,
+        point: Point,
+        radius: f64,
+    },
+    /// An arc or vertex of the first part and a line of the second: n(y)·(p(x) − l(y)) = ρ.
+    SecondLine {
+        normal: Vector,
+        through: Point,
+        point: Point,
+        radius: f64,
+    },
+    /// Two round features: |q(y) − p(x)| = |r|.
+    Circles {
+        first: Point,
+        second: Point,
+        radius: f64,
+    },
+}
+
+impl Carriers {
+    fn swapped(&self) -> Self {
+        match *self {
+            Self::FirstLine {
+                normal,
+                through,
+                point,
+                radius,
+            } => Self::SecondLine {
+                normal,
+                through,
+                point,
+                radius,
+            },
+            Self::SecondLine {
+                normal,
+                through,
+                point,
+                radius,
+            } => Self::FirstLine {
+                normal,
+                through,
+                point,
+                radius,
+            },
+            Self::Circles {
+                first,
+                second,
+                radius,
+            } => Self::Circles {
+                first: second,
+                second: first,
+                radius,
+            },
+        }
+    }
+}
+
+/// A condition prepared to be solved for y.
+///
+/// Root 0 is where the contact function grows with y (free space above), root 1 where it falls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Condition {
+    pub(super) carriers: Carriers,
+    pub(super) motions: Motions,
+    /// Second turning: direction to the carried point, and the angle and the arm of the turning feature.
+    bearing: Bearing,
+    angle: f64,
+    arm: f64,
+    /// What the turning line's distance from its own pivot and the radius add up to.
+    offset: f64,
+}
+
+impl Condition {
+    pub(super) fn new(carriers: Carriers, motions: Motions) -> Self {
+        let pivot = match motions.second {
+            Motion::Turn { center } => center,
+            _ => Point::ORIGIN,
+        };
+        let (carried, angle, arm, offset) = match carriers {
+            Carriers::FirstLine { normal, point, .. } => {
+                let w = point - pivot;
+                (point, normal.angle() - w.angle(), w.length(), 0.0)
+            }
+            Carriers::SecondLine {
+                normal,
+                through,
+                point,
+                radius,
+            } => (
+                point,
+                -normal.angle(),
+                0.0,
+                radius + normal.dot(through - pivot),
+            ),
+            Carriers::Circles { first, second, .. } => {
+                let w = second - pivot;
+                (first, -w.angle(), w.length(), 0.0)
+            }
+        };
+        Self {
+            carriers,
+            motions,
+            bearing: Bearing::new(motions.first, carried, pivot),
+            angle,
+            arm,
+            offset,
+        }
+    }
+
+    /// The same condition, to be solved for x.
+    pub(super) fn swapped(&self) -> Self {
+        Self::new(self.carriers.swapped(), self.motions.swapped())
+    }
+
+    /// The contact function: the distance of the carriers along the normal, positive where the parts are apart.
+    pub(super) fn value(&self, x: f64, y: f64) -> f64 {
+        let Motions { first, second } = self.motions;
+        match self.carriers {
+            Carriers::FirstLine {
+                normal,
+                through,
+                point,
+                radius,
+            } => {
+                let n = first.vector(x, normal);
+                n.dot(second.point(y, point) - first.point(x, through)) - radius
+            }
+            Carriers::SecondLine {
+                normal,
+                through,
+                point,
+                radius,
+            } => {
+                let n = second.vector(y, normal);
+                n.dot(first.point(x, point) - second.point(y, through)) - radius
+            }
+            Carriers::Circles {
+                first: p,
+                second: q,
+                radius,
+            } => {
+                let apart = second.point(y, q).distance(first.point(x, p));
+                (apart - radius.abs()) * radius.signum()
+            }
+        }
+    }
+
+    /// Its derivatives by x and y.
+    pub(super) fn gradient(&self, x: f64, y: f64) -> (f64, f64) {
+        let Motions { first, second } = self.motions;
+        match self.carriers {
+            Carriers::FirstLine { normal, point, .. } => {
+                let (n, q) = (first.vector(x, normal), second.point(y, point));
+                (-n.dot(first.velocity(q)), n.dot(second.velocity(q)))
+            }
+            Carriers::SecondLine { normal, point, .. } => {
+                let (n, p) = (second.vector(y, normal), first.point(x, point));
+                (n.dot(first.velocity(p)), -n.dot(second.velocity(p)))
+            }
+            Carriers::Circles {
+                first: p,
+                second: q,
+                radius,
+            } => {
+                let (p, q) = (first.point(x, p), second.point(y, q));
+                let n = (q - p).unit() * radius.signum();
+                (-n.dot(first.velocity(p)), n.dot(second.velocity(q)))
+            }
+        }
+    }
+
+    /// Whether the condition does not depend on y: its curves are x = constant.
+    pub(super) fn is_vertical(&self) -> bool {
+        let carried_by_pivot = |p: Point| match (self.motions.first, self.motions.second) {
+            (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
+                p.distance(c) < INDEPENDENT && c.distance(d) < INDEPENDENT
+            }
+            (Motion::Still, Motion::Turn { center: d }) => p.distance(d) < INDEPENDENT,
+            _ => false,
+        };
+        match (self.carriers, self.motions.second) {
+            (_, Motion::Still) => true,
+            (Carriers::FirstLine { .. }, Motion::Turn { .. }) => self.arm < INDEPENDENT,
+            (Carriers::SecondLine { point, .. }, Motion::Turn { .. }) => carried_by_pivot(point),
+            (Carriers::Circles { first, .. }, Motion::Turn { .. }) => {
+                self.arm < INDEPENDENT || carried_by_pivot(first)
+            }
+            (Carriers::FirstLine { normal, .. }, Motion::Slide { direction }) => {
+                !self.motions.first.turns() && normal.dot(direction).abs() < INDEPENDENT
+            }
+            (Carriers::SecondLine { normal, .. }, Motion::Slide { direction }) => {
+                normal.dot(direction).abs() < INDEPENDENT
+            }
+            (Carriers::Circles { .. }, Motion::Slide { .. }) => false,
+        }
+    }
+
+    /// Whether the root exists at x.
+    pub(super) fn exists(&self, x: f64, root: u8) -> bool {
+        let rises = root == 0;
+        match (self.carriers, self.motions.second) {
+            (_, Motion::Still) => false,
+            (Carriers::FirstLine { .. }, Motion::Turn { .. }) => {
+                self.arm >= self.line_offset(x).abs()
+            }
+            (Carriers::SecondLine { .. }, Motion::Turn { .. }) => {
+                self.bearing.at(x).0.length() >= self.offset.abs()
+            }
+            (Carriers::Circles { radius, .. }, Motion::Turn { .. }) => {
+                let m = self.bearing.at(x).0.length();
+                let (q, r) = (self.arm, radius.abs());
+                (q - r).abs() <= m && m <= q + r
+            }
+            (Carriers::FirstLine { normal, .. }, Motion::Slide { direction }) => {
+                let rate = self.motions.first.vector(x, normal).dot(direction);
+                if rises { rate > 0.0 } else { rate < 0.0 }
+            }
+            (Carriers::SecondLine { normal, .. }, Motion::Slide { direction }) => {
+                let rate = -normal.dot(direction);
+                if rises { rate > 0.0 } else { rate < 0.0 }
+            }
+            (
+                Carriers::Circles {
+                    first,
+                    second,
+                    radius,
+                },
+                Motion::Slide { direction },
+            ) => {
+                let p = self.motions.first.point(x, first);
+                direction.cross(p - second).abs() <= radius.abs()
+            }
+        }
+    }
+
+    /// n(x)·(l(x) − c₂) + ρ: how far the line, moved out by the radius, is from the second part's pivot.
+    fn line_offset(&self, x: f64) -> f64 {
+        let (
+            Carriers::FirstLine {
+                normal,
+                through,
+                radius,
+                ..
+            },
+            Motion::Turn { center },
+        ) = (self.carriers, self.motions.second)
+        else {
+            return f64::NAN;
+        };
+        let n = self.motions.first.vector(x, normal);
+        n.dot(self.motions.first.point(x, through) - center) + radius
+    }
+
+    /// The root at x: continuous in x where it exists; where rounding has just lost it, the double root.
+    ///
+    /// For a turning second part the condition is a cos (y − φ) = c with y = φ ± acos (c / a), and φ continuous.
+    pub(super) fn y(&self, x: f64, root: u8) -> f64 {
+        // Root 0 is φ − acos for lines and concave circles, φ + acos for convex ones.
+        let sign = if root == 0 { 1.0 } else { -1.0 };
+        match (self.carriers, self.motions.second) {
+            (_, Motion::Still) => f64::NAN,
+            (Carriers::FirstLine { .. }, Motion::Turn { .. }) => {
+                let (q, c) = (self.arm, self.line_offset(x));
+                let middle = self.motions.first.angle(x) + self.angle;
+                middle - sign * root_of((q - c) * (q + c)).atan2(c)
+            }
+            (Carriers::SecondLine { .. }, Motion::Turn { .. }) => {
+                let (v, angle) = self.bearing.at(x);
+                let (m, c) = (v.length(), self.offset);
+                angle + self.angle - sign * root_of((m - c) * (m + c)).atan2(c)
+            }
+            (Carriers::Circles { radius, .. }, Motion::Turn { .. }) => {
+                let (v, angle) = self.bearing.at(x);
+                let (m, q, r) = (v.length(), self.arm, radius.abs());
+                // Heron: (2 m q)² − (m² + q² − r²)² = ((m + q)² − r²) (r² − (m − q)²).
+                let square = (m + q - r) * (m + q + r) * (r - m + q) * (r + m - q);
+                let aside = root_of(square).atan2(m * m + (q - r) * (q + r));
+                angle + self.angle + sign * radius.signum() * aside
+            }
+            (
+                Carriers::FirstLine {
+                    normal,
+                    through,
+                    point,
+                    radius,
+                },
+                Motion::Slide { direction },
+            ) => {
+                let n = self.motions.first.vector(x, normal);
+                let l = self.motions.first.point(x, through);
+                (radius + n.dot(l - point)) / n.dot(direction)
+            }
+            (
+                Carriers::SecondLine {
+                    normal,
+                    through,
+                    point,
+                    radius,
+                },
+                Motion::Slide { direction },
+            ) => {
+                let p = self.motions.first.point(x, point);
+                (normal.dot(p - through) - radius) / normal.dot(direction)
+            }
+            (
+                Carriers::Circles {
+                    first,
+                    second,
+                    radius,
+                },
+                Motion::Slide { direction },
+            ) => {
+                let v = self.motions.first.point(x, first) - second;
+                let (aside, r) = (direction.cross(v), radius.abs());
+                direction.dot(v) + sign * radius.signum() * root_of((r - aside) * (r + aside))
+            }
+        }
+    }
+
+    /// Calls `found` with every x at which the roots may come or go: where they are double, or infinite.
+    pub(super) fn turnings(&self, mut found: impl FnMut(f64)) {
+        let Motions { first, second } = self.motions;
+        let mut solve = |equation: Equation| equation.roots(&mut found);
+        match (self.carriers, second) {
+            (_, Motion::Still) | (Carriers::SecondLine { .. }, Motion::Slide { .. }) => {}
+            (
+                Carriers::FirstLine {
+                    normal,
+                    through,
+                    radius,
+                    ..
+                },
+                Motion::Turn { center },
+            ) => {
+                let offset = Equation::line_offset(first, normal, through, center);
+                solve(offset.plus(radius - self.arm));
+                solve(offset.plus(radius + self.arm));
+            }
+            (Carriers::SecondLine { point, .. }, Motion::Turn { center }) => {
+                let square = Equation::distance_squared(first, point, center);
+                solve(square.plus(-self.offset * self.offset));
+            }
+            (
+                Carriers::Circles {
+                    first: p, radius, ..
+                },
+                Motion::Turn { center },
+            ) => {
+                let square = Equation::distance_squared(first, p, center);
+                let (q, r) = (self.arm, radius.abs());
+                solve(square.plus(-(q + r) * (q + r)));
+                solve(square.plus(-(q - r) * (q - r)));
+            }
+            (Carriers::FirstLine { normal, .. }, Motion::Slide { direction }) => {
+                solve(Equation::direction(first, normal, direction));
+            }
+            (
+                Carriers::Circles {
+                    first: p,
+                    second: q,
+                    radius,
+                },
+                Motion::Slide { direction },
+            ) => {
+                let aside = Equation::position(first, p, direction.left(), q);
+                solve(aside.plus(-radius));
+                solve(aside.plus(radius));
+            }
+        }
+    }
+}
+
+fn root_of(square: f64) -> f64 {
+    square.max(0.0).sqrt()
+}

@@ -1,0 +1,392 @@
+//! Where two pieces cross.
+//!
+//! Whether the number of crossings is odd is decided by the order of the two at the ends of their common interval, and
+//! nothing else. An end is a node, and a node has one place for all pieces that meet there; so a third curve is on the
+//! same side of it for all of them, and it crosses a chain of pieces as often as its ends demand, whatever rounding
+//! does. Two monotone pieces that run in opposite directions cross once at most. For others the resultant of the two
+//! conditions, a trigonometric polynomial of degree four at most, isolates all crossings.
+
+use core::f64::consts::TAU;
+
+use crate::number::TrigPolynomial;
+
+use super::condition::{Carriers, Condition, INDEPENDENT};
+use super::motion::Motion;
+use super::piece::{Pair, Piece};
+
+/// Intervals of x are not halved below this when crossings are isolated (radians or length); two crossings nearer than
+/// that, between which the pieces are a hundred times nearer than rounding, may go unnoticed as a pair.
+const NARROWEST: f64 = 1e-8;
+/// How often boxes about two pieces are halved before the resultant is asked.
+const HALVINGS: u32 = 3;
+
+/// How two pieces, the second shifted by so many turns, lie to each other at x: the sign of y₁ − y₂, never 0.
+///
+/// None where they share a node.
+fn order(pairs: &[Pair], p: &Piece, q: &Piece, shift: i32, x: f64) -> Option<i8> {
+    let difference = difference(pairs, p, q, shift, x);
+    if difference != 0.0 {
+        return Some(if difference > 0.0 { 1 } else { -1 });
+    }
+    // A node is held to be above a curve that rounding leads through it.
+    let node = |r: &Piece| {
+        [&r.start, &r.end]
+            .into_iter()
+            .find(|e| e.x == x)
+            .map(|e| e.key)
+    };
+    match (node(p), node(q)) {
+        (Some(a), Some(b)) if a == b => None,
+        (Some(a), Some(b)) => Some(if a > b { 1 } else { -1 }),
+        (None, Some(_)) => Some(-1),
+        _ => Some(1),
+    }
+}
+
+fn difference(pairs: &[Pair], p: &Piece, q: &Piece, shift: i32, x: f64) -> f64 {
+    let (a, b) = (p.height(pairs, x), q.height(pairs, x));
+    (a.value - b.value) + TAU * f64::from(a.turns - b.turns - shift)
+}
+
+/// Calls `found` with every x at which two graphs cross, and the order on the left of it.
+pub(super) fn crossings(
+    pairs: &[Pair],
+    p: &Piece,
+    q: &Piece,
+    shift: i32,
+    mut found: impl FnMut(f64, i8),
+) {
+    let lo = p.start.x.max(q.start.x);
+    let hi = p.end.x.min(q.end.x);
+    if lo >= hi {
+        return;
+    }
+    let (at_lo, at_hi) = (order(pairs, p, q, shift, lo), order(pairs, p, q, shift, hi));
+    let rising = |r: &Piece| r.start.y() < r.end.y();
+    let same_way = rising(p) == rising(q);
+    let level = |c: &Piece| c.start.y() == c.end.y();
+    let once = !same_way || level(p) || level(q);
+    let mut report = |from: f64, to: f64, before: i8| {
+        found(bisect(pairs, p, q, shift, (from, to), before), before);
+    };
+    let (f, g) = (
+        &pairs[p.pair as usize].condition,
+        &pairs[q.pair as usize].condition,
+    );
+    if once || parallel(f, g) {
+        if let (Some(a), Some(b)) = (at_lo, at_hi) {
+            if a != b {
+                report(lo, hi, a);
+            }
+        }
+        return;
+    }
+    if at_lo.is_some() && at_lo == at_hi {
+        let d = |x: f64| (p.y(pairs, x), q.y(pairs, x) + TAU * f64::from(shift));
+        if at_lo == Some(1) && separate(&d, lo, hi, d(lo), d(hi), rising(p), HALVINGS)
+            || at_lo == Some(-1)
+                && separate(
+                    &|x| {
+                        let (a, b) = d(x);
+                        (b, a)
+                    },
+                    lo,
+                    hi,
+                    swap(d(lo)),
+                    swap(d(hi)),
+                    rising(p),
+                    HALVINGS,
+                )
+        {
+            return;
+        }
+    }
+    // Between brackets the order cannot change.
+    let mut marks = vec![lo];
+    let mut mark = |a: f64, b: f64| {
+        marks.push(a);
+        marks.push(b);
+    };
+    isolate(f, g, lo, hi, &mut mark);
+    marks.push(hi);
+    marks.sort_by(f64::total_cmp);
+    let mut before = at_lo;
+    let mut from = lo;
+    for &x in &marks[1..] {
+        let here = if x == hi {
+            at_hi
+        } else {
+            order(pairs, p, q, shift, x)
+        };
+        if x <= from {
+            continue;
+        }
+        if let (Some(a), Some(b)) = (before, here) {
+            if a != b {
+                report(from, x, a);
+            }
+        }
+        from = x;
+        before = here.or(before);
+    }
+}
+
+fn swap((a, b): (f64, f64)) -> (f64, f64) {
+    (b, a)
+}
+
+/// Whether boxes tell that a monotone graph stays above another, both running the same way.
+fn separate(
+    at: &impl Fn(f64) -> (f64, f64),
+    lo: f64,
+    hi: f64,
+    at_lo: (f64, f64),
+    at_hi: (f64, f64),
+    rising: bool,
+    halvings: u32,
+) -> bool {
+    let apart = if rising {
+        at_lo.0 > at_hi.1
+    } else {
+        at_hi.0 > at_lo.1
+    };
+    if apart {
+        return true;
+    }
+    if halvings == 0 || at_lo.0 < at_lo.1 || at_hi.0 < at_hi.1 {
+        return false;
+    }
+    let middle = 0.5 * (lo + hi);
+    let at_middle = at(middle);
+    separate(at, lo, middle, at_lo, at_middle, rising, halvings - 1)
+        && separate(at, middle, hi, at_middle, at_hi, rising, halvings - 1)
+}
+
+/// The x at which the order changes, given the order at the left end and another at the right one.
+fn bisect(
+    pairs: &[Pair],
+    p: &Piece,
+    q: &Piece,
+    shift: i32,
+    (mut lo, mut hi): (f64, f64),
+    before: i8,
+) -> f64 {
+    let side = f64::from(before);
+    let value = |x: f64| side * difference(pairs, p, q, shift, x);
+    let (mut at_lo, mut at_hi) = (value(lo).max(0.0), value(hi).min(0.0));
+    for round in 0..200 {
+        let middle = 0.5 * (lo + hi);
+        if middle <= lo || middle >= hi || hi - lo < 1e-15 * (1.0 + lo.abs()) {
+            break;
+        }
+        // False position (Illinois), every fourth time bisection.
+        let x = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
+        let x = if round % 4 == 3 || !(x > lo && x < hi) {
+            middle
+        } else {
+            x
+        };
+        let v = value(x);
+        if v > 0.0 {
+            lo = x;
+            at_lo = v;
+            at_hi *= 0.5;
+        } else if v < 0.0 {
+            hi = x;
+            at_hi = v;
+            at_lo *= 0.5;
+        } else {
+            return x;
+        }
+    }
+    0.5 * (lo + hi)
+}
+
+/// Whether two conditions are levels of one function of (x, y), so that their curves never cross.
+fn parallel(f: &Condition, g: &Condition) -> bool {
+    let same = |a: crate::geometry::Point, b: crate::geometry::Point| a.distance(b) < INDEPENDENT;
+    match (f.carriers, g.carriers) {
+        (
+            Carriers::FirstLine {
+                normal: n,
+                point: p,
+                ..
+            },
+            Carriers::FirstLine {
+                normal: m,
+                point: q,
+                ..
+            },
+        )
+        | (
+            Carriers::SecondLine {
+                normal: n,
+                point: p,
+                ..
+            },
+            Carriers::SecondLine {
+                normal: m,
+                point: q,
+                ..
+            },
+        ) => n.cross(m).abs() < INDEPENDENT && same(p, q),
+        (
+            Carriers::Circles {
+                first: p,
+                second: q,
+                ..
+            },
+            Carriers::Circles {
+                first: r,
+                second: s,
+                ..
+            },
+        ) => same(p, r) && same(q, s),
+        _ => false,
+    }
+}
+
+/// Calls `mark` with intervals that hold all x at which the conditions are met by one y.
+fn isolate(f: &Condition, g: &Condition, lo: f64, hi: f64, mark: &mut impl FnMut(f64, f64)) {
+    let resultant = |x: f64| resultant(&f.at(x), &g.at(x));
+    if f.motions.first.turns() {
+        let polynomial = TrigPolynomial::sampled(|cos: f64, sin: f64| resultant(sin.atan2(cos)));
+        let mut vague = Vec::new();
+        polynomial.brackets(lo, hi, NARROWEST, mark, &mut |a, b| vague.push((a, b)));
+        for (a, b) in vague {
+            mark(a, b);
+        }
+        return;
+    }
+    // A polynomial of x = m + h cos φ is a trigonometric one of φ.
+    let (m, h) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    let polynomial = TrigPolynomial::sampled(|cos: f64, _| resultant(m + h * cos));
+    let x = |angle: f64| m + h * angle.cos();
+    let mut both = Vec::new();
+    let mut vague = Vec::new();
+    polynomial.brackets(
+        0.0,
+        core::f64::consts::PI,
+        NARROWEST,
+        &mut |a, b| both.push((a, b)),
+        &mut |a, b| vague.push((a, b)),
+    );
+    for (a, b) in both.into_iter().chain(vague) {
+        mark(x(b).max(lo), x(a).min(hi));
+    }
+}
+
+/// What a condition asks of y at one x.
+#[derive(Debug, Clone, Copy)]
+enum InY {
+    /// a cos y + b sin y = c.
+    Turn(f64, f64, f64),
+    /// b y = c.
+    Line(f64, f64),
+    /// y² + b y + c = 0.
+    Square(f64, f64),
+}
+
+impl Condition {
+    fn at(&self, x: f64) -> InY {
+        let first = self.motions.first;
+        match (self.carriers, self.motions.second) {
+            (
+                Carriers::FirstLine {
+                    normal,
+                    through,
+                    point,
+                    radius,
+                },
+                second,
+            ) => {
+                let (n, l) = (first.vector(x, normal), first.point(x, through));
+                match second {
+                    Motion::Turn { center } => {
+                        let w = point - center;
+                        InY::Turn(n.dot(w), n.dot(w.left()), n.dot(l - center) + radius)
+                    }
+                    Motion::Slide { direction } => {
+                        InY::Line(n.dot(direction), n.dot(l - point) + radius)
+                    }
+                    Motion::Still => InY::Line(0.0, 0.0),
+                }
+            }
+            (
+                Carriers::SecondLine {
+                    normal,
+                    through,
+                    point,
+                    radius,
+                },
+                second,
+            ) => {
+                let p = first.point(x, point);
+                match second {
+                    Motion::Turn { center } => {
+                        let v = p - center;
+                        let offset = normal.dot(through - center) + radius;
+                        InY::Turn(normal.dot(v), normal.left().dot(v), offset)
+                    }
+                    Motion::Slide { direction } => {
+                        InY::Line(normal.dot(direction), normal.dot(p - through) - radius)
+                    }
+                    Motion::Still => InY::Line(0.0, 0.0),
+                }
+            }
+            (
+                Carriers::Circles {
+                    first: p,
+                    second: q,
+                    radius,
+                },
+                second,
+            ) => {
+                let p = first.point(x, p);
+                match second {
+                    Motion::Turn { center } => {
+                        let (v, w) = (p - center, q - center);
+                        let c = 0.5 * (v.length_squared() + w.length_squared() - radius * radius);
+                        InY::Turn(v.dot(w), v.dot(w.left()), c)
+                    }
+                    Motion::Slide { direction } => {
+                        let v = p - q;
+                        InY::Square(
+                            -2.0 * direction.dot(v),
+                            v.length_squared() - radius * radius,
+                        )
+                    }
+                    Motion::Still => InY::Line(0.0, 0.0),
+                }
+            }
+        }
+    }
+}
+
+/// Zero where both conditions are met by one y, and the size of the terms it was summed from.
+fn resultant(f: &InY, g: &InY) -> (f64, f64) {
+    match (*f, *g) {
+        (InY::Turn(a, b, c), InY::Turn(d, e, f)) => {
+            // Cramer's rule for (cos y, sin y), whose length is one.
+            let (p, q, r) = (c * e - f * b, a * f - d * c, a * e - d * b);
+            let size = |a: f64, b: f64| (a.abs() + b.abs()).powi(2);
+            let terms = size(c * e, f * b) + size(a * f, d * c) + size(a * e, d * b);
+            (p * p + q * q - r * r, terms)
+        }
+        (InY::Line(b, c), InY::Line(d, e)) => (b * e - d * c, (b * e).abs() + (d * c).abs()),
+        (InY::Line(d, e), InY::Square(b, c)) | (InY::Square(b, c), InY::Line(d, e)) => (
+            e * e + b * e * d + c * d * d,
+            e * e + (b * e * d).abs() + (c * d * d).abs(),
+        ),
+        (InY::Square(b, c), InY::Square(d, e)) => {
+            let (p, q) = (b - d, e - c);
+            (
+                q * q + b * q * p + c * p * p,
+                (e.abs() + c.abs()).powi(2)
+                    + ((b.abs() + d.abs()) * b * (e.abs() + c.abs())).abs()
+                    + (c * (b.abs() + d.abs()).powi(2)).abs(),
+            )
+        }
+        _ => (f64::NAN, 0.0),
+    }
+}

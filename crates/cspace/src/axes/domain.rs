@@ -1,0 +1,81 @@
+//! Where the coordinates run.
+
+use core::f64::consts::{PI, TAU};
+
+/// The values of one coordinate, in the frame of the pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Extent {
+    pub(super) lo: f64,
+    pub(super) hi: f64,
+    pub(super) kind: ExtentKind,
+}
+
+/// What is at the two ends of an extent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ExtentKind {
+    /// The same place: a full turn.
+    Circle,
+    /// Limits of a motion by an angle, which may be more than a turn.
+    TurnLimits,
+    /// Limits of a motion along a direction.
+    SlideLimits,
+    /// Places beyond which nothing touches, or beyond which all repeats.
+    Open,
+}
+
+impl Extent {
+    /// A full turn, cut at an angle at which nothing is likely to happen.
+    pub(super) fn circle() -> Self {
+        const CUT: f64 = -PI + 0.012_345_678_9;
+        Self {
+            lo: CUT,
+            hi: CUT + TAU,
+            kind: ExtentKind::Circle,
+        }
+    }
+
+    pub(super) fn is_circle(&self) -> bool {
+        self.kind == ExtentKind::Circle
+    }
+
+    /// Whether values a turn apart are the same position of the part.
+    pub(super) fn repeats(&self) -> bool {
+        matches!(self.kind, ExtentKind::Circle | ExtentKind::TurnLimits)
+    }
+
+    /// The value brought into the first turn, if values repeat.
+    pub(super) fn reduced(&self, t: f64) -> f64 {
+        if !self.repeats() {
+            return t;
+        }
+        let r = t - TAU * ((t - self.lo) / TAU).floor();
+        if r >= self.lo + TAU { self.lo } else { r }
+    }
+
+    /// a − b, less whole turns if values repeat.
+    pub(super) fn difference(&self, a: f64, b: f64) -> f64 {
+        if self.repeats() {
+            wrapped(a - b)
+        } else {
+            a - b
+        }
+    }
+
+    /// The value brought into the circle; itself if the ends are not the same place.
+    pub(super) fn folded(&self, t: f64) -> f64 {
+        if self.is_circle() { self.reduced(t) } else { t }
+    }
+
+    /// How many turns there are, the last perhaps not a whole one.
+    pub(super) fn turns(&self) -> i32 {
+        match self.kind {
+            ExtentKind::TurnLimits => ((self.hi - self.lo) / TAU).floor() as i32 + 1,
+            _ => 1,
+        }
+    }
+}
+
+/// The angle brought to (−π, π] by whole turns.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}

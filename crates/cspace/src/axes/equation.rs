@@ -1,0 +1,203 @@
+//! Equations in one coordinate: trigonometric for a part that turns, quadratic for one that slides.
+
+use crate::geometry::{Point, Vector};
+
+use super::condition::INDEPENDENT;
+use super::motion::Motion;
+
+/// A function of one coordinate whose roots have a closed form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Equation {
+    /// α cos t + β sin t + γ.
+    Trig { alpha: f64, beta: f64, gamma: f64 },
+    /// a t² + b t + c.
+    Quadratic { a: f64, b: f64, c: f64 },
+}
+
+impl Equation {
+    /// n(t)·(l(t) − c): the distance of a carried line from a point.
+    pub(super) fn line_offset(motion: Motion, normal: Vector, through: Point, c: Point) -> Self {
+        match motion {
+            Motion::Turn { center } => Self::Trig {
+                alpha: normal.dot(center - c),
+                beta: normal.left().dot(center - c),
+                gamma: normal.dot(through - center),
+            },
+            Motion::Slide { direction } => Self::Quadratic {
+                a: 0.0,
+                b: normal.dot(direction),
+                c: normal.dot(through - c),
+            },
+            Motion::Still => Self::constant(normal.dot(through - c)),
+        }
+    }
+
+    /// |p(t) − c|².
+    pub(super) fn distance_squared(motion: Motion, p: Point, c: Point) -> Self {
+        match motion {
+            Motion::Turn { center } => {
+                let (d, w) = (center - c, p - center);
+                Self::Trig {
+                    alpha: 2.0 * d.dot(w),
+                    beta: 2.0 * d.dot(w.left()),
+                    gamma: d.length_squared() + w.length_squared(),
+                }
+            }
+            Motion::Slide { direction } => Self::Quadratic {
+                a: 1.0,
+                b: 2.0 * direction.dot(p - c),
+                c: (p - c).length_squared(),
+            },
+            Motion::Still => Self::constant((p - c).length_squared()),
+        }
+    }
+
+    /// n·(p(t) − q), the direction n staying.
+    pub(super) fn position(motion: Motion, p: Point, n: Vector, q: Point) -> Self {
+        match motion {
+            Motion::Turn { center } => {
+                let w = p - center;
+                Self::Trig {
+                    alpha: n.dot(w),
+                    beta: n.dot(w.left()),
+                    gamma: n.dot(center - q),
+                }
+            }
+            Motion::Slide { direction } => Self::Quadratic {
+                a: 0.0,
+                b: n.dot(direction),
+                c: n.dot(p - q),
+            },
+            Motion::Still => Self::constant(n.dot(p - q)),
+        }
+    }
+
+    /// v(t)·d.
+    pub(super) fn direction(motion: Motion, v: Vector, d: Vector) -> Self {
+        match motion {
+            Motion::Turn { .. } => Self::Trig {
+                alpha: v.dot(d),
+                beta: v.left().dot(d),
+                gamma: 0.0,
+            },
+            _ => Self::constant(v.dot(d)),
+        }
+    }
+
+    fn constant(c: f64) -> Self {
+        Self::Quadratic { a: 0.0, b: 0.0, c }
+    }
+
+    pub(super) fn plus(self, constant: f64) -> Self {
+        match self {
+            Self::Trig { alpha, beta, gamma } => Self::Trig {
+                alpha,
+                beta,
+                gamma: gamma + constant,
+            },
+            Self::Quadratic { a, b, c } => Self::Quadratic {
+                a,
+                b,
+                c: c + constant,
+            },
+        }
+    }
+
+    /// Calls `found` with the roots, at most two; with none if the function is constant.
+    pub(super) fn roots(self, found: &mut impl FnMut(f64)) {
+        match self {
+            Self::Trig { alpha, beta, gamma } => {
+                let amplitude = alpha.hypot(beta);
+                let square = (amplitude - gamma) * (amplitude + gamma);
+                if amplitude < INDEPENDENT || square < 0.0 {
+                    return;
+                }
+                let middle = beta.atan2(alpha);
+                let aside = square.sqrt().atan2(-gamma);
+                found(middle - aside);
+                found(middle + aside);
+            }
+            Self::Quadratic { a, b, c } => {
+                if a == 0.0 {
+                    if b.abs() >= INDEPENDENT {
+                        found(-c / b);
+                    }
+                    return;
+                }
+                let square = b * b - 4.0 * a * c;
+                if square < 0.0 {
+                    return;
+                }
+                let sum = -0.5 * (b + square.sqrt().copysign(b));
+                let (s, t) = if sum == 0.0 {
+                    (0.0, 0.0)
+                } else {
+                    (sum / a, c / sum)
+                };
+                found(s.min(t));
+                found(s.max(t));
+            }
+        }
+    }
+}
+
+/// Coordinates (s, t) at which a point of one part is at a point of another: two at most.
+pub(super) fn coincidences(
+    first: Motion,
+    p: Point,
+    second: Motion,
+    q: Point,
+    mut found: impl FnMut(u8, f64, f64),
+) {
+    match (first, second) {
+        (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
+            let (v, w, between) = (p - c, q - d, d - c);
+            let (e, f, apart) = (v.length(), w.length(), between.length());
+            let square = (apart + e - f) * (apart + e + f) * (f - apart + e) * (f + apart - e);
+            if square < 0.0 || apart < INDEPENDENT {
+                return;
+            }
+            // The triangle of the two pivots and the point: angles at both pivots from its sides.
+            let height = square.sqrt();
+            let at_first = height.atan2(apart * apart + (e - f) * (e + f));
+            let at_second = height.atan2(apart * apart + (f - e) * (f + e));
+            let angle = between.angle();
+            let (v, w) = (v.angle(), w.angle());
+            let back = angle + core::f64::consts::PI;
+            found(0, angle + at_first - v, back - at_second - w);
+            found(1, angle - at_first - v, back + at_second - w);
+        }
+        (Motion::Turn { center }, Motion::Slide { direction }) => {
+            for (root, s, t) in on_circle(p, center, q, direction).into_iter().flatten() {
+                found(root, s, t);
+            }
+        }
+        (Motion::Slide { direction }, Motion::Turn { center }) => {
+            for (root, t, s) in on_circle(q, center, p, direction).into_iter().flatten() {
+                found(root, s, t);
+            }
+        }
+        (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
+            // p + s d = q + t e.
+            let (area, v) = (d.cross(e), q - p);
+            if area.abs() >= INDEPENDENT {
+                found(0, v.cross(e) / area, v.cross(d) / area);
+            }
+        }
+        (Motion::Still, _) | (_, Motion::Still) => {}
+    }
+}
+
+/// Root, angle and way at which a point that turns is at one that slides.
+fn on_circle(p: Point, center: Point, q: Point, d: Vector) -> [Option<(u8, f64, f64)>; 2] {
+    let v = p - center;
+    let (aside, along, e) = (d.cross(q - center), d.dot(q - center), v.length());
+    let square = (e - aside) * (e + aside);
+    if square < 0.0 {
+        return [None, None];
+    }
+    [(0, square.sqrt()), (1, -square.sqrt())].map(|(root, half)| {
+        let at = d * half + d.left() * aside;
+        Some((root, at.angle() - v.angle(), half - along))
+    })
+}

@@ -1,0 +1,226 @@
+//! Which cells bound free space: one honest test of overlap for each chain.
+
+use core::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use super::arrange::{Arrangement, Cell};
+use super::body::Bodies;
+use super::build::crossing_of_level;
+use super::domain::Extent;
+use super::piece::{Pair, Piece};
+
+/// How far the free side is looked at (radians or length).
+const STEP: f64 = 1.0 / 256.0;
+/// Slots of x in which pieces are looked up.
+const SLOTS: usize = 256;
+/// A cell steeper than this is left sideways.
+const STEEP: f64 = 1e3;
+/// Of how many cells of a chain the best tested one is taken.
+const TRIED: usize = 3;
+/// A place no farther than this from the next curve tells nothing (radians or length): it is about what the first part
+/// is grown by.
+const TOO_NEAR: f64 = 1e-11;
+
+pub(super) struct Judge<'a> {
+    pub(super) pairs: &'a [Pair],
+    pub(super) pieces: &'a [Piece],
+    pub(super) bodies: &'a Bodies,
+    pub(super) y: Extent,
+    lo: f64,
+    width: f64,
+    slots: Vec<Vec<u32>>,
+}
+
+/// The verdict on every cell.
+pub(super) struct Verdicts {
+    pub(super) free: Vec<bool>,
+    pub(super) tests: usize,
+    pub(super) conflicts: usize,
+}
+
+impl<'a> Judge<'a> {
+    pub(super) fn new(
+        pairs: &'a [Pair],
+        pieces: &'a [Piece],
+        bodies: &'a Bodies,
+        x: Extent,
+        y: Extent,
+    ) -> Self {
+        let width = (x.hi - x.lo).max(f64::MIN_POSITIVE) / SLOTS as f64;
+        let slot = |at: f64| (((at - x.lo) / width).max(0.0) as usize).min(SLOTS - 1);
+        let mut slots = vec![Vec::new(); SLOTS];
+        for (i, p) in (0u32..).zip(pieces) {
+            for s in &mut slots[slot(p.start.x)..=slot(p.end.x)] {
+                s.push(i);
+            }
+        }
+        Self {
+            pairs,
+            pieces,
+            bodies,
+            y,
+            lo: x.lo,
+            width,
+            slots,
+        }
+    }
+
+    pub(super) fn verdicts(&self, arrangement: &Arrangement) -> Verdicts {
+        let n = arrangement.cells.len();
+        let mut order: Vec<u32> = (0..n as u32).collect();
+        order.sort_by_key(|&i| (arrangement.chain[i as usize], i));
+        let mut verdicts = Verdicts {
+            free: vec![false; n],
+            tests: 0,
+            conflicts: 0,
+        };
+        let chain = |i: &u32| arrangement.chain[*i as usize];
+        let chains: Vec<&[u32]> = order.chunk_by(|a, b| chain(a) == chain(b)).collect();
+        let judged: Vec<(Vec<u32>, usize, bool)> = chains
+            .par_iter()
+            .map(|members| self.judge_chain(&arrangement.cells, members))
+            .collect();
+        for (free, tests, conflict) in judged {
+            verdicts.tests += tests;
+            verdicts.conflicts += usize::from(conflict);
+            for i in free {
+                verdicts.free[i as usize] = true;
+            }
+        }
+        verdicts
+    }
+
+    /// The free cells of a chain, how many tests that took, and whether they disagreed with what is known of it.
+    fn judge_chain(&self, cells: &[Cell], members: &[u32]) -> (Vec<u32>, usize, bool) {
+        let blocked = members.iter().any(|&i| cells[i as usize].blocked);
+        let mut open: Vec<(f64, u32)> = members
+            .iter()
+            .filter(|&&i| !cells[i as usize].blocked)
+            .map(|&i| (self.size(&cells[i as usize]), i))
+            .collect();
+        open.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let best = open[..open.len().min(TRIED)]
+            .iter()
+            .filter_map(|o| self.beside(&cells[o.1 as usize]))
+            .max_by(|a, b| a.2.total_cmp(&b.2));
+        let Some((x, y, _)) = best else {
+            return (Vec::new(), 0, false);
+        };
+        if self.bodies.overlap(x, y) {
+            return (Vec::new(), 1, false);
+        }
+        if !blocked {
+            return (members.to_vec(), 1, false);
+        }
+        // All should be blocked where one is: rounding has gone astray, or something is closer than the resolution.
+        let free = open
+            .iter()
+            .map(|o| o.1)
+            .filter(|&i| {
+                self.beside(&cells[i as usize])
+                    .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
+            })
+            .collect();
+        (free, 1 + open.len(), true)
+    }
+
+    /// How far a cell reaches.
+    fn size(&self, c: &Cell) -> f64 {
+        let p = &self.pieces[c.piece as usize];
+        if p.vertical {
+            c.to - c.from
+        } else {
+            (c.to - c.from).max((p.y(self.pairs, c.to) - p.y(self.pairs, c.from)).abs())
+        }
+    }
+
+    /// A configuration beside the middle of a cell, half way to the next curve on its free side, and how far that is.
+    fn beside(&self, c: &Cell) -> Option<(f64, f64, f64)> {
+        let p = &self.pieces[c.piece as usize];
+        let middle = 0.5 * (c.from + c.to);
+        let free_up = p.root == 0;
+        if p.vertical {
+            return self.beside_steep(c, p.start.x, middle, free_up);
+        }
+        let (at_from, at_to) = (p.y(self.pairs, c.from), p.y(self.pairs, c.to));
+        let y = p.y(self.pairs, middle);
+        if (at_to - at_from).abs() > STEEP * (c.to - c.from) {
+            let level = 0.5 * (at_from + at_to);
+            let x = crossing_of_level(p, self.pairs, level);
+            let rising = at_to > at_from;
+            return self.beside_steep(c, x, level, free_up != rising);
+        }
+        // Up or down to the next curve at this x.
+        let sign = if free_up { 1.0 } else { -1.0 };
+        let mut reach = STEP;
+        for &j in self.slot(middle) {
+            let q = &self.pieces[j as usize];
+            if j == c.piece || q.vertical || !(q.start.x..=q.end.x).contains(&middle) {
+                continue;
+            }
+            let mut d = sign * (q.y(self.pairs, middle) - y);
+            if self.y.is_circle() {
+                d -= TAU * (d / TAU).floor();
+            }
+            // What lies on top of this piece and faces the same way is no end of the free side.
+            if d > 0.0 && !(d < TOO_NEAR && q.root == p.root) {
+                reach = reach.min(d);
+            }
+        }
+        if !self.y.is_circle() {
+            reach = reach.min(if free_up {
+                self.y.hi - y
+            } else {
+                y - self.y.lo
+            });
+        }
+        (reach > TOO_NEAR).then_some((middle, y + 0.5 * sign * reach, reach))
+    }
+
+    /// Left or right to the next curve at this y.
+    fn beside_steep(&self, c: &Cell, x: f64, y: f64, right: bool) -> Option<(f64, f64, f64)> {
+        let sign = if right { 1.0 } else { -1.0 };
+        let mut reach = STEP;
+        let (a, b) = (x.min(x + sign * STEP), x.max(x + sign * STEP));
+        let slot = |at: f64| (((at - self.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        for s in slot(a)..=slot(b) {
+            for &j in &self.slots[s] {
+                let q = &self.pieces[j as usize];
+                if j == c.piece || q.end.x < a || q.start.x > b {
+                    continue;
+                }
+                let (lo, hi) = q.y_range();
+                let shift = if self.y.is_circle() {
+                    TAU * ((lo - y) / TAU).ceil()
+                } else {
+                    0.0
+                };
+                let level = y + shift;
+                if level < lo || level > hi {
+                    continue;
+                }
+                let at = if q.vertical {
+                    q.start.x
+                } else {
+                    crossing_of_level(q, self.pairs, level)
+                };
+                let d = sign * (at - x);
+                let q_right = if q.vertical {
+                    q.root == 0
+                } else {
+                    (q.root == 0) != (q.start.y() < q.end.y())
+                };
+                if d > 0.0 && !(d < TOO_NEAR && q_right == right) {
+                    reach = reach.min(d);
+                }
+            }
+        }
+        (reach > TOO_NEAR).then_some((x + 0.5 * sign * reach, y, reach))
+    }
+
+    fn slot(&self, x: f64) -> &[u32] {
+        let s = (((x - self.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        &self.slots[s]
+    }
+}

@@ -1,0 +1,149 @@
+//! How a part moves on its axis, in the frame of the pair.
+
+use crate::geometry::{Point, Rotation, Vector};
+
+/// A motion of one degree of freedom at most, with coordinate t.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Motion {
+    /// No motion.
+    Still,
+    /// q → c + `R_t` (q − c).
+    Turn { center: Point },
+    /// q → q + t d, with d of length one.
+    Slide { direction: Vector },
+}
+
+impl Motion {
+    /// Where a point of the part is.
+    #[inline]
+    pub(super) fn point(&self, t: f64, p: Point) -> Point {
+        match *self {
+            Self::Still => p,
+            Self::Turn { center } => center + Rotation::by(t) * (p - center),
+            Self::Slide { direction } => p + direction * t,
+        }
+    }
+
+    /// Where a direction of the part points.
+    #[inline]
+    pub(super) fn vector(&self, t: f64, v: Vector) -> Vector {
+        match self {
+            Self::Turn { .. } => Rotation::by(t) * v,
+            _ => v,
+        }
+    }
+
+    /// By how much the part has turned, radians.
+    #[inline]
+    pub(super) fn angle(&self, t: f64) -> f64 {
+        if self.turns() { t } else { 0.0 }
+    }
+
+    /// The velocity by t of the point of the part that is now at `p`.
+    #[inline]
+    pub(super) fn velocity(&self, p: Point) -> Vector {
+        match *self {
+            Self::Still => Vector::ZERO,
+            Self::Turn { center } => (p - center).left(),
+            Self::Slide { direction } => direction,
+        }
+    }
+
+    pub(super) fn turns(&self) -> bool {
+        matches!(self, Self::Turn { .. })
+    }
+}
+
+/// The motions of both parts.
+///
+/// The first has the coordinate x along which the plane is swept, the second the coordinate y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Motions {
+    pub(super) first: Motion,
+    pub(super) second: Motion,
+}
+
+impl Motions {
+    pub(super) fn swapped(&self) -> Self {
+        Self {
+            first: self.second,
+            second: self.first,
+        }
+    }
+
+    /// The orientation of the second part seen from the first.
+    #[inline]
+    pub(super) fn theta(&self, x: f64, y: f64) -> f64 {
+        self.second.angle(y) - self.first.angle(x)
+    }
+
+    /// Where the first part's frame sees the origin of the second's, and its orientation.
+    pub(super) fn relative(&self, x: f64, y: f64) -> (Point, f64) {
+        let world = self.second.point(y, Point::ORIGIN);
+        let seen = match self.first {
+            Motion::Slide { direction } => world + direction * -x,
+            turn => turn.point(-x, world),
+        };
+        (seen, self.theta(x, y))
+    }
+}
+
+/// The direction of a point that the first part carries, seen from a centre that stays: continuous in x, without
+/// jumps by whole turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bearing {
+    motion: Motion,
+    point: Point,
+    center: Point,
+    /// The direction whose angle `angle` is.
+    about: Vector,
+    angle: f64,
+    /// Whether `about` turns with the first part.
+    turning: bool,
+}
+
+impl Bearing {
+    pub(super) fn new(motion: Motion, point: Point, center: Point) -> Self {
+        let (about, turning) = match motion {
+            Motion::Still => (point - center, false),
+            // c₁ − c₂ + R p: the longer of the two never lies a quarter turn or more from their sum.
+            Motion::Turn { center: own } => {
+                let (between, arm) = (own - center, point - own);
+                if arm.length_squared() < between.length_squared() {
+                    (between, false)
+                } else {
+                    (arm, true)
+                }
+            }
+            Motion::Slide { direction } => {
+                let side = direction.left();
+                let side = if side.dot(point - center) < 0.0 {
+                    -side
+                } else {
+                    side
+                };
+                (side, false)
+            }
+        };
+        Self {
+            motion,
+            point,
+            center,
+            about,
+            angle: about.angle(),
+            turning,
+        }
+    }
+
+    /// The vector from the centre to the point, and its angle.
+    #[inline]
+    pub(super) fn at(&self, x: f64) -> (Vector, f64) {
+        let v = self.motion.point(x, self.point) - self.center;
+        let (about, angle) = if self.turning {
+            (Rotation::by(x) * self.about, self.angle + x)
+        } else {
+            (self.about, self.angle)
+        };
+        (v, angle + about.cross(v).atan2(about.dot(v)))
+    }
+}

@@ -1,0 +1,368 @@
+//! Where contact curves end because one feature gives way to its neighbour: configurations with names.
+//!
+//! A node belongs to a joint of one part and a feature of the other (or to two vertices, or two lines), not to a pair
+//! of features. All pairs that meet there compute it from the same numbers, so it is the same to the last bit, and its
+//! name tells that it is one.
+
+use core::f64::consts::PI;
+
+use crate::feature::{Feature, Outline};
+use crate::geometry::{Point, Rotation, Vector};
+
+use super::condition::INDEPENDENT;
+use super::domain::{Extent, wrapped};
+use super::equation::{Equation, coincidences};
+use super::motion::{Motion, Motions};
+
+/// What a node is, so that ends of curves find each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) enum Name {
+    /// A joint of the first part touches a round feature of the second.
+    FirstJoint(u32, u32),
+    /// A round feature of the first part touches a joint of the second.
+    SecondJoint(u32, u32),
+    /// Two vertices touch.
+    Vertices(u32, u32),
+    /// Two lines touch along a stretch.
+    Lines(u32, u32),
+    /// A line of the first part has the normal of a joint of the second, between round features.
+    LineJoint(u32, u32),
+    /// A joint of the first part, between round features, has the normal of a line of the second.
+    JointLine(u32, u32),
+    /// The two roots of a pair become one: pair, which of them.
+    Turning(u32, u32),
+    /// A curve goes on with the same pair: at the cut of a circle, or where it is cut to be monotone.
+    Same(u32, u32),
+    /// A limit of a motion, or the window's end.
+    Limit,
+}
+
+/// A name, which of several such configurations, and in which turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct Key {
+    pub(super) name: Name,
+    pub(super) root: u8,
+    pub(super) x_turn: i32,
+    pub(super) y_turn: i32,
+}
+
+/// A node on the curve of a pair; coordinates in the first turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Spot {
+    pub(super) name: Name,
+    pub(super) root: u8,
+    pub(super) x: f64,
+    pub(super) y: f64,
+}
+
+/// Normals nearer than this to an end of an interval of normals are told by that end alone (radians).
+const NEAR: f64 = 1e-3;
+
+/// One part with what its joints belong to.
+#[derive(Debug)]
+pub(super) struct Side {
+    pub(super) outline: Outline,
+    vertex: Vec<Option<u32>>,
+    line: Vec<Option<u32>>,
+}
+
+impl Side {
+    pub(super) fn new(outline: Outline) -> Self {
+        Self {
+            vertex: outline.vertex_of_joint(),
+            line: outline.line_of_joint(),
+            outline,
+        }
+    }
+
+    fn point(&self, joint: u32) -> Point {
+        self.outline.joints[joint as usize].point
+    }
+
+    fn normal(&self, joint: u32) -> Vector {
+        self.outline.joints[joint as usize].normal
+    }
+
+    fn angle(&self, joint: u32) -> f64 {
+        self.outline.joints[joint as usize].angle
+    }
+
+    /// Start of a line's, its unit direction of travel, and its length.
+    pub(super) fn segment(&self, line: &Feature) -> (Point, Vector, f64) {
+        let (start, end) = (self.point(line.start), self.point(line.end));
+        let along = self.normal(line.start).left();
+        (start, along, along.dot(end - start))
+    }
+}
+
+/// Both parts, and how they move.
+#[derive(Debug)]
+pub(super) struct Scene {
+    pub(super) first: Side,
+    pub(super) second: Side,
+    pub(super) motions: Motions,
+    pub(super) x: Extent,
+    pub(super) y: Extent,
+}
+
+impl Scene {
+    /// How far a normal of the second part is, counter-clockwise, from opposing one of the first.
+    ///
+    /// Where nothing turns both may oppose each other at all times; then the second is taken to be turned by a little
+    /// more. Every pair asks this of the same two joints, so all agree.
+    fn beyond(&self, first_angle: f64, second_angle: f64, theta: f64) -> f64 {
+        wrapped(second_angle + theta + PI - first_angle)
+    }
+
+    /// Whether a round feature of the second part has the normal opposite to that of a joint of the first.
+    fn second_has(&self, b: &Feature, first_joint: u32, theta: f64) -> bool {
+        let angle = self.first.angle(first_joint);
+        let (lo, hi) = b.joints_by_angle();
+        let to_lo = self.beyond(angle, self.second.angle(lo), theta);
+        let to_hi = self.beyond(angle, self.second.angle(hi), theta);
+        within(b, to_lo < 0.0, to_lo, to_hi >= 0.0, to_hi, -1.0)
+    }
+
+    /// Whether a round feature of the first part has the normal opposite to that of a joint of the second.
+    fn first_has(&self, a: &Feature, second_joint: u32, theta: f64) -> bool {
+        let angle = self.second.angle(second_joint);
+        let (lo, hi) = a.joints_by_angle();
+        let from_lo = self.beyond(self.first.angle(lo), angle, theta);
+        let from_hi = self.beyond(self.first.angle(hi), angle, theta);
+        within(a, from_lo >= 0.0, from_lo, from_hi < 0.0, from_hi, 1.0)
+    }
+
+    /// Whether the normals of the pair can oppose each other while nothing turns.
+    pub(super) fn normals_meet(&self, ia: u32, ib: u32) -> bool {
+        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
+        match (a.is_line(), b.is_line()) {
+            (true, _) => self.second_has(b, a.start, 0.0),
+            (_, true) => self.first_has(a, b.start, 0.0),
+            _ => true,
+        }
+    }
+
+    pub(super) fn first_feature(&self, i: u32) -> &Feature {
+        &self.first.outline.features[i as usize]
+    }
+
+    pub(super) fn second_feature(&self, i: u32) -> &Feature {
+        &self.second.outline.features[i as usize]
+    }
+
+    /// Calls `found` with every node on the curve of a pair of which one is round at least.
+    pub(super) fn spots(&self, ia: u32, ib: u32, mut found: impl FnMut(Spot)) {
+        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
+        let mut found = |name, root, x: f64, y: f64| {
+            found(Spot {
+                name,
+                root,
+                x: self.x.reduced(x),
+                y: self.y.reduced(y),
+            });
+        };
+        if !b.is_line() {
+            self.first_joints(a, ib, b, &mut found);
+        }
+        if !a.is_line() {
+            self.second_joints(ia, a, b, &mut found);
+        }
+        if a.is_line() {
+            self.aligned_with_first(ia, ib, &mut found);
+        }
+        if b.is_line() {
+            self.aligned_with_second(ia, ib, &mut found);
+        }
+    }
+
+    /// Ends of a feature of the first part touch a round feature: the centre is at X + ρ n.
+    fn first_joints(
+        &self,
+        a: &Feature,
+        ib: u32,
+        b: &Feature,
+        found: &mut impl FnMut(Name, u8, f64, f64),
+    ) {
+        let Motions { first, second } = self.motions;
+        for joint in [a.start, a.end] {
+            let at = self.first.point(joint) + self.first.normal(joint) * b.radius();
+            let name = match self.first.vertex[joint as usize] {
+                Some(vertex) if b.is_vertex() => Name::Vertices(vertex, ib),
+                _ => Name::FirstJoint(joint, ib),
+            };
+            coincidences(first, at, second, b.center(), |root, x, y| {
+                if self.second_has(b, joint, self.motions.theta(x, y)) {
+                    found(name, root, x, y);
+                }
+            });
+        }
+    }
+
+    fn second_joints(
+        &self,
+        ia: u32,
+        a: &Feature,
+        b: &Feature,
+        found: &mut impl FnMut(Name, u8, f64, f64),
+    ) {
+        let Motions { first, second } = self.motions;
+        for joint in [b.start, b.end] {
+            let at = self.second.point(joint) + self.second.normal(joint) * a.radius();
+            let name = match self.second.vertex[joint as usize] {
+                Some(vertex) if a.is_vertex() => Name::Vertices(ia, vertex),
+                _ => Name::SecondJoint(ia, joint),
+            };
+            coincidences(first, a.center(), second, at, |root, x, y| {
+                if self.first_has(a, joint, self.motions.theta(x, y)) {
+                    found(name, root, x, y);
+                }
+            });
+        }
+    }
+
+    /// The round feature of the second part ends where its normal is a line's of the first.
+    fn aligned_with_first(&self, ia: u32, ib: u32, found: &mut impl FnMut(Name, u8, f64, f64)) {
+        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
+        for joint in [b.start, b.end] {
+            if let Some(line) = self.second.line[joint as usize] {
+                self.lines(ia, line, found, |from_first, at| !from_first && at == joint);
+                continue;
+            }
+            let (start, along, length) = self.first.segment(a);
+            let Motions { first, second } = self.motions;
+            let side = (self.first.normal(a.start), start, self.first.angle(a.start));
+            let (point, beta) = (self.second.point(joint), self.second.angle(joint));
+            aligned(first, side, second, (point, beta), |root, x, y| {
+                let at = first
+                    .vector(x, along)
+                    .dot(second.point(y, point) - first.point(x, start));
+                if 0.0 < at && at < length {
+                    found(Name::LineJoint(ia, joint), root, x, y);
+                }
+            });
+        }
+    }
+
+    fn aligned_with_second(&self, ia: u32, ib: u32, found: &mut impl FnMut(Name, u8, f64, f64)) {
+        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
+        for joint in [a.start, a.end] {
+            if let Some(line) = self.first.line[joint as usize] {
+                self.lines(line, ib, found, |from_first, at| from_first && at == joint);
+                continue;
+            }
+            let (start, along, length) = self.second.segment(b);
+            let Motions { first, second } = self.motions;
+            let side = (
+                self.second.normal(b.start),
+                start,
+                self.second.angle(b.start),
+            );
+            let (point, alpha) = (self.first.point(joint), self.first.angle(joint));
+            aligned(second, side, first, (point, alpha), |root, y, x| {
+                let at = second
+                    .vector(y, along)
+                    .dot(first.point(x, point) - second.point(y, start));
+                if 0.0 < at && at < length {
+                    found(Name::JointLine(joint, ib), root, x, y);
+                }
+            });
+        }
+    }
+
+    /// Two lines touch along a stretch; it has two ends, each a joint of one part, at which `ends_at` is asked.
+    fn lines(
+        &self,
+        ia: u32,
+        ib: u32,
+        found: &mut impl FnMut(Name, u8, f64, f64),
+        ends_at: impl Fn(bool, u32) -> bool,
+    ) {
+        let Motions { first, second } = self.motions;
+        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
+        let (start, along, length) = self.first.segment(a);
+        let side = (self.first.normal(a.start), start, self.first.angle(a.start));
+        let joint = (self.second.point(b.start), self.second.angle(b.start));
+        aligned(first, side, second, joint, |root, x, y| {
+            let (origin, along) = (first.point(x, start), first.vector(x, along));
+            let place = |joint| along.dot(second.point(y, self.second.point(joint)) - origin);
+            // Opposite normals: travel goes the other way on the second part.
+            let (lo, hi) = (place(b.end), place(b.start));
+            if lo.max(0.0) >= hi.min(length) {
+                return;
+            }
+            let lower = if lo <= 0.0 {
+                (true, a.start)
+            } else {
+                (false, b.end)
+            };
+            let upper = if hi >= length {
+                (true, a.end)
+            } else {
+                (false, b.start)
+            };
+            if ends_at(lower.0, lower.1) || ends_at(upper.0, upper.1) {
+                found(Name::Lines(ia, ib), root, x, y);
+            }
+        });
+    }
+}
+
+/// Inside an interval of normals, given the decisions and distances at its two ends.
+fn within(f: &Feature, above_lo: bool, to_lo: f64, below_hi: bool, to_hi: f64, sign: f64) -> bool {
+    let width = f.hi - f.lo;
+    if width < PI - NEAR {
+        return above_lo && below_hi;
+    }
+    if to_lo.abs() < NEAR {
+        return above_lo;
+    }
+    if to_hi.abs() < NEAR {
+        return below_hi;
+    }
+    // Away from both ends: by the distance from the middle.
+    let from_lo = sign * to_lo;
+    wrapped(from_lo - 0.5 * width).abs() < 0.5 * width
+}
+
+/// Coordinates (of the line's part, of the joint's part) at which a joint is on a line and their normals oppose.
+fn aligned(
+    line_motion: Motion,
+    (normal, through, alpha): (Vector, Point, f64),
+    joint_motion: Motion,
+    (point, beta): (Point, f64),
+    mut found: impl FnMut(u8, f64, f64),
+) {
+    let theta = alpha + PI - beta;
+    match (line_motion, joint_motion) {
+        (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
+            // n(t)·(d + R_t R_θ w − c) = n·(l − c).
+            let w = Rotation::by(theta) * (point - d);
+            let equation = Equation::Trig {
+                alpha: normal.dot(d - c),
+                beta: normal.left().dot(d - c),
+                gamma: normal.dot(w - (through - c)),
+            };
+            let mut root = 0;
+            equation.roots(&mut |t| {
+                found(root, t, t + theta);
+                root += 1;
+            });
+        }
+        (Motion::Turn { .. }, Motion::Slide { direction }) => {
+            let t = -theta;
+            let n = line_motion.vector(t, normal);
+            let rate = n.dot(direction);
+            if rate.abs() >= INDEPENDENT {
+                found(0, t, n.dot(line_motion.point(t, through) - point) / rate);
+            }
+        }
+        (Motion::Slide { direction }, Motion::Turn { .. }) => {
+            let rate = normal.dot(direction);
+            if rate.abs() >= INDEPENDENT {
+                let at = joint_motion.point(theta, point);
+                found(0, normal.dot(at - through) / rate, theta);
+            }
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,106 @@
+//! Pieces of contact curves: monotone graphs y(x), and vertical segments.
+
+use core::f64::consts::TAU;
+
+use super::condition::Condition;
+use super::nodes::{Key, Name};
+
+/// Two features that touch, and when.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Pair {
+    pub(super) first: u32,
+    pub(super) second: u32,
+    pub(super) condition: Condition,
+}
+
+/// An end of a piece. Its y is `base` + 2π `turns`; the base is the node's and the same for all pieces that end there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct End {
+    pub(super) key: Key,
+    pub(super) x: f64,
+    pub(super) base: f64,
+    pub(super) turns: i32,
+}
+
+impl End {
+    pub(super) fn y(&self) -> f64 {
+        self.base + TAU * f64::from(self.turns)
+    }
+}
+
+/// A piece of the contact curve of a pair on which y is a monotone function of x, or x is constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Piece {
+    pub(super) pair: u32,
+    /// Root 0 has free space above it, root 1 below. Of a vertical piece, 0 has it on the right, 1 on the left.
+    pub(super) root: u8,
+    pub(super) vertical: bool,
+    /// y is the condition's root and so many turns.
+    pub(super) turns: i32,
+    /// The left end, or the lower one.
+    pub(super) start: End,
+    pub(super) end: End,
+}
+
+/// A y as a sum that is exact in its second term: value + 2π turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Height {
+    pub(super) value: f64,
+    pub(super) turns: i32,
+}
+
+impl Piece {
+    /// The piece when its pair's index, by itself and in names, is greater by `shift`.
+    pub(super) fn renumbered(mut self, shift: u32) -> Self {
+        self.pair += shift;
+        for end in [&mut self.start, &mut self.end] {
+            match &mut end.key.name {
+                Name::Turning(pair, _) | Name::Same(pair, _) => *pair += shift,
+                _ => {}
+            }
+        }
+        self
+    }
+
+    /// Makes a graph a vertical piece: it is so steep that rounding leaves it no width.
+    pub(super) fn stand_up(&mut self, pairs: &[Pair]) {
+        let condition = &pairs[self.pair as usize].condition;
+        let (by_x, _) = condition.gradient(self.start.x, self.start.y());
+        self.vertical = true;
+        self.root = u8::from(by_x < 0.0);
+        if self.start.y() > self.end.y() {
+            core::mem::swap(&mut self.start, &mut self.end);
+        }
+    }
+
+    pub(super) fn x_range(&self) -> (f64, f64) {
+        (self.start.x, self.end.x)
+    }
+
+    pub(super) fn y_range(&self) -> (f64, f64) {
+        let (a, b) = (self.start.y(), self.end.y());
+        (a.min(b), a.max(b))
+    }
+
+    /// y at x, of a piece that is not vertical.
+    pub(super) fn y(&self, pairs: &[Pair], x: f64) -> f64 {
+        let h = self.height(pairs, x);
+        h.value + TAU * f64::from(h.turns)
+    }
+
+    /// y at x; at an end it is the node's, for all pieces that meet there.
+    pub(super) fn height(&self, pairs: &[Pair], x: f64) -> Height {
+        for end in [&self.start, &self.end] {
+            if x == end.x {
+                return Height {
+                    value: end.base,
+                    turns: end.turns,
+                };
+            }
+        }
+        Height {
+            value: pairs[self.pair as usize].condition.y(x, self.root),
+            turns: self.turns,
+        }
+    }
+}
