@@ -101,9 +101,9 @@ pub(crate) struct ComputeArgs {
 pub(crate) struct SliceArgs {
     #[command(flatten)]
     pub(crate) common: Common,
-    /// The orientation of the moving part, in radians or such as 18deg
+    /// The orientation of the moving part, in radians or such as 18deg; a pair with fixed axes has none
     #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
-    pub(crate) theta: f64,
+    pub(crate) theta: Option<f64>,
 }
 
 #[derive(Debug, Args)]

@@ -3,8 +3,11 @@
 use core::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use cspace::{ComputeError, ContactSpace, Options, Part, Slice, Symmetry};
-use cspace_io::{Document, Model, Motion, Pair, PairClass};
+use cspace::{
+    AxesError, Axis, AxisMotion, ComputeError, ContactSpace, Options, PairClass, PairError, PairSpace, Part, Relation,
+    Slice, Symmetry,
+};
+use cspace_io::{Document, Model, Pair};
 
 use crate::args::Common;
 use crate::failure::Failure;
@@ -20,8 +23,8 @@ pub(crate) enum Subject {
         /// What it says.
         model: Box<Model>,
     },
-    /// A contact space that was computed before.
-    Saved(Box<ContactSpace>),
+    /// A configuration space that was computed before.
+    Saved(Box<PairSpace>),
 }
 
 /// A pair of a subject.
@@ -154,7 +157,7 @@ impl Subject {
 }
 
 impl Chosen<'_> {
-    fn part(&self, of: impl Fn(&Pair) -> usize, saved: impl Fn(&ContactSpace) -> &Part) -> &Part {
+    fn part(&self, of: impl Fn(&Pair) -> usize, saved: impl Fn(&PairSpace) -> &Part) -> &Part {
         match (self.subject, &self.pair) {
             (Subject::Model { model, .. }, Some(pair)) => &model.parts[of(pair)].part,
             (Subject::Saved(space), _) => saved(space),
@@ -163,11 +166,11 @@ impl Chosen<'_> {
     }
 
     pub(crate) fn fixed(&self) -> &Part {
-        self.part(|p| p.fixed, ContactSpace::fixed)
+        self.part(|p| p.fixed, PairSpace::fixed)
     }
 
     pub(crate) fn moving(&self) -> &Part {
-        self.part(|p| p.moving, ContactSpace::moving)
+        self.part(|p| p.moving, PairSpace::moving)
     }
 
     /// As `--pair` takes them.
@@ -186,28 +189,42 @@ impl Chosen<'_> {
         }
     }
 
-    /// The class of the pair in its model.
-    pub(crate) fn class(&self) -> Option<PairClass> {
+    /// How the parts are related in their model.
+    fn relation(&self) -> Option<Relation> {
         match (self.subject, &self.pair) {
-            (Subject::Model { model, .. }, Some(pair)) => Some(model.pair_class(pair)),
+            (Subject::Model { model, .. }, Some(pair)) => Some(model.relation(pair)),
             _ => None,
+        }
+    }
+
+    /// The class of the pair in its model, or of the saved space.
+    pub(crate) fn class(&self) -> PairClass {
+        match (self.subject, &self.pair) {
+            (Subject::Model { model, .. }, Some(pair)) => model.pair_class(pair),
+            (Subject::Saved(space), _) => space.class(),
+            _ => PairClass::General,
+        }
+    }
+
+    /// Whether the coordinates of a pair with fixed axes are angles.
+    pub(crate) fn turns(&self) -> (bool, bool) {
+        let turns = |axis: &Axis| matches!(axis.motion, AxisMotion::Revolute { .. });
+        match (self.relation(), self.subject) {
+            (Some(Relation::Axes { fixed, moving }), _) => (turns(&fixed), turns(&moving)),
+            (None, Subject::Saved(space)) => match &**space {
+                PairSpace::FixedAxes(space) => {
+                    let (fixed, moving) = space.axes();
+                    (turns(&fixed), turns(&moving))
+                }
+                _ => (false, false),
+            },
+            _ => (false, false),
         }
     }
 
     /// Whether the general method is asked for.
     pub(crate) fn is_general(&self) -> bool {
         self.general
-    }
-
-    /// The motions of the fixed and the moving part.
-    pub(crate) fn motions(&self) -> Option<(Motion, Motion)> {
-        match (self.subject, &self.pair) {
-            (Subject::Model { model, .. }, Some(pair)) => Some((
-                model.parts[pair.fixed].motion,
-                model.parts[pair.moving].motion,
-            )),
-            _ => None,
-        }
     }
 
     /// Whether the contact space was read from the file, not computed.
@@ -219,14 +236,23 @@ impl Chosen<'_> {
     pub(crate) fn window(&self) -> Option<(f64, f64)> {
         match self.subject {
             Subject::Model { .. } => self.pair.and_then(|p| p.window),
-            Subject::Saved(space) => {
-                let w = space.window();
-                (!w.full_turn).then_some((w.lo, w.hi))
-            }
+            Subject::Saved(space) => match &**space {
+                PairSpace::Planar(space) => {
+                    let w = space.window();
+                    (!w.full_turn).then_some((w.lo, w.hi))
+                }
+                _ => None,
+            },
         }
     }
 
-    /// The slice at one orientation; of a model that slice alone is computed.
+    /// Whether the pair has slices at orientations.
+    pub(crate) fn is_planar(&self) -> bool {
+        let by_class = matches!(self.class(), PairClass::General | PairClass::Symmetric);
+        by_class || (self.general && !self.is_saved())
+    }
+
+    /// The slice of a planar pair at one orientation; of a model that slice alone is computed.
     pub(crate) fn slice(&self, theta: f64) -> Result<Slice, Failure> {
         if let Some((lo, hi)) = self.window() {
             let turned = theta + TAU * ((lo - theta) / TAU).ceil();
@@ -239,16 +265,49 @@ impl Chosen<'_> {
             }
         }
         Ok(match self.subject {
+            Subject::Saved(space) => match &**space {
+                PairSpace::Planar(space) => space.slice(theta),
+                _ => return Err(self.no_orientation("a slice")),
+            },
             Subject::Model { .. } => Slice::compute(self.fixed(), self.moving(), theta),
-            Subject::Saved(space) => space.slice(theta),
         })
     }
 
-    /// The contact space.
-    pub(crate) fn space(&self) -> Result<ContactSpace, Failure> {
-        if let Subject::Saved(space) = self.subject {
-            return Ok((**space).clone());
+    /// That something is made of orientations, and the pair has none.
+    pub(crate) fn no_orientation(&self, what: &str) -> Failure {
+        let class = self.class();
+        let failure = Failure::work(format_args!(
+            "pair {}: {what} needs a pair with orientations, and this is a {class} pair",
+            self.names()
+        ));
+        if self.is_saved() {
+            failure.help("give the model with --general, which computes it in x, y and theta")
+        } else {
+            failure.help("with --general it is computed in x, y and theta")
         }
+    }
+
+    /// The contact space of a planar pair.
+    pub(crate) fn contact_space(&self, what: &str) -> Result<ContactSpace, Failure> {
+        if !self.is_planar() {
+            return Err(self.no_orientation(what));
+        }
+        match self.space()? {
+            Space::Computed(PairSpace::Planar(space)) => Ok(*space),
+            Space::Saved(PairSpace::Planar(space)) => Ok((**space).clone()),
+            _ => Err(self.no_orientation(what)),
+        }
+    }
+
+    /// The configuration space.
+    pub(crate) fn space(&self) -> Result<Space<'_>, Failure> {
+        if let Subject::Saved(space) = self.subject {
+            return Ok(Space::Saved(space));
+        }
+        let relation = match self.relation() {
+            Some(relation) if !self.general => relation,
+            _ => Relation::Planar,
+        };
         let options = Options {
             window: self.pair.and_then(|p| p.window),
             symmetry: if self.general {
@@ -258,18 +317,54 @@ impl Chosen<'_> {
             },
         };
         let bar = Bar::new(self.names());
-        bar.watch(|bar| ContactSpace::compute_with(self.fixed(), self.moving(), &options, bar))
-            .map_err(|e| match e {
-                ComputeError::Window { .. } => {
-                    Failure::input(format_args!("pair {}: {e}", self.names()))
-                        .help("give --theta LO,HI with LO < HI, at most a turn apart")
-                }
-                ComputeError::TooLarge { .. } => {
-                    Failure::work(format_args!("pair {}: {e}", self.names()))
-                        .help("split a part, or replace runs of short lines by arcs")
-                }
-                _ => Failure::work(format_args!("pair {}: {e}", self.names())),
-            })
+        bar.watch(|bar| {
+            PairSpace::compute_with(self.fixed(), self.moving(), relation, &options, bar)
+        })
+        .map(Space::Computed)
+        .map_err(|e| self.failure(&e))
+    }
+
+    fn failure(&self, error: &PairError) -> Failure {
+        let failure = |make: fn(core::fmt::Arguments<'_>) -> Failure| {
+            make(format_args!("pair {}: {error}", self.names()))
+        };
+        let input = || failure(|a| Failure::input(a));
+        let work = || failure(|a| Failure::work(a));
+        match error {
+            PairError::Compute(ComputeError::Window { .. }) => {
+                input().help("give --theta LO,HI with LO < HI, at most a turn apart")
+            }
+            PairError::Compute(ComputeError::TooLarge { .. }) => {
+                work().help("split a part, or replace runs of short lines by arcs")
+            }
+            PairError::Window { .. } => input().help(
+                "leave out the window; limit the motion with `range`, or compute all of x, y and theta with --general",
+            ),
+            PairError::Axes(AxesError::TooFar { .. }) => {
+                input().help("draw the pivot nearer to the parts, or use --general")
+            }
+            PairError::Axes(_) => input().help("change the part's motion in the model"),
+            _ => work(),
+        }
+    }
+}
+
+/// A configuration space that was read, or computed.
+pub(crate) enum Space<'a> {
+    /// Read.
+    Saved(&'a PairSpace),
+    /// Computed.
+    Computed(PairSpace),
+}
+
+impl core::ops::Deref for Space<'_> {
+    type Target = PairSpace;
+
+    fn deref(&self) -> &PairSpace {
+        match self {
+            Self::Saved(space) => space,
+            Self::Computed(space) => space,
+        }
     }
 }
 

@@ -1,12 +1,12 @@
-//! Contact spaces in files.
+//! Configuration spaces in files.
 //!
-//! A saved contact space is JSON. Its format is called `contact-space`, its version is [`SAVED_VERSION`]; the schema
-//! `docs/contact-space.schema.json` in the project's repository describes every field and its unit. Numbers are read
-//! back as the very numbers that were written.
+//! A saved space is JSON. Its format is called `contact-space`, `fixed-axes-space` or `lower-pair`, its version is
+//! [`SAVED_VERSION`]; schemas of the same names in the folder `docs` of the project's repository describe every field and
+//! its unit. Numbers are read back as the very numbers that were written.
 
 use std::path::Path;
 
-use cspace::ContactSpace;
+use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
 use cspace::space::{SAVED_VERSION, SavedError};
 use serde::de::IgnoredAny;
 use serde_json::Value;
@@ -22,12 +22,12 @@ const LARGEST: u64 = 4 << 30;
 const AGAIN: &str = "write the file again with `cspace export MODEL -o OUT.json`";
 
 /// What a file holds.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub enum Document {
     /// Parts, motions, joints and pairs.
     Model(Box<Model>),
-    /// A contact space that was computed before.
-    Space(Box<ContactSpace>),
+    /// The configuration space of a pair that was computed before.
+    Space(Box<PairSpace>),
 }
 
 /// Reads a model, or a saved contact space: a JSON object with the key `format`.
@@ -51,7 +51,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
     if extension(path) == "json" {
         let text = read_text(path, LARGEST)?;
         if is_saved(&text) {
-            let space = from_json(&text, &path.display().to_string())?;
+            let space = pair_from_json(&text, &path.display().to_string())?;
             return Ok(Document::Space(Box::new(space)));
         }
         return Model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
@@ -81,18 +81,59 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
 /// If the text is no JSON, of another format or version, or damaged.
 pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
     let text = without_mark(text);
-    let wrong = |message: String| ModelError::of_file(message).with_help(AGAIN).in_file(file);
+    head(text, file, &[CONTACT_SPACE])?;
+    contact_space(text, file)
+}
+
+/// The configuration space, of a pair of any class, in JSON text; `file` is what errors call it.
+///
+/// # Errors
+/// If the text is no JSON, of another format or version, or damaged.
+pub fn pair_from_json(text: &str, file: &str) -> Result<PairSpace, ModelError> {
+    let text = without_mark(text);
+    match head(text, file, &[CONTACT_SPACE, FIXED_AXES, LOWER_PAIR])?.as_str() {
+        FIXED_AXES => FixedAxesSpace::from_saved(data(text, file)?)
+            .map(|space| PairSpace::FixedAxes(Box::new(space)))
+            .map_err(|e| wrong(&e.to_string(), file)),
+        LOWER_PAIR => LowerPair::from_saved(data(text, file)?)
+            .map(PairSpace::Lower)
+            .map_err(|e| wrong(&e.to_string(), file)),
+        _ => contact_space(text, file).map(|space| PairSpace::Planar(Box::new(space))),
+    }
+}
+
+const CONTACT_SPACE: &str = "contact-space";
+const FIXED_AXES: &str = "fixed-axes-space";
+const LOWER_PAIR: &str = "lower-pair";
+
+fn wrong(message: &str, file: &str) -> ModelError {
+    ModelError::of_file(message.to_owned())
+        .with_help(AGAIN)
+        .in_file(file)
+}
+
+fn contact_space(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
+    ContactSpace::from_saved(data(text, file)?).map_err(|e| wrong(&e.to_string(), file))
+}
+
+fn data<T: serde::de::DeserializeOwned>(text: &str, file: &str) -> Result<T, ModelError> {
+    serde_json::from_str(text).map_err(|e| no_json(&e).with_help(AGAIN).in_file(file))
+}
+
+/// The format of the text, if it is one of those wanted, in the version that is read.
+fn head(text: &str, file: &str, wanted: &[&'static str]) -> Result<String, ModelError> {
+    let wrong = |message: String| wrong(&message, file);
     if !is_object(text) {
         // Text that is no JSON at all is told apart.
         serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
         return Err(wrong("it is no contact space: not an object".into()));
     }
     let head: Head = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    match &head.format {
-        Some(Value::String(f)) if f == "contact-space" => {}
+    let format = match head.format {
+        Some(Value::String(f)) if wanted.contains(&f.as_str()) => f,
         Some(Value::String(found)) => {
-            let found = found.clone();
-            return Err(wrong(SavedError::Format { found }.to_string()));
+            let wanted = wanted[0];
+            return Err(wrong(SavedError::Format { found, wanted }.to_string()));
         }
         Some(found) => {
             return Err(wrong(format!(
@@ -104,20 +145,15 @@ pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
                 "it is no contact space: the key \"format\" is missing".into(),
             ));
         }
-    }
+    };
     // Data of another version need not have the same fields.
     match &head.version {
-        Some(v) if v.as_u64() == Some(SAVED_VERSION.into()) => {}
-        Some(found) => {
-            return Err(wrong(format!(
-                "the format's version is {found}, this program reads version {SAVED_VERSION}"
-            )));
-        }
-        None => return Err(wrong("the format's version is missing".into())),
+        Some(v) if v.as_u64() == Some(SAVED_VERSION.into()) => Ok(format),
+        Some(found) => Err(wrong(format!(
+            "the format's version is {found}, this program reads version {SAVED_VERSION}"
+        ))),
+        None => Err(wrong("the format's version is missing".into())),
     }
-    let saved =
-        serde_json::from_str(text).map_err(|e| no_json(&e).with_help(AGAIN).in_file(file))?;
-    ContactSpace::from_saved(saved).map_err(|e| wrong(e.to_string()))
 }
 
 /// The contact space as indented JSON text, with a line break at the end.
@@ -125,6 +161,13 @@ pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
 /// For an example see [`from_json`].
 pub fn to_json(space: &ContactSpace) -> String {
     // Plain data with text for keys can always be written.
+    let mut text = serde_json::to_string_pretty(&space.to_saved()).unwrap_or_default();
+    text.push('\n');
+    text
+}
+
+/// The configuration space of a pair of any class as indented JSON text, with a line break at the end.
+pub fn pair_to_json(space: &PairSpace) -> String {
     let mut text = serde_json::to_string_pretty(&space.to_saved()).unwrap_or_default();
     text.push('\n');
     text

@@ -5,6 +5,7 @@ pub(crate) mod contact;
 pub(crate) mod feature;
 pub mod geometry;
 pub(crate) mod number;
+pub mod pair;
 pub mod part;
 pub mod query;
 pub mod slice;
@@ -15,6 +16,7 @@ pub use axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use contact::{ContactFunction, Spiral};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
+pub use pair::{Coordinates, LowerPair, PairClass, PairError, PairSpace, QueryError, Relation};
 pub use part::{Edge, Loop, Part, PartError, PartSymmetry, Vertex};
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,

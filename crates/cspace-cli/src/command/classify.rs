@@ -3,8 +3,7 @@
 use core::f64::consts::TAU;
 use std::io::Read;
 
-use cspace::{Classification, Configuration, ContactSpace, Rotation, Vector};
-use cspace_io::Motion;
+use cspace::{Classification, Configuration, Coordinates, PairClass, PairSpace, QueryError};
 use rayon::prelude::*;
 
 use crate::angle;
@@ -27,7 +26,7 @@ enum Columns {
 struct Rows {
     header: csv::StringRecord,
     records: Vec<csv::StringRecord>,
-    configurations: Vec<Configuration>,
+    configurations: Vec<Coordinates>,
 }
 
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
@@ -41,7 +40,7 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         .map_err(|e| Failure::input(format_args!("standard input: {e}")))?;
     let rows = read(&bytes, &pair)?;
     let space = pair.space()?;
-    let classes = classify(&space, &rows.configurations)?;
+    let classes = classify(&space, &rows)?;
     let bytes = match common.format {
         Format::Text => as_csv(&rows, &classes)?,
         Format::Json => as_json(&rows, &classes)?,
@@ -50,26 +49,41 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
 }
 
 /// Classifies all rows; orientations, which were checked, are brought into the window by turns.
-fn classify(
-    space: &ContactSpace,
-    configurations: &[Configuration],
-) -> Result<Vec<Classification>, Failure> {
-    let window = space.window();
-    let all = configurations.par_iter().map(|&c| {
-        if window.full_turn {
-            return c;
-        }
-        let turned = c.theta + TAU * ((window.lo - c.theta) / TAU).ceil();
-        // Rounding may leave it just below.
-        Configuration::new(c.x, c.y, turned.clamp(window.lo, window.hi))
-    });
-    let classes: Option<Vec<Classification>> = if configurations.len() < MANY {
-        all.map(|c| space.classify(c)).collect()
-    } else {
-        let classifier = space.classifier();
-        all.map(|c| classifier.classify(c)).collect()
+fn classify(space: &PairSpace, rows: &Rows) -> Result<Vec<Classification>, Failure> {
+    let all = rows.configurations.par_iter();
+    let classifier = match space {
+        PairSpace::Planar(space) if rows.configurations.len() >= MANY => Some(space.classifier()),
+        _ => None,
     };
-    classes.ok_or_else(|| Failure::work("a row is outside the orientations of the pair"))
+    let window = match space {
+        PairSpace::Planar(space) => Some(space.window()).filter(|w| !w.full_turn),
+        _ => None,
+    };
+    let turned = |c: Configuration| match window {
+        Some(w) => {
+            let turned = c.theta + TAU * ((w.lo - c.theta) / TAU).ceil();
+            // Rounding may leave it just below.
+            Configuration::new(c.x, c.y, turned.clamp(w.lo, w.hi))
+        }
+        None => c,
+    };
+    let one = |at: &Coordinates| match (*at, &classifier) {
+        (Coordinates::Planar(c), Some(classifier)) => {
+            classifier.classify(turned(c)).ok_or(QueryError::Outside)
+        }
+        (Coordinates::Planar(c), None) => space.classify(Coordinates::Planar(turned(c))),
+        (axes, _) => space.classify(axes),
+    };
+    let found: Vec<Result<Classification, QueryError>> = all.map(one).collect();
+    (found.into_iter().zip(&rows.records))
+        .map(|(class, record)| {
+            class.map_err(|e| {
+                let line = record.position().map_or(0, csv::Position::line);
+                Failure::input(format_args!("standard input, line {line}: {e}"))
+                    .help("leave the row out, or widen the `range` of the motion")
+            })
+        })
+        .collect()
 }
 
 /// Reads all rows; nothing is computed before all of them are understood.
@@ -82,6 +96,7 @@ fn read(bytes: &[u8], pair: &Chosen<'_>) -> Result<Rows, Failure> {
     let header = reader.headers().map_err(|e| unreadable(&e))?.clone();
     let columns = columns(&header, pair)?;
     let window = pair.window();
+    let turns = pair.turns();
     let mut records = Vec::new();
     let mut configurations = Vec::new();
     for record in reader.records() {
@@ -103,21 +118,17 @@ fn read(bytes: &[u8], pair: &Chosen<'_>) -> Result<Rows, Failure> {
             })
         };
         let c = match columns {
-            Columns::Planar([x, y, theta]) => {
-                Configuration::new(number(x, false)?, number(y, false)?, number(theta, true)?)
-            }
-            Columns::Axes([u, v]) => {
-                let Some((fixed, moving)) = pair.motions() else {
-                    return Err(Failure::work("the pair has no motions"));
-                };
-                let turns = |m: Motion| matches!(m, Motion::Revolute { .. });
-                relative(
-                    (fixed, number(u, turns(fixed))?),
-                    (moving, number(v, turns(moving))?),
-                )
-            }
+            Columns::Planar([x, y, theta]) => Coordinates::Planar(Configuration::new(
+                number(x, false)?,
+                number(y, false)?,
+                number(theta, true)?,
+            )),
+            Columns::Axes([u, v]) => Coordinates::Axes {
+                u: number(u, turns.0)?,
+                v: number(v, turns.1)?,
+            },
         };
-        if let Some((lo, hi)) = window {
+        if let (Some((lo, hi)), Coordinates::Planar(c)) = (window, c) {
             let turned = c.theta + TAU * ((lo - c.theta) / TAU).ceil();
             if turned > hi {
                 return Err(Failure::input(format_args!(
@@ -163,51 +174,28 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
             .help("name the columns x, y and theta, each once")),
         }
     };
-    if let (Some(x), Some(y), Some(theta)) = (find("x")?, find("y")?, find("theta")?) {
-        return Ok(Columns::Planar([x, y, theta]));
-    }
-    if let (Some(u), Some(v)) = (find("u")?, find("v")?) {
-        let is_planar = |m: Motion| m == Motion::Planar;
-        return match pair.motions() {
-            Some((fixed, moving)) if !is_planar(fixed) && !is_planar(moving) => {
-                Ok(Columns::Axes([u, v]))
-            }
-            _ => Err(Failure::input(format_args!(
-                "standard input, line 1: columns u and v, but the pair {} is not known to move about fixed axes",
+    let planar = (find("x")?, find("y")?, find("theta")?);
+    let axes = (find("u")?, find("v")?);
+    let by_axes = !pair.is_planar() && pair.class() == PairClass::FixedAxes;
+    match (planar, axes) {
+        ((Some(x), Some(y), Some(theta)), _) if !by_axes => Ok(Columns::Planar([x, y, theta])),
+        (_, (Some(u), Some(v))) if by_axes => Ok(Columns::Axes([u, v])),
+        _ => {
+            let found: Vec<&str> = header.iter().collect();
+            let wanted = if by_axes { "u and v" } else { "x, y and theta" };
+            let class = if pair.is_planar() { PairClass::General } else { pair.class() };
+            let failure = Failure::input(format_args!(
+                "standard input, line 1: the columns are {:?}, and a configuration of the {class} pair {} is {wanted}",
+                found.join(","),
                 pair.names()
-            ))
-            .help("give columns x, y and theta; or a model in which neither part is planar")),
-        };
-    }
-    let found: Vec<&str> = header.iter().collect();
-    Err(Failure::input(format_args!(
-        "standard input, line 1: the columns are {:?}",
-        found.join(",")
-    ))
-    .help(
-        "let the first row name the columns x, y and theta (or u and v for a pair on fixed axes)",
-    ))
-}
-
-/// The configuration of a moving part in the frame of a fixed part that has moved as well.
-fn relative(fixed: (Motion, f64), moving: (Motion, f64)) -> Configuration {
-    let (f, m) = (placed(fixed.0, fixed.1), placed(moving.0, moving.1));
-    let back = Rotation::by(-f.theta);
-    let p = back * (m.position() - f.position());
-    Configuration::new(p.x, p.y, m.theta - f.theta)
-}
-
-/// Where a motion takes a part's frame, seen from the ground.
-fn placed(motion: Motion, by: f64) -> Configuration {
-    match motion {
-        Motion::Fixed | Motion::Planar => Configuration::default(),
-        Motion::Revolute { center, .. } => {
-            let p = center + (-(Rotation::by(by) * center.to_vector()));
-            Configuration::new(p.x, p.y, by)
-        }
-        Motion::Prismatic { direction, .. } => {
-            let v: Vector = direction.unit() * by;
-            Configuration::new(v.x, v.y, 0.0)
+            ));
+            Err(if by_axes {
+                failure.help(
+                    "let the first row name the columns u and v, the motions of both parts; or use --general for x, y and theta",
+                )
+            } else {
+                failure.help("let the first row name the columns x, y and theta")
+            })
         }
     }
 }

@@ -1,8 +1,13 @@
 //! `cspace compute`.
 
 use std::fmt::{self, Write};
+use std::time::Instant;
 
-use cspace::{ContactSpace, FreeRegion, StageSeconds, Statistics, Window};
+use cspace::axes::{AxesRegion, AxesStatistics};
+use cspace::pair::{Joint, PermanentContact, PermanentKind};
+use cspace::{
+    Axis, AxisMotion, FreeRegion, PairClass, PairSpace, StageSeconds, Statistics, Window,
+};
 use serde::Serialize;
 
 use crate::args::{ComputeArgs, Format};
@@ -11,19 +16,7 @@ use crate::output;
 use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count};
 
-/// The method by which a space was computed.
-fn method(space: &ContactSpace) -> &'static str {
-    if space.symmetry().slabs > 1 {
-        SYMMETRIC
-    } else {
-        GENERAL
-    }
-}
-
-const GENERAL: &str = "general";
-const SYMMETRIC: &str = "symmetric";
-
-/// The summary of a contact space.
+/// The summary of a configuration space.
 #[derive(Serialize)]
 struct Summary<'a> {
     fixed: &'a str,
@@ -31,17 +24,63 @@ struct Summary<'a> {
     class: &'static str,
     features: Features,
     symmetry: PerPart,
-    window: Window,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    window: Option<Window>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motion: Option<MotionSpace<'a>>,
     critical_orientations: &'a [f64],
     bands: usize,
     slices: usize,
     patches: usize,
     links: Links,
     free_regions: usize,
-    regions: &'a [FreeRegion],
+    regions: Regions<'a>,
     resolution: f64,
-    statistics: Counts,
-    seconds: StageSeconds,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    statistics: Option<Statistic>,
+    seconds: Seconds,
+}
+
+/// What moves in a pair without orientations.
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case", tag = "type")]
+enum MotionSpace<'a> {
+    Axes { fixed: Axis, moving: Axis },
+    Joint {
+        joint: Joint,
+        limits: Option<(f64, f64)>,
+        permanent: &'a [PermanentContact],
+    },
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Regions<'a> {
+    Planar(&'a [FreeRegion]),
+    Axes(Vec<AxesRegion>),
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Statistic {
+    General(Counts),
+    Axes(AxesStatistics),
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Seconds {
+    Stages(StageSeconds),
+    Total { total: f64 },
+}
+
+impl Seconds {
+    fn total(&self) -> f64 {
+        match self {
+            Self::Stages(s) => s.total,
+            Self::Total { total } => *total,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -98,12 +137,16 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
     let pairs = subject.pairs(&args.common, args.window.theta)?;
     let spaces = pairs
         .iter()
-        .map(Chosen::space)
-        .collect::<Result<Vec<_>, _>>()?;
+        .map(|pair| {
+            let begin = Instant::now();
+            let space = pair.space()?;
+            Ok((space, begin.elapsed().as_secs_f64()))
+        })
+        .collect::<Result<Vec<_>, Failure>>()?;
     let summaries: Vec<Summary<'_>> = pairs
         .iter()
         .zip(&spaces)
-        .map(|(pair, space)| summary(pair, space))
+        .map(|(pair, (space, seconds))| summary(pair, space, *seconds))
         .collect();
     let bytes = match args.common.format {
         Format::Json => super::json(&summaries)?,
@@ -121,50 +164,86 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
     output::write(args.common.output.as_deref(), &bytes)
 }
 
-fn summary<'a>(pair: &'a Chosen<'_>, space: &'a ContactSpace) -> Summary<'a> {
+fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summary<'a> {
     let features = space.features();
-    let symmetry = space.symmetry();
-    let bands = space.bands().len();
-    Summary {
+    let mut summary = Summary {
         fixed: pair.fixed().name(),
         moving: pair.moving().name(),
-        class: method(space),
+        class: space.class().name(),
         features: Features {
             fixed: features.fixed,
             moving: features.moving,
             total: features.fixed + features.moving,
         },
         symmetry: PerPart {
-            fixed: symmetry.fixed,
-            moving: symmetry.moving,
+            fixed: pair.fixed().symmetry().fold(),
+            moving: pair.moving().symmetry().fold(),
         },
-        window: space.window(),
-        critical_orientations: space.critical_orientations(),
-        bands,
-        slices: space.computed_bands(),
-        patches: space.patches().len(),
+        window: None,
+        motion: None,
+        critical_orientations: &[],
+        bands: space.bands(),
+        slices: space.bands(),
+        patches: space.patches(),
         links: Links {
-            side: space.side_links().len(),
-            vertical: space.vertical_links().len(),
+            side: 0,
+            vertical: 0,
         },
-        free_regions: space.free_regions().len(),
-        regions: space.free_regions(),
+        free_regions: space.free_regions(),
+        regions: Regions::Planar(&[]),
         resolution: space.resolution(),
-        statistics: space.statistics().into(),
-        seconds: space.statistics().seconds,
+        statistics: None,
+        seconds: Seconds::Total { total: seconds },
+    };
+    match space {
+        PairSpace::Lower(lower) => {
+            summary.slices = 0;
+            summary.motion = Some(MotionSpace::Joint {
+                joint: lower.joint(),
+                limits: lower.limits(),
+                permanent: lower.contacts(),
+            });
+        }
+        PairSpace::FixedAxes(space) => {
+            let (fixed, moving) = space.axes();
+            summary.motion = Some(MotionSpace::Axes { fixed, moving });
+            summary.links.side = space.patches().iter().filter(|p| p.next.is_some()).count();
+            summary.regions = Regions::Axes(space.regions());
+            summary.statistics = Some(Statistic::Axes(space.statistics()));
+        }
+        PairSpace::Planar(space) => {
+            let symmetry = space.symmetry();
+            summary.symmetry = PerPart {
+                fixed: symmetry.fixed,
+                moving: symmetry.moving,
+            };
+            summary.window = Some(space.window());
+            summary.critical_orientations = space.critical_orientations();
+            summary.slices = space.computed_bands();
+            summary.links = Links {
+                side: space.side_links().len(),
+                vertical: space.vertical_links().len(),
+            };
+            summary.regions = Regions::Planar(space.free_regions());
+            summary.statistics = Some(Statistic::General(space.statistics().into()));
+            summary.seconds = Seconds::Stages(space.statistics().seconds);
+        }
     }
+    summary
 }
 
 fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Result {
     let unit = pair.unit();
     writeln!(text, "{} (fixed), {} (moving)", s.fixed, s.moving)?;
-    match pair.class().map(cspace_io::PairClass::name) {
-        Some(class) if class != GENERAL => writeln!(
+    let class = pair.class();
+    if pair.is_general() && class != PairClass::General {
+        writeln!(
             text,
             "  method         {}: all of (x, y, theta), though the pair's class is {class}",
             s.class
-        )?,
-        _ => writeln!(text, "  method         {}", s.class)?,
+        )?;
+    } else {
+        writeln!(text, "  method         {}", s.class)?;
     }
     writeln!(
         text,
@@ -178,15 +257,120 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
             s.symmetry.fixed, s.symmetry.moving
         )?;
     }
-    if s.window.full_turn {
-        writeln!(text, "  orientations   all")?;
-    } else {
+    match &s.motion {
+        Some(MotionSpace::Joint {
+            joint,
+            limits,
+            permanent,
+        }) => describe_joint(text, joint, *limits, permanent, &unit)?,
+        Some(MotionSpace::Axes { fixed, moving }) => describe_axes(text, s, (fixed, moving))?,
+        None => describe_planar(text, s)?,
+    }
+    writeln!(
+        text,
+        "  resolution     {:.1e}{unit}: a clearance below it counts as none",
+        s.resolution
+    )?;
+    let computed = match (pair.is_saved(), &s.seconds) {
+        (true, Seconds::Stages(_)) => " when it was computed",
+        (true, Seconds::Total { .. }) => " to look at it",
+        _ => "",
+    };
+    writeln!(text, "  time           {:.6} s{computed}", s.seconds.total())
+}
+
+fn describe_joint(
+    text: &mut String,
+    joint: &Joint,
+    limits: Option<(f64, f64)>,
+    permanent: &[PermanentContact],
+    unit: &str,
+) -> fmt::Result {
+    let (what, turns) = match joint {
+        Joint::Revolute { at } => (format!("revolute about ({:.6}, {:.6})", at.x, at.y), true),
+        Joint::Prismatic { direction, .. } => (
+            format!("prismatic along ({:.6}, {:.6})", direction.x, direction.y),
+            false,
+        ),
+        Joint::Rigid => ("rigid".to_owned(), false),
+    };
+    write!(text, "  joint          {what}")?;
+    match limits {
+        Some((lo, hi)) if turns => write!(text, ", from {} to {}", angle(lo), angle(hi))?,
+        Some((lo, hi)) => write!(text, ", from {lo:.6} to {hi:.6}{unit}")?,
+        None => {}
+    }
+    writeln!(text)?;
+    let kinds: Vec<&str> = permanent
+        .iter()
+        .map(|p| match p.kind {
+            PermanentKind::PointLine => "point/line",
+            PermanentKind::PointArc => "point/arc",
+        })
+        .collect();
+    writeln!(text, "  contact        permanent: {}", kinds.join(", "))
+}
+
+fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fmt::Result {
+    for (name, axis) in [("u", axes.0), ("v", axes.1)] {
+        let what = match axis.motion {
+            AxisMotion::Fixed => "does not move".to_owned(),
+            AxisMotion::Revolute { center } => {
+                format!("turns about ({:.6}, {:.6})", center.x, center.y)
+            }
+            AxisMotion::Prismatic { direction } => {
+                format!("slides along ({:.6}, {:.6})", direction.x, direction.y)
+            }
+        };
+        write!(text, "  {name}              {what}")?;
+        match (axis.range, axis.motion) {
+            (Some((lo, hi)), AxisMotion::Revolute { .. }) => {
+                write!(text, ", from {} to {}", angle(lo), angle(hi))?;
+            }
+            (Some((lo, hi)), _) => write!(text, ", from {lo:.6} to {hi:.6}")?,
+            _ => {}
+        }
+        writeln!(text)?;
+    }
+    writeln!(
+        text,
+        "  contact        {}, {}",
+        count(s.patches, "contact curve", "contact curves"),
+        count(s.links.side, "link", "links")
+    )?;
+    writeln!(
+        text,
+        "  free space     {}",
+        count(s.free_regions, "connected region", "connected regions")
+    )?;
+    let Regions::Axes(regions) = &s.regions else {
+        return Ok(());
+    };
+    for (i, r) in regions.iter().enumerate() {
+        let around = match (r.around_u, r.around_v) {
+            (true, true) => ", around u and v",
+            (true, false) => ", around u",
+            (false, true) => ", around v",
+            _ => "",
+        };
         writeln!(
             text,
-            "  orientations   from {} to {}",
-            angle(s.window.lo),
-            angle(s.window.hi)
+            "    region {i}     u from {:.6} to {:.6}, v from {:.6} to {:.6}{around}, e.g. ({:.6}, {:.6})",
+            r.u.0, r.u.1, r.v.0, r.v.1, r.sample.0, r.sample.1
         )?;
+    }
+    Ok(())
+}
+
+fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
+    match s.window {
+        Some(w) if !w.full_turn => writeln!(
+            text,
+            "  orientations   from {} to {}",
+            angle(w.lo),
+            angle(w.hi)
+        )?,
+        _ => writeln!(text, "  orientations   all")?,
     }
     writeln!(
         text,
@@ -210,14 +394,17 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
         count(s.links.side, "side link", "side links"),
         count(s.links.vertical, "vertical link", "vertical links")
     )?;
-    let caged = s.regions.iter().filter(|r| !r.unbounded).count();
+    let Regions::Planar(regions) = s.regions else {
+        return Ok(());
+    };
+    let caged = regions.iter().filter(|r| !r.unbounded).count();
     writeln!(
         text,
         "  free space     {}, {} caged",
         count(s.free_regions, "connected region", "connected regions"),
         caged
     )?;
-    for (i, r) in s.regions.iter().enumerate() {
+    for (i, r) in regions.iter().enumerate() {
         writeln!(
             text,
             "    region {i}     {}, {} on its boundary, e.g. ({:.6}, {:.6}, {:.6} rad)",
@@ -228,15 +415,5 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
             r.sample.theta
         )?;
     }
-    writeln!(
-        text,
-        "  resolution     {:.1e}{unit}: a clearance below it counts as none",
-        s.resolution
-    )?;
-    let computed = if pair.is_saved() {
-        " when it was computed"
-    } else {
-        ""
-    };
-    writeln!(text, "  time           {:.3} s{computed}", s.seconds.total)
+    Ok(())
 }

@@ -3,13 +3,13 @@
 use std::io::Write;
 use std::path::Path;
 
-use cspace::{ContactSpace, Slice};
+use cspace::{ContactSpace, PairClass, PairSpace, Slice};
 use cspace_io::saved;
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_io::write::obj::obj;
 use cspace_io::write::ply::{Encoding, ply};
 use cspace_io::write::stl::stl;
-use cspace_io::write::svg;
+use cspace_io::write::{svg, svg_axes};
 
 use crate::args::ExportArgs;
 use crate::failure::Failure;
@@ -36,14 +36,21 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let kind = kind(path)?;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
-    let space = pair.space()?;
     let bytes = match kind {
-        Kind::Json => saved::to_json(&space).into_bytes(),
-        Kind::Svg => pictures(&space, args.slices).into_bytes(),
+        Kind::Json => saved::pair_to_json(&*pair.space()?).into_bytes(),
+        Kind::Svg if pair.class() == PairClass::FixedAxes && !pair.is_planar() => {
+            let title = format!("{} in {}", pair.moving().name(), pair.fixed().name());
+            match &*pair.space()? {
+                PairSpace::FixedAxes(space) => svg_axes::plane(&title, space).into_bytes(),
+                _ => return Err(pair.no_orientation("a picture")),
+            }
+        }
+        Kind::Svg => pictures(&pair.contact_space("a picture")?, args.slices).into_bytes(),
         Kind::Ply | Kind::Obj | Kind::Stl => {
             let options = MeshOptions {
                 tolerance: args.tolerance,
             };
+            let space = pair.contact_space("a surface")?;
             let mesh = Mesh::new(&space, &options);
             let encoding = if args.ascii {
                 Encoding::Ascii

@@ -137,7 +137,7 @@ fn pair_info(pair: &Chosen<'_>) -> PairInfo {
 /// The class by motions and joints; a general pair with a symmetric part is symmetric, unless the window is too narrow to
 /// gain anything.
 fn class(pair: &Chosen<'_>) -> &'static str {
-    let class = pair.class().unwrap_or(PairClass::General);
+    let class = pair.class();
     if class != PairClass::General || pair.is_general() {
         return class.name();
     }

@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write};
 
-use cspace::{CurveGeometry, Slice};
-use cspace_io::write::svg;
+use cspace::{CurveGeometry, FixedAxesSpace, PairSpace, Slice};
+use cspace_io::write::{svg, svg_axes};
 
 use crate::args::{Format, SliceArgs};
 use crate::failure::Failure;
@@ -15,13 +15,20 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, None)?;
-    let slice = pair.slice(args.theta)?;
     let is_picture = (common.output.as_deref())
         .and_then(|o| o.extension())
         .is_some_and(|e| e.eq_ignore_ascii_case("svg"));
+    if !pair.is_planar() {
+        return plane(args, &pair, is_picture);
+    }
+    let Some(theta) = args.theta else {
+        return Err(Failure::input("slice needs an orientation")
+            .help("give --theta T, in radians or such as 18deg"));
+    };
+    let slice = pair.slice(theta)?;
     let bytes = if is_picture {
         svg::slices(&svg::Page {
-            title: format!("{} in {}", pair.moving().name(), pair.fixed().name()),
+            title: title(&pair),
             size: pair.fixed().size().max(pair.moving().size()),
             slices: std::slice::from_ref(&slice),
         })
@@ -37,6 +44,64 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
         }
     };
     output::write(common.output.as_deref(), &bytes)
+}
+
+/// A pair with fixed axes has one plane, that of its motions.
+fn plane(args: &SliceArgs, pair: &Chosen<'_>, is_picture: bool) -> Result<(), Failure> {
+    if args.theta.is_some() {
+        return Err(pair.no_orientation("--theta"));
+    }
+    let space = pair.space()?;
+    let PairSpace::FixedAxes(space) = &*space else {
+        return Err(pair.no_orientation("a slice"));
+    };
+    let bytes = if is_picture {
+        svg_axes::plane(&title(pair), space).into_bytes()
+    } else {
+        match args.common.format {
+            Format::Json => super::json(&space.to_saved())?,
+            Format::Text => {
+                let mut text = String::new();
+                describe_plane(&mut text, pair, space).map_err(Failure::work)?;
+                text.into_bytes()
+            }
+        }
+    };
+    output::write(args.common.output.as_deref(), &bytes)
+}
+
+fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) -> fmt::Result {
+    let curves = space.patches();
+    writeln!(
+        text,
+        "{} (fixed, u), {} (moving, v): {}",
+        pair.fixed().name(),
+        pair.moving().name(),
+        count(curves.len(), "contact curve", "contact curves")
+    )?;
+    for (i, curve) in curves.iter().enumerate() {
+        writeln!(
+            text,
+            "\ncurve {i}: {} of {} on {} of {}",
+            feature(curve.moving),
+            pair.moving().name(),
+            feature(curve.fixed),
+            pair.fixed().name()
+        )?;
+        let (from, to) = (curve.branches.start as usize, curve.branches.end as usize);
+        for b in &space.branches()[from..to] {
+            writeln!(
+                text,
+                "  ({:.6}, {:.6}) to ({:.6}, {:.6})",
+                b.start.0, b.start.1, b.end.0, b.end.1
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn title(pair: &Chosen<'_>) -> String {
+    format!("{} in {}", pair.moving().name(), pair.fixed().name())
 }
 
 fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result {

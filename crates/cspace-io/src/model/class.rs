@@ -1,46 +1,21 @@
 //! How the parts of a pair can move relative to each other.
 
-use super::{Model, Motion, Pair};
+use cspace::axes::{Axis, AxisMotion};
+use cspace::pair::Joint;
+use cspace::{LowerPair, PairClass, Point, Relation};
 
-/// What kind of contact space a pair has, by the freedoms the model gives its parts.
-///
-/// Symmetry of the outlines refines [`PairClass::General`]; it is not looked at here.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum PairClass {
-    /// A joint connects the two parts: their relative motion does not come from contact.
-    Lower,
-    /// Each part turns about a fixed point, slides along a fixed line or does not move.
-    FixedAxes,
-    /// At least one part is planar.
-    General,
-}
-
-impl PairClass {
-    /// The class as printed: `lower`, `fixed-axes` or `general`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Lower => "lower",
-            Self::FixedAxes => "fixed-axes",
-            Self::General => "general",
-        }
-    }
-}
-
-impl core::fmt::Display for PairClass {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.pad(self.name())
-    }
-}
+use super::{JointKind, Model, Motion, Pair};
 
 impl Model {
-    /// The class of a pair: lower if a joint names both parts, in either order; otherwise general if
-    /// either is planar; otherwise fixed-axes.
+    /// How the parts of a pair are related: by a joint if one names both, in either order; otherwise in the plane if either
+    /// is planar; otherwise each on its own axis.
     ///
-    /// Only a joint between the two parts themselves counts, not a chain of joints. An index that
-    /// is no part's counts as planar.
+    /// Only a joint between the two parts themselves counts, not a chain of joints. An index that is no part's counts as
+    /// planar. The limits of a joint are those that follow from the parts' own ranges of motion.
     ///
     /// ```
-    /// use cspace_io::{Model, PairClass};
+    /// use cspace::{PairClass, Relation};
+    /// use cspace_io::Model;
     /// let model = Model::from_toml(
     ///     r#"
     ///     [[part]]
@@ -54,19 +29,52 @@ impl Model {
     ///     "#,
     ///     "wheel.toml",
     /// )?;
+    /// assert!(matches!(model.relation(&model.pairs[0]), Relation::Axes { .. }));
     /// assert_eq!(model.pair_class(&model.pairs[0]), PairClass::FixedAxes);
     /// # Ok::<(), cspace_io::ModelError>(())
     /// ```
-    pub fn pair_class(&self, pair: &Pair) -> PairClass {
+    pub fn relation(&self, pair: &Pair) -> Relation {
         let (a, b) = (pair.fixed, pair.moving);
-        if (self.joints.iter()).any(|j| j.parts == (a, b) || j.parts == (b, a)) {
-            return PairClass::Lower;
+        let axis = |i: usize| self.parts.get(i).and_then(|p| axis(&p.motion));
+        let (fixed, moving) = (axis(a), axis(b));
+        if let Some(j) = (self.joints.iter()).find(|j| j.parts == (a, b) || j.parts == (b, a)) {
+            let joint = match j.kind {
+                JointKind::Revolute { at } => Joint::Revolute { at },
+                JointKind::Prismatic { direction, at } => Joint::Prismatic {
+                    direction,
+                    at: at.unwrap_or(Point::ORIGIN),
+                },
+                JointKind::Rigid => Joint::Rigid,
+            };
+            let limits = fixed
+                .zip(moving)
+                .and_then(|(f, m)| LowerPair::limits_from_axes(&joint, &f, &m));
+            return Relation::Joint(joint, limits);
         }
-        let planar = |i: usize| self.parts.get(i).is_none_or(|p| p.motion == Motion::Planar);
-        if planar(a) || planar(b) {
-            PairClass::General
-        } else {
-            PairClass::FixedAxes
+        match (fixed, moving) {
+            (Some(fixed), Some(moving)) => Relation::Axes { fixed, moving },
+            _ => Relation::Planar,
         }
     }
+
+    /// The class of a pair by its [`relation`](Self::relation). Symmetry of the outlines, which makes a general pair
+    /// symmetric, is not looked at here.
+    pub fn pair_class(&self, pair: &Pair) -> PairClass {
+        match self.relation(pair) {
+            Relation::Joint(..) => PairClass::Lower,
+            Relation::Axes { .. } => PairClass::FixedAxes,
+            Relation::Planar => PairClass::General,
+        }
+    }
+}
+
+/// The axis of a motion; `None` for a part that is planar.
+pub(super) fn axis(motion: &Motion) -> Option<Axis> {
+    let (motion, range) = match *motion {
+        Motion::Fixed => (AxisMotion::Fixed, None),
+        Motion::Revolute { center, range } => (AxisMotion::Revolute { center }, range),
+        Motion::Prismatic { direction, range } => (AxisMotion::Prismatic { direction }, range),
+        Motion::Planar => return None,
+    };
+    Some(Axis { motion, range })
 }

@@ -18,6 +18,6 @@ mod to_toml;
 
 pub(crate) use read::no_json;
 
-pub use class::PairClass;
+pub use cspace::PairClass;
 pub use error::ModelError;
 pub use mechanism::{Joint, JointKind, Model, Motion, Pair, PartEntry};

@@ -15,6 +15,16 @@ pub(crate) struct PairFrame {
 }
 
 impl PairFrame {
+    /// The frame of two parts about their own centres.
+    pub(crate) fn new(fixed: &Part, moving: &Part) -> Self {
+        let (fixed_center, moving_center) = (Self::center(fixed), Self::center(moving));
+        Self {
+            fixed_center,
+            moving_center,
+            scale: Self::scale_of([(fixed, fixed_center), (moving, moving_center)]),
+        }
+    }
+
     /// The centre of a part without symmetry: that of its box, or of one a little larger.
     pub(crate) fn center(part: &Part) -> Point {
         let (mut lo, mut hi) = (

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::feature::PairFrame;
+use crate::feature::{Outline, PairFrame};
 use crate::geometry::Configuration;
 use crate::part::Part;
 use crate::slice::CurveGeometry;
@@ -85,6 +85,20 @@ pub struct FeatureCounts {
     pub fixed: u32,
     /// Of the moving part.
     pub moving: u32,
+}
+
+impl FeatureCounts {
+    /// Of two parts.
+    pub(crate) fn of(fixed: &Part, moving: &Part) -> Self {
+        let frame = PairFrame::new(fixed, moving);
+        let count = |part, center| {
+            Outline::new(part, center, frame.scale, false).feature_count as u32
+        };
+        Self {
+            fixed: count(fixed, frame.fixed_center),
+            moving: count(moving, frame.moving_center),
+        }
+    }
 }
 
 /// For every patch its side links, by the end at which they lie.

@@ -25,6 +25,25 @@ pub struct SavedPart {
     pub loops: Vec<Vec<Vertex>>,
 }
 
+impl SavedPart {
+    /// The part as plain data.
+    pub(crate) fn of(part: &Part) -> Self {
+        Self {
+            name: part.name().to_owned(),
+            loops: part.loops().iter().map(|l| l.vertices().to_vec()).collect(),
+        }
+    }
+
+    /// The part that plain data describe.
+    pub(crate) fn part(&self) -> Result<Part, SavedError> {
+        let name = || self.name.clone();
+        Part::new(name(), self.loops.clone()).map_err(|error| SavedError::Part {
+            name: name(),
+            error,
+        })
+    }
+}
+
 /// The frame in which patches are written: position p of the moving part is at scale · (p − `fixed_center` + `R_θ` `moving_center`).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SavedFrame {
@@ -97,10 +116,12 @@ pub struct SavedSpace {
 #[non_exhaustive]
 pub enum SavedError {
     /// Not a contact space at all.
-    #[error("the format is {found:?}, not \"contact-space\"")]
+    #[error("the format is {found:?}, not {wanted:?}")]
     Format {
         /// What it says.
         found: String,
+        /// What it should say.
+        wanted: &'static str,
     },
     /// Written by another version.
     #[error(
@@ -143,15 +164,11 @@ const FORMAT: &str = "contact-space";
 impl ContactSpace {
     /// The space as plain data.
     pub fn to_saved(&self) -> SavedSpace {
-        let part = |p: &Part| SavedPart {
-            name: p.name().to_owned(),
-            loops: p.loops().iter().map(|l| l.vertices().to_vec()).collect(),
-        };
         SavedSpace {
             format: FORMAT.to_owned(),
             version: SAVED_VERSION,
-            fixed: part(&self.fixed),
-            moving: part(&self.moving),
+            fixed: SavedPart::of(&self.fixed),
+            moving: SavedPart::of(&self.moving),
             window: self.window,
             frame: SavedFrame {
                 fixed_center: self.frame.fixed_center,
@@ -178,6 +195,7 @@ impl ContactSpace {
         if saved.format != FORMAT {
             return Err(SavedError::Format {
                 found: saved.format,
+                wanted: FORMAT,
             });
         }
         if saved.version != SAVED_VERSION {
@@ -185,14 +203,7 @@ impl ContactSpace {
                 found: saved.version,
             });
         }
-        let part = |p: &SavedPart| {
-            let name = || p.name.clone();
-            Part::new(name(), p.loops.clone()).map_err(|error| SavedError::Part {
-                name: name(),
-                error,
-            })
-        };
-        let (fixed, moving) = (part(&saved.fixed)?, part(&saved.moving)?);
+        let (fixed, moving) = (saved.fixed.part()?, saved.moving.part()?);
         check(&saved)?;
         let walk = Walk::new(saved.patches.len(), &saved.side_links);
         Ok(Self {

@@ -1,0 +1,81 @@
+//! How two parts are related, and so what class of pair they are.
+
+use serde::{Deserialize, Serialize};
+
+use crate::axes::Axis;
+use crate::geometry::Configuration;
+
+use super::lower::Joint;
+
+/// The classes of pairs, by the method that computes them (section 3.2 of Sacks 1999).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PairClass {
+    /// A joint connects the two parts: their relative motion does not come from contact.
+    Lower,
+    /// Each part turns about a fixed point, slides along a fixed line or does not move.
+    FixedAxes,
+    /// At least one part is planar, and one of the two is mapped to itself by a rotation.
+    Symmetric,
+    /// At least one part is planar.
+    General,
+}
+
+impl PairClass {
+    /// The class as printed: `lower`, `fixed-axes`, `symmetric` or `general`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Lower => "lower",
+            Self::FixedAxes => "fixed-axes",
+            Self::Symmetric => "symmetric",
+            Self::General => "general",
+        }
+    }
+}
+
+impl core::fmt::Display for PairClass {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// How the two parts of a pair can move relative to each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Relation {
+    /// As their joint lets them, within limits (radians or the model's unit of length) if there are any.
+    Joint(Joint, Option<(f64, f64)>),
+    /// Each on its own axis.
+    Axes {
+        /// The fixed part's.
+        fixed: Axis,
+        /// The moving part's.
+        moving: Axis,
+    },
+    /// In the plane, with three degrees of freedom.
+    Planar,
+}
+
+/// A configuration, or its rates, in the coordinates of a pair's class.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Coordinates {
+    /// Position and orientation of the moving part in the fixed part's frame: lower, symmetric and general pairs.
+    Planar(Configuration),
+    /// The motions of the fixed and of the moving part: pairs with fixed axes.
+    Axes {
+        /// Of the fixed part, radians or the model's unit of length.
+        u: f64,
+        /// Of the moving part.
+        v: f64,
+    },
+}
+
+impl Coordinates {
+    /// Their names.
+    pub const fn names(self) -> &'static str {
+        match self {
+            Self::Planar(_) => "x, y and theta",
+            Self::Axes { .. } => "u and v",
+        }
+    }
+}

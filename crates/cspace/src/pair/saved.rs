@@ -1,0 +1,109 @@
+//! Configuration spaces of pairs of any class as plain data.
+
+use serde::{Deserialize, Serialize};
+
+use crate::axes::SavedAxes;
+use crate::space::{SAVED_VERSION, SavedError, SavedPart, SavedSpace};
+
+use super::lower::{Joint, LowerPair, PermanentContact};
+use super::space::PairSpace;
+
+const FORMAT: &str = "lower-pair";
+
+/// A lower pair as plain data.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SavedLower {
+    /// Always `lower-pair`.
+    pub format: String,
+    /// Version of the format.
+    pub version: u32,
+    /// The fixed part.
+    pub fixed: SavedPart,
+    /// The moving part.
+    pub moving: SavedPart,
+    /// The joint.
+    pub joint: Joint,
+    /// Least and largest motion, radians or the model's unit of length.
+    pub limits: Option<(f64, f64)>,
+    /// What touches for ever. It follows from the joint, and is not read.
+    pub contacts: Vec<PermanentContact>,
+}
+
+/// A configuration space as plain data, told apart by its `format`.
+///
+/// The schemas in the folder `docs` of the project's repository describe every field and its unit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum SavedPair {
+    /// Of a general or symmetric pair; its format is `contact-space`.
+    Planar(Box<SavedSpace>),
+    /// Of a pair with fixed axes; its format is `fixed-axes-space`.
+    FixedAxes(Box<SavedAxes>),
+    /// Of a lower pair; its format is `lower-pair`.
+    Lower(Box<SavedLower>),
+}
+
+impl PairSpace {
+    /// The space as plain data.
+    pub fn to_saved(&self) -> SavedPair {
+        match self {
+            Self::Planar(space) => SavedPair::Planar(Box::new(space.to_saved())),
+            Self::FixedAxes(space) => SavedPair::FixedAxes(Box::new(space.to_saved())),
+            Self::Lower(pair) => SavedPair::Lower(Box::new(pair.to_saved())),
+        }
+    }
+}
+
+impl LowerPair {
+    /// The pair as plain data.
+    pub fn to_saved(&self) -> SavedLower {
+        SavedLower {
+            format: FORMAT.to_owned(),
+            version: SAVED_VERSION,
+            fixed: SavedPart::of(self.fixed()),
+            moving: SavedPart::of(self.moving()),
+            joint: self.joint(),
+            limits: self.limits(),
+            contacts: self.contacts().to_vec(),
+        }
+    }
+
+    /// The pair from plain data.
+    ///
+    /// # Errors
+    /// If the format or its version is another, a part is none, or a number is not finite or out of order.
+    pub fn from_saved(saved: SavedLower) -> Result<Self, SavedError> {
+        if saved.format != FORMAT {
+            return Err(SavedError::Format {
+                found: saved.format,
+                wanted: FORMAT,
+            });
+        }
+        if saved.version != SAVED_VERSION {
+            return Err(SavedError::Version {
+                found: saved.version,
+            });
+        }
+        let whole = |what, why| Err(SavedError::Whole { what, why });
+        let sound = match saved.joint {
+            Joint::Revolute { at } => at.is_finite(),
+            Joint::Prismatic { direction, at } => {
+                let unit = direction.unit();
+                at.is_finite() && (unit.length() - 1.0).abs() < 1e-9
+            }
+            Joint::Rigid => true,
+        };
+        if !sound {
+            return whole("the joint", "it has a number that is not finite, or no direction");
+        }
+        if saved.limits.is_some_and(|(lo, hi)| !(lo.is_finite() && hi.is_finite() && lo <= hi)) {
+            return whole("the limits", "they are not finite, or in the wrong order");
+        }
+        Ok(Self::new(
+            &saved.fixed.part()?,
+            &saved.moving.part()?,
+            saved.joint,
+            saved.limits,
+        ))
+    }
+}

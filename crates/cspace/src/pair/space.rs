@@ -1,0 +1,186 @@
+//! The configuration space of a pair of any class.
+
+use crate::axes::{AxesError, FixedAxesSpace};
+use crate::part::Part;
+use crate::space::{ComputeError, ContactSpace, FeatureCounts, Options, Progress};
+
+use super::lower::LowerPair;
+use super::relation::{PairClass, Relation};
+
+/// The configuration space of two parts, by the method of their class.
+///
+/// ```
+/// use cspace::axes::{Axis, AxisMotion};
+/// use cspace::pair::{Coordinates, PairClass, PairSpace, Relation};
+/// use cspace::{Classification, Options, Part, Point, Vector, Vertex};
+/// let square = |name: &str, x: f64| {
+///     let corners = [(x - 1.0, -1.0), (x + 1.0, -1.0), (x + 1.0, 1.0), (x - 1.0, 1.0)];
+///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+/// };
+/// // A block that turns about its centre, and another that slides towards it.
+/// let relation = Relation::Axes {
+///     fixed: Axis::revolute(Point::ORIGIN),
+///     moving: Axis::prismatic(Vector::new(-1.0, 0.0)),
+/// };
+/// let space = PairSpace::compute(&square("turner", 0.0)?, &square("slider", 5.0)?, relation, &Options::default())?;
+/// assert_eq!(space.class(), PairClass::FixedAxes);
+/// let at = |u, v| space.classify(Coordinates::Axes { u, v });
+/// assert_eq!(at(0.0, 2.9)?, Classification::Free);
+/// assert_eq!(at(std::f64::consts::FRAC_PI_4, 2.9)?, Classification::Blocked);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub enum PairSpace {
+    /// Of a lower pair.
+    Lower(LowerPair),
+    /// Of a pair with fixed axes.
+    FixedAxes(Box<FixedAxesSpace>),
+    /// Of a general pair, computed with or without symmetry.
+    Planar(Box<ContactSpace>),
+}
+
+/// Why the configuration space of a pair cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PairError {
+    /// The parts' axes are no axes.
+    #[error(transparent)]
+    Axes(#[from] AxesError),
+    /// The contact space cannot be computed.
+    #[error(transparent)]
+    Compute(#[from] ComputeError),
+    /// A window of orientations was asked for where orientation is no coordinate.
+    #[error("a window of orientations has no meaning for a {class} pair")]
+    Window {
+        /// The class.
+        class: PairClass,
+    },
+}
+
+/// Does not care.
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: crate::space::Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}
+
+impl PairSpace {
+    /// Computes the configuration space of two parts by the method of their class.
+    ///
+    /// # Errors
+    /// If axes or options make no sense for the pair, or a contact space is too large.
+    pub fn compute(
+        fixed: &Part,
+        moving: &Part,
+        relation: Relation,
+        options: &Options,
+    ) -> Result<Self, PairError> {
+        Self::compute_with(fixed, moving, relation, options, &Silent)
+    }
+
+    /// As [`compute`](Self::compute), telling `progress` of every stage of the general method.
+    ///
+    /// # Errors
+    /// As [`compute`](Self::compute); and what `progress` returns.
+    pub fn compute_with(
+        fixed: &Part,
+        moving: &Part,
+        relation: Relation,
+        options: &Options,
+        progress: &dyn Progress,
+    ) -> Result<Self, PairError> {
+        let class = match relation {
+            Relation::Joint(..) => PairClass::Lower,
+            Relation::Axes { .. } => PairClass::FixedAxes,
+            Relation::Planar => PairClass::General,
+        };
+        if options.window.is_some() && class != PairClass::General {
+            return Err(PairError::Window { class });
+        }
+        Ok(match relation {
+            Relation::Joint(joint, limits) => {
+                Self::Lower(LowerPair::new(fixed, moving, joint, limits))
+            }
+            Relation::Axes {
+                fixed: a,
+                moving: b,
+            } => Self::FixedAxes(Box::new(FixedAxesSpace::compute(fixed, a, moving, b)?)),
+            Relation::Planar => Self::Planar(Box::new(ContactSpace::compute_with(
+                fixed, moving, options, progress,
+            )?)),
+        })
+    }
+
+    /// The class, by the method that was used.
+    pub fn class(&self) -> PairClass {
+        match self {
+            Self::Lower(_) => PairClass::Lower,
+            Self::FixedAxes(_) => PairClass::FixedAxes,
+            Self::Planar(space) if space.symmetry().slabs > 1 => PairClass::Symmetric,
+            Self::Planar(_) => PairClass::General,
+        }
+    }
+
+    /// The fixed part.
+    pub fn fixed(&self) -> &Part {
+        match self {
+            Self::Lower(pair) => pair.fixed(),
+            Self::FixedAxes(space) => space.fixed(),
+            Self::Planar(space) => space.fixed(),
+        }
+    }
+
+    /// The moving part.
+    pub fn moving(&self) -> &Part {
+        match self {
+            Self::Lower(pair) => pair.moving(),
+            Self::FixedAxes(space) => space.moving(),
+            Self::Planar(space) => space.moving(),
+        }
+    }
+
+    /// Lines, arcs and vertices that are not smooth joints, of both parts.
+    pub fn features(&self) -> FeatureCounts {
+        match self {
+            Self::Planar(space) => space.features(),
+            _ => FeatureCounts::of(self.fixed(), self.moving()),
+        }
+    }
+
+    /// The resolution in the model's unit of length: clearances below it count as none.
+    pub fn resolution(&self) -> f64 {
+        match self {
+            Self::Lower(pair) => pair.resolution(),
+            Self::FixedAxes(space) => space.resolution(),
+            Self::Planar(space) => space.resolution(),
+        }
+    }
+
+    /// Number of contact patches; of a lower pair its permanent contacts.
+    pub fn patches(&self) -> usize {
+        match self {
+            Self::Lower(pair) => pair.contacts().len(),
+            Self::FixedAxes(space) => space.patches().len(),
+            Self::Planar(space) => space.patches().len(),
+        }
+    }
+
+    /// Number of bands. What has no orientation to cut has one.
+    pub fn bands(&self) -> usize {
+        match self {
+            Self::Planar(space) => space.bands().len(),
+            _ => 1,
+        }
+    }
+
+    /// Number of connected components of free space. A joint leaves none: all its configurations are in contact.
+    pub fn free_regions(&self) -> usize {
+        match self {
+            Self::Lower(_) => 0,
+            Self::FixedAxes(space) => space.regions().len(),
+            Self::Planar(space) => space.free_regions().len(),
+        }
+    }
+}
