@@ -58,6 +58,10 @@ pub(super) struct Spot {
 /// Normals nearer than this to an end of an interval of normals are told by that end alone (radians).
 const NEAR: f64 = 1e-3;
 
+/// Normals that oppose each other to within this do so exactly (radians): the rounding of the configurations at which that is
+/// asked, with room.
+const TIE: f64 = 1e-12;
+
 /// One part with what its joints belong to.
 #[derive(Debug)]
 pub(super) struct Side {
@@ -132,10 +136,11 @@ pub(super) struct Scene {
 impl Scene {
     /// How far a normal of the second part is, counter-clockwise, from opposing one of the first.
     ///
-    /// Where nothing turns both may oppose each other at all times; then the second is taken to be turned by a little
-    /// more. Every pair asks this of the same two joints, so all agree.
+    /// Where both oppose each other, for good or just there, the second is taken to be turned by a little more. Every
+    /// pair asks this of the same two joints, so all agree.
     fn beyond(&self, first_angle: f64, second_angle: f64, theta: f64) -> f64 {
-        wrapped(second_angle + theta + PI - first_angle)
+        let angle = wrapped(second_angle + theta + PI - first_angle);
+        if angle.abs() < TIE { 0.0 } else { angle }
     }
 
     /// Whether a round feature of the second part has the normal opposite to that of a joint of the first.
