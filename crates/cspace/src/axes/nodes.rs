@@ -29,6 +29,8 @@ pub(super) enum Name {
     LineJoint(u32, u32),
     /// A joint of the first part, between round features, has the normal of a line of the second.
     JointLine(u32, u32),
+    /// Two smooth joints between arcs touch, their normals opposite.
+    Joints(u32, u32),
     /// The two roots of a pair become one: pair, which of them.
     Turning(u32, u32),
     /// A curve goes on with the same pair: at the cut of a circle, or where it is cut to be monotone.
@@ -143,6 +145,23 @@ impl Scene {
         if angle.abs() < TIE { 0.0 } else { angle }
     }
 
+    /// Whether two smooth joints between arcs oppose each other in passing. In what order the contact passes them is not
+    /// known then; so all four pairs of arcs are cut there, and where each is in contact is told away from it.
+    fn tied(&self, first_joint: u32, second_joint: u32, theta: f64) -> bool {
+        let turning = self.motions.first.turns() || self.motions.second.turns();
+        let smooth = |side: &Side, joint: u32| {
+            side.line[joint as usize].is_none() && side.vertex[joint as usize].is_none()
+        };
+        let (a, b) = (
+            self.first.angle(first_joint),
+            self.second.angle(second_joint),
+        );
+        turning
+            && self.beyond(a, b, theta) == 0.0
+            && smooth(&self.first, first_joint)
+            && smooth(&self.second, second_joint)
+    }
+
     /// Whether a round feature of the second part has the normal opposite to that of a joint of the first.
     fn second_has(&self, b: &Feature, first_joint: u32, theta: f64) -> bool {
         let angle = self.first.angle(first_joint);
@@ -223,7 +242,11 @@ impl Scene {
             let cone = self.second.cones[ib as usize];
             let plausible = |theta: Rotation| cone.may_hold(-(theta.inverse() * normal));
             coincidences(first, at, second, b.center(), plausible, |root, x, y| {
-                if self.second_has(b, joint, self.motions.theta(x, y)) {
+                let theta = self.motions.theta(x, y);
+                let tied = |k: &u32| self.tied(joint, *k, theta);
+                if let Some(k) = [b.start, b.end].into_iter().find(tied) {
+                    found(Name::Joints(joint, k), root, x, y);
+                } else if self.second_has(b, joint, theta) {
                     found(name, root, x, y);
                 }
             });
@@ -248,7 +271,11 @@ impl Scene {
             let cone = self.first.cones[ia as usize];
             let plausible = |theta: Rotation| cone.may_hold(-(theta * normal));
             coincidences(first, a.center(), second, at, plausible, |root, x, y| {
-                if self.first_has(a, joint, self.motions.theta(x, y)) {
+                let theta = self.motions.theta(x, y);
+                let tied = |k: &u32| self.tied(*k, joint, theta);
+                if let Some(k) = [a.start, a.end].into_iter().find(tied) {
+                    found(Name::Joints(k, joint), root, x, y);
+                } else if self.first_has(a, joint, theta) {
                     found(name, root, x, y);
                 }
             });
