@@ -161,9 +161,6 @@ fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Vec<Crossing> 
         }
         active.push(i);
     }
-    if std::env::var("TIMES").is_ok() {
-        eprintln!("{} candidates", candidates.len());
-    }
     candidates
         .par_iter()
         .with_min_len(64)

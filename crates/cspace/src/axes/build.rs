@@ -674,7 +674,13 @@ fn decide(margins: Vec<f64>, ends: impl Fn(usize) -> bool) -> Vec<bool> {
             verdicts[i] = verdicts[i + 1].map(|after| after != ends(i + 1));
         }
     }
-    verdicts.iter().map(|v| v.unwrap_or(false)).collect()
+    // A curve without nodes that runs along a joint of both parts for good (discs that slide along their line of centres)
+    // belongs to the features on either side of it; one is enough, more do no harm.
+    verdicts
+        .iter()
+        .zip(&margins)
+        .map(|(v, m)| v.unwrap_or(n == 1 && *m > -INDEPENDENT))
+        .collect()
 }
 
 /// The x at which a monotone piece has a given y.

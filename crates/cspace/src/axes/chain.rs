@@ -99,11 +99,9 @@ pub(super) fn chains(
                 (folded(&x, s - u).hypot(folded(&y, t - v)), j)
             })
             .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        if let Some((distance, j)) = near {
-            if distance < SAME_PLACE {
-                next[i as usize] = j;
-                previous[j as usize] = i;
-            }
+        if let Some((_, j)) = near.filter(|n| n.0 < SAME_PLACE) {
+            next[i as usize] = j;
+            previous[j as usize] = i;
         }
     }
     let pair = |i: u32| piece(i).pair;

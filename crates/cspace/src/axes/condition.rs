@@ -221,10 +221,10 @@ impl Condition {
                 self.arm >= self.line_offset(x).abs()
             }
             (Carriers::SecondLine { .. }, Motion::Turn { .. }) => {
-                self.bearing.at(x).0.length() >= self.offset.abs()
+                self.bearing.vector(x).length() >= self.offset.abs()
             }
             (Carriers::Circles { radius, .. }, Motion::Turn { .. }) => {
-                let m = self.bearing.at(x).0.length();
+                let m = self.bearing.vector(x).length();
                 let (q, r) = (self.arm, radius.abs());
                 (q - r).abs() <= m && m <= q + r
             }
@@ -282,17 +282,19 @@ impl Condition {
                 middle - sign * root_of((q - c) * (q + c)).atan2(c)
             }
             (Carriers::SecondLine { .. }, Motion::Turn { .. }) => {
-                let (v, angle) = self.bearing.at(x);
+                let v = self.bearing.vector(x);
                 let (m, c) = (v.length(), self.offset);
-                angle + self.angle - sign * root_of((m - c) * (m + c)).atan2(c)
+                let aside = (c, root_of((m - c) * (m + c)));
+                self.angle + self.bearing.turned(x, v, aside, -sign)
             }
             (Carriers::Circles { radius, .. }, Motion::Turn { .. }) => {
-                let (v, angle) = self.bearing.at(x);
+                let v = self.bearing.vector(x);
                 let (m, q, r) = (v.length(), self.arm, radius.abs());
                 // Heron: (2 m q)² − (m² + q² − r²)² = ((m + q)² − r²) (r² − (m − q)²).
                 let square = (m + q - r) * (m + q + r) * (r - m + q) * (r + m - q);
-                let aside = root_of(square).atan2(m * m + (q - r) * (q + r));
-                angle + self.angle + sign * radius.signum() * aside
+                let aside = (m * m + (q - r) * (q + r), root_of(square));
+                let sign = sign * radius.signum();
+                self.angle + self.bearing.turned(x, v, aside, sign)
             }
             (
                 Carriers::FirstLine {

@@ -8,11 +8,12 @@
 
 use core::f64::consts::TAU;
 
+use crate::geometry::{Point, Rotation, Vector};
 use crate::number::TrigPolynomial;
 
 use super::condition::{Carriers, Condition, INDEPENDENT};
 use super::motion::Motion;
-use super::piece::{Pair, Piece};
+use super::piece::{Height, Pair, Piece};
 
 /// Intervals of x are not halved below this when crossings are isolated (radians or length); two crossings nearer than
 /// that, between which the pieces are a hundred times nearer than rounding, may go unnoticed as a pair.
@@ -24,7 +25,12 @@ const HALVINGS: u32 = 3;
 ///
 /// None where they share a node.
 fn order(pairs: &[Pair], p: &Piece, q: &Piece, shift: i32, x: f64) -> Option<i8> {
-    let difference = difference(pairs, p, q, shift, x);
+    let heights = (p.height(pairs, x), q.height(pairs, x));
+    order_of(p, q, shift, x, heights)
+}
+
+fn order_of(p: &Piece, q: &Piece, shift: i32, x: f64, heights: (Height, Height)) -> Option<i8> {
+    let difference = heights.0.above(heights.1, shift);
     if difference != 0.0 {
         return Some(if difference > 0.0 { 1 } else { -1 });
     }
@@ -44,8 +50,7 @@ fn order(pairs: &[Pair], p: &Piece, q: &Piece, shift: i32, x: f64) -> Option<i8>
 }
 
 fn difference(pairs: &[Pair], p: &Piece, q: &Piece, shift: i32, x: f64) -> f64 {
-    let (a, b) = (p.height(pairs, x), q.height(pairs, x));
-    (a.value - b.value) + TAU * f64::from(a.turns - b.turns - shift)
+    p.height(pairs, x).above(q.height(pairs, x), shift)
 }
 
 /// Calls `found` with every x at which two graphs cross, and the order on the left of it.
@@ -61,7 +66,12 @@ pub(super) fn crossings(
     if lo >= hi {
         return;
     }
-    let (at_lo, at_hi) = (order(pairs, p, q, shift, lo), order(pairs, p, q, shift, hi));
+    let heights = |x: f64| (p.height(pairs, x), q.height(pairs, x));
+    let (ends_lo, ends_hi) = (heights(lo), heights(hi));
+    let (at_lo, at_hi) = (
+        order_of(p, q, shift, lo, ends_lo),
+        order_of(p, q, shift, hi, ends_hi),
+    );
     let rising = |r: &Piece| r.start.y() < r.end.y();
     let same_way = rising(p) == rising(q);
     let level = |c: &Piece| c.start.y() == c.end.y();
@@ -74,30 +84,21 @@ pub(super) fn crossings(
         &pairs[q.pair as usize].condition,
     );
     if once || parallel(f, g) {
-        if let (Some(a), Some(b)) = (at_lo, at_hi) {
-            if a != b {
-                report(lo, hi, a);
-            }
+        if let (Some(a), Some(b)) = (at_lo, at_hi)
+            && a != b
+        {
+            report(lo, hi, a);
         }
         return;
     }
     if at_lo.is_some() && at_lo == at_hi {
-        let d = |x: f64| (p.y(pairs, x), q.y(pairs, x) + TAU * f64::from(shift));
-        if at_lo == Some(1) && separate(&d, lo, hi, d(lo), d(hi), rising(p), HALVINGS)
-            || at_lo == Some(-1)
-                && separate(
-                    &|x| {
-                        let (a, b) = d(x);
-                        (b, a)
-                    },
-                    lo,
-                    hi,
-                    swap(d(lo)),
-                    swap(d(hi)),
-                    rising(p),
-                    HALVINGS,
-                )
-        {
+        // The upper one first.
+        let ys = |(a, b): (Height, Height)| {
+            let (a, b) = (a.y(), b.y() + TAU * f64::from(shift));
+            if at_lo == Some(1) { (a, b) } else { (b, a) }
+        };
+        let at = |x: f64| ys(heights(x));
+        if separate(&at, lo, hi, ys(ends_lo), ys(ends_hi), rising(p), HALVINGS) {
             return;
         }
     }
@@ -121,18 +122,14 @@ pub(super) fn crossings(
         if x <= from {
             continue;
         }
-        if let (Some(a), Some(b)) = (before, here) {
-            if a != b {
-                report(from, x, a);
-            }
+        if let (Some(a), Some(b)) = (before, here)
+            && a != b
+        {
+            report(from, x, a);
         }
         from = x;
         before = here.or(before);
     }
-}
-
-fn swap((a, b): (f64, f64)) -> (f64, f64) {
-    (b, a)
 }
 
 /// Whether boxes tell that a monotone graph stays above another, both running the same way.
@@ -204,7 +201,7 @@ fn bisect(
 
 /// Whether two conditions are levels of one function of (x, y), so that their curves never cross.
 fn parallel(f: &Condition, g: &Condition) -> bool {
-    let same = |a: crate::geometry::Point, b: crate::geometry::Point| a.distance(b) < INDEPENDENT;
+    let same = |a: Point, b: Point| a.distance(b) < INDEPENDENT;
     match (f.carriers, g.carriers) {
         (
             Carriers::FirstLine {
@@ -248,9 +245,13 @@ fn parallel(f: &Condition, g: &Condition) -> bool {
 
 /// Calls `mark` with intervals that hold all x at which the conditions are met by one y.
 fn isolate(f: &Condition, g: &Condition, lo: f64, hi: f64, mark: &mut impl FnMut(f64, f64)) {
-    let resultant = |x: f64| resultant(&f.at(x), &g.at(x));
-    if f.motions.first.turns() {
-        let polynomial = TrigPolynomial::sampled(|cos: f64, sin: f64| resultant(sin.atan2(cos)));
+    let resultant = |first: Placed| resultant(&f.at(first), &g.at(first));
+    if let Motion::Turn { center } = f.motions.first {
+        let polynomial = TrigPolynomial::sampled(|cos: f64, sin: f64| {
+            let turn = Rotation { cos, sin };
+            let shift = center.to_vector() - turn * center.to_vector();
+            resultant(Placed { turn, shift })
+        });
         let mut vague = Vec::new();
         polynomial.brackets(lo, hi, NARROWEST, mark, &mut |a, b| vague.push((a, b)));
         for (a, b) in vague {
@@ -260,8 +261,15 @@ fn isolate(f: &Condition, g: &Condition, lo: f64, hi: f64, mark: &mut impl FnMut
     }
     // A polynomial of x = m + h cos φ is a trigonometric one of φ.
     let (m, h) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-    let polynomial = TrigPolynomial::sampled(|cos: f64, _| resultant(m + h * cos));
     let x = |angle: f64| m + h * angle.cos();
+    let polynomial = TrigPolynomial::sampled(|cos: f64, _| {
+        let shift = match f.motions.first {
+            Motion::Slide { direction } => direction * (m + h * cos),
+            _ => Vector::ZERO,
+        };
+        let turn = Rotation::IDENTITY;
+        resultant(Placed { turn, shift })
+    });
     let mut both = Vec::new();
     let mut vague = Vec::new();
     polynomial.brackets(
@@ -273,6 +281,19 @@ fn isolate(f: &Condition, g: &Condition, lo: f64, hi: f64, mark: &mut impl FnMut
     );
     for (a, b) in both.into_iter().chain(vague) {
         mark(x(b).max(lo), x(a).min(hi));
+    }
+}
+
+/// The first part at some x: its point q is at turn q + shift.
+#[derive(Debug, Clone, Copy)]
+struct Placed {
+    turn: Rotation,
+    shift: Vector,
+}
+
+impl Placed {
+    fn point(&self, q: Point) -> Point {
+        self.turn * q + self.shift
     }
 }
 
@@ -288,8 +309,7 @@ enum InY {
 }
 
 impl Condition {
-    fn at(&self, x: f64) -> InY {
-        let first = self.motions.first;
+    fn at(&self, first: Placed) -> InY {
         match (self.carriers, self.motions.second) {
             (
                 Carriers::FirstLine {
@@ -300,7 +320,7 @@ impl Condition {
                 },
                 second,
             ) => {
-                let (n, l) = (first.vector(x, normal), first.point(x, through));
+                let (n, l) = (first.turn * normal, first.point(through));
                 match second {
                     Motion::Turn { center } => {
                         let w = point - center;
@@ -321,7 +341,7 @@ impl Condition {
                 },
                 second,
             ) => {
-                let p = first.point(x, point);
+                let p = first.point(point);
                 match second {
                     Motion::Turn { center } => {
                         let v = p - center;
@@ -342,7 +362,7 @@ impl Condition {
                 },
                 second,
             ) => {
-                let p = first.point(x, p);
+                let p = first.point(p);
                 match second {
                     Motion::Turn { center } => {
                         let (v, w) = (p - center, q - center);

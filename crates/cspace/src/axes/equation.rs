@@ -1,6 +1,6 @@
 //! Equations in one coordinate: trigonometric for a part that turns, quadratic for one that slides.
 
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rotation, Vector};
 
 use super::condition::INDEPENDENT;
 use super::motion::Motion;
@@ -103,6 +103,21 @@ impl Equation {
         }
     }
 
+    /// The roots of a trigonometric equation as directions (cos t, sin t), not quite of length one; none of another.
+    pub(super) fn directions(self) -> [Option<Vector>; 2] {
+        let Self::Trig { alpha, beta, gamma } = self else {
+            return [None, None];
+        };
+        let amplitude = alpha.hypot(beta);
+        let square = (amplitude - gamma) * (amplitude + gamma);
+        if amplitude < INDEPENDENT || square < 0.0 {
+            return [None, None];
+        }
+        let unit = Vector::new(alpha, beta) * (1.0 / amplitude);
+        let (along, aside) = (-gamma / amplitude, square.sqrt() / amplitude);
+        [-aside, aside].map(|a| Some(unit * along + unit.left() * a))
+    }
+
     /// Calls `found` with the roots, at most two; with none if the function is constant.
     pub(super) fn roots(self, found: &mut impl FnMut(f64)) {
         match self {
@@ -141,12 +156,14 @@ impl Equation {
     }
 }
 
-/// Coordinates (s, t) at which a point of one part is at a point of another: two at most.
+/// Coordinates (s, t) at which a point of one part is at a point of another: two at most, and those only that are plausible
+/// for the second part's orientation seen from the first, t − s.
 pub(super) fn coincidences(
     first: Motion,
     p: Point,
     second: Motion,
     q: Point,
+    plausible: impl Fn(Rotation) -> bool,
     mut found: impl FnMut(u8, f64, f64),
 ) {
     match (first, second) {
@@ -157,15 +174,27 @@ pub(super) fn coincidences(
             if square < 0.0 || apart < INDEPENDENT {
                 return;
             }
-            // The triangle of the two pivots and the point: angles at both pivots from its sides.
-            let height = square.sqrt();
-            let at_first = height.atan2(apart * apart + (e - f) * (e + f));
-            let at_second = height.atan2(apart * apart + (f - e) * (f + e));
-            let angle = between.angle();
-            let (v, w) = (v.angle(), w.angle());
-            let back = angle + core::f64::consts::PI;
-            found(0, angle + at_first - v, back - at_second - w);
-            found(1, angle - at_first - v, back + at_second - w);
+            // The point in the triangle with the two pivots: twice its area over the base, and the base's parts.
+            let height = 0.5 * square.sqrt() / apart;
+            let along = 0.5 * (apart + (e - f) * (e + f) / apart);
+            let base = between * (1.0 / apart);
+            for (root, aside) in [(0, height), (1, -height)] {
+                let from_first = base * along + base.left() * aside;
+                let from_second = base * (along - apart) + base.left() * aside;
+                // v (1 / |v|²) times the conjugate is the turn, up to rounding.
+                let turn = |a: Vector, b: Vector, square: f64| Rotation {
+                    cos: a.dot(b) / square,
+                    sin: a.cross(b) / square,
+                };
+                let (s, t) = (turn(v, from_first, e * e), turn(w, from_second, f * f));
+                let theta = Rotation {
+                    cos: s.cos * t.cos + s.sin * t.sin,
+                    sin: s.cos * t.sin - s.sin * t.cos,
+                };
+                if plausible(theta) {
+                    found(root, s.sin.atan2(s.cos), t.sin.atan2(t.cos));
+                }
+            }
         }
         (Motion::Turn { center }, Motion::Slide { direction }) => {
             for (root, s, t) in on_circle(p, center, q, direction).into_iter().flatten() {

@@ -159,10 +159,22 @@ impl<'a> Judge<'a> {
             if j == c.piece || q.vertical || !(q.start.x..=q.end.x).contains(&middle) {
                 continue;
             }
-            let mut d = sign * (q.y(self.pairs, middle) - y);
-            if self.y.is_circle() {
-                d -= TAU * (d / TAU).floor();
+            let ahead = |to: f64| {
+                let d = sign * (to - y);
+                if self.y.is_circle() {
+                    d - TAU * (d / TAU).floor()
+                } else {
+                    d
+                }
+            };
+            // Nothing of it is within reach if both ends of its box are beyond, the nearer one first.
+            let (lo, hi) = q.y_range();
+            let (near, far) = if free_up { (lo, hi) } else { (hi, lo) };
+            let to_near = ahead(near);
+            if to_near > reach && (!self.y.is_circle() || ahead(far) >= to_near && hi - lo < TAU) {
+                continue;
             }
+            let d = ahead(q.y(self.pairs, middle));
             // What lies on top of this piece and faces the same way is no end of the free side.
             if d > 0.0 && !(d < TOO_NEAR && q.root == p.root) {
                 reach = reach.min(d);

@@ -1,5 +1,7 @@
 //! How a part moves on its axis, in the frame of the pair.
 
+use core::f64::consts::{FRAC_PI_2, TAU};
+
 use crate::geometry::{Point, Rotation, Vector};
 
 /// A motion of one degree of freedom at most, with coordinate t.
@@ -135,15 +137,31 @@ impl Bearing {
         }
     }
 
-    /// The vector from the centre to the point, and its angle.
+    /// The vector from the centre to the point.
     #[inline]
-    pub(super) fn at(&self, x: f64) -> (Vector, f64) {
-        let v = self.motion.point(x, self.point) - self.center;
+    pub(super) fn vector(&self, x: f64) -> Vector {
+        self.motion.point(x, self.point) - self.center
+    }
+
+    /// The angle of the vector, plus the angle of (c, s) where `sign` is 1, less it where it is −1; s is not negative.
+    ///
+    /// The first is less than a quarter turn from the direction it is measured by, the second at most half a turn: so the
+    /// angle of their product, which is computed, is their sum but for a turn that its quadrant tells.
+    #[inline]
+    pub(super) fn turned(&self, x: f64, v: Vector, (c, s): (f64, f64), sign: f64) -> f64 {
         let (about, angle) = if self.turning {
             (Rotation::by(x) * self.about, self.angle + x)
         } else {
             (self.about, self.angle)
         };
-        (v, angle + about.cross(v).atan2(about.dot(v)))
+        let (along, aside) = (about.dot(v), about.cross(v));
+        let s = sign * s;
+        let sum = (aside * c + along * s).atan2(along * c - aside * s);
+        let sum = if sign * sum < -FRAC_PI_2 {
+            sum + sign * TAU
+        } else {
+            sum
+        };
+        angle + sum
     }
 }

@@ -29,6 +29,8 @@ pub(super) enum Name {
     LineJoint(u32, u32),
     /// A joint of the first part, between round features, has the normal of a line of the second.
     JointLine(u32, u32),
+    /// Two smooth joints between arcs touch, their normals opposite.
+    Joints(u32, u32),
     /// The two roots of a pair become one: pair, which of them.
     Turning(u32, u32),
     /// A curve goes on with the same pair: at the cut of a circle, or where it is cut to be monotone.
@@ -58,12 +60,39 @@ pub(super) struct Spot {
 /// Normals nearer than this to an end of an interval of normals are told by that end alone (radians).
 const NEAR: f64 = 1e-3;
 
+/// Normals that oppose each other to within this do so exactly (radians): the rounding of the configurations at which that is
+/// asked, with room.
+const TIE: f64 = 1e-12;
+
 /// One part with what its joints belong to.
 #[derive(Debug)]
 pub(super) struct Side {
     pub(super) outline: Outline,
     vertex: Vec<Option<u32>>,
     line: Vec<Option<u32>>,
+    cones: Vec<Cone>,
+}
+
+/// The normals of a feature: about a middle one.
+#[derive(Debug, Clone, Copy)]
+struct Cone {
+    middle: Vector,
+    /// Cosine of half its width and a little more.
+    least: f64,
+}
+
+impl Cone {
+    fn new(f: &Feature) -> Self {
+        Self {
+            middle: Vector::from_angle(0.5 * (f.lo + f.hi)),
+            least: (0.5 * (f.hi - f.lo) + NEAR).min(PI).cos(),
+        }
+    }
+
+    /// Whether a direction is among the normals, or near to them: a quick look before the decision.
+    fn may_hold(&self, direction: Vector) -> bool {
+        self.middle.dot(direction) >= self.least
+    }
 }
 
 impl Side {
@@ -71,6 +100,7 @@ impl Side {
         Self {
             vertex: outline.vertex_of_joint(),
             line: outline.line_of_joint(),
+            cones: outline.features.iter().map(Cone::new).collect(),
             outline,
         }
     }
@@ -108,10 +138,28 @@ pub(super) struct Scene {
 impl Scene {
     /// How far a normal of the second part is, counter-clockwise, from opposing one of the first.
     ///
-    /// Where nothing turns both may oppose each other at all times; then the second is taken to be turned by a little
-    /// more. Every pair asks this of the same two joints, so all agree.
+    /// Where both oppose each other, for good or just there, the second is taken to be turned by a little more. Every
+    /// pair asks this of the same two joints, so all agree.
     fn beyond(&self, first_angle: f64, second_angle: f64, theta: f64) -> f64 {
-        wrapped(second_angle + theta + PI - first_angle)
+        let angle = wrapped(second_angle + theta + PI - first_angle);
+        if angle.abs() < TIE { 0.0 } else { angle }
+    }
+
+    /// Whether two smooth joints between arcs oppose each other in passing. In what order the contact passes them is not
+    /// known then; so all four pairs of arcs are cut there, and where each is in contact is told away from it.
+    fn tied(&self, first_joint: u32, second_joint: u32, theta: f64) -> bool {
+        let turning = self.motions.first.turns() || self.motions.second.turns();
+        let smooth = |side: &Side, joint: u32| {
+            side.line[joint as usize].is_none() && side.vertex[joint as usize].is_none()
+        };
+        let (a, b) = (
+            self.first.angle(first_joint),
+            self.second.angle(second_joint),
+        );
+        turning
+            && self.beyond(a, b, theta) == 0.0
+            && smooth(&self.first, first_joint)
+            && smooth(&self.second, second_joint)
     }
 
     /// Whether a round feature of the second part has the normal opposite to that of a joint of the first.
@@ -190,8 +238,15 @@ impl Scene {
                 Some(vertex) if b.is_vertex() => Name::Vertices(vertex, ib),
                 _ => Name::FirstJoint(joint, ib),
             };
-            coincidences(first, at, second, b.center(), |root, x, y| {
-                if self.second_has(b, joint, self.motions.theta(x, y)) {
+            let normal = self.first.normal(joint);
+            let cone = self.second.cones[ib as usize];
+            let plausible = |theta: Rotation| cone.may_hold(-(theta.inverse() * normal));
+            coincidences(first, at, second, b.center(), plausible, |root, x, y| {
+                let theta = self.motions.theta(x, y);
+                let tied = |k: &u32| self.tied(joint, *k, theta);
+                if let Some(k) = [b.start, b.end].into_iter().find(tied) {
+                    found(Name::Joints(joint, k), root, x, y);
+                } else if self.second_has(b, joint, theta) {
                     found(name, root, x, y);
                 }
             });
@@ -212,8 +267,15 @@ impl Scene {
                 Some(vertex) if a.is_vertex() => Name::Vertices(ia, vertex),
                 _ => Name::SecondJoint(ia, joint),
             };
-            coincidences(first, a.center(), second, at, |root, x, y| {
-                if self.first_has(a, joint, self.motions.theta(x, y)) {
+            let normal = self.second.normal(joint);
+            let cone = self.first.cones[ia as usize];
+            let plausible = |theta: Rotation| cone.may_hold(-(theta * normal));
+            coincidences(first, a.center(), second, at, plausible, |root, x, y| {
+                let theta = self.motions.theta(x, y);
+                let tied = |k: &u32| self.tied(*k, joint, theta);
+                if let Some(k) = [a.start, a.end].into_iter().find(tied) {
+                    found(Name::Joints(k, joint), root, x, y);
+                } else if self.first_has(a, joint, theta) {
                     found(name, root, x, y);
                 }
             });
@@ -232,13 +294,12 @@ impl Scene {
             let Motions { first, second } = self.motions;
             let side = (self.first.normal(a.start), start, self.first.angle(a.start));
             let (point, beta) = (self.second.point(joint), self.second.angle(joint));
-            aligned(first, side, second, (point, beta), |root, x, y| {
-                let at = first
-                    .vector(x, along)
-                    .dot(second.point(y, point) - first.point(x, start));
-                if 0.0 < at && at < length {
-                    found(Name::LineJoint(ia, joint), root, x, y);
-                }
+            let accepts = |seen: Seen| {
+                let at = along.dot(seen.point(point) - start);
+                0.0 < at && at < length
+            };
+            aligned(first, side, second, (point, beta), accepts, |root, x, y| {
+                found(Name::LineJoint(ia, joint), root, x, y);
             });
         }
     }
@@ -258,14 +319,20 @@ impl Scene {
                 self.second.angle(b.start),
             );
             let (point, alpha) = (self.first.point(joint), self.first.angle(joint));
-            aligned(second, side, first, (point, alpha), |root, y, x| {
-                let at = second
-                    .vector(y, along)
-                    .dot(first.point(x, point) - second.point(y, start));
-                if 0.0 < at && at < length {
+            let accepts = |seen: Seen| {
+                let at = along.dot(seen.point(point) - start);
+                0.0 < at && at < length
+            };
+            aligned(
+                second,
+                side,
+                first,
+                (point, alpha),
+                accepts,
+                |root, y, x| {
                     found(Name::JointLine(joint, ib), root, x, y);
-                }
-            });
+                },
+            );
         }
     }
 
@@ -282,13 +349,12 @@ impl Scene {
         let (start, along, length) = self.first.segment(a);
         let side = (self.first.normal(a.start), start, self.first.angle(a.start));
         let joint = (self.second.point(b.start), self.second.angle(b.start));
-        aligned(first, side, second, joint, |root, x, y| {
-            let (origin, along) = (first.point(x, start), first.vector(x, along));
-            let place = |joint| along.dot(second.point(y, self.second.point(joint)) - origin);
+        let accepts = |seen: Seen| {
+            let place = |joint| along.dot(seen.point(self.second.point(joint)) - start);
             // Opposite normals: travel goes the other way on the second part.
             let (lo, hi) = (place(b.end), place(b.start));
             if lo.max(0.0) >= hi.min(length) {
-                return;
+                return false;
             }
             let lower = if lo <= 0.0 {
                 (true, a.start)
@@ -300,9 +366,10 @@ impl Scene {
             } else {
                 (false, b.start)
             };
-            if ends_at(lower.0, lower.1) || ends_at(upper.0, upper.1) {
-                found(Name::Lines(ia, ib), root, x, y);
-            }
+            ends_at(lower.0, lower.1) || ends_at(upper.0, upper.1)
+        };
+        aligned(first, side, second, joint, accepts, |root, x, y| {
+            found(Name::Lines(ia, ib), root, x, y);
         });
     }
 }
@@ -324,43 +391,78 @@ fn within(f: &Feature, above_lo: bool, to_lo: f64, below_hi: bool, to_hi: f64, s
     wrapped(from_lo - 0.5 * width).abs() < 0.5 * width
 }
 
-/// Coordinates (of the line's part, of the joint's part) at which a joint is on a line and their normals oppose.
+/// Where the line's part sees the joint's part: its point q at turn q + shift.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    turn: Rotation,
+    shift: Vector,
+}
+
+impl Seen {
+    fn point(&self, q: Point) -> Point {
+        self.turn * q + self.shift
+    }
+}
+
+/// Coordinates (of the line's part, of the joint's part) at which a joint is on a line and their normals oppose, if that is
+/// to be accepted as the parts then see each other.
 fn aligned(
     line_motion: Motion,
     (normal, through, alpha): (Vector, Point, f64),
     joint_motion: Motion,
     (point, beta): (Point, f64),
+    accepts: impl Fn(Seen) -> bool,
     mut found: impl FnMut(u8, f64, f64),
 ) {
     let theta = alpha + PI - beta;
     match (line_motion, joint_motion) {
         (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
             // n(t)·(d + R_t R_θ w − c) = n·(l − c).
-            let w = Rotation::by(theta) * (point - d);
+            let turn = Rotation::by(theta);
+            let between = d - c;
+            let w = turn * (point - d);
             let equation = Equation::Trig {
-                alpha: normal.dot(d - c),
-                beta: normal.left().dot(d - c),
+                alpha: normal.dot(between),
+                beta: normal.left().dot(between),
                 gamma: normal.dot(w - (through - c)),
             };
-            let mut root = 0;
-            equation.roots(&mut |t| {
-                found(root, t, t + theta);
-                root += 1;
-            });
+            for (root, t) in (0u8..).zip(equation.directions()) {
+                let Some(t) = t else { continue };
+                // The other pivot, turned back about the line's.
+                let there = Rotation {
+                    cos: t.x,
+                    sin: -t.y,
+                } * between;
+                let shift = (c.to_vector() + there) - turn * d.to_vector();
+                if accepts(Seen { turn, shift }) {
+                    let t = t.angle();
+                    found(root, t, t + theta);
+                }
+            }
         }
-        (Motion::Turn { .. }, Motion::Slide { direction }) => {
+        (Motion::Turn { center: c }, Motion::Slide { direction }) => {
             let t = -theta;
             let n = line_motion.vector(t, normal);
             let rate = n.dot(direction);
             if rate.abs() >= INDEPENDENT {
-                found(0, t, n.dot(line_motion.point(t, through) - point) / rate);
+                let s = n.dot(line_motion.point(t, through) - point) / rate;
+                let turn = Rotation::by(theta);
+                let shift = c.to_vector() + turn * (direction * s - c.to_vector());
+                if accepts(Seen { turn, shift }) {
+                    found(0, t, s);
+                }
             }
         }
-        (Motion::Slide { direction }, Motion::Turn { .. }) => {
+        (Motion::Slide { direction }, Motion::Turn { center: d }) => {
             let rate = normal.dot(direction);
             if rate.abs() >= INDEPENDENT {
                 let at = joint_motion.point(theta, point);
-                found(0, normal.dot(at - through) / rate, theta);
+                let s = normal.dot(at - through) / rate;
+                let turn = Rotation::by(theta);
+                let shift = d.to_vector() - turn * d.to_vector() - direction * s;
+                if accepts(Seen { turn, shift }) {
+                    found(0, s, theta);
+                }
             }
         }
         _ => {}

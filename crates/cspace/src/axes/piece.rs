@@ -49,6 +49,17 @@ pub(super) struct Height {
     pub(super) turns: i32,
 }
 
+impl Height {
+    pub(super) fn y(self) -> f64 {
+        self.value + TAU * f64::from(self.turns)
+    }
+
+    /// How far this is above another that is moved up by so many turns.
+    pub(super) fn above(self, other: Self, shift: i32) -> f64 {
+        (self.value - other.value) + TAU * f64::from(self.turns - other.turns - shift)
+    }
+}
+
 impl Piece {
     /// The piece when its pair's index, by itself and in names, is greater by `shift`.
     pub(super) fn renumbered(mut self, shift: u32) -> Self {
@@ -84,8 +95,7 @@ impl Piece {
 
     /// y at x, of a piece that is not vertical.
     pub(super) fn y(&self, pairs: &[Pair], x: f64) -> f64 {
-        let h = self.height(pairs, x);
-        h.value + TAU * f64::from(h.turns)
+        self.height(pairs, x).y()
     }
 
     /// y at x; at an end it is the node's, for all pieces that meet there.

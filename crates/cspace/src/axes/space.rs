@@ -102,7 +102,6 @@ impl FixedAxesSpace {
         moving: &Part,
         moving_axis: Axis,
     ) -> Result<Self, AxesError> {
-        let t0 = std::time::Instant::now();
         let frame = PairFrame::new(fixed, moving);
         let center = frame.fixed_center;
         let fixed_motion = motion(&fixed_axis, Role::Fixed, &frame)?;
@@ -154,22 +153,10 @@ impl FixedAxesSpace {
             second: bodies.1,
             motions,
         };
-        if std::env::var("TIMES").is_ok() {
-            eprintln!("stage 0 {:?}", t0.elapsed());
-        }
         let (pairs, pieces) = build(&scene);
-        if std::env::var("TIMES").is_ok() {
-            eprintln!("stage 1 {:?}", t0.elapsed());
-        }
         let arrangement = Arrangement::new(&pairs, &pieces, &scene.y);
-        if std::env::var("TIMES").is_ok() {
-            eprintln!("stage 2 {:?}", t0.elapsed());
-        }
         let judge = Judge::new(&pairs, &pieces, &bodies, scene.x, scene.y);
         let verdicts = judge.verdicts(&arrangement);
-        if std::env::var("TIMES").is_ok() {
-            eprintln!("stage 3 {:?}", t0.elapsed());
-        }
         let bands = Sweep {
             graphs: Graphs {
                 pairs: &pairs,
@@ -182,9 +169,6 @@ impl FixedAxesSpace {
             x: scene.x,
         }
         .run();
-        if std::env::var("TIMES").is_ok() {
-            eprintln!("stage 4 {:?}", t0.elapsed());
-        }
         let statistics = AxesStatistics {
             pairs: pairs.len(),
             pieces: pieces.len(),
@@ -208,9 +192,6 @@ impl FixedAxesSpace {
             branches: Vec::new(),
             statistics,
         };
-        if std::env::var("TIMES").is_ok() {
-            eprintln!("stage 5 {:?}", t0.elapsed());
-        }
         space.slots = space.near_slots();
         let chains = chains(
             &space.pairs,
@@ -221,9 +202,6 @@ impl FixedAxesSpace {
             (space.x, space.y),
         );
         space.set_patches(chains);
-        if std::env::var("TIMES").is_ok() {
-            eprintln!("stage end {:?}", t0.elapsed());
-        }
         Ok(space)
     }
 
