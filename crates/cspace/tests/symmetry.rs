@@ -371,6 +371,30 @@ fn windows() {
     );
 }
 
+/// The work, counted and not timed: a slab of k has a k-th of the cells and branches, and what its cuts add.
+#[test]
+fn a_slab_is_a_share_of_the_work() {
+    for (fixed, moving) in [
+        (ratchet(20), pawl()),
+        (pawl(), ratchet(40)),
+        (gear(10, 1.0), gear(9, 1.0)),
+    ] {
+        let [a, b] = computed(&fixed, &moving, None);
+        let slabs = u64::from(a.symmetry().slabs);
+        let (s, t) = (a.statistics(), b.statistics());
+        for (slab, turn) in [
+            (s.cells, t.cells),
+            (s.branches, t.branches),
+            (s.pairs, t.pairs),
+        ] {
+            assert!(slab * slabs <= 3 * turn, "{slab} × {slabs}, {turn}");
+        }
+        let bands = a.bands().len();
+        assert_eq!(a.computed_bands() * slabs as usize, bands);
+        assert_eq!(b.computed_bands(), bands);
+    }
+}
+
 /// Arcs of nearly a turn touch others over more than a turn of orientations.
 #[test]
 fn long_arcs() {
