@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::{
     BoundaryKind, Classification, Configuration, ContactSpace, FeatureName, Options, Part, Patch,
-    Symmetry,
+    Symmetry, Vertex,
 };
 use cspace_oracle::shapes::*;
 use cspace_oracle::{Oracle, near_contact, pairs};
@@ -79,8 +79,8 @@ fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
                 times && middle(a, i, theta).distance(middle(b, j, theta)) <= 1e-8 * size
             };
             let k = free.iter().position(same);
-            let k = k.unwrap_or_else(|| panic!("{name}: {label:?} {p:?} is missing"));
-            to[i as usize] = free.swap_remove(k);
+            assert!(k.is_some(), "{name}: {label:?} {p:?} is missing");
+            to[i as usize] = free.swap_remove(k.unwrap());
         }
     }
     to
@@ -330,7 +330,13 @@ fn wheels_with_bores_and_holes() {
             shifted(&circle(0.15), at.x, at.y)
         })
         .collect();
-    compare("bored", &holed(&[bore.clone()]), &pawl(), None, 12);
+    compare(
+        "bored",
+        &holed(core::slice::from_ref(&bore)),
+        &pawl(),
+        None,
+        12,
+    );
     compare("pawl, bored", &pawl(), &holed(&[bore]), None, 12);
     compare("holed", &holed(&ring), &pawl(), None, 6);
     // A pin does: then the circle is left as it was drawn.
@@ -363,6 +369,76 @@ fn windows() {
         Some((-2.0, 3.0)),
         2,
     );
+}
+
+/// The work, counted and not timed: a slab of k has a k-th of the cells and branches, and what its cuts add.
+#[test]
+fn a_slab_is_a_share_of_the_work() {
+    for (fixed, moving) in [
+        (ratchet(20), pawl()),
+        (pawl(), ratchet(40)),
+        (gear(10, 1.0), gear(9, 1.0)),
+    ] {
+        let [a, b] = computed(&fixed, &moving, None);
+        let slabs = u64::from(a.symmetry().slabs);
+        let (s, t) = (a.statistics(), b.statistics());
+        for (slab, turn) in [
+            (s.cells, t.cells),
+            (s.branches, t.branches),
+            (s.pairs, t.pairs),
+        ] {
+            assert!(slab * slabs <= 3 * turn, "{slab} × {slabs}, {turn}");
+        }
+        let bands = a.bands().len();
+        assert_eq!(a.computed_bands() * slabs as usize, bands);
+        assert_eq!(b.computed_bands(), bands);
+    }
+}
+
+/// Arcs of nearly a turn touch others over more than a turn of orientations.
+#[test]
+fn long_arcs() {
+    let ring = c_shape(2.0, 1.5, 0.2);
+    let other = rounded_rectangle(1.0, 0.6, 0.25);
+    compare("ring, other", &ring, &other, None, 2);
+    compare("other, ring", &other, &ring, None, 2);
+    compare("ring, other", &ring, &other, Some((0.3, 6.0)), 2);
+    compare("other, ring", &other, &ring, Some((-5.0, 1.2)), 2);
+}
+
+/// Coordinates written with nine decimals: the nearest symmetric wheel is computed, and its distance told.
+#[test]
+fn rounded_drawings() {
+    let drawn = ratchet(20);
+    let round = |x: f64| (x * 1e9).round() / 1e9;
+    let loops = drawn
+        .loops()
+        .iter()
+        .map(|l| {
+            let place = |v: &Vertex| Vertex::new(round(v.x), round(v.y), v.bulge);
+            l.vertices().iter().map(place).collect()
+        })
+        .collect();
+    let wheel = Part::new("rounded", loops).unwrap();
+    let [a, b] = computed(&wheel, &pawl(), None);
+    let s = a.symmetry();
+    assert_eq!((s.fixed, s.slabs), (20, 20));
+    assert!((1e-11..1e-9).contains(&s.deviation));
+    assert!(a.resolution() > s.deviation && b.resolution() < s.deviation);
+    assert_eq!(a.statistics().conflicts, 0);
+    let oracle = Oracle::new(&wheel, &pawl());
+    let mut rng = ChaCha8Rng::seed_from_u64(9);
+    let classifier = a.classifier();
+    for near in near_contact(&oracle, &mut rng, 2000) {
+        let expected = if near.verdict.overlap {
+            Classification::Blocked
+        } else {
+            Classification::Free
+        };
+        let answer = classifier.classify(near.configuration);
+        let told = answer == Some(Classification::Contact) || answer == Some(expected);
+        assert!(told, "{near:?}");
+    }
 }
 
 /// All pairs that have some symmetry, also the degenerate ones.

@@ -10,6 +10,7 @@ mod names;
 mod overlap;
 mod pair;
 mod sheet;
+mod span;
 mod twist;
 
 pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};

@@ -4,8 +4,9 @@ use crate::feature::{Outline, PairFrame};
 use crate::geometry::{Point, Rotation};
 use crate::part::{LoopImage, Part};
 
-use super::build::{Contacts, Span};
+use super::build::Contacts;
 use super::overlap::{Body, overlap};
+use super::span::Span;
 use super::twist::{Carried, LoopImages, Steps};
 
 /// A pair in its own frame: outlines, sheets of contact, and the bodies for tests of overlap.

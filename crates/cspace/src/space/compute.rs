@@ -291,7 +291,9 @@ impl ContactSpace {
         if assembler.divides_contacts() {
             // Circles divided for the sake of symmetry are touched after all: rather not divide them.
             let method = Method::Slab(Corresponding::Vertices);
-            return Self::compute_by(fixed, moving, window, method, progress);
+            let mut space = Self::compute_by(fixed, moving, window, method, progress)?;
+            space.statistics.seconds.total = begin.elapsed().as_secs_f64();
+            return Ok(space);
         }
         let mut space = assembler.assemble(fixed, moving);
         lap(&mut seconds.graph);

@@ -1,7 +1,7 @@
 //! Neighbours of patches: contacts of cells in one slab, copied to all.
 
-use crate::contact::ContactFunction;
-use crate::geometry::{Point, Rotation};
+use crate::contact::Curve;
+use crate::geometry::Rotation;
 use crate::slice::CurveGeometry;
 
 use super::cells::VerticalContact;
@@ -39,53 +39,63 @@ impl Links<'_> {
         self.chains.members[cell as usize]
     }
 
-    /// Neighbours along the boundary.
+    /// Neighbours along the boundary, in order of the patch before and of orientation.
     pub(super) fn side(&self, patches: &[Patch]) -> Vec<SideLink> {
         let mut links: Vec<SideLink> = Vec::new();
-        for f in self.following() {
-            let chain = &self.chains.chains[f.before as usize];
-            for slabs in self.lifts.shifts(f.lo, f.hi) {
-                let before = self.lifts.patch(f.before, slabs);
-                let after = self.lifts.patch(f.after, slabs + f.shift);
-                let (Some(before), Some(after)) = (before, after) else {
-                    continue;
-                };
-                // Into the interval of the patch before.
-                let start = patches[before as usize].lo;
-                let bring = |place: Place, theta: f64| {
-                    let at = self.lifts.orientation(place, slabs);
-                    self.lifts.near(at, start + (theta - chain.lo))
-                };
-                let (lo, hi) = self.lifts.clipped(bring(f.from, f.lo), bring(f.to, f.hi));
-                links.push(SideLink {
-                    before,
-                    after,
-                    lo,
-                    hi,
-                });
+        // The copies of a chain are numbered on, so that what is made chain by chain is in order.
+        for group in self.following().chunk_by(|a, b| a.before == b.before) {
+            let first = links.len();
+            for f in group {
+                self.copies(f, patches, &mut links);
             }
+            let mut own = links.split_off(first);
+            own.sort_by(|a, b| {
+                (a.before, a.after)
+                    .cmp(&(b.before, b.after))
+                    .then(a.lo.total_cmp(&b.lo))
+            });
+            // Where a patch goes around the turn, what a window cuts from several copies hangs together.
+            own.dedup_by(|next, last| {
+                let joined = (last.before, last.after) == (next.before, next.after)
+                    && next.lo - last.hi <= SAME;
+                if joined {
+                    last.hi = last.hi.max(next.hi);
+                }
+                joined
+            });
+            own.sort_by(|a, b| {
+                a.before
+                    .cmp(&b.before)
+                    .then(a.lo.total_cmp(&b.lo))
+                    .then(a.after.cmp(&b.after))
+            });
+            links.append(&mut own);
         }
-        links.sort_by(|a, b| {
-            (a.before, a.after)
-                .cmp(&(b.before, b.after))
-                .then(a.lo.total_cmp(&b.lo))
-        });
-        // Where a patch goes around the turn, what a window cuts from several copies hangs together.
-        links.dedup_by(|next, last| {
-            let joined =
-                (last.before, last.after) == (next.before, next.after) && next.lo - last.hi <= SAME;
-            if joined {
-                last.hi = last.hi.max(next.hi);
-            }
-            joined
-        });
-        links.sort_by(|a, b| {
-            a.before
-                .cmp(&b.before)
-                .then(a.lo.total_cmp(&b.lo))
-                .then(a.after.cmp(&b.after))
-        });
         links
+    }
+
+    fn copies(&self, f: &Following, patches: &[Patch], links: &mut Vec<SideLink>) {
+        let chain = &self.chains.chains[f.before as usize];
+        for slabs in self.lifts.shifts(f.lo, f.hi) {
+            let before = self.lifts.patch(f.before, slabs);
+            let after = self.lifts.patch(f.after, slabs + f.shift);
+            let (Some(before), Some(after)) = (before, after) else {
+                continue;
+            };
+            // Into the interval of the patch before.
+            let start = patches[before as usize].lo;
+            let bring = |place: Place, theta: f64| {
+                let at = self.lifts.orientation(place, slabs);
+                self.lifts.near(at, start + (theta - chain.lo))
+            };
+            let (lo, hi) = self.lifts.clipped(bring(f.from, f.lo), bring(f.to, f.hi));
+            links.push(SideLink {
+                before,
+                after,
+                lo,
+                hi,
+            });
+        }
     }
 
     /// Side contacts of free cells, those that hang together as one.
@@ -143,10 +153,13 @@ impl Links<'_> {
                 slabs: 0,
             };
             let theta = self.linker.clusters.at(v.at);
-            let around = self.lifts.shifts(theta - 1.0, theta + 1.0);
-            for slabs in around {
+            let sheet = self.linker.sheet(v.lower);
+            let curve = sheet.curve(theta, Rotation::by(theta));
+            // A little more than there are: rounding is not to lose one.
+            for slabs in self.lifts.shifts(theta - 0.1, theta + 0.1) {
                 let at = self.lifts.orientation(place, slabs);
-                if !window.full_turn && !(window.lo < at && at < window.hi) {
+                let inside = window.full_turn || (window.lo < at && at < window.hi);
+                if !inside {
                     continue;
                 }
                 let below = self.lifts.patch(lower.chain, slabs - lower.slabs);
@@ -163,7 +176,7 @@ impl Links<'_> {
                     lower: below,
                     upper: above,
                     theta: at,
-                    overlap: self.overlap(v, slabs, at),
+                    overlap: self.overlap(&curve, v, slabs, at),
                 });
             }
         }
@@ -175,25 +188,10 @@ impl Links<'_> {
         links
     }
 
-    /// What two cells share of their curves, some slabs further.
-    fn overlap(&self, v: &VerticalContact, slabs: i64, at: f64) -> CurveGeometry {
-        let theta = self.linker.clusters.at(v.at);
-        let sheet = self.linker.sheet(v.lower);
+    /// What two cells share of their curve, some slabs further.
+    fn overlap(&self, curve: &Curve, v: &VerticalContact, slabs: i64, at: f64) -> CurveGeometry {
         let steps = &self.lifts.steps;
-        let curve = sheet.curve(theta, Rotation::by(theta));
-        let curve = steps.twist(slabs).curve(&curve, steps.angle(slabs));
-        let frame = &self.linker.geometry.frame;
-        match sheet.function() {
-            ContactFunction::Circle { .. } => {
-                CurveGeometry::from_inner(&curve, v.lo, v.hi, frame, at)
-            }
-            _ => {
-                let outer = |p: Point| frame.outer_from_inner(p, at).position();
-                CurveGeometry::Segment {
-                    start: outer(curve.point(v.lo)),
-                    end: outer(curve.point(v.hi)),
-                }
-            }
-        }
+        let curve = steps.twist(slabs).curve(curve, steps.angle(slabs));
+        CurveGeometry::from_inner(&curve, v.lo, v.hi, &self.linker.geometry.frame, at)
     }
 }

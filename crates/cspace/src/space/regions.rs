@@ -4,7 +4,7 @@
 //! in some slice; a slice through each shell tells: going right from the rightmost point of a loop that has its free
 //! space outside, the next contact curve bounds the same free space, and if there is none, it is the unbounded one.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::contact::Steps;
 use crate::geometry::{Configuration, Point, Vector};
@@ -76,20 +76,22 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
         }
     }
     // One slice through each shell, at the middle of its longest-lived patch; shells that are copies have copies of one.
-    let mut longest: BTreeMap<u32, u32> = BTreeMap::new();
+    const NONE: u32 = u32::MAX;
     let life = |i: u32| space.patches[i as usize].hi - space.patches[i as usize].lo;
     let shell: Vec<u32> = (0..n as u32).map(|i| sets.find(i)).collect();
+    let mut longest = vec![NONE; n];
     for (i, &s) in (0u32..).zip(&shell) {
-        let best = longest.entry(s).or_insert(i);
+        let best = &mut longest[s as usize];
         // Copies live equally long, but for rounding.
-        if life(i) > life(*best) * (1.0 + 1e-9) {
+        if *best == NONE || life(i) > life(*best) * (1.0 + 1e-9) {
             *best = i;
         }
     }
     let mut samples: Vec<(u32, Configuration)> = Vec::new();
-    let mut done: BTreeSet<u32> = BTreeSet::new();
-    for (&s, &i) in &longest {
-        if done.contains(&s) {
+    let mut done = vec![false; n];
+    for s in 0..n {
+        let i = longest[s];
+        if i == NONE || done[s] {
             continue;
         }
         let p = &space.patches[i as usize];
@@ -109,14 +111,15 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
                 sets.union(copying.copy(a, slabs, far), copying.copy(b, slabs, far));
             }
             let copy = copying.copy(i, slabs, far);
-            if done.insert(shell[copy as usize]) {
+            let seen = &mut done[shell[copy as usize] as usize];
+            if !core::mem::replace(seen, true) {
                 samples.push((copy, copying.configuration(space, inside, slabs)));
             }
         }
     }
     let mut regions: Vec<FreeRegion> = Vec::new();
-    let mut number = BTreeMap::new();
-    number.insert(sets.find(far), 0u32);
+    let mut number = vec![NONE; n + 1];
+    number[sets.find(far) as usize] = 0;
     let far_sample = space
         .frame
         .outer_from_inner(Point::new(8.0, 0.0), space.window.lo);
@@ -126,18 +129,22 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
         patches: 0,
     });
     for (i, sample) in samples {
-        let root = sets.find(i);
-        number.entry(root).or_insert_with(|| {
+        let region = &mut number[sets.find(i) as usize];
+        if *region == NONE {
+            *region = regions.len() as u32;
             regions.push(FreeRegion {
                 unbounded: false,
                 sample,
                 patches: 0,
             });
-            (regions.len() - 1) as u32
-        });
+        }
     }
     for i in 0..n as u32 {
-        let region = number.get(&sets.find(i)).copied().unwrap_or(0);
+        // Every patch is in a shell through which a slice was made, and has a number.
+        let region = match number[sets.find(i) as usize] {
+            NONE => 0,
+            region => region,
+        };
         space.patches[i as usize].region = region;
         regions[region as usize].patches += 1;
     }

@@ -184,13 +184,11 @@ impl Redraw<'_> {
             }
             // The loops that are images of this one; of a circle about the centre, itself every time.
             let own = trace.is_center(*c);
+            let next = |l: usize| self.images[l].target as usize;
+            let others = core::iter::successors(Some(next(first)), |&l| Some(next(l)));
             let mut orbit = vec![first];
-            while !own {
-                let next = self.images[orbit[orbit.len() - 1]].target as usize;
-                if next == first {
-                    break;
-                }
-                orbit.push(next);
+            if !own {
+                orbit.extend(others.take_while(|&l| l != first));
             }
             self.circle_orbit(loops, center, &orbit, own);
         }
