@@ -4,8 +4,8 @@ use core::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use cspace::{
-    AxesError, Axis, AxisMotion, ComputeError, ContactSpace, Options, PairClass, PairError, PairSpace, Part, Relation,
-    Slice, Symmetry,
+    AxesError, Axis, AxisMotion, ComputeError, ContactSpace, Options, PairClass, PairError,
+    PairSpace, Part, Relation, Slice, Symmetry,
 };
 use cspace_io::{Document, Model, Pair};
 

@@ -6,8 +6,8 @@
 
 use std::path::Path;
 
-use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
 use cspace::space::{SAVED_VERSION, SavedError};
+use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
 use serde::de::IgnoredAny;
 use serde_json::Value;
 

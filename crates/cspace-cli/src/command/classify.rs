@@ -183,7 +183,11 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
         _ => {
             let found: Vec<&str> = header.iter().collect();
             let wanted = if by_axes { "u and v" } else { "x, y and theta" };
-            let class = if pair.is_planar() { PairClass::General } else { pair.class() };
+            let class = if pair.is_planar() {
+                PairClass::General
+            } else {
+                pair.class()
+            };
             let failure = Failure::input(format_args!(
                 "standard input, line 1: the columns are {:?}, and a configuration of the {class} pair {} is {wanted}",
                 found.join(","),

@@ -45,7 +45,10 @@ struct Summary<'a> {
 #[derive(Serialize)]
 #[serde(rename_all = "kebab-case", tag = "type")]
 enum MotionSpace<'a> {
-    Axes { fixed: Axis, moving: Axis },
+    Axes {
+        fixed: Axis,
+        moving: Axis,
+    },
     Joint {
         joint: Joint,
         limits: Option<(f64, f64)>,
@@ -276,7 +279,11 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
         (true, Seconds::Total { .. }) => " to look at it",
         _ => "",
     };
-    writeln!(text, "  time           {:.6} s{computed}", s.seconds.total())
+    writeln!(
+        text,
+        "  time           {:.6} s{computed}",
+        s.seconds.total()
+    )
 }
 
 fn describe_joint(

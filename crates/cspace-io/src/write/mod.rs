@@ -5,3 +5,4 @@ pub mod obj;
 pub mod ply;
 pub mod stl;
 pub mod svg;
+pub mod svg_axes;

@@ -29,7 +29,7 @@ const LINE: f64 = 13.0;
 const FIXED_LINE: &str = "#1f6fb4";
 const MOVING_LINE: &str = "#c8541d";
 const ROUND: &str = "#2b8a3e";
-const BLOCKED: &str = "#c9ccd1";
+pub(super) const BLOCKED: &str = "#c9ccd1";
 
 /// A picture of slices: free space white, blocked space grey, curves coloured by the kind of contact.
 ///
@@ -116,7 +116,7 @@ impl View {
 }
 
 /// To a thousandth of a pixel, so that files stay small.
-fn rounded(x: f64) -> f64 {
+pub(super) fn rounded(x: f64) -> f64 {
     (x * 1000.0).round() / 1000.0
 }
 
@@ -212,7 +212,7 @@ fn legend(out: &mut String, top: f64) {
     }
 }
 
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

@@ -3,6 +3,7 @@
 use crate::query::Classification;
 
 use super::bands::Graphs;
+use super::condition::Condition;
 use super::domain::ExtentKind;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
@@ -64,7 +65,7 @@ impl FixedAxesSpace {
         Some((x, y))
     }
 
-    fn graphs(&self) -> Graphs<'_> {
+    pub(super) fn graphs(&self) -> Graphs<'_> {
         Graphs {
             pairs: &self.pairs,
             pieces: &self.pieces,
@@ -103,32 +104,59 @@ impl FixedAxesSpace {
     /// Cells of the free boundary within the resolution of a configuration, with the contact functions' values.
     pub(super) fn touching(&self, x: f64, y: f64) -> impl Iterator<Item = (u32, f64)> + '_ {
         let resolution = self.resolution() * self.map.frame.scale;
-        self.slots[self.slot(x)].iter().filter_map(move |&i| {
-            let (c, p) = (
-                &self.cells[i as usize],
-                &self.pieces[self.cells[i as usize].piece as usize],
-            );
-            let (x_range, y_range) = if p.vertical {
-                ((p.start.x, p.start.x), (c.from, c.to))
+        self.slots[self.slot(x)]
+            .iter()
+            .filter(move |&&i| self.is_beside(i, x, y, NEAR))
+            .map(move |&i| (i, self.condition_of(i).value(x, y)))
+            .filter(move |(_, value)| value.abs() <= resolution)
+    }
+
+    /// The patches that touch at a configuration, up to `tolerance` (model length) by their contact functions, with how far
+    /// off they are; the nearest first. None outside the ranges of motion.
+    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
+        let Some((x, y)) = self.placed(u, v) else {
+            return Vec::new();
+        };
+        // A contact function changes by no less than the coordinates do, but for where it is tangent.
+        let near = NEAR + tolerance * self.map.frame.scale;
+        let mut found: Vec<(u32, f64)> = (self.branches.iter())
+            .filter(|b| self.is_beside(b.cell, x, y, near))
+            .map(|b| {
+                let off = self.condition_of(b.cell).value(x, y).abs();
+                (b.patch, off / self.map.frame.scale)
+            })
+            .filter(|&(_, off)| off <= tolerance)
+            .collect();
+        found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        found.dedup_by_key(|f| f.0);
+        found.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        found
+    }
+
+    pub(super) fn condition_of(&self, cell: u32) -> &Condition {
+        let (_, p) = self.cell_and_piece(cell);
+        &self.pairs[p.pair as usize].condition
+    }
+
+    /// Whether a configuration is in a cell's box, or at most `near` (radians or length of the frame) outside.
+    pub(super) fn is_beside(&self, cell: u32, x: f64, y: f64, near: f64) -> bool {
+        let (c, p) = self.cell_and_piece(cell);
+        let (x_range, y_range) = if p.vertical {
+            ((p.start.x, p.start.x), (c.from, c.to))
+        } else {
+            let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
+            ((c.from, c.to), (a.min(b), a.max(b)))
+        };
+        let within = |t: f64, (lo, hi): (f64, f64), circle: bool| {
+            let t = if circle {
+                let turn = core::f64::consts::TAU;
+                t + turn * ((lo - near - t) / turn).ceil()
             } else {
-                let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
-                ((c.from, c.to), (a.min(b), a.max(b)))
+                t
             };
-            let near = |t: f64, (lo, hi): (f64, f64), circle: bool| {
-                let t = if circle {
-                    let turn = core::f64::consts::TAU;
-                    t + turn * ((lo - NEAR - t) / turn).ceil()
-                } else {
-                    t
-                };
-                lo - NEAR <= t && t <= hi + NEAR
-            };
-            if !near(x, x_range, self.x.is_circle()) || !near(y, y_range, self.y.is_circle()) {
-                return None;
-            }
-            let value = self.pairs[p.pair as usize].condition.value(x, y);
-            (value.abs() <= resolution).then_some((i, value))
-        })
+            lo - near <= t && t <= hi + near
+        };
+        within(x, x_range, self.x.is_circle()) && within(y, y_range, self.y.is_circle())
     }
 
     fn slot(&self, x: f64) -> usize {

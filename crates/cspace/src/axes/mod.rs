@@ -11,13 +11,17 @@ mod condition;
 mod cross;
 mod domain;
 mod equation;
+mod first;
 mod judge;
 mod motion;
 mod nodes;
 mod patch;
+mod picture;
 mod piece;
+mod saved;
 mod space;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use patch::{AxesBranch, AxesPatch, BranchForm};
+pub use saved::SavedAxes;
 pub use space::{AxesRegion, AxesStatistics, FixedAxesSpace};

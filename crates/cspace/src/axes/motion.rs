@@ -2,10 +2,12 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
+use serde::{Deserialize, Serialize};
+
 use crate::geometry::{Point, Rotation, Vector};
 
 /// A motion of one degree of freedom at most, with coordinate t.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) enum Motion {
     /// No motion.
     Still,
@@ -59,7 +61,7 @@ impl Motion {
 /// The motions of both parts.
 ///
 /// The first has the coordinate x along which the plane is swept, the second the coordinate y.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Motions {
     pub(super) first: Motion,
     pub(super) second: Motion,
@@ -92,7 +94,7 @@ impl Motions {
 
 /// The direction of a point that the first part carries, seen from a centre that stays: continuous in x, without
 /// jumps by whole turns.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Bearing {
     motion: Motion,
     point: Point,

@@ -49,7 +49,7 @@ pub struct AxesBranch {
     /// Where it ends.
     pub end: (f64, f64),
     /// The cell of the arrangement.
-    cell: u32,
+    pub(super) cell: u32,
 }
 
 impl FixedAxesSpace {

@@ -29,6 +29,9 @@ const MOST_TURNS: u32 = 1000;
 /// The configuration space of two parts on fixed axes.
 #[derive(Debug)]
 pub struct FixedAxesSpace {
+    pub(super) fixed: Part,
+    pub(super) moving: Part,
+    pub(super) axes: (Axis, Axis),
     pub(super) map: Map,
     pub(super) motions: Motions,
     pub(super) x: Extent,
@@ -63,7 +66,7 @@ pub struct AxesStatistics {
 /// From u and v to x and y and back.
 ///
 /// x is the coordinate along which the plane is swept: one of a part that turns, if there is one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Map {
     pub(super) frame: PairFrame,
     pub(super) swapped: bool,
@@ -81,6 +84,13 @@ impl Map {
     pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
         let (x, y) = (x * self.x_unit, y * self.y_unit);
         if self.swapped { (y, x) } else { (x, y) }
+    }
+
+    /// Whether it can be inverted.
+    pub(super) fn is_sound(&self) -> bool {
+        [self.frame.scale, self.x_unit, self.y_unit]
+            .iter()
+            .all(|s| s.is_finite() && *s > 0.0)
     }
 
     /// Model units per unit of u and of v.
@@ -177,6 +187,9 @@ impl FixedAxesSpace {
             conflicts: verdicts.conflicts + bands.conflicts,
         };
         let mut space = Self {
+            fixed: fixed.clone(),
+            moving: moving.clone(),
+            axes: (fixed_axis, moving_axis),
             map,
             motions,
             x: scene.x,
@@ -203,6 +216,21 @@ impl FixedAxesSpace {
         );
         space.set_patches(chains);
         Ok(space)
+    }
+
+    /// The part called fixed.
+    pub fn fixed(&self) -> &Part {
+        &self.fixed
+    }
+
+    /// The moving part.
+    pub fn moving(&self) -> &Part {
+        &self.moving
+    }
+
+    /// The axes of the fixed and of the moving part.
+    pub fn axes(&self) -> (Axis, Axis) {
+        self.axes
     }
 
     /// Counts of the computation.

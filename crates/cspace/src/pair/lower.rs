@@ -287,10 +287,7 @@ fn table(joint: Joint) -> Vec<PermanentContact> {
         Joint::Rigid => {
             let normal = Vector::new(0.0, 1.0);
             let aside = Point::new(1.0, 0.0);
-            vec![
-                point_arc(Point::ORIGIN),
-                point_line(normal, aside, aside),
-            ]
+            vec![point_arc(Point::ORIGIN), point_line(normal, aside, aside)]
         }
     }
 }

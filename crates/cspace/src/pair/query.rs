@@ -1,7 +1,7 @@
 //! Questions to the configuration space of a pair of any class.
 
-use crate::query::{Classification, MotionError, MotionOutcome};
 use crate::geometry::Configuration;
+use crate::query::{Classification, MotionError, MotionOutcome};
 
 use super::relation::{Coordinates, PairClass};
 use super::space::PairSpace;
@@ -107,11 +107,7 @@ impl PairSpace {
     ///
     /// # Errors
     /// If it is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
-    pub fn contacts(
-        &self,
-        at: Coordinates,
-        tolerance: f64,
-    ) -> Result<Vec<(u32, f64)>, QueryError> {
+    pub fn contacts(&self, at: Coordinates, tolerance: f64) -> Result<Vec<(u32, f64)>, QueryError> {
         self.classify(at)?;
         Ok(match (self, at) {
             (Self::Lower(pair), Coordinates::Planar(c)) => {
@@ -197,10 +193,18 @@ impl PairSpace {
                     before: sorted(space.links_before(patch).map(|l| l.before).collect()),
                     after: sorted(space.links_after(patch).map(|l| l.after).collect()),
                     below: sorted(
-                        vertical.iter().filter(|l| l.upper == patch).map(|l| l.lower).collect(),
+                        vertical
+                            .iter()
+                            .filter(|l| l.upper == patch)
+                            .map(|l| l.lower)
+                            .collect(),
                     ),
                     above: sorted(
-                        vertical.iter().filter(|l| l.lower == patch).map(|l| l.upper).collect(),
+                        vertical
+                            .iter()
+                            .filter(|l| l.lower == patch)
+                            .map(|l| l.upper)
+                            .collect(),
                     ),
                 }
             }

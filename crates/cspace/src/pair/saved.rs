@@ -94,9 +94,15 @@ impl LowerPair {
             Joint::Rigid => true,
         };
         if !sound {
-            return whole("the joint", "it has a number that is not finite, or no direction");
+            return whole(
+                "the joint",
+                "it has a number that is not finite, or no direction",
+            );
         }
-        if saved.limits.is_some_and(|(lo, hi)| !(lo.is_finite() && hi.is_finite() && lo <= hi)) {
+        if saved
+            .limits
+            .is_some_and(|(lo, hi)| !(lo.is_finite() && hi.is_finite() && lo <= hi))
+        {
             return whole("the limits", "they are not finite, or in the wrong order");
         }
         Ok(Self::new(

@@ -91,9 +91,8 @@ impl FeatureCounts {
     /// Of two parts.
     pub(crate) fn of(fixed: &Part, moving: &Part) -> Self {
         let frame = PairFrame::new(fixed, moving);
-        let count = |part, center| {
-            Outline::new(part, center, frame.scale, false).feature_count as u32
-        };
+        let count =
+            |part, center| Outline::new(part, center, frame.scale, false).feature_count as u32;
         Self {
             fixed: count(fixed, frame.fixed_center),
             moving: count(moving, frame.moving_center),
