@@ -1,7 +1,5 @@
 //! Angles on the command line: radians, or a number with a unit.
 
-use core::f64::consts::TAU;
-
 /// An angle in radians from text such as `0.3`, `18deg`, `-10°`, `0.5turn`; finite.
 pub(crate) fn parse(text: &str) -> Result<f64, String> {
     let text = text.trim();
@@ -23,8 +21,7 @@ pub(crate) fn parse_window(text: &str) -> Result<(f64, f64), String> {
     if lo >= hi {
         return Err("the first angle must be the smaller one".to_owned());
     }
-    // As much as the computation allows for rounding.
-    if hi - lo > TAU + 1e-12 {
+    if hi - lo > cspace::LONGEST_WINDOW {
         return Err(
             "the angles are more than a turn apart; leave --theta out for all orientations"
                 .to_owned(),

@@ -20,6 +20,6 @@ pub use query::{
 pub use slice::{CurveGeometry, Slice, SliceCurve, Slicer};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, FeatureCounts,
-    FreeRegion, Options, PairSymmetry, Patch, PatchRef, Progress, SideLink, Stage, StageSeconds,
-    Statistics, Symmetry, VerticalLink, Window,
+    FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress, SideLink, Stage,
+    StageSeconds, Statistics, Symmetry, VerticalLink, Window,
 };

@@ -111,8 +111,7 @@ pub(super) fn read_pairs(place: &Place, nodes: &[Node], parts: &[PartEntry]) -> 
         }
         let window = table.interval("theta", true)?;
         if let Some((lo, hi)) = window
-            // As much as the computation allows for rounding.
-            && hi - lo > core::f64::consts::TAU + 1e-12
+            && hi - lo > cspace::LONGEST_WINDOW
         {
             let message = format!(
                 "the window `theta` is {} radians, more than a turn",

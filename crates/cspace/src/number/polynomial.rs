@@ -7,12 +7,27 @@ const DEGREE: usize = 4;
 /// Orientations at which a polynomial is sampled; enough for its coefficients.
 const SAMPLES: usize = 2 * DEGREE + 1;
 
-/// Cosines and sines of the sampled orientations, by sample.
-static TURNS: LazyLock<[(f64, f64); SAMPLES]> = LazyLock::new(|| {
-    core::array::from_fn(|j| {
+/// What a polynomial's coefficients are made of.
+struct Sampling {
+    /// Cosine and sine of the sampled orientations.
+    turns: [(f64, f64); SAMPLES],
+    /// By sample and frequency, how much of a value goes to the coefficients of the cosine and of the sine.
+    weights: [[(f64, f64); DEGREE + 1]; SAMPLES],
+}
+
+static SAMPLING: LazyLock<Sampling> = LazyLock::new(|| {
+    let turns: [(f64, f64); SAMPLES] = core::array::from_fn(|j| {
         let (sin, cos) = (core::f64::consts::TAU * j as f64 / SAMPLES as f64).sin_cos();
         (cos, sin)
-    })
+    });
+    let weights = core::array::from_fn(|j| {
+        core::array::from_fn(|k| {
+            let factor = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
+            let (cos, sin) = turns[j * k % SAMPLES];
+            (cos * factor, sin * factor)
+        })
+    });
+    Sampling { turns, weights }
 });
 
 /// Σ aₖ cos kθ + bₖ sin kθ, k = 0 … 4, known up to an error.
@@ -20,8 +35,8 @@ static TURNS: LazyLock<[(f64, f64); SAMPLES]> = LazyLock::new(|| {
 pub(crate) struct TrigPolynomial {
     a: [f64; DEGREE + 1],
     b: [f64; DEGREE + 1],
-    /// Bound on the second derivative.
-    bend: f64,
+    /// Bound on the third derivative.
+    twist: f64,
     /// Bound on the error of a value.
     error: f64,
 }
@@ -36,50 +51,57 @@ impl TrigPolynomial {
         const ERROR: f64 = 64.0 * f64::EPSILON;
         let (mut a, mut b) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
         let mut size: f64 = 0.0;
-        for (j, &(cos, sin)) in TURNS.iter().enumerate() {
+        let Sampling { turns, weights } = &*SAMPLING;
+        for (&(cos, sin), weights) in turns.iter().zip(weights) {
             let (value, terms) = f(cos, sin);
             size = size.max(terms);
-            for k in 0..=DEGREE {
-                let (c, s) = TURNS[j * k % SAMPLES];
-                a[k] += value * c;
-                b[k] += value * s;
+            for (k, w) in weights.iter().enumerate() {
+                a[k] += value * w.0;
+                b[k] += value * w.1;
             }
         }
-        let mut bend = 0.0;
-        for k in 0..=DEGREE {
-            let factor = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
-            a[k] *= factor;
-            b[k] *= factor;
-            bend += (k * k) as f64 * a[k].hypot(b[k]);
-        }
+        let twist: f64 = (0..=DEGREE)
+            .map(|k| (k * k * k) as f64 * (a[k] * a[k] + b[k] * b[k]).sqrt())
+            .sum();
         Self {
             a,
             b,
-            bend: bend * (1.0 + 1e-12),
+            twist: twist * (1.0 + 1e-12),
             error: ERROR * size,
         }
+    }
+
+    /// Value and first two derivatives at the orientation with the given cosine and sine.
+    #[inline]
+    fn jet(&self, cos: f64, sin: f64) -> [f64; 3] {
+        let (mut c, mut s) = (cos, sin);
+        let (mut value, mut slope, mut bend) = (self.a[0], 0.0, 0.0);
+        for k in 1..=DEGREE {
+            let f = k as f64;
+            let wave = self.a[k] * c + self.b[k] * s;
+            value += wave;
+            slope += f * (self.b[k] * c - self.a[k] * s);
+            bend -= f * f * wave;
+            (c, s) = (c * cos - s * sin, s * cos + c * sin);
+        }
+        [value, slope, bend]
     }
 
     /// Value and derivative.
     #[inline]
     pub(crate) fn at(&self, theta: f64) -> (f64, f64) {
-        let (s1, c1) = theta.sin_cos();
-        let (mut c, mut s) = (c1, s1);
-        let (mut value, mut slope) = (self.a[0], 0.0);
-        for k in 1..=DEGREE {
-            value += self.a[k] * c + self.b[k] * s;
-            slope += k as f64 * (self.b[k] * c - self.a[k] * s);
-            (c, s) = (c * c1 - s * s1, s * c1 + c * s1);
-        }
+        let (sin, cos) = theta.sin_cos();
+        let [value, slope, _] = self.jet(cos, sin);
         (value, slope)
     }
 
     /// Calls `found` with intervals that hold all roots between `lo` and `hi`, each with a change of sign.
     ///
-    /// On (m − h, m + h) the polynomial differs from f(m) + f′(m) x by at most M h² / 2, and its derivative from f′(m)
-    /// by at most M h, with M the bound on the second derivative: so there is no root if |f(m)| > |f′(m)| h + M h² / 2,
-    /// and at most one if |f′(m)| > M h. Otherwise the interval is halved, down to `narrowest`, where a double root may
-    /// go unnoticed; between such two the value is at most M h² / 2.
+    /// On (m − h, m + h) the polynomial differs from f(m) + f′(m) x + f″(m) x² / 2 by at most M h³ / 6, and its derivative
+    /// from f′(m) by at most |f″(m)| h + M h² / 2, with M the bound on the third derivative: so there is no root where the
+    /// parabola stays further from zero than that, and at most one where |f′(m)| is more. Otherwise the interval is
+    /// halved, down to `narrowest`, where a double root may go unnoticed; between such two the value is of the order of
+    /// |f″| h².
     ///
     /// Where the value cannot be told from zero on a whole interval, `vague` is called with it instead.
     pub(crate) fn brackets(
@@ -91,16 +113,26 @@ impl TrigPolynomial {
         vague: &mut impl FnMut(f64, f64),
     ) {
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        let (value, slope) = self.at(mid);
-        let reach = slope.abs() * half + 0.5 * self.bend * half * half;
-        if value.abs() > reach + self.error {
+        let (sin, cos) = mid.sin_cos();
+        let [value, slope, bend] = self.jet(cos, sin);
+        let rest = self.twist * half.powi(3) * (1.0 / 6.0);
+        // The parabola on the side of zero that f(m) is on: it is nearest to zero at an end, or where its slope vanishes.
+        let (side, along) = (value.abs(), slope.abs() * half);
+        let bow = 0.5 * value.signum() * bend * half * half;
+        let least = if bow > 0.5 * along {
+            side - 0.25 * along * along / bow
+        } else {
+            side - along + bow
+        };
+        if least > rest + self.error {
             return;
         }
-        if value.abs() + reach <= self.error {
+        if side + along + bow.abs() + rest <= self.error {
             vague(lo, hi);
             return;
         }
-        if slope.abs() > self.bend * half || half < narrowest {
+        let change = bend.abs() * half + 0.5 * self.twist * half * half;
+        if slope.abs() > change || half < narrowest {
             let (at_lo, at_hi) = (self.at(lo).0, self.at(hi).0);
             if at_lo * at_hi <= 0.0 || at_lo.abs() < self.error || at_hi.abs() < self.error {
                 found(lo, hi);

@@ -2,7 +2,7 @@
 
 use crate::contact::{Carrier, ContactFunction};
 use crate::geometry::{Point, Rotation, Vector};
-use crate::space::Patch;
+use crate::space::{PASSED_ENDS, Patch};
 
 /// Ends of curves are known this well (length of the pair's frame, about 1.9e-6): next to a tangency they move with the
 /// square root of rounding, and critical orientations are known to 1e-6 at worst.
@@ -142,7 +142,6 @@ impl Span {
     /// passed each other are one point and not a full turn.
     #[inline]
     fn new(start: Vector, end: Vector, radius: f64) -> Self {
-        const SAME: f64 = 1e-5;
         let (from, to) = if radius > 0.0 {
             (start, end)
         } else {
@@ -153,7 +152,7 @@ impl Span {
             from,
             to,
             beyond_half: cross < 0.0,
-            empty: dot > 0.0 && cross <= 0.0 && cross >= -SAME * dot,
+            empty: dot > 0.0 && cross <= 0.0 && cross >= -PASSED_ENDS * dot,
         }
     }
 

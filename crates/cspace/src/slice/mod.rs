@@ -5,4 +5,5 @@ mod slicer;
 mod types;
 
 pub use slicer::Slicer;
+pub(crate) use types::is_on_arc;
 pub use types::{CurveGeometry, Slice, SliceCurve};

@@ -61,6 +61,12 @@ pub struct Slice {
     pub loops: Vec<Vec<u32>>,
 }
 
+/// Whether an arc that turns from `start_angle` by `sweep` comes past a direction; all radians.
+pub(crate) fn is_on_arc(start_angle: f64, sweep: f64, angle: f64) -> bool {
+    let turned = (angle - start_angle) * sweep.signum();
+    turned - TAU * (turned / TAU).floor() <= sweep.abs()
+}
+
 impl CurveGeometry {
     /// The point at fraction `s` of the way, 0 the start and 1 the end.
     pub fn point(&self, s: f64) -> Point {
@@ -95,9 +101,7 @@ impl CurveGeometry {
                 sweep,
             } => {
                 let v = p - center;
-                let turned = (v.angle() - start_angle) * sweep.signum();
-                let turned = turned - TAU * (turned / TAU).floor();
-                if turned <= sweep.abs() {
+                if is_on_arc(start_angle, sweep, v.angle()) {
                     return center + Vector::from_angle(v.angle()) * radius;
                 }
                 let (start, end) = (self.point(0.0), self.point(1.0));
@@ -190,9 +194,8 @@ impl CurveGeometry {
                 let half = square.sqrt();
                 [along - half, along + half].into_iter().find_map(|t| {
                     let q = (p + d * t) - center;
-                    let turned = (q.angle() - start_angle) * sweep.signum();
-                    let turned = turned - TAU * (turned / TAU).floor();
-                    (t > 0.0 && turned <= sweep.abs()).then(|| (t, d.dot(q) * sweep.signum()))
+                    (t > 0.0 && is_on_arc(start_angle, sweep, q.angle()))
+                        .then(|| (t, d.dot(q) * sweep.signum()))
                 })
             }
         }

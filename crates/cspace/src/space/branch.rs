@@ -67,36 +67,55 @@ pub(super) struct Coincidence {
     pub(super) at: u32,
 }
 
-/// All branches, sorted by their sheets and then by orientation, and all coincidences.
+/// When two sheets may cross or touch at all: from the first cluster at which something happens between them to the last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Encounter {
+    pub(super) first: u32,
+    pub(super) second: u32,
+    pub(super) from: u32,
+    pub(super) to: u32,
+}
+
+/// What there is between two sheets.
+#[derive(Debug, Default)]
+pub(super) struct Traced {
+    /// Sorted by their sheets and then by orientation.
+    pub(super) branches: Vec<Branch>,
+    pub(super) coincidences: Vec<Coincidence>,
+    /// Sorted like the branches.
+    pub(super) encounters: Vec<Encounter>,
+}
+
+/// All branches, coincidences and encounters.
 pub(super) fn branches(
     geometry: &Geometry,
     pairs: &[PairRun],
     events: &[Vec<Event>],
     clusters: &Clusters,
-) -> (Vec<Branch>, Vec<Coincidence>) {
-    let found: Vec<(Vec<Branch>, Vec<Coincidence>)> = pairs
+) -> Traced {
+    let found: Vec<Traced> = pairs
         .par_chunks(CHUNK)
         .zip(events.par_chunks(CHUNK))
         .map(|(runs, events)| {
             let mut tracer = Tracer {
                 geometry,
                 clusters,
-                branches: Vec::new(),
-                coincidences: Vec::new(),
+                found: Traced::default(),
                 times: Vec::new(),
             };
             for (run, events) in runs.iter().zip(events) {
                 tracer.trace(run, events);
             }
-            (tracer.branches, tracer.coincidences)
+            tracer.found
         })
         .collect();
-    let (mut branches, mut coincidences) = (Vec::new(), Vec::new());
-    for (b, c) in found {
-        branches.extend(b);
-        coincidences.extend(c);
+    let mut all = Traced::default();
+    for f in found {
+        all.branches.extend(f.branches);
+        all.coincidences.extend(f.coincidences);
+        all.encounters.extend(f.encounters);
     }
-    (branches, coincidences)
+    all
 }
 
 /// Pairs handled at a time by one thread.
@@ -105,8 +124,7 @@ const CHUNK: usize = 256;
 struct Tracer<'a> {
     geometry: &'a Geometry,
     clusters: &'a Clusters,
-    branches: Vec<Branch>,
-    coincidences: Vec<Coincidence>,
+    found: Traced,
     times: Vec<u32>,
 }
 
@@ -127,13 +145,15 @@ impl Tracer<'_> {
         {
             let at = same[0];
             if (from..=to).contains(&at) && coincide(self.geometry, run, clusters.at(at)) {
-                self.coincidences.push(Coincidence {
+                self.found.coincidences.push(Coincidence {
                     first: run.first,
                     second: run.second,
                     at,
                 });
             }
         }
+        let events = self.times.first().copied().zip(self.times.last().copied());
+        let first_branch = self.found.branches.len();
         self.times.retain(|&i| from < i && i < to);
         self.times.extend([from, to]);
         self.times.sort_unstable();
@@ -145,7 +165,7 @@ impl Tracer<'_> {
                 match (&mut open[root], enters) {
                     (Some(b), Some(enters)) if b.enters == enters => b.to = w[1],
                     (slot, enters) => {
-                        self.branches.extend(slot.take());
+                        self.found.branches.extend(slot.take());
                         *slot = enters.map(|enters| Branch {
                             first: run.first,
                             second: run.second,
@@ -158,7 +178,19 @@ impl Tracer<'_> {
                 }
             }
         }
-        self.branches.extend(open.into_iter().flatten());
+        self.found.branches.extend(open.into_iter().flatten());
+        let lives = self.found.branches[first_branch..]
+            .iter()
+            .map(|b| (b.from, b.to));
+        let all = lives.chain(events);
+        if let Some((from, to)) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) {
+            self.found.encounters.push(Encounter {
+                first: run.first,
+                second: run.second,
+                from,
+                to,
+            });
+        }
     }
 }
 

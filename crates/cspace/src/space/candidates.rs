@@ -42,10 +42,12 @@ pub(super) struct Candidates {
     pub(super) pairs: Vec<PairRun>,
     /// Sorted by sheet, then by orientation.
     pub(super) sheets: Vec<SheetRun>,
-    /// For every slot the sheets that are not known to be blocked in it.
-    by_slot: Vec<Vec<u32>>,
+    /// For every slot the sheets that are not known to be blocked in it, the leftmost box first.
+    by_slot: Vec<Vec<Boxed>>,
 }
 
+/// A sheet and a box that it does not leave in a slot.
+#[derive(Debug, Clone, Copy)]
 struct Boxed {
     sheet: u32,
     lo: Point,
@@ -69,7 +71,7 @@ impl Candidates {
                 list.push(i);
             }
         }
-        let per_slot: Vec<(Vec<u64>, Vec<u32>)> = in_slot
+        let per_slot: Vec<(Vec<u64>, Vec<Boxed>)> = in_slot
             .par_iter()
             .enumerate()
             .map(|(slot, list)| {
@@ -81,7 +83,7 @@ impl Candidates {
         let mut by_slot = Vec::with_capacity(count);
         for (slot, (p, a)) in (0..).zip(per_slot) {
             pairs.extend(p);
-            alive.extend(a.iter().map(|&i| u64::from(i) << SLOT_BITS | slot));
+            alive.extend(a.iter().map(|b| u64::from(b.sheet) << SLOT_BITS | slot));
             by_slot.push(a);
         }
         pairs.par_sort_unstable();
@@ -122,10 +124,17 @@ impl Candidates {
         }
     }
 
-    /// The sheets that are not known to be blocked about an orientation; some may not exist there.
-    pub(super) fn around(&self, theta: f64) -> &[u32] {
+    /// The sheets that may pass within `reach` of a point at an orientation, but for those known to be blocked there; some
+    /// may not exist there.
+    pub(super) fn around(&self, theta: f64, p: Point, reach: f64) -> impl Iterator<Item = u32> {
         let slot = self.slots.partition_point(|&s| s <= theta);
-        &self.by_slot[slot.clamp(1, self.by_slot.len()) - 1]
+        self.by_slot[slot.clamp(1, self.by_slot.len()) - 1]
+            .iter()
+            .take_while(move |b| b.lo.x <= p.x + reach)
+            .filter(move |b| {
+                b.hi.x >= p.x - reach && b.hi.y >= p.y - reach && b.lo.y <= p.y + reach
+            })
+            .map(|b| b.sheet)
     }
 }
 
@@ -162,10 +171,9 @@ fn look_at_slot(
     slot: usize,
     slot_lo: f64,
     slot_hi: f64,
-) -> (Vec<u64>, Vec<u32>) {
+) -> (Vec<u64>, Vec<Boxed>) {
     let contacts = &geometry.contacts;
     let mut boxes: Vec<Boxed> = Vec::with_capacity(list.len());
-    let mut alive = Vec::with_capacity(list.len());
     for &i in list {
         let sheet = &contacts.sheets[i as usize];
         let (lo, hi) = (slot_lo.max(sheet.lo), slot_hi.min(sheet.hi));
@@ -175,7 +183,6 @@ fn look_at_slot(
             continue;
         }
         let (box_lo, box_hi) = sheet_box(sheet, mid, turn, half);
-        alive.push(i);
         boxes.push(Boxed {
             sheet: i,
             lo: box_lo,
@@ -203,7 +210,7 @@ fn look_at_slot(
             }
         }
     }
-    (pairs, alive)
+    (pairs, boxes)
 }
 
 /// A box that contains the sheet's curves at all orientations within `half` of the middle one.

@@ -8,7 +8,7 @@ use crate::number::Event;
 use crate::part::{Corresponding, Part};
 
 use super::assemble::Assembler;
-use super::branch::{branches, pair_events};
+use super::branch::{Traced, branches, pair_events};
 use super::candidates::{Candidates, MAX_SHEETS};
 use super::chains::Linker;
 use super::clusters::Clusters;
@@ -19,6 +19,12 @@ use super::stats::{StageSeconds, Statistics};
 use super::sweep::Sweep;
 use super::symmetry::{Method, Plan, Symmetry};
 use super::triple::{OnSheet, triple_events};
+
+/// How much more than a turn a window may be, by rounding, radians.
+const WINDOW_SLACK: f64 = 1e-12;
+
+/// The longest window of orientations: a turn, give or take its rounding.
+pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
 
 /// What to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -197,13 +203,16 @@ impl ContactSpace {
         lap(&mut seconds.pair_events);
 
         progress.stage(Stage::Branches)?;
-        let (mut branches, mut coincidences) =
-            branches(&geometry, &candidates.pairs, &pair_events, &clusters);
+        let Traced {
+            mut branches,
+            mut coincidences,
+            encounters,
+        } = branches(&geometry, &candidates.pairs, &pair_events, &clusters);
         lap(&mut seconds.branches);
 
         progress.stage(Stage::TripleEvents)?;
         let on_sheet = OnSheet::new(sheets.len(), &branches);
-        let triples = triple_events(&geometry, &branches, &on_sheet, &clusters);
+        let triples = triple_events(&geometry, &branches, &encounters, &on_sheet, &clusters);
         let (clusters, moved) = clusters.with(triples.iter().map(|t| t.1).collect());
         for b in &mut branches {
             b.from = moved[b.from as usize];
@@ -299,14 +308,12 @@ impl ContactSpace {
 
 /// The window, checked; a window of a whole turn is the full turn.
 fn checked_window(window: Option<(f64, f64)>) -> Result<Option<(f64, f64)>, ComputeError> {
-    /// How much more than a turn a window may be, by rounding.
-    const SLACK: f64 = 1e-12;
     let Some((lo, hi)) = window else {
         return Ok(None);
     };
     let length = hi - lo;
-    if !(length > 0.0 && length <= TAU + SLACK && lo.abs() < 1e6) {
+    if !(length > 0.0 && length <= LONGEST_WINDOW && lo.abs() < 1e6) {
         return Err(ComputeError::Window { lo, hi });
     }
-    Ok((length < TAU - SLACK).then_some((lo, hi)))
+    Ok((length < TAU - WINDOW_SLACK).then_some((lo, hi)))
 }

@@ -6,52 +6,73 @@
 use crate::contact::Geometry;
 
 use super::branch::Branch;
-use super::sweep::Placing;
+use super::cells::END;
+use super::placing::Placing;
 
 /// The branches that cross a contact curve at one orientation, in order of travel.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Gaps {
-    /// Places and branches.
-    pub(super) order: Vec<(f64, u32)>,
+    /// Ranks along the curve, and branches.
+    order: Vec<(f64, u32)>,
     /// For each branch in order whether the curve enters blocked space there.
-    pub(super) enters: Vec<bool>,
+    enters: Vec<bool>,
+    /// Whether nothing continues the sheet at its start, and at its end.
     dead: (bool, bool),
 }
 
 impl Gaps {
-    /// Whether nothing continues the sheet at its start, and at its end.
-    pub(super) fn dead_ends(geometry: &Geometry, sheet: u32) -> (bool, bool) {
+    /// With no branches yet.
+    pub(super) fn of(geometry: &Geometry, sheet: u32) -> Self {
         let contacts = &geometry.contacts;
         let sheet = &contacts.sheets[sheet as usize];
-        (
-            contacts.ending_at(sheet.start_name).next().is_none(),
-            contacts.starting_at(sheet.end_name).next().is_none(),
-        )
+        Self {
+            dead: (
+                contacts.ending_at(sheet.start_name).next().is_none(),
+                contacts.starting_at(sheet.end_name).next().is_none(),
+            ),
+            ..Self::default()
+        }
     }
 
-    pub(super) fn new(
+    /// Puts the branches in order at an orientation.
+    pub(super) fn arrange(
+        &mut self,
         geometry: &Geometry,
         branches: &[Branch],
         sheet: u32,
         active: &[u32],
         theta: f64,
-        dead: (bool, bool),
-    ) -> Self {
+    ) {
         let placing = Placing::new(geometry, sheet, theta);
-        let mut order: Vec<(f64, u32)> = active
-            .iter()
-            .map(|&b| (placing.place(&branches[b as usize]), b))
-            .collect();
-        order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let enters = order
-            .iter()
-            .map(|&(_, b)| branches[b as usize].enters(sheet))
-            .collect();
-        Self {
-            order,
-            enters,
-            dead,
-        }
+        let rank = placing.ranking();
+        self.order.clear();
+        self.order
+            .extend(active.iter().map(|&b| (rank(&branches[b as usize]), b)));
+        self.order
+            .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        self.enters.clear();
+        self.enters.extend(
+            self.order
+                .iter()
+                .map(|&(_, b)| branches[b as usize].enters(sheet)),
+        );
+    }
+
+    /// How many branches there are.
+    pub(super) fn branches(&self) -> usize {
+        self.order.len()
+    }
+
+    /// A branch by its place in the order.
+    pub(super) fn branch(&self, place: usize) -> u32 {
+        self.order[place].1
+    }
+
+    /// The branches on both sides of a gap, [`END`] where it goes to the end of the curve.
+    pub(super) fn bounds(&self, gap: usize) -> (u32, u32) {
+        let before = gap.checked_sub(1).map_or(END, |i| self.order[i].1);
+        let after = self.order.get(gap).map_or(END, |o| o.1);
+        (before, after)
     }
 
     /// Whether the gap before branch `gap` in order (or after the last) may bound free space by what bounds it.

@@ -18,13 +18,14 @@ use crate::union_find::UnionFind;
 use super::branch::{Branch, Coincidence};
 use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
-use super::sweep::{CellExtents, Extent, Side};
+use super::extent::{CellExtents, Side};
+use super::sweep::Cells;
 
 pub(super) struct Levels<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) clusters: &'a Clusters,
     pub(super) branches: &'a [Branch],
-    pub(super) cells: &'a [Cell],
+    pub(super) cells: &'a Cells,
     /// Which cells are free, once that is known.
     ///
     /// Among all cells on a level it is not certain which are outermost. Once the others are known to be blocked, a
@@ -113,23 +114,15 @@ impl Levels<'_> {
         self.free.is_none_or(|free| free[cell as usize])
     }
 
-    fn extent(&self, cell: &Cell, at: u32, side: Side) -> Extent {
-        CellExtents::new(
-            self.geometry,
-            self.clusters,
-            self.branches,
-            cell.sheet,
-            at,
-            side,
-        )
-        .of(cell)
+    fn extents(&self, sheet: u32, at: u32) -> CellExtents<'_> {
+        CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at)
     }
 
     /// Sheets that share a curve at a cluster: by the seams at which they begin and end, and by coincidence.
     pub(super) fn groups(&self, coincidences: &[Coincidence]) -> Vec<(u32, Vec<u32>)> {
         let sheets = &self.geometry.contacts.sheets;
         let mut seams: Vec<(Seam, u32, u32)> = Vec::new();
-        for c in self.cells {
+        for c in &self.cells.cells {
             let sheet = &sheets[c.sheet as usize];
             let counts = |s: Seam| !matches!(s, Seam::Point | Seam::Window | Seam::Wrap(..));
             // If both ends change at once, the piece between was dropped: it does not matter which end it was.
@@ -180,12 +173,7 @@ impl Levels<'_> {
         let mut out = Vec::new();
         let (mut ending, mut beginning) = (Vec::new(), Vec::new());
         for &sheet in group {
-            let from = self.cells.partition_point(|c| c.sheet < sheet);
-            let mine = (from as u32..)
-                .zip(&self.cells[from..])
-                .take_while(|(_, c)| c.sheet == sheet)
-                .filter(|(i, _)| self.counts(*i));
-            for (i, c) in mine {
+            for (i, c) in self.cells.of(sheet).filter(|(i, _)| self.counts(*i)) {
                 if c.to == at {
                     ending.push(i);
                 }
@@ -194,7 +182,10 @@ impl Levels<'_> {
                 }
             }
         }
-        if ending.is_empty() || beginning.is_empty() {
+        // What is blocked below and above is so anyway.
+        let matters = |&i: &u32| !self.cells.cells[i as usize].blocked;
+        let none_matters = !ending.iter().chain(&beginning).any(matters);
+        if ending.is_empty() || beginning.is_empty() || none_matters {
             return out;
         }
         let theta = self.clusters.at(at);
@@ -212,8 +203,8 @@ impl Levels<'_> {
         };
         let pieces = |cells: &[u32], side: Side| -> Vec<Piece> {
             cells
-                .iter()
-                .filter_map(|&i| self.piece(i, at, side, &track))
+                .chunk_by(|&a, &b| self.sheet_of(a) == self.sheet_of(b))
+                .flat_map(|same| self.pieces(same, at, side, &track))
                 .collect()
         };
         let (below, above) = (
@@ -276,8 +267,7 @@ impl Levels<'_> {
             } in stretches
             {
                 // Along the lower cell's own curve, from its middle.
-                let sheet =
-                    &self.geometry.contacts.sheets[self.cells[lower as usize].sheet as usize];
+                let sheet = &self.geometry.contacts.sheets[self.sheet_of(lower) as usize];
                 let middle = self.point(&track, first.start.at(turn), 0.5 * (from + to));
                 let place = sheet.curve(theta, turn).position(middle);
                 let half = 0.5 * (to - from);
@@ -308,36 +298,47 @@ impl Levels<'_> {
         }
     }
 
-    fn piece(&self, index: u32, at: u32, side: Side, track: &Track) -> Option<Piece> {
-        let cell = &self.cells[index as usize];
+    fn sheet_of(&self, cell: u32) -> u32 {
+        self.cells.cells[cell as usize].sheet
+    }
+
+    /// The pieces of a track that are cells of one sheet.
+    fn pieces(&self, cells: &[u32], at: u32, side: Side, track: &Track) -> Vec<Piece> {
         let theta = self.clusters.at(at);
-        let turn = Rotation::by(theta);
-        let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
-        let curve = sheet.curve(theta, turn);
-        let e = self.extent(cell, at, side);
-        let p = curve.point(0.5 * (e.lo + e.hi));
-        let along = match *track {
-            Track::Line { normal } => normal.dot(curve.normal(p)) > 0.0,
-            Track::Circle { radius, .. } => (sheet.radius > 0.0) == (radius > 0.0),
-        };
-        // On a line travel goes with the coordinate if the normals agree, on a circle if the radius is positive.
-        let forward = match *track {
-            Track::Line { .. } => along,
-            Track::Circle { .. } => sheet.radius > 0.0,
-        };
-        let errors = if forward {
-            (e.lo_error, e.hi_error)
-        } else {
-            (e.hi_error, e.lo_error)
-        };
-        let half = 0.5 * (e.hi - e.lo);
-        (half > 0.0).then(|| Piece {
-            cell: index,
-            mid: track.coordinate(p),
-            half,
-            errors,
-            along,
-        })
+        let index = self.sheet_of(cells[0]);
+        let sheet = &self.geometry.contacts.sheets[index as usize];
+        let curve = sheet.curve(theta, Rotation::by(theta));
+        let mut extents = self.extents(index, at);
+        let mut out = Vec::with_capacity(cells.len());
+        for &cell in cells {
+            let e = extents.of(&self.cells.cells[cell as usize], side);
+            let p = curve.point(0.5 * (e.lo + e.hi));
+            let along = match *track {
+                Track::Line { normal } => normal.dot(curve.normal(p)) > 0.0,
+                Track::Circle { radius, .. } => (sheet.radius > 0.0) == (radius > 0.0),
+            };
+            // On a line travel goes with the coordinate if the normals agree, on a circle if the radius is positive.
+            let forward = match *track {
+                Track::Line { .. } => along,
+                Track::Circle { .. } => sheet.radius > 0.0,
+            };
+            let errors = if forward {
+                (e.lo_error, e.hi_error)
+            } else {
+                (e.hi_error, e.lo_error)
+            };
+            let half = 0.5 * (e.hi - e.lo);
+            if half > 0.0 {
+                out.push(Piece {
+                    cell,
+                    mid: track.coordinate(p),
+                    half,
+                    errors,
+                    along,
+                });
+            }
+        }
+        out
     }
 
     /// The piece that faces free space at a place, just off the level, on one of the two faces of the track.
@@ -359,7 +360,7 @@ impl Levels<'_> {
         let mut best: Option<(f64, &Piece)> = None;
         let mut ceiling = f64::INFINITY;
         for q in pieces.iter().filter(|q| q.covers(track, place)) {
-            let h = self.height(&self.cells[q.cell as usize], p, outward, turn);
+            let h = self.height(&self.cells.cells[q.cell as usize], p, outward, turn);
             if q.along != along {
                 ceiling = ceiling.min(h);
             } else if best.is_none_or(|b| h > b.0) {
@@ -389,7 +390,7 @@ impl Levels<'_> {
     pub(super) fn connect_wraps(&self, out: &mut Vec<VerticalContact>) {
         let sheets = &self.geometry.contacts.sheets;
         let mut groups: BTreeMap<Seam, (Vec<u32>, Vec<u32>)> = BTreeMap::new();
-        for (i, c) in (0u32..).zip(self.cells) {
+        for (i, c) in (0u32..).zip(&self.cells.cells) {
             let sheet = &sheets[c.sheet as usize];
             if c.at_top && matches!(sheet.top, Seam::Wrap(..)) {
                 groups.entry(sheet.top).or_default().0.push(i);
@@ -401,9 +402,12 @@ impl Levels<'_> {
         for (ends, starts) in groups.values() {
             for &lower in ends {
                 for &upper in starts {
-                    let (l, u) = (&self.cells[lower as usize], &self.cells[upper as usize]);
-                    let below = self.extent(l, l.to, Side::Below);
-                    let above = self.extent(u, u.from, Side::Above);
+                    let (l, u) = (
+                        &self.cells.cells[lower as usize],
+                        &self.cells.cells[upper as usize],
+                    );
+                    let below = self.extents(l.sheet, l.to).of(l, Side::Below);
+                    let above = self.extents(u.sheet, u.from).of(u, Side::Above);
                     out.extend(below.shared_with(&above).map(|shared| VerticalContact {
                         lower,
                         upper,

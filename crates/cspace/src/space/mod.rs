@@ -1,5 +1,6 @@
 //! The contact space of a pair of parts, over all orientations.
 
+mod active;
 mod assemble;
 mod branch;
 mod candidates;
@@ -8,12 +9,16 @@ mod chains;
 mod clusters;
 mod compute;
 mod core;
+mod extent;
 mod gaps;
 mod graph;
 mod levels;
 mod lifts;
 mod links;
+mod meetings;
+mod passing;
 mod patch;
+mod placing;
 mod regions;
 mod saved;
 mod shells;
@@ -23,10 +28,10 @@ mod sweep;
 mod symmetry;
 mod triple;
 
-pub use compute::{ComputeError, Options, Progress, Stage};
+pub use compute::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage};
 pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
-pub(crate) use slice::sweep;
+pub(crate) use slice::{PASSED_ENDS, sweep};
 pub use stats::{StageSeconds, Statistics};
 pub use symmetry::{PairSymmetry, Symmetry};

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::contact::Steps;
 use crate::geometry::{Configuration, Point, Vector};
-use crate::slice::{CurveGeometry, Slice};
+use crate::slice::{CurveGeometry, Slice, is_on_arc};
 use crate::union_find::UnionFind;
 
 use super::graph::{ContactSpace, FreeRegion};
@@ -194,12 +194,9 @@ fn rightmost(g: &CurveGeometry) -> Point {
         start_angle,
         sweep,
     } = *g
+        && is_on_arc(start_angle, sweep, 0.0)
     {
-        let turned = -start_angle * sweep.signum();
-        let turned = turned - core::f64::consts::TAU * (turned / core::f64::consts::TAU).floor();
-        if turned <= sweep.abs() {
-            return Point::new(center.x + radius, center.y);
-        }
+        return Point::new(center.x + radius, center.y);
     }
     end
 }

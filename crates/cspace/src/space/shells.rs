@@ -1,11 +1,9 @@
 //! Shells: cells that hang together, and whether they bound free space.
 
-use std::collections::BTreeMap;
-
 use rayon::prelude::*;
 
-use crate::contact::Geometry;
-use crate::geometry::{Rotation, Vector};
+use crate::contact::{Carrier, Geometry};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::union_find::UnionFind;
 
 use super::branch::{Branch, Coincidence};
@@ -13,7 +11,8 @@ use super::candidates::Candidates;
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
 use super::levels::Levels;
-use super::sweep::{Cells, Placing};
+use super::placing::Placing;
+use super::sweep::Cells;
 
 /// Contacts between cells, and the verdict on each cell.
 #[derive(Debug)]
@@ -39,12 +38,12 @@ pub(super) struct ShellFinder<'a> {
 
 impl ShellFinder<'_> {
     pub(super) fn find(&self, cells: &Cells) -> Shells {
-        let side = self.side_contacts(&cells.cells);
+        let side = self.side_contacts(cells);
         let levels = Levels {
             geometry: self.geometry,
             clusters: self.clusters,
             branches: self.branches,
-            cells: &cells.cells,
+            cells,
             free: None,
         };
         let mut vertical = cells.vertical.clone();
@@ -82,15 +81,15 @@ impl ShellFinder<'_> {
         shells
     }
 
-    /// Cells that follow each other at shared ends and at branches.
-    fn side_contacts(&self, cells: &[Cell]) -> Vec<SideContact> {
+    /// Cells that follow each other at shared ends and at branches, unless both are blocked anyway.
+    fn side_contacts(&self, all: &Cells) -> Vec<SideContact> {
         let contacts = &self.geometry.contacts;
-        let first_cell = |sheet: u32| cells.partition_point(|c| c.sheet < sheet);
+        let cells = &all.cells;
         let mut side = Vec::new();
         let mut join = |before: u32, after: u32, branch: u32| {
             let (b, a) = (&cells[before as usize], &cells[after as usize]);
             let (from, to) = (b.from.max(a.from), b.to.min(a.to));
-            if from < to {
+            if from < to && !(b.blocked && a.blocked) {
                 side.push(SideContact {
                     before,
                     after,
@@ -105,11 +104,7 @@ impl ShellFinder<'_> {
                 continue;
             }
             for g in contacts.starting_at(contacts.sheets[c.sheet as usize].end_name) {
-                let from = first_cell(g);
-                for (j, d) in (from as u32..)
-                    .zip(&cells[from..])
-                    .take_while(|(_, d)| d.sheet == g)
-                {
+                for (j, d) in all.of(g) {
                     if d.left == END {
                         join(i, j, END);
                     }
@@ -117,25 +112,28 @@ impl ShellFinder<'_> {
             }
         }
         // At a branch the outer piece of the sheet that enters is followed by the outer piece of the other.
-        let mut ends: Vec<(u32, u32)> = Vec::new();
-        let mut starts: Vec<(u32, u32)> = Vec::new();
+        let starts_outside =
+            |c: &Cell| c.left != END && !self.branches[c.left as usize].enters(c.sheet);
+        let mut first = vec![0u32; self.branches.len() + 1];
+        for c in cells.iter().filter(|c| starts_outside(c)) {
+            first[c.left as usize + 1] += 1;
+        }
+        for i in 1..first.len() {
+            first[i] += first[i - 1];
+        }
+        let mut at = first.clone();
+        let mut starts = vec![0u32; first[first.len() - 1] as usize];
+        for (i, c) in (0u32..).zip(cells).filter(|(_, c)| starts_outside(c)) {
+            let slot = &mut at[c.left as usize];
+            starts[*slot as usize] = i;
+            *slot += 1;
+        }
         for (i, c) in (0u32..).zip(cells) {
             if c.right != END && self.branches[c.right as usize].enters(c.sheet) {
-                ends.push((c.right, i));
-            }
-            if c.left != END && !self.branches[c.left as usize].enters(c.sheet) {
-                starts.push((c.left, i));
-            }
-        }
-        ends.sort_unstable();
-        starts.sort_unstable();
-        let mut at = 0;
-        for &(branch, before) in &ends {
-            while at < starts.len() && starts[at].0 < branch {
-                at += 1;
-            }
-            for &(_, after) in starts[at..].iter().take_while(|s| s.0 == branch) {
-                join(before, after, branch);
+                let range = first[c.right as usize] as usize..first[c.right as usize + 1] as usize;
+                for &after in &starts[range] {
+                    join(i, after, c.right);
+                }
             }
         }
         side
@@ -143,52 +141,73 @@ impl ShellFinder<'_> {
 
     /// Decides each shell by what bounds its cells and by an honest test.
     fn judge(&self, cells: &[Cell], shells: &mut Shells) {
-        let mut members: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        for (i, &s) in (0u32..).zip(&shells.shell) {
-            members.entry(s).or_default().push(i);
+        let mut blocked = vec![false; cells.len()];
+        let mut members: Vec<(u32, u32)> = Vec::new();
+        for (i, (c, &s)) in (0u32..).zip(cells.iter().zip(&shells.shell)) {
+            if c.blocked {
+                blocked[s as usize] = true;
+            } else {
+                members.push((s, i));
+            }
         }
+        members.sort_unstable();
         let verdicts: Vec<(Vec<bool>, usize, bool)> = members
-            .values()
+            .chunk_by(|a, b| a.0 == b.0)
             .collect::<Vec<_>>()
             .par_iter()
-            .map(|shell| self.judge_shell(cells, shell))
+            .map(|shell| self.judge_shell(cells, shell, blocked[shell[0].0 as usize]))
             .collect();
         shells.free = vec![false; cells.len()];
-        for (shell, (free, tests, conflict)) in members.values().zip(verdicts) {
+        for (shell, (free, tests, conflict)) in members.chunk_by(|a, b| a.0 == b.0).zip(verdicts) {
             shells.tests += tests;
             shells.conflicts += usize::from(conflict);
-            for (&c, f) in shell.iter().zip(free) {
+            for (&(_, c), f) in shell.iter().zip(free) {
                 shells.free[c as usize] = f;
             }
         }
     }
 
-    /// For each cell of a shell whether it bounds free space, how many tests that took, and whether they disagreed.
-    fn judge_shell(&self, cells: &[Cell], shell: &[u32]) -> (Vec<bool>, usize, bool) {
-        let blocked = shell.iter().any(|&c| cells[c as usize].blocked);
-        let undecided = shell.iter().filter(|&&c| !cells[c as usize].blocked);
-        let largest = undecided.max_by(|&&a, &&b| {
-            self.size(&cells[a as usize])
-                .total_cmp(&self.size(&cells[b as usize]))
-        });
-        let Some(&largest) = largest else {
-            return (vec![false; shell.len()], 0, false);
+    /// For each cell of a shell, of those not blocked by what bounds them, whether it bounds free space, how many tests
+    /// that took, and whether they disagreed. `blocked` tells whether others of the shell are blocked.
+    fn judge_shell(
+        &self,
+        cells: &[Cell],
+        shell: &[(u32, u32)],
+        blocked: bool,
+    ) -> (Vec<bool>, usize, bool) {
+        /// The cell to test is sought among this many of longest duration.
+        const TRIED: usize = 8;
+        let duration = |c: u32| {
+            let cell = &cells[c as usize];
+            self.clusters.lo(cell.to) - self.clusters.hi(cell.from)
         };
+        let mut longest: Vec<(f64, u32)> = shell.iter().map(|&(_, c)| (duration(c), c)).collect();
+        let by_duration = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
+        if longest.len() > TRIED {
+            longest.select_nth_unstable_by(TRIED - 1, by_duration);
+            longest.truncate(TRIED);
+        }
+        longest.sort_unstable_by(by_duration);
+        let mut largest = longest[0].1;
+        let mut size = f64::NEG_INFINITY;
+        for &(duration, c) in &longest {
+            if duration <= size {
+                break;
+            }
+            let (lo, hi) = self.range(&cells[c as usize], self.middle(&cells[c as usize]));
+            if duration.min(hi - lo) > size {
+                (size, largest) = (duration.min(hi - lo), c);
+            }
+        }
         let free = self.is_free(&cells[largest as usize]);
         if !blocked || !free {
             return (vec![free && !blocked; shell.len()], 1, false);
         }
         let each = shell
             .iter()
-            .map(|&c| !cells[c as usize].blocked && self.is_free(&cells[c as usize]))
+            .map(|&(_, c)| self.is_free(&cells[c as usize]))
             .collect();
         (each, 1 + shell.len(), true)
-    }
-
-    /// A measure of how far inside its middle is: the smaller of its extent in orientation and along the curve.
-    fn size(&self, cell: &Cell) -> f64 {
-        let (lo, hi) = self.range(cell, self.middle(cell));
-        (hi - lo).min(self.clusters.lo(cell.to) - self.clusters.hi(cell.from))
     }
 
     fn middle(&self, cell: &Cell) -> f64 {
@@ -228,12 +247,27 @@ impl ShellFinder<'_> {
         } else {
             STEP
         };
-        for &other in self.candidates.around(theta) {
+        for other in self.candidates.around(theta, p, reach) {
             let s = &sheets[other as usize];
-            if other != cell.sheet && s.lo <= theta && theta <= s.hi {
+            let exists = s.lo <= theta && theta <= s.hi;
+            if other != cell.sheet && exists && off(&s.carrier(turn.cos, turn.sin), p) <= reach {
                 reach = s.curve(theta, turn).hit(p, normal, reach).unwrap_or(reach);
             }
         }
         !self.geometry.overlaps(p + normal * (0.5 * reach), theta)
+    }
+}
+
+/// How far a point is off a carrier.
+fn off(carrier: &Carrier<f64>, p: Point) -> f64 {
+    match *carrier {
+        Carrier::Line { normal, through } => {
+            let v = p - Point::new(through.0, through.1);
+            Vector::new(normal.0, normal.1).dot(v).abs()
+        }
+        Carrier::Circle { center, radius } => {
+            let v = p - Point::new(center.0, center.1);
+            (v.length_squared().sqrt() - radius.abs()).abs()
+        }
     }
 }

@@ -78,13 +78,14 @@ impl ContactSpace {
     }
 }
 
+/// Ends of an arc nearer to each other than this share of the radius, in the wrong order, are one point and not a full
+/// turn: next to a critical orientation that is known to 1e-6, a patch may be asked for that has just ended.
+pub(crate) const PASSED_ENDS: f64 = 1e-5;
+
 /// The angle travelled from one direction to another, counter-clockwise if the radius is positive.
 pub(crate) fn sweep(from: crate::Vector, to: crate::Vector, radius: f64) -> f64 {
-    /// Ends nearer to each other than this share of the radius, in the wrong order, are one point and not a full turn:
-    /// next to a critical orientation that is known to 1e-6, a patch may be asked for that has just ended.
-    const SAME: f64 = 1e-5;
     let turned = from.cross(to).atan2(from.dot(to)) * radius.signum();
-    let sweep = if turned < -SAME {
+    let sweep = if turned < -PASSED_ENDS {
         turned + TAU
     } else {
         turned.max(0.0)

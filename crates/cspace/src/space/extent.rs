@@ -1,0 +1,185 @@
+//! How far cells reach along their contact curves where they meet a cluster of events, and what two of them share.
+
+use crate::contact::{Geometry, PLACE_ERROR};
+use crate::feature::tolerance::SHORTEST_OVERLAP;
+
+use super::branch::Branch;
+use super::cells::{Cell, END};
+use super::clusters::Clusters;
+use super::placing::Placing;
+
+/// A cell's range along its contact curve at one orientation, with the errors of both ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Extent {
+    pub(super) lo: f64,
+    pub(super) hi: f64,
+    pub(super) lo_error: f64,
+    pub(super) hi_error: f64,
+}
+
+/// What two cells share of one curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shared {
+    pub(super) lo: f64,
+    pub(super) hi: f64,
+    /// Whether it is longer than the errors of its ends.
+    pub(super) certain: bool,
+}
+
+impl Extent {
+    /// The common range as measured, if there is one.
+    pub(super) fn shared_with(&self, other: &Self) -> Option<Shared> {
+        let (lo, lo_error) = if self.lo > other.lo {
+            (self.lo, self.lo_error)
+        } else {
+            (other.lo, other.lo_error)
+        };
+        let (hi, hi_error) = if self.hi < other.hi {
+            (self.hi, self.hi_error)
+        } else {
+            (other.hi, other.hi_error)
+        };
+        let length = hi - lo;
+        (length > SHORTEST_OVERLAP).then_some(Shared {
+            lo,
+            hi,
+            certain: length > lo_error + hi_error + SHORTEST_OVERLAP,
+        })
+    }
+}
+
+/// On which side of a cluster a cell lies that ends or begins there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Below,
+    Above,
+}
+
+impl Side {
+    fn other(self) -> Self {
+        match self {
+            Self::Below => Self::Above,
+            Self::Above => Self::Below,
+        }
+    }
+}
+
+/// The largest speed of an end or a crossing, to be divided by the sine, in the pair's frame per radian.
+const SPEED: f64 = 4.0;
+
+/// Measures cells of one sheet where they meet a cluster.
+///
+/// A place is measured at the cluster's orientation. The event that ends or begins the cell may happen anywhere in the
+/// cluster; what that may change is bounded by the sharpness of the crossing, or, towards a tangency, seen by measuring
+/// again at both edges of the cluster.
+pub(super) struct CellExtents<'a> {
+    at: Placing<'a>,
+    branches: &'a [Branch],
+    clusters: &'a Clusters,
+    cluster: u32,
+    width: f64,
+    /// The bounds measured so far: most are asked for again, by the cell on their other side.
+    known: Vec<((u32, Side), (f64, f64))>,
+}
+
+impl<'a> CellExtents<'a> {
+    pub(super) fn new(
+        geometry: &'a Geometry,
+        clusters: &'a Clusters,
+        branches: &'a [Branch],
+        sheet: u32,
+        cluster: u32,
+    ) -> Self {
+        Self {
+            at: Placing::new(geometry, sheet, clusters.at(cluster)),
+            branches,
+            clusters,
+            cluster,
+            width: clusters.hi(cluster) - clusters.lo(cluster),
+            known: Vec::new(),
+        }
+    }
+
+    pub(super) fn of(&mut self, cell: &Cell, side: Side) -> Extent {
+        /// Errors are estimates, of events and of places; this much worse they may be.
+        const MARGIN: f64 = 2.0;
+        let (lo, lo_error) = self.bound(cell.left, -1.0, side);
+        let (hi, hi_error) = self.bound(cell.right, 1.0, side);
+        Extent {
+            lo,
+            hi,
+            lo_error: MARGIN * lo_error,
+            hi_error: MARGIN * hi_error,
+        }
+    }
+
+    /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
+    fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
+        if branch == END {
+            return (end * self.at.half(), SPEED * self.width + PLACE_ERROR);
+        }
+        let key = (branch, side);
+        if let Some(known) = self.known.iter().find(|k| k.0 == key) {
+            return known.1;
+        }
+        let (measured, both) = self.measured(branch, side);
+        self.known.push((key, measured));
+        if both {
+            self.known.push(((branch, side.other()), measured));
+        }
+        measured
+    }
+
+    /// The place of a branch and its error, and whether it is the same from the other side.
+    fn measured(&self, branch: u32, side: Side) -> ((f64, f64), bool) {
+        /// Up to this length the sharpness of the crossing hardly changes on the way, and bounds its motion.
+        const SHORT: f64 = 1e-8;
+        /// A larger rounding error than this is worth a second measurement, in the pair's frame.
+        const GOOD: f64 = 1e-7;
+        let b = &self.branches[branch as usize];
+        let (at, rounding) = self.at.within(b);
+        let error = rounding * (1.0 + SPEED * self.width / PLACE_ERROR);
+        if error <= SHORT {
+            return ((at, error), true);
+        }
+        let motion = [
+            self.clusters.lo(self.cluster),
+            self.clusters.hi(self.cluster),
+        ]
+        .map(|edge| (self.at.turned(edge).within(b).0 - at).abs());
+        let error = rounding + motion[0].max(motion[1]);
+        if rounding <= GOOD {
+            return ((at, error), true);
+        }
+        let (place, other) = self.approached(b, side);
+        let measured = if other < error {
+            (place.clamp(-self.at.half(), self.at.half()), other)
+        } else {
+            (at, error)
+        };
+        (measured, false)
+    }
+
+    /// The place measured a little aside. Where two lines become one, their crossing is undefined, yet it has a limit.
+    fn approached(&self, b: &Branch, side: Side) -> (f64, f64) {
+        /// How far aside, radians: the motion and the rounding divided by the sine are both about this then.
+        const ASIDE: f64 = 1e-7;
+        let (edge, slab) = match side {
+            Side::Below => (
+                self.clusters.lo(self.cluster),
+                self.clusters.below(self.cluster),
+            ),
+            Side::Above => (
+                self.clusters.hi(self.cluster),
+                self.clusters.above(self.cluster),
+            ),
+        };
+        let step = (0.5 * (slab - edge)).clamp(-ASIDE, ASIDE);
+        let (near, rounding) = self.at.turned(edge + step).within(b);
+        let (far, _) = self.at.turned(edge + 2.0 * step).within(b);
+        let theta = self.clusters.at(self.cluster);
+        let away = ((edge + step - theta).abs() + self.width) / step.abs();
+        // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
+        (near, rounding + 3.0 * away * (far - near).abs())
+    }
+}

@@ -1,0 +1,259 @@
+//! The orientations at which two branches on one sheet pass each other, because three sheets meet.
+//!
+//! Where three carriers meet, a trigonometric polynomial of degree four vanishes, whichever of their crossings meet. It
+//! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
+//! At each root the places of the two branches tell whether it is they that pass each other.
+
+use crate::contact::{Carrier, Geometry, place_on};
+use crate::geometry::Vector;
+use crate::number::{Ball, Dual, Event, Jet, Real, TrigPolynomial};
+
+use super::branch::Branch;
+
+/// Pieces narrower than this are not halved further (radians).
+///
+/// Two roots within such a piece leave the order as it was; between them the places differ by no more than
+/// h² |d″| / 8, some 1e-17, which is below rounding.
+const NARROWEST: f64 = 1e-8;
+
+/// How many pieces are looked at where three carriers always share a point, before places count as told apart as far
+/// as they can be.
+const PLACE_BUDGET: u32 = 2000;
+
+/// A function without roots or divisions that vanishes where the three sheets meet.
+///
+/// With a circle of centre c and radius r among them, and p = c + v: |v| = r, and each of the others is linear in
+/// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
+/// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
+///
+/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
+pub(super) fn concurrency(mut three: [Carrier<f64>; 3]) -> (f64, f64) {
+    if let Some(circle) = three
+        .iter()
+        .position(|c| matches!(c, Carrier::Circle { .. }))
+    {
+        three.swap(0, circle);
+    }
+    let vector = |v: (f64, f64)| Vector::new(v.0, v.1);
+    match three[0] {
+        Carrier::Circle { center, radius } => {
+            let center = vector(center);
+            let linear = |other: &Carrier<f64>| match *other {
+                Carrier::Line { normal, through } => {
+                    let n = vector(normal);
+                    (n, n.dot(vector(through) - center), 1.0)
+                }
+                Carrier::Circle {
+                    center: c,
+                    radius: r,
+                } => {
+                    let a = vector(c) - center;
+                    let terms = a.length_squared() + r * r + radius * radius;
+                    (
+                        a,
+                        0.5 * (a.length_squared() - (r - radius) * (r + radius)),
+                        terms,
+                    )
+                }
+            };
+            let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
+            let v = b * e - a * g;
+            let d = radius * a.cross(b);
+            let terms = (b.length() * p + a.length() * q).powi(2)
+                + (radius * a.length() * b.length()).powi(2);
+            (v.length_squared() - d * d, terms)
+        }
+        Carrier::Line { .. } => {
+            let line = |c: &Carrier<f64>| match *c {
+                Carrier::Line { normal, through } => {
+                    (vector(normal), vector(normal).dot(vector(through)))
+                }
+                Carrier::Circle { center, .. } => (vector(center), 0.0),
+            };
+            let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
+            (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0)
+        }
+    }
+}
+
+/// Two branches on one sheet.
+pub(super) struct Passing<'a> {
+    pub(super) geometry: &'a Geometry,
+    pub(super) sheet: u32,
+    pub(super) x: &'a Branch,
+    pub(super) y: &'a Branch,
+}
+
+impl Passing<'_> {
+    /// The difference of the places of the two branches; `None` where they cannot meet.
+    ///
+    /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius squared.
+    fn difference<T: Real>(&self, cos: T, sin: T) -> T {
+        let sheets = &self.geometry.contacts.sheets;
+        let f = &sheets[self.sheet as usize];
+        let carrier = f.carrier(cos, sin);
+        let place = |b: &Branch| {
+            let g = sheets[b.other(self.sheet) as usize].carrier(cos, sin);
+            place_on(&carrier, &g, b.root, b.second == self.sheet)
+        };
+        let (p, q) = (place(self.x), place(self.y));
+        if f.is_circle() {
+            p.0 * q.1 - p.1 * q.0
+        } else {
+            p.0 - q.0
+        }
+    }
+
+    /// Finds every orientation at which the two branches pass each other.
+    pub(super) fn isolate(
+        &self,
+        f: &TrigPolynomial,
+        lo: f64,
+        hi: f64,
+        found: &mut impl FnMut(Event),
+    ) {
+        let mut vague: Vec<(f64, f64)> = Vec::new();
+        f.brackets(
+            lo,
+            hi,
+            NARROWEST,
+            &mut |lo, hi| self.refine(f, lo, hi, found),
+            &mut |lo, hi| vague.push((lo, hi)),
+        );
+        for (lo, hi) in vague {
+            let mut budget = PLACE_BUDGET;
+            self.isolate_places(lo, hi, &mut budget, found);
+        }
+    }
+
+    /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
+    /// nothing: by enclosures of the difference of the places themselves.
+    fn isolate_places(&self, lo: f64, hi: f64, budget: &mut u32, found: &mut impl FnMut(Event)) {
+        *budget = budget.saturating_sub(1);
+        /// Places are told apart down to this width (radians), or this difference (length, or length times radius).
+        const NARROWEST: f64 = 1e-6;
+        const SAME_PLACE: f64 = 1e-11;
+        let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
+        let d = self.difference(cos, sin);
+        if d.value.sign() != 0 {
+            return;
+        }
+        let mid = 0.5 * (lo + hi);
+        let (cos, sin) = Ball::constant(mid).cos_sin();
+        let at_mid = self.difference(cos, sin);
+        let reach = (d.slope.mid.abs() + d.slope.radius) * 0.5 * (hi - lo);
+        if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
+            return;
+        }
+        let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
+        if d.slope.sign() != 0 {
+            if at_lo * at_hi <= 0.0 {
+                found(self.meeting(lo, hi, at_lo));
+            }
+        } else if *budget == 0 || hi - lo < NARROWEST || at_mid.mid.abs() + reach < SAME_PLACE {
+            if at_lo.abs() > SAME_PLACE && at_hi.abs() > SAME_PLACE && at_lo * at_hi < 0.0 {
+                found(self.meeting(lo, hi, at_lo));
+            }
+        } else {
+            self.isolate_places(lo, mid, budget, found);
+            self.isolate_places(mid, hi, budget, found);
+        }
+    }
+
+    /// Where the places of the two branches agree in an interval in which their difference changes sign.
+    fn meeting(&self, mut lo: f64, mut hi: f64, at_lo: f64) -> Event {
+        while hi - lo > 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
+            let mid = 0.5 * (lo + hi);
+            if (self.gap(mid).value > 0.0) == (at_lo > 0.0) {
+                lo = mid;
+            } else {
+                hi = mid;
+            }
+        }
+        let theta = 0.5 * (lo + hi);
+        event(theta, 0.0, self.gap(theta).slope)
+    }
+
+    /// The difference of the places of the two branches, with its derivative.
+    fn gap(&self, theta: f64) -> Dual {
+        let (sin, cos) = theta.sin_cos();
+        let (cos, sin) = (
+            Dual {
+                value: cos,
+                slope: -sin,
+            },
+            Dual {
+                value: sin,
+                slope: cos,
+            },
+        );
+        self.difference(cos, sin)
+    }
+
+    /// The root in an interval: of the smooth function first, by Newton's rule within a bracket; then, if it is these two
+    /// branches that meet there and not others of the same sheets, of the difference of their places.
+    fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64, found: &mut impl FnMut(Event)) {
+        /// Branches further apart than this (length, or length times radius) at the root are not those that meet.
+        const NEAR: f64 = 1e-4;
+        /// Steps shorter than this are rounding, radians.
+        const SAME: f64 = 1e-15;
+        let (first, last) = (lo, hi);
+        let at_lo = f.at(lo).0;
+        let mut theta = 0.5 * (lo + hi);
+        // By Newton's rule, halving the bracket where a step leaves it or does not shorten it enough.
+        let mut width = hi - lo;
+        for _ in 0..100 {
+            let (value, slope) = f.at(theta);
+            if (value > 0.0) == (at_lo > 0.0) {
+                lo = theta;
+            } else {
+                hi = theta;
+            }
+            let next = theta - value / slope;
+            let step = (next - theta).abs();
+            let good = lo < next && next < hi && step <= 0.5 * width;
+            let next = if good { next } else { 0.5 * (lo + hi) };
+            width = if good { step } else { hi - lo };
+            if width <= SAME || value == 0.0 {
+                break;
+            }
+            theta = next;
+        }
+        let mut d = self.gap(theta);
+        if d.value.abs() > NEAR {
+            return;
+        }
+        for _ in 0..4 {
+            let next = theta - d.value / d.slope;
+            if !(first..=last).contains(&next) {
+                break;
+            }
+            let at_next = self.gap(next);
+            // NaN where the places are lost.
+            if at_next.value.is_nan() || at_next.value.abs() >= d.value.abs() {
+                break;
+            }
+            (theta, d) = (next, at_next);
+        }
+        found(event(theta, d.value, d.slope));
+    }
+}
+
+/// A meeting at an orientation at which the places of two branches still differ by `off`, and their difference changes by
+/// `slope` per radian.
+fn event(theta: f64, off: f64, slope: f64) -> Event {
+    /// Rounding of a place, in the pair's frame.
+    const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
+    /// No larger error is reported, radians.
+    const LARGEST_ERROR: f64 = 1e-9;
+    let error = (off.abs() + PLACE_ERROR) / slope.abs().max(f64::MIN_POSITIVE);
+    let error = if error.is_nan() {
+        LARGEST_ERROR
+    } else {
+        error.min(LARGEST_ERROR)
+    };
+    Event {
+        theta,
+        error: error + 4.0 * f64::EPSILON,
+    }
+}

@@ -1,0 +1,118 @@
+//! Where branches lie along the contact curve of a sheet at one orientation.
+
+use crate::contact::{Carrier, Geometry, place_error, place_on, wrap};
+use crate::geometry::{Rotation, Vector};
+
+use super::branch::Branch;
+
+/// A sheet at one orientation, able to place branches along its curve.
+pub(super) struct Placing<'a> {
+    geometry: &'a Geometry,
+    index: u32,
+    carrier: Carrier<f64>,
+    turn: Rotation,
+    half: f64,
+    mid_angle: f64,
+}
+
+impl<'a> Placing<'a> {
+    pub(super) fn new(geometry: &'a Geometry, index: u32, theta: f64) -> Self {
+        let sheet = &geometry.contacts.sheets[index as usize];
+        let turn = Rotation::by(theta);
+        let (half, mid_angle) = if sheet.is_circle() {
+            let (from, to) = (sheet.start_angle.at(theta), sheet.end_angle.at(theta));
+            (
+                0.5 * (to - from).abs() * sheet.radius.abs(),
+                0.5 * (from + to),
+            )
+        } else {
+            let length = sheet
+                .normal_at(turn)
+                .left()
+                .dot(sheet.end.at(turn) - sheet.start.at(turn));
+            (0.5 * length, 0.0)
+        };
+        let carrier = sheet.carrier(turn.cos, turn.sin);
+        Self {
+            geometry,
+            index,
+            carrier,
+            turn,
+            half,
+            mid_angle,
+        }
+    }
+
+    /// The same sheet at another orientation.
+    pub(super) fn turned(&self, theta: f64) -> Self {
+        Self::new(self.geometry, self.index, theta)
+    }
+
+    /// Half the length of the contact curve.
+    pub(super) fn half(&self) -> f64 {
+        self.half
+    }
+
+    /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
+    /// nearest place to one.
+    pub(super) fn place(&self, b: &Branch) -> f64 {
+        let g = self.other_carrier(b);
+        self.length_of(place_on(&self.carrier, &g, b.root, b.second == self.index))
+    }
+
+    /// The place, not beyond the ends of the curve, and its rounding error.
+    pub(super) fn within(&self, b: &Branch) -> (f64, f64) {
+        let g = self.other_carrier(b);
+        let v = place_on(&self.carrier, &g, b.root, b.second == self.index);
+        let error = place_error(&self.carrier, &g, v);
+        let place = self.length_of(v);
+        if place.is_nan() {
+            return (0.0, f64::INFINITY);
+        }
+        (place.clamp(-self.half, self.half), error)
+    }
+
+    /// What orders branches by their places, as the places themselves would, at less cost.
+    ///
+    /// On a circle it grows with the angle from the middle of the curve: y / (|x| + |y|) along and across that
+    /// direction, continued beyond the quarter turns.
+    pub(super) fn ranking(&self) -> impl Fn(&Branch) -> f64 {
+        let middle = match self.carrier {
+            Carrier::Line { .. } => Vector::ZERO,
+            Carrier::Circle { radius, .. } => Vector::from_angle(self.mid_angle) * radius.signum(),
+        };
+        move |b| {
+            let g = self.other_carrier(b);
+            let v = place_on(&self.carrier, &g, b.root, b.second == self.index);
+            match self.carrier {
+                Carrier::Line { .. } => v.0,
+                Carrier::Circle { radius, .. } => {
+                    let v = Vector::new(v.0, v.1);
+                    let (x, y) = (middle.dot(v), middle.cross(v) * radius.signum());
+                    let quarter = y / (x.abs() + y.abs());
+                    if x >= 0.0 {
+                        quarter
+                    } else {
+                        2.0_f64.copysign(y) - quarter
+                    }
+                }
+            }
+        }
+    }
+
+    fn other_carrier(&self, b: &Branch) -> Carrier<f64> {
+        let other = &self.geometry.contacts.sheets[b.other(self.index) as usize];
+        other.carrier(self.turn.cos, self.turn.sin)
+    }
+
+    /// Length of travel from the middle to a place as [`place_on`] gives it.
+    fn length_of(&self, v: (f64, f64)) -> f64 {
+        match self.carrier {
+            Carrier::Line { .. } => v.0 - self.half,
+            Carrier::Circle { radius, .. } => {
+                let v = Vector::new(v.0, v.1) * radius.signum();
+                wrap(v.angle() - self.mid_angle) * radius
+            }
+        }
+    }
+}
