@@ -8,6 +8,8 @@ use crate::contact::{Geometry, Placed, Steps};
 use crate::feature::FeatureName;
 use crate::part::{Corresponding, Part, Symmetrized};
 
+use super::candidates::MAX_SHEETS;
+
 /// Whether rotational symmetry of the parts is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Symmetry {
@@ -118,6 +120,9 @@ impl Plan {
             fixed: a.filter(|_| steps.fixed > 0),
             moving: b.filter(|_| steps.moving > 0),
         };
+        if names.pairs(fixed, moving) > MAX_SHEETS / 16 {
+            return general(folds);
+        }
         let deviation = [&names.fixed, &names.moving]
             .into_iter()
             .flatten()
@@ -172,6 +177,14 @@ impl Names {
             (s.as_ref()).is_some_and(|s| s.divided[name.loop_index as usize])
         };
         divided(&self.fixed, fixed) || divided(&self.moving, moving)
+    }
+
+    /// Pairs of edges of the parts as computed.
+    fn pairs(&self, fixed: &Part, moving: &Part) -> usize {
+        let edges = |s: &Option<Symmetrized>, drawn: &Part| {
+            drawn.edges().count() + s.as_ref().map_or(0, |s| s.added)
+        };
+        edges(&self.fixed, fixed).saturating_mul(edges(&self.moving, moving))
     }
 
     /// Features that the parts as computed have more than the parts as drawn.
