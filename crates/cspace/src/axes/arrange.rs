@@ -2,8 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
 use rayon::prelude::*;
 
 use crate::union_find::UnionFind;
@@ -14,7 +12,7 @@ use super::nodes::{Key, Name};
 use super::piece::{Pair, Piece};
 
 /// What is at an end of a cell.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) enum Stop {
     /// The end of its piece.
     Node(Key),
@@ -23,7 +21,7 @@ pub(super) enum Stop {
 }
 
 /// A piece between two crossings, or an end: on the boundary of free space as a whole, or not.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Cell {
     pub(super) piece: u32,
     /// From and to: x of a graph, y of a vertical piece (in the piece's own turn).

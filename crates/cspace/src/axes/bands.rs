@@ -2,8 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
 use super::arrange::Cell;
 use super::body::Bodies;
 use super::domain::Extent;
@@ -19,7 +17,7 @@ const SHORTEST: f64 = crate::feature::tolerance::SHORTEST_OVERLAP;
 const TOO_NARROW: f64 = 1e-11;
 
 /// A free interval of y over a band.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Gap {
     /// The cell below it, or none at a limit of y, and where nothing touches.
     pub(super) lower: Option<u32>,
@@ -31,7 +29,7 @@ pub(super) struct Gap {
 }
 
 /// An interval of x in which the order of the free boundary's cells does not change.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Band {
     pub(super) lo: f64,
     pub(super) hi: f64,
@@ -40,7 +38,7 @@ pub(super) struct Band {
 }
 
 /// A connected component of free space.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Region {
     pub(super) sample: (f64, f64),
     pub(super) x: (f64, f64),
@@ -49,7 +47,7 @@ pub(super) struct Region {
     pub(super) around_y: bool,
 }
 
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug)]
 pub(super) struct Bands {
     pub(super) bands: Vec<Band>,
     pub(super) gaps: Vec<Gap>,

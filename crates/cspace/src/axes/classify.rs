@@ -3,7 +3,6 @@
 use crate::query::Classification;
 
 use super::bands::Graphs;
-use super::condition::Condition;
 use super::domain::ExtentKind;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
@@ -27,6 +26,29 @@ impl FixedAxesSpace {
         } else {
             Classification::Blocked
         })
+    }
+
+    /// The patches that touch at (u, v) within `tolerance` (model length), with their contact functions there; the nearest
+    /// first. Empty outside the ranges of motion.
+    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
+        let Some((x, y)) = self.placed(u, v) else {
+            return Vec::new();
+        };
+        let scale = self.map.frame.scale;
+        let reach = tolerance * scale;
+        let mut found: Vec<(u32, f64)> = self
+            .branches
+            .iter()
+            .filter_map(|b| {
+                let value = self.near_cell(b.cell(), x, y, reach.max(NEAR))?;
+                (value.abs() <= reach).then_some((b.patch, value / scale))
+            })
+            .collect();
+        let nearer = |a: &(u32, f64), b: &(u32, f64)| a.1.abs().total_cmp(&b.1.abs());
+        found.sort_by(|a, b| a.0.cmp(&b.0).then(nearer(a, b)));
+        found.dedup_by_key(|f| f.0);
+        found.sort_by(|a, b| nearer(a, b).then(a.0.cmp(&b.0)));
+        found
     }
 
     /// Coordinates within the extents; none outside the ranges.
@@ -104,42 +126,14 @@ impl FixedAxesSpace {
     /// Cells of the free boundary within the resolution of a configuration, with the contact functions' values.
     pub(super) fn touching(&self, x: f64, y: f64) -> impl Iterator<Item = (u32, f64)> + '_ {
         let resolution = self.resolution() * self.map.frame.scale;
-        self.slots[self.slot(x)]
-            .iter()
-            .filter(move |&&i| self.is_beside(i, x, y, NEAR))
-            .map(move |&i| (i, self.condition_of(i).value(x, y)))
-            .filter(move |(_, value)| value.abs() <= resolution)
+        self.slots[self.slot(x)].iter().filter_map(move |&i| {
+            let value = self.near_cell(i, x, y, NEAR)?;
+            (value.abs() <= resolution).then_some((i, value))
+        })
     }
 
-    /// The patches that touch at a configuration, up to `tolerance` (model length) by their contact functions, with how far
-    /// off they are; the nearest first. None outside the ranges of motion.
-    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
-        let Some((x, y)) = self.placed(u, v) else {
-            return Vec::new();
-        };
-        // A contact function changes by no less than the coordinates do, but for where it is tangent.
-        let near = NEAR + tolerance * self.map.frame.scale;
-        let mut found: Vec<(u32, f64)> = (self.branches.iter())
-            .filter(|b| self.is_beside(b.cell, x, y, near))
-            .map(|b| {
-                let off = self.condition_of(b.cell).value(x, y).abs();
-                (b.patch, off / self.map.frame.scale)
-            })
-            .filter(|&(_, off)| off <= tolerance)
-            .collect();
-        found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        found.dedup_by_key(|f| f.0);
-        found.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        found
-    }
-
-    pub(super) fn condition_of(&self, cell: u32) -> &Condition {
-        let (_, p) = self.cell_and_piece(cell);
-        &self.pairs[p.pair as usize].condition
-    }
-
-    /// Whether a configuration is in a cell's box, or at most `near` (radians or length of the frame) outside.
-    pub(super) fn is_beside(&self, cell: u32, x: f64, y: f64, near: f64) -> bool {
+    /// The contact function of a cell at a configuration in its box, or no farther from it than `reach`.
+    pub(super) fn near_cell(&self, cell: u32, x: f64, y: f64, reach: f64) -> Option<f64> {
         let (c, p) = self.cell_and_piece(cell);
         let (x_range, y_range) = if p.vertical {
             ((p.start.x, p.start.x), (c.from, c.to))
@@ -147,16 +141,17 @@ impl FixedAxesSpace {
             let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
             ((c.from, c.to), (a.min(b), a.max(b)))
         };
-        let within = |t: f64, (lo, hi): (f64, f64), circle: bool| {
+        let near = |t: f64, (lo, hi): (f64, f64), circle: bool| {
             let t = if circle {
                 let turn = core::f64::consts::TAU;
-                t + turn * ((lo - near - t) / turn).ceil()
+                t + turn * ((lo - reach - t) / turn).ceil()
             } else {
                 t
             };
-            lo - near <= t && t <= hi + near
+            lo - reach <= t && t <= hi + reach
         };
-        within(x, x_range, self.x.is_circle()) && within(y, y_range, self.y.is_circle())
+        let inside = near(x, x_range, self.x.is_circle()) && near(y, y_range, self.y.is_circle());
+        inside.then(|| self.pairs[p.pair as usize].condition.value(x, y))
     }
 
     fn slot(&self, x: f64) -> usize {

@@ -1,7 +1,5 @@
 //! Contact conditions of two features, and their closed-form solutions.
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::{Point, Vector};
 
 use super::equation::Equation;
@@ -12,7 +10,7 @@ use super::motion::{Bearing, Motion, Motions};
 pub(super) const INDEPENDENT: f64 = crate::feature::tolerance::SAME_CARRIER;
 
 /// When two features touch: their carriers, at zero coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) enum Carriers {
     /// A line of the first part and an arc or vertex of the second: n(x)·(q(y) − l(x)) = ρ.
     FirstLine {
@@ -77,7 +75,7 @@ impl Carriers {
 /// A condition prepared to be solved for y.
 ///
 /// Root 0 is where the contact function grows with y (free space above), root 1 where it falls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Condition {
     pub(super) carriers: Carriers,
     pub(super) motions: Motions,

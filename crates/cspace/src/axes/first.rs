@@ -58,7 +58,7 @@ impl FixedAxesSpace {
         let mut first: Option<(f64, u32)> = None;
         for b in &self.branches {
             let until = first.map_or(end, |f| f.0);
-            if let Some(time) = self.meets(&way, b.cell, until, touches) {
+            if let Some(time) = self.meets(&way, b.cell(), until, touches) {
                 let earlier = first.is_none_or(|f| (time, b.patch) < f);
                 if earlier {
                     first = Some((time, b.patch));
@@ -136,10 +136,15 @@ impl FixedAxesSpace {
         found
     }
 
+    fn condition_of(&self, cell: u32) -> &Condition {
+        let (_, piece) = self.cell_and_piece(cell);
+        &self.pairs[piece.pair as usize].condition
+    }
+
     fn touches_at(&self, way: &Way, cell: u32, time: f64) -> bool {
         let (u, v) = self.map.outer(way.x + way.dx * time, way.y + way.dy * time);
         self.placed(u, v)
-            .is_some_and(|(x, y)| self.is_beside(cell, x, y, NEAR))
+            .is_some_and(|(x, y)| self.near_cell(cell, x, y, NEAR).is_some())
     }
 }
 

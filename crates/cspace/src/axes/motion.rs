@@ -2,12 +2,10 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::{Point, Rotation, Vector};
 
 /// A motion of one degree of freedom at most, with coordinate t.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) enum Motion {
     /// No motion.
     Still,
@@ -61,7 +59,7 @@ impl Motion {
 /// The motions of both parts.
 ///
 /// The first has the coordinate x along which the plane is swept, the second the coordinate y.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Motions {
     pub(super) first: Motion,
     pub(super) second: Motion,
@@ -94,7 +92,7 @@ impl Motions {
 
 /// The direction of a point that the first part carries, seen from a centre that stays: continuous in x, without
 /// jumps by whole turns.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bearing {
     motion: Motion,
     point: Point,

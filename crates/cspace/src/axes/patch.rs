@@ -49,7 +49,13 @@ pub struct AxesBranch {
     /// Where it ends.
     pub end: (f64, f64),
     /// The cell of the arrangement.
-    pub(super) cell: u32,
+    cell: u32,
+}
+
+impl AxesBranch {
+    pub(super) fn cell(&self) -> u32 {
+        self.cell
+    }
 }
 
 impl FixedAxesSpace {

@@ -1,31 +1,43 @@
-//! Configuration spaces of pairs with fixed axes as plain data, to be written and read.
+//! A fixed-axes space as plain data.
 
 use serde::{Deserialize, Serialize};
 
 use crate::feature::FeatureName;
-use crate::space::{SAVED_VERSION, SavedError, SavedPart};
+use crate::space::{SavedError, SavedPart};
 
 use super::arrange::Cell;
 use super::axis::Axis;
-use super::bands::Bands;
+use super::bands::{Band, Bands, Gap, Region};
+use super::condition::{Carriers, Condition};
 use super::domain::Extent;
 use super::motion::Motions;
 use super::patch::{AxesBranch, AxesPatch};
 use super::piece::{Pair, Piece};
 use super::space::{AxesRegion, AxesStatistics, FixedAxesSpace, Map};
 
+/// The version of the format that this library writes, and the only one it reads.
+pub const SAVED_AXES_VERSION: u32 = 1;
+
 const FORMAT: &str = "fixed-axes-space";
 
-/// A configuration space as plain data: everything that was computed.
+/// A [`FixedAxesSpace`] as plain data, to be written in any format `serde` knows and read again.
 ///
-/// Written as JSON with `serde_json`, it is what `cspace export -o OUT.json` writes. The schema
-/// `docs/fixed-axes-space.schema.json` in the project's repository describes the fields for readers; what is in `partition`
-/// belongs to the version of the format.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SavedAxes {
+/// ```
+/// use cspace::axes::SavedAxesSpace;
+/// use cspace::{Axis, FixedAxesSpace, Part, Point, Vector, Vertex};
+/// let disc = |x: f64| vec![Vertex::new(x + 1.0, 0.0, 1.0), Vertex::new(x - 1.0, 0.0, 1.0)];
+/// let (a, b) = (Part::new("a", vec![disc(0.5)])?, Part::new("b", vec![disc(4.0)])?);
+/// let turning = Axis::revolute(Point::new(0.0, 0.0));
+/// let space = FixedAxesSpace::compute(&a, turning, &b, Axis::prismatic(Vector::new(1.0, 0.0)))?;
+/// let again = FixedAxesSpace::try_from(SavedAxesSpace::from(&space))?;
+/// assert_eq!(again.patches(), space.patches());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct SavedAxesSpace {
     /// Always `fixed-axes-space`.
     pub format: String,
-    /// Version of the format.
+    /// The version of the format.
     pub version: u32,
     /// The part called fixed, whose motion is u.
     pub fixed: SavedPart,
@@ -41,203 +53,206 @@ pub struct SavedAxes {
     pub branches: Vec<AxesBranch>,
     /// Connected components of free space.
     pub free_regions: Vec<AxesRegion>,
-    /// The planar partition, in the frame it was computed in.
-    partition: Partition,
     /// Counts of the computation.
     pub statistics: AxesStatistics,
-}
-
-/// What answers questions.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Partition {
     map: Map,
     motions: Motions,
     x: Extent,
     y: Extent,
-    first_features: Vec<FeatureName>,
-    second_features: Vec<FeatureName>,
-    pairs: Vec<Pair>,
+    first_names: Vec<FeatureName>,
+    second_names: Vec<FeatureName>,
+    pairs: Vec<(u32, u32, Carriers)>,
     pieces: Vec<Piece>,
     cells: Vec<Cell>,
     free: Vec<bool>,
-    bands: Bands,
+    bands: Vec<Band>,
+    gaps: Vec<Gap>,
+    regions: Vec<Region>,
+}
+
+/// Why saved data are not a fixed-axes space.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SavedAxesError {
+    /// Not such a space at all.
+    #[error("the format is {found:?}, not {FORMAT:?}")]
+    Format {
+        /// What it says.
+        found: String,
+    },
+    /// A part is none.
+    #[error(transparent)]
+    Part(#[from] SavedError),
+    /// Written by another version.
+    #[error(
+        "the format's version is {found}, this program reads version {SAVED_AXES_VERSION}; compute the space again"
+    )]
+    Version {
+        /// The version found.
+        found: u32,
+    },
+    /// The data refer to what is not there.
+    #[error(
+        "the saved space is damaged: {what} refer to what is not there; compute the space again"
+    )]
+    Damaged {
+        /// What is wrong.
+        what: &'static str,
+    },
 }
 
 impl FixedAxesSpace {
     /// The space as plain data.
-    pub fn to_saved(&self) -> SavedAxes {
-        SavedAxes {
-            format: FORMAT.to_owned(),
-            version: SAVED_VERSION,
-            fixed: SavedPart::of(&self.fixed),
-            moving: SavedPart::of(&self.moving),
-            fixed_axis: self.axes.0,
-            moving_axis: self.axes.1,
-            patches: self.patches.clone(),
-            branches: self.branches.clone(),
-            free_regions: self.regions(),
-            partition: Partition {
-                map: self.map,
-                motions: self.motions,
-                x: self.x,
-                y: self.y,
-                first_features: self.names.0.clone(),
-                second_features: self.names.1.clone(),
-                pairs: self.pairs.clone(),
-                pieces: self.pieces.clone(),
-                cells: self.cells.clone(),
-                free: self.free.clone(),
-                bands: self.bands.clone(),
-            },
-            statistics: self.statistics,
-        }
+    pub fn to_saved(&self) -> SavedAxesSpace {
+        self.into()
     }
 
     /// The space that plain data describe; nothing is computed again.
     ///
     /// # Errors
     /// If the data are of another format or version, or refer to what is not there.
-    pub fn from_saved(saved: SavedAxes) -> Result<Self, SavedError> {
-        if saved.format != FORMAT {
-            return Err(SavedError::Format {
-                found: saved.format,
-                wanted: FORMAT,
-            });
+    pub fn from_saved(saved: SavedAxesSpace) -> Result<Self, SavedAxesError> {
+        saved.try_into()
+    }
+}
+
+impl From<&FixedAxesSpace> for SavedAxesSpace {
+    fn from(s: &FixedAxesSpace) -> Self {
+        Self {
+            format: FORMAT.to_owned(),
+            version: SAVED_AXES_VERSION,
+            fixed: SavedPart::of(&s.fixed),
+            moving: SavedPart::of(&s.moving),
+            fixed_axis: s.axes.0,
+            moving_axis: s.axes.1,
+            free_regions: s.regions(),
+            map: s.map,
+            motions: s.motions,
+            x: s.x,
+            y: s.y,
+            first_names: s.names.0.clone(),
+            second_names: s.names.1.clone(),
+            pairs: s
+                .pairs
+                .iter()
+                .map(|p| (p.first, p.second, p.condition.carriers))
+                .collect(),
+            pieces: s.pieces.clone(),
+            cells: s.cells.clone(),
+            free: s.free.clone(),
+            bands: s.bands.bands.clone(),
+            gaps: s.bands.gaps.clone(),
+            regions: s.bands.regions.clone(),
+            patches: s.patches.clone(),
+            branches: s.branches.clone(),
+            statistics: s.statistics,
         }
-        if saved.version != SAVED_VERSION {
-            return Err(SavedError::Version {
-                found: saved.version,
-            });
-        }
-        let (fixed, moving) = (saved.fixed.part()?, saved.moving.part()?);
-        check(&saved)?;
-        let p = saved.partition;
+    }
+}
+
+impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
+    type Error = SavedAxesError;
+
+    fn try_from(s: SavedAxesSpace) -> Result<Self, SavedAxesError> {
+        s.check()?;
+        let (fixed, moving) = (s.fixed.part()?, s.moving.part()?);
+        let motions = s.motions;
+        let pairs = s.pairs.into_iter().map(|(first, second, carriers)| Pair {
+            first,
+            second,
+            condition: Condition::new(carriers, motions),
+        });
         let mut space = Self {
             fixed,
             moving,
-            axes: (saved.fixed_axis, saved.moving_axis),
-            map: p.map,
-            motions: p.motions,
-            x: p.x,
-            y: p.y,
-            names: (p.first_features, p.second_features),
-            pairs: p.pairs,
-            pieces: p.pieces,
-            cells: p.cells,
-            free: p.free,
-            bands: p.bands,
+            axes: (s.fixed_axis, s.moving_axis),
+            map: s.map,
+            motions,
+            x: s.x,
+            y: s.y,
+            names: (s.first_names, s.second_names),
+            pairs: pairs.collect(),
+            pieces: s.pieces,
+            cells: s.cells,
+            free: s.free,
+            bands: Bands {
+                bands: s.bands,
+                gaps: s.gaps,
+                regions: s.regions,
+                conflicts: 0,
+                tests: 0,
+            },
             slots: Vec::new(),
-            patches: saved.patches,
-            branches: saved.branches,
-            statistics: saved.statistics,
+            patches: s.patches,
+            branches: s.branches,
+            statistics: s.statistics,
         };
         space.slots = space.near_slots();
         Ok(space)
     }
 }
 
-/// That everything referred to is there, and in order.
-fn check(saved: &SavedAxes) -> Result<(), SavedError> {
-    let p = &saved.partition;
-    let whole = |what, ok: bool, why| {
-        if ok {
-            Ok(())
-        } else {
-            Err(SavedError::Whole { what, why })
+impl SavedAxesSpace {
+    /// Whether everything that is referred to is there.
+    fn check(&self) -> Result<(), SavedAxesError> {
+        if self.format != FORMAT {
+            return Err(SavedAxesError::Format {
+                found: self.format.clone(),
+            });
         }
-    };
-    let ordered = |e: &Extent| e.lo.is_finite() && e.hi.is_finite() && e.lo < e.hi;
-    whole(
-        "the extent",
-        ordered(&p.x) && ordered(&p.y),
-        "it is no interval",
-    )?;
-    whole(
-        "the frame",
-        p.map.is_sound(),
-        "its scale is no positive number",
-    )?;
-    whole(
-        "the list `free`",
-        p.free.len() == p.cells.len(),
-        "it has not an entry for each cell",
-    )?;
-    whole(
-        "the list of bands",
-        !p.bands.bands.is_empty(),
-        "it is empty",
-    )?;
-    let missing = "there is no such entry";
-    let below = |i: u32, n: usize| (i as usize) < n;
-    let maybe = |i: Option<u32>, n: usize| i.is_none_or(|i| below(i, n));
-    let (firsts, seconds) = (p.first_features.len(), p.second_features.len());
-    each(
-        "pair",
-        (p.pairs.iter()).map(|q| below(q.first, firsts) && below(q.second, seconds)),
-        missing,
-    )?;
-    each(
-        "piece",
-        p.pieces.iter().map(|q| below(q.pair, p.pairs.len())),
-        missing,
-    )?;
-    each(
-        "cell",
-        p.cells.iter().map(|c| below(c.piece, p.pieces.len())),
-        missing,
-    )?;
-    each(
-        "cell",
-        (p.cells.iter()).map(|c| c.from.is_finite() && c.to.is_finite() && c.from <= c.to),
-        "it is no interval",
-    )?;
-    let gaps = p.bands.gaps.len();
-    each(
-        "band",
-        (p.bands.bands.iter()).map(|b| {
-            b.gaps.start <= b.gaps.end
-                && b.gaps.end as usize <= gaps
-                && b.lo.is_finite()
-                && b.hi.is_finite()
-        }),
-        missing,
-    )?;
-    each(
-        "gap",
-        (p.bands.gaps.iter()).map(|g| {
-            maybe(g.lower, p.cells.len())
-                && maybe(g.upper, p.cells.len())
-                && below(g.region, p.bands.regions.len())
-        }),
-        missing,
-    )?;
-    let patches = saved.patches.len();
-    each(
-        "patch",
-        (saved.patches.iter()).map(|q| {
-            q.branches.start < q.branches.end
-                && q.branches.end as usize <= saved.branches.len()
-                && maybe(q.previous, patches)
-                && maybe(q.next, patches)
-                && maybe(q.region, p.bands.regions.len())
-        }),
-        missing,
-    )?;
-    each(
-        "branch",
-        (saved.branches.iter()).map(|b| below(b.patch, patches) && below(b.cell, p.cells.len())),
-        missing,
-    )
-}
-
-/// That all entries of a list are sound.
-fn each(
-    what: &'static str,
-    mut sound: impl Iterator<Item = bool>,
-    why: &'static str,
-) -> Result<(), SavedError> {
-    match sound.position(|ok| !ok) {
-        None => Ok(()),
-        Some(index) => Err(SavedError::Damaged { what, index, why }),
+        if self.version != SAVED_AXES_VERSION {
+            return Err(SavedAxesError::Version {
+                found: self.version,
+            });
+        }
+        let sound = |ok: bool, what| {
+            if ok {
+                Ok(())
+            } else {
+                Err(SavedAxesError::Damaged { what })
+            }
+        };
+        let within = |i: u32, n: usize| (i as usize) < n;
+        let range = |r: &core::ops::Range<u32>, n: usize| r.start <= r.end && r.end as usize <= n;
+        let optional = |i: Option<u32>, n: usize| i.is_none_or(|i| within(i, n));
+        let (first, second) = (self.first_names.len(), self.second_names.len());
+        let mut pairs = self.pairs.iter();
+        sound(
+            pairs.all(|p| within(p.0, first) && within(p.1, second)),
+            "pairs",
+        )?;
+        let mut pieces = self.pieces.iter();
+        sound(pieces.all(|p| within(p.pair, self.pairs.len())), "pieces")?;
+        let mut cells = self.cells.iter();
+        let cells_sound = cells.all(|c| within(c.piece, self.pieces.len()));
+        sound(cells_sound && self.free.len() == self.cells.len(), "cells")?;
+        let n = self.cells.len();
+        let mut gaps = self.gaps.iter();
+        sound(
+            gaps.all(|g| {
+                optional(g.lower, n) && optional(g.upper, n) && within(g.region, self.regions.len())
+            }),
+            "gaps",
+        )?;
+        let mut bands = self.bands.iter();
+        sound(
+            !self.bands.is_empty() && bands.all(|b| range(&b.gaps, self.gaps.len())),
+            "bands",
+        )?;
+        let mut branches = self.branches.iter();
+        sound(
+            branches.all(|b| within(b.cell(), n) && within(b.patch, self.patches.len())),
+            "branches",
+        )?;
+        let mut patches = self.patches.iter();
+        sound(
+            patches.all(|p| {
+                range(&p.branches, self.branches.len())
+                    && optional(p.previous, self.patches.len())
+                    && optional(p.next, self.patches.len())
+                    && optional(p.region, self.regions.len())
+            }),
+            "patches",
+        )
     }
 }

@@ -86,13 +86,6 @@ impl Map {
         if self.swapped { (y, x) } else { (x, y) }
     }
 
-    /// Whether it can be inverted.
-    pub(super) fn is_sound(&self) -> bool {
-        [self.frame.scale, self.x_unit, self.y_unit]
-            .iter()
-            .all(|s| s.is_finite() && *s > 0.0)
-    }
-
     /// Model units per unit of u and of v.
     pub(super) fn units(&self) -> (f64, f64) {
         self.outer(1.0, 1.0)

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::axes::SavedAxes;
+use crate::axes::SavedAxesSpace;
 use crate::space::{SAVED_VERSION, SavedError, SavedPart, SavedSpace};
 
 use super::lower::{Joint, LowerPair, PermanentContact};
@@ -32,13 +32,13 @@ pub struct SavedLower {
 /// A configuration space as plain data, told apart by its `format`.
 ///
 /// The schemas in the folder `docs` of the project's repository describe every field and its unit.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 #[serde(untagged)]
 pub enum SavedPair {
     /// Of a general or symmetric pair; its format is `contact-space`.
     Planar(Box<SavedSpace>),
     /// Of a pair with fixed axes; its format is `fixed-axes-space`.
-    FixedAxes(Box<SavedAxes>),
+    FixedAxes(Box<SavedAxesSpace>),
     /// Of a lower pair; its format is `lower-pair`.
     Lower(Box<SavedLower>),
 }
