@@ -37,6 +37,8 @@ fn branches_have_free_space_on_their_right() {
             let ((u, v), slope) = space.branch_at(i, t).unwrap();
             let value = space.contact_function(b.patch as usize, u, v).unwrap();
             assert!(value.abs() < 1e-12 * size, "{}: {value:e}", m.name);
+            let contacts = space.contacts(u, v, 1e-11 * size);
+            assert!(contacts.iter().any(|c| c.0 == b.patch), "{}", m.name);
             if (to - from).abs() < 1e-4 || !slope.is_finite() {
                 continue;
             }

@@ -28,6 +28,27 @@ impl FixedAxesSpace {
         })
     }
 
+    /// The patches that touch at (u, v) within `tolerance` (model length), with their contact functions there; the nearest
+    /// first. Empty outside the ranges of motion.
+    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
+        let Some((x, y)) = self.placed(u, v) else {
+            return Vec::new();
+        };
+        let scale = self.map.frame.scale;
+        let reach = tolerance * scale;
+        let mut found: Vec<(u32, f64)> = self
+            .branches
+            .iter()
+            .filter_map(|b| {
+                let value = self.near_cell(b.cell(), x, y, reach.max(NEAR))?;
+                (value.abs() <= reach).then_some((b.patch, value / scale))
+            })
+            .collect();
+        found.sort_by(|a, b| a.1.abs().total_cmp(&b.1.abs()).then(a.0.cmp(&b.0)));
+        found.dedup_by_key(|f| f.0);
+        found
+    }
+
     /// Coordinates within the extents; none outside the ranges.
     pub(super) fn placed(&self, u: f64, v: f64) -> Option<(f64, f64)> {
         let (x, y) = self.map.inner(u, v);
@@ -104,31 +125,31 @@ impl FixedAxesSpace {
     pub(super) fn touching(&self, x: f64, y: f64) -> impl Iterator<Item = (u32, f64)> + '_ {
         let resolution = self.resolution() * self.map.frame.scale;
         self.slots[self.slot(x)].iter().filter_map(move |&i| {
-            let (c, p) = (
-                &self.cells[i as usize],
-                &self.pieces[self.cells[i as usize].piece as usize],
-            );
-            let (x_range, y_range) = if p.vertical {
-                ((p.start.x, p.start.x), (c.from, c.to))
-            } else {
-                let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
-                ((c.from, c.to), (a.min(b), a.max(b)))
-            };
-            let near = |t: f64, (lo, hi): (f64, f64), circle: bool| {
-                let t = if circle {
-                    let turn = core::f64::consts::TAU;
-                    t + turn * ((lo - NEAR - t) / turn).ceil()
-                } else {
-                    t
-                };
-                lo - NEAR <= t && t <= hi + NEAR
-            };
-            if !near(x, x_range, self.x.is_circle()) || !near(y, y_range, self.y.is_circle()) {
-                return None;
-            }
-            let value = self.pairs[p.pair as usize].condition.value(x, y);
+            let value = self.near_cell(i, x, y, NEAR)?;
             (value.abs() <= resolution).then_some((i, value))
         })
+    }
+
+    /// The contact function of a cell at a configuration in its box, or no farther from it than `reach`.
+    fn near_cell(&self, cell: u32, x: f64, y: f64, reach: f64) -> Option<f64> {
+        let (c, p) = self.cell_and_piece(cell);
+        let (x_range, y_range) = if p.vertical {
+            ((p.start.x, p.start.x), (c.from, c.to))
+        } else {
+            let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
+            ((c.from, c.to), (a.min(b), a.max(b)))
+        };
+        let near = |t: f64, (lo, hi): (f64, f64), circle: bool| {
+            let t = if circle {
+                let turn = core::f64::consts::TAU;
+                t + turn * ((lo - reach - t) / turn).ceil()
+            } else {
+                t
+            };
+            lo - reach <= t && t <= hi + reach
+        };
+        let inside = near(x, x_range, self.x.is_circle()) && near(y, y_range, self.y.is_circle());
+        inside.then(|| self.pairs[p.pair as usize].condition.value(x, y))
     }
 
     fn slot(&self, x: f64) -> usize {

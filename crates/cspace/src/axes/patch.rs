@@ -52,6 +52,12 @@ pub struct AxesBranch {
     cell: u32,
 }
 
+impl AxesBranch {
+    pub(super) fn cell(&self) -> u32 {
+        self.cell
+    }
+}
+
 impl FixedAxesSpace {
     /// The contact curves that bound free space.
     pub fn patches(&self) -> &[AxesPatch] {
