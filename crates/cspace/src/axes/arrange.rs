@@ -12,7 +12,7 @@ use super::nodes::{Key, Name};
 use super::piece::{Pair, Piece};
 
 /// What is at an end of a cell.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) enum Stop {
     /// The end of its piece.
     Node(Key),
@@ -21,7 +21,7 @@ pub(super) enum Stop {
 }
 
 /// A piece between two crossings, or an end: on the boundary of free space as a whole, or not.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Cell {
     pub(super) piece: u32,
     /// From and to: x of a graph, y of a vertical piece (in the piece's own turn).

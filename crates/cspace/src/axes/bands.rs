@@ -17,7 +17,7 @@ const SHORTEST: f64 = crate::feature::tolerance::SHORTEST_OVERLAP;
 const TOO_NARROW: f64 = 1e-11;
 
 /// A free interval of y over a band.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Gap {
     /// The cell below it, or none at a limit of y, and where nothing touches.
     pub(super) lower: Option<u32>,
@@ -29,7 +29,7 @@ pub(super) struct Gap {
 }
 
 /// An interval of x in which the order of the free boundary's cells does not change.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Band {
     pub(super) lo: f64,
     pub(super) hi: f64,
@@ -38,7 +38,7 @@ pub(super) struct Band {
 }
 
 /// A connected component of free space.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Region {
     pub(super) sample: (f64, f64),
     pub(super) x: (f64, f64),

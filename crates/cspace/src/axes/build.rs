@@ -7,13 +7,13 @@ use rayon::prelude::*;
 use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::{Point, Vector};
-use crate::union_find::UnionFind;
 
 use super::condition::{Carriers, Condition, INDEPENDENT};
 use super::domain::{ExtentKind, wrapped};
-use super::motion::Motion;
 use super::nodes::{Key, Name, Scene, Spot};
 use super::piece::{End, Pair, Piece};
+use super::reach::{Apart, reaches};
+use super::tidy::{contract, snap};
 
 /// A section is tested by where its middle lies between the ends of its features. Nearer to one than this (length, or
 /// radians) the test is not trusted: what lies on the other side of the node beside it tells.
@@ -21,7 +21,7 @@ const UNCLEAR: f64 = 1e-11;
 
 /// Nor is it trusted for a section shorter than this (in x, radians or length): near a turning y moves with the square root of
 /// x, and so does its rounding.
-const SHORT: f64 = 1e-13;
+pub(super) const SHORT: f64 = 1e-13;
 
 /// How far rounding may put a node beyond a turning (radians or length).
 const BEYOND: f64 = 1e-9;
@@ -82,84 +82,6 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
     contract(&pairs, &mut pieces);
     snap(&pairs, &mut pieces);
     (pairs, pieces)
-}
-
-/// Takes out pieces too short to have a place, and makes their two ends one.
-///
-/// They are what rounding leaves between a turning and a node that is exactly there: a follower's joint where its arc
-/// touches a line at the largest distance from the pivot.
-fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
-    let short = |p: &Piece| {
-        !p.vertical
-            && !pairs[p.pair as usize].condition.is_vertical()
-            && (p.end.x - p.start.x).abs() < SHORT
-            && p.start.key.name != Name::Limit
-            && p.end.key.name != Name::Limit
-    };
-    let mut same: Vec<(End, End)> = pieces
-        .iter()
-        .filter(|p| short(p))
-        .map(|p| (p.start, p.end))
-        .collect();
-    if same.is_empty() {
-        return;
-    }
-    pieces.retain(|p| !short(p));
-    let mut keys: Vec<Key> = same.iter().flat_map(|s| [s.0.key, s.1.key]).collect();
-    keys.sort_unstable();
-    keys.dedup();
-    let index = |key: Key| keys.binary_search(&key).ok();
-    let mut sets = UnionFind::new(keys.len());
-    let mut places: Vec<Option<End>> = vec![None; keys.len()];
-    for (a, b) in &same {
-        if let (Some(i), Some(j)) = (index(a.key), index(b.key)) {
-            sets.union(i as u32, j as u32);
-            places[i] = Some(*a);
-            places[j] = Some(*b);
-        }
-    }
-    same.clear();
-    for end in pieces.iter_mut().flat_map(|p| [&mut p.start, &mut p.end]) {
-        let Some(k) = index(end.key) else { continue };
-        // The first of a set stands for it: nodes come before turnings.
-        if let Some(place) = places[sets.find(k as u32) as usize] {
-            end.turns += ((end.base - place.base) / TAU).round() as i32;
-            (end.key, end.x, end.base) = (place.key, place.x, place.base);
-        }
-    }
-}
-
-/// Gives all ends that rounding alone keeps from the x of a vertical piece that x, so that they agree on what is left of
-/// it.
-fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
-    let mut xs: Vec<f64> = pieces
-        .iter()
-        .filter(|p| p.vertical)
-        .flat_map(|p| [p.start.x, p.end.x])
-        .collect();
-    xs.sort_by(f64::total_cmp);
-    // One value for each cluster.
-    let mut clusters: Vec<(f64, f64)> = Vec::new();
-    for x in xs {
-        match clusters.last_mut() {
-            Some(last) if x - last.1 < INDEPENDENT => last.1 = x,
-            _ => clusters.push((x, x)),
-        }
-    }
-    if clusters.is_empty() {
-        return;
-    }
-    for p in pieces {
-        for end in [&mut p.start, &mut p.end] {
-            let k = clusters.partition_point(|c| c.1 + INDEPENDENT < end.x);
-            if let Some(c) = clusters.get(k).filter(|c| c.0 - INDEPENDENT < end.x) {
-                end.x = c.0;
-            }
-        }
-        if !p.vertical && p.start.x == p.end.x {
-            p.stand_up(pairs);
-        }
-    }
 }
 
 struct Builder<'a> {
@@ -739,110 +661,5 @@ fn carriers(scene: &Scene, ia: u32, ib: u32) -> Option<Carriers> {
             })
         }
         _ => None,
-    }
-}
-
-/// Where a feature can come: distances from its pivot, or beside its direction of sliding.
-fn reaches(features: &[Feature], scene: &Scene, is_first: bool) -> Vec<(f64, f64)> {
-    let (side, motion) = if is_first {
-        (&scene.first, scene.motions.first)
-    } else {
-        (&scene.second, scene.motions.second)
-    };
-    features
-        .iter()
-        .map(|f| {
-            let points = [side.outline.start(f).point, side.outline.end(f).point];
-            match motion {
-                Motion::Turn { center } => distances_from(f, points, center),
-                Motion::Slide { direction } => distances_beside(f, points, direction.left()),
-                Motion::Still => (0.0, f64::INFINITY),
-            }
-        })
-        .collect()
-}
-
-/// The least and largest distance of a feature from a point, or bounds on them.
-fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
-    let (a, b) = (p.distance(center), q.distance(center));
-    if f.is_line() {
-        let along = (q - p).unit();
-        let at = along.dot(center - p);
-        let beside = (0.0..=p.distance(q)).contains(&at);
-        let least = if beside {
-            along.cross(center - p).abs()
-        } else {
-            a.min(b)
-        };
-        return (least, a.max(b));
-    }
-    let (m, r) = (f.center().distance(center), f.radius().abs());
-    let sees = |toward: Vector| {
-        let outward = if f.radius() < 0.0 { -toward } else { toward };
-        wrapped(outward.angle() - 0.5 * (f.lo + f.hi)).abs() < 0.5 * (f.hi - f.lo)
-    };
-    let toward = center - f.center();
-    let least = if m > 0.0 && sees(toward) {
-        (m - r).abs()
-    } else {
-        a.min(b)
-    };
-    let largest = if m > 0.0 && sees(-toward) {
-        m + r
-    } else {
-        a.max(b)
-    };
-    if m == 0.0 { (r, r) } else { (least, largest) }
-}
-
-/// Between which distances along `side` a feature lies, or bounds on them.
-fn distances_beside(f: &Feature, [p, q]: [Point; 2], side: Vector) -> (f64, f64) {
-    let (a, b) = (side.dot(p - Point::ORIGIN), side.dot(q - Point::ORIGIN));
-    if f.is_line() {
-        return (a.min(b), a.max(b));
-    }
-    let (m, r) = (side.dot(f.center() - Point::ORIGIN), f.radius().abs());
-    (m - r, m + r)
-}
-
-/// Tells features that never meet from what their motions sweep.
-struct Apart {
-    first: Motion,
-    second: Motion,
-}
-
-impl Apart {
-    /// Room for growth and rounding (length).
-    const ROOM: f64 = 1e-9;
-
-    fn new(scene: &Scene) -> Self {
-        Self {
-            first: scene.motions.first,
-            second: scene.motions.second,
-        }
-    }
-
-    fn may_meet(&self, a: (f64, f64), b: (f64, f64)) -> bool {
-        match (self.first, self.second) {
-            (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
-                let apart = c.distance(d);
-                let room = Self::ROOM;
-                apart <= a.1 + b.1 + room && a.0 <= apart + b.1 + room && b.0 <= apart + a.1 + room
-            }
-            (Motion::Turn { center }, Motion::Slide { direction }) => {
-                // The strip beside the centre.
-                let at = direction.left().dot(center - Point::ORIGIN);
-                b.0 - at <= a.1 + Self::ROOM && at - b.1 <= a.1 + Self::ROOM
-            }
-            (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
-                let cross = d.cross(e);
-                if cross != 0.0 {
-                    return true;
-                }
-                let (lo, hi) = if d.dot(e) < 0.0 { (-b.1, -b.0) } else { b };
-                a.0 <= hi + Self::ROOM && lo <= a.1 + Self::ROOM
-            }
-            _ => true,
-        }
     }
 }

@@ -10,7 +10,7 @@ use super::motion::{Bearing, Motion, Motions};
 pub(super) const INDEPENDENT: f64 = crate::feature::tolerance::SAME_CARRIER;
 
 /// When two features touch: their carriers, at zero coordinates.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) enum Carriers {
     /// A line of the first part and an arc or vertex of the second: n(x)·(q(y) − l(x)) = ρ.
     FirstLine {

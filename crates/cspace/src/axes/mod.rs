@@ -72,8 +72,12 @@ mod motion;
 mod nodes;
 mod patch;
 mod piece;
+mod reach;
+mod saved;
 mod space;
+mod tidy;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use patch::{AxesBranch, AxesPatch, BranchForm};
+pub use saved::{SAVED_AXES_VERSION, SavedAxesError, SavedAxesSpace};
 pub use space::{AxesRegion, AxesStatistics, FixedAxesSpace};

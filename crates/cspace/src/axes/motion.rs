@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use crate::geometry::{Point, Rotation, Vector};
 
 /// A motion of one degree of freedom at most, with coordinate t.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) enum Motion {
     /// No motion.
     Still,
@@ -59,7 +59,7 @@ impl Motion {
 /// The motions of both parts.
 ///
 /// The first has the coordinate x along which the plane is swept, the second the coordinate y.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Motions {
     pub(super) first: Motion,
     pub(super) second: Motion,

@@ -15,7 +15,9 @@ use super::equation::{Equation, coincidences};
 use super::motion::{Motion, Motions};
 
 /// What a node is, so that ends of curves find each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 pub(super) enum Name {
     /// A joint of the first part touches a round feature of the second.
     FirstJoint(u32, u32),
@@ -40,7 +42,9 @@ pub(super) enum Name {
 }
 
 /// A name, which of several such configurations, and in which turn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 pub(super) struct Key {
     pub(super) name: Name,
     pub(super) root: u8,

@@ -63,7 +63,7 @@ pub struct AxesStatistics {
 /// From u and v to x and y and back.
 ///
 /// x is the coordinate along which the plane is swept: one of a part that turns, if there is one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Map {
     pub(super) frame: PairFrame,
     pub(super) swapped: bool,
