@@ -3,8 +3,8 @@
 
 use core::f64::consts::TAU;
 
-use cspace::axes::{AxisMotion, BranchForm, FixedAxesSpace};
-use cspace::{Axis, Classification, ContactSpace, Options};
+use cspace::axes::{AxisMotion, BranchForm, FixedAxesSpace, SavedAxesSpace};
+use cspace::{Axis, Classification, ContactSpace, Options, Point, Vector};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
 use rand::{Rng, SeedableRng};
@@ -37,6 +37,8 @@ fn branches_have_free_space_on_their_right() {
             let ((u, v), slope) = space.branch_at(i, t).unwrap();
             let value = space.contact_function(b.patch as usize, u, v).unwrap();
             assert!(value.abs() < 1e-12 * size, "{}: {value:e}", m.name);
+            let contacts = space.contacts(u, v, 1e-11 * size);
+            assert!(contacts.iter().any(|c| c.0 == b.patch), "{}", m.name);
             if (to - from).abs() < 1e-4 || !slope.is_finite() {
                 continue;
             }
@@ -208,4 +210,54 @@ fn regions_reach_around_where_parts_can_turn_for_ever() {
     let stopped = of("gear against a stop");
     assert_eq!(stopped.len(), 9);
     assert!(stopped.iter().all(|r| !r.around_u));
+}
+
+/// Saved and read again, a space answers the same; of another version it is refused.
+#[test]
+fn saved_spaces_answer_the_same() {
+    let m = mechanisms().into_iter().next().unwrap();
+    let space = compute(&m);
+    let again = FixedAxesSpace::try_from(SavedAxesSpace::from(&space)).unwrap();
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    for _ in 0..200 {
+        let (u, v) = (rng.random_range(0.0..TAU), rng.random_range(0.0..TAU));
+        assert_eq!(space.classify(u, v), again.classify(u, v));
+        assert_eq!(space.contacts(u, v, 0.1), again.contacts(u, v, 0.1));
+    }
+    let mut other = SavedAxesSpace::from(&space);
+    other.version += 1;
+    assert!(FixedAxesSpace::try_from(other).is_err());
+}
+
+/// The result does not depend on the number of threads.
+#[test]
+fn threads_do_not_matter() {
+    for m in mechanisms().iter().take(8) {
+        let with = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            pool.install(|| format!("{:?}", SavedAxesSpace::from(&compute(m))))
+        };
+        assert_eq!(with(1), with(5), "{}", m.name);
+    }
+}
+
+/// Axes that make no sense are refused, with a word on what to do.
+#[test]
+fn axes_without_sense_are_refused() {
+    let m = mechanisms().into_iter().next().unwrap();
+    let refused = |axis: Axis| {
+        FixedAxesSpace::compute(&m.fixed, axis, &m.moving, m.moving_axis)
+            .unwrap_err()
+            .to_string()
+    };
+    let zero = Axis::prismatic(Vector::ZERO);
+    assert!(refused(zero).contains("direction"));
+    let x = Axis::prismatic(Vector::new(1.0, 0.0));
+    assert!(refused(x.within(2.0, 1.0)).contains("empty"));
+    assert!(refused(x.within(0.0, f64::NAN)).contains("not finite"));
+    let far = Axis::revolute(Point::new(1e9, 0.0));
+    assert!(refused(far).contains("slide"));
 }
