@@ -96,7 +96,7 @@ pub fn pair_from_json(text: &str, file: &str) -> Result<PairSpace, ModelError> {
             .map(|space| PairSpace::FixedAxes(Box::new(space)))
             .map_err(|e| wrong(&e.to_string(), file)),
         LOWER_PAIR => LowerPair::from_saved(data(text, file)?)
-            .map(PairSpace::Lower)
+            .map(|pair| PairSpace::Lower(Box::new(pair)))
             .map_err(|e| wrong(&e.to_string(), file)),
         _ => contact_space(text, file).map(|space| PairSpace::Planar(Box::new(space))),
     }

@@ -32,7 +32,7 @@ use super::relation::{PairClass, Relation};
 #[derive(Debug)]
 pub enum PairSpace {
     /// Of a lower pair.
-    Lower(LowerPair),
+    Lower(Box<LowerPair>),
     /// Of a pair with fixed axes.
     FixedAxes(Box<FixedAxesSpace>),
     /// Of a general pair, computed with or without symmetry.
@@ -101,7 +101,7 @@ impl PairSpace {
         }
         Ok(match relation {
             Relation::Joint(joint, limits) => {
-                Self::Lower(LowerPair::new(fixed, moving, joint, limits))
+                Self::Lower(Box::new(LowerPair::new(fixed, moving, joint, limits)))
             }
             Relation::Axes {
                 fixed: a,
