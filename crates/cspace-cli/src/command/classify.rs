@@ -198,7 +198,9 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
                     "let the first row name the columns u and v, the motions of both parts; or use --general for x, y and theta",
                 )
             } else {
-                failure.help("let the first row name the columns x, y and theta")
+                failure.help(
+                    "let the first row name the columns x, y and theta; u and v are for pairs that move about fixed axes",
+                )
             })
         }
     }
