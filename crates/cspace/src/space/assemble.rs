@@ -1,5 +1,7 @@
 //! From free cells to the contact graph: chains of cells become patches, and patches are copied from slab to slab.
 
+use rayon::prelude::*;
+
 use crate::contact::{ContactFunction, Twist};
 use crate::feature::{FeatureName, Outline};
 use crate::part::Part;
@@ -56,8 +58,8 @@ impl Assembler<'_> {
             chains: &chains,
             lifts: &lifts,
         };
-        let side_links = links.side(&patches);
-        let vertical_links = links.vertical();
+        let (side_links, vertical_links) =
+            rayon::join(|| links.side(&patches), || links.vertical());
         let critical_orientations = lifts.critical_orientations(&chains.chains);
         let walk = Walk::new(patches.len(), &side_links);
         let (more_fixed, more_moving) = self.names.added();
@@ -100,7 +102,7 @@ impl Assembler<'_> {
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
         let geometry = self.linker.geometry;
         let carried = &geometry.contacts.carried;
-        let firsts: Vec<Patch> = chains.chains.iter().map(|c| self.patch(c)).collect();
+        let firsts: Vec<Patch> = chains.chains.par_iter().map(|c| self.patch(c)).collect();
         let Some(&any) = firsts.first() else {
             return Vec::new();
         };

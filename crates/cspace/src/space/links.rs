@@ -1,15 +1,20 @@
 //! Neighbours of patches: contacts of cells in one slab, copied to all.
 
+use rayon::prelude::*;
+
 use crate::contact::Curve;
 use crate::geometry::Rotation;
 use crate::slice::CurveGeometry;
 
 use super::cells::VerticalContact;
 use super::chains::{Chains, Linker, Member, Place};
-use super::graph::{SideLink, VerticalLink};
+use super::graph::{SideLink, VerticalLink, Window};
 use super::lifts::Lifts;
 use super::patch::Patch;
 use super::shells::Shells;
+
+/// Contacts copied at a time by one thread.
+const CHUNK: usize = 1024;
 
 pub(super) struct Links<'a> {
     pub(super) linker: Linker<'a>,
@@ -141,51 +146,61 @@ impl Links<'_> {
     /// Neighbours across critical orientations.
     pub(super) fn vertical(&self) -> Vec<VerticalLink> {
         let window = self.lifts.window();
-        let mut links = Vec::new();
-        for v in &self.shells.vertical {
-            let (Some(lower), Some(upper)) = (self.member(v.lower), self.member(v.upper)) else {
-                continue;
-            };
-            // Seen from the lower cell's slab.
-            let shift = i64::from(self.linker.is_wrap(v.lower));
-            let place = Place {
-                cluster: v.at,
-                slabs: 0,
-            };
-            let theta = self.linker.clusters.at(v.at);
-            let sheet = self.linker.sheet(v.lower);
-            let curve = sheet.curve(theta, Rotation::by(theta));
-            // A little more than there are: rounding is not to lose one.
-            for slabs in self.lifts.shifts(theta - 0.1, theta + 0.1) {
-                let at = self.lifts.orientation(place, slabs);
-                let inside = window.full_turn || (window.lo < at && at < window.hi);
-                if !inside {
-                    continue;
+        let mut links: Vec<VerticalLink> = (self.shells.vertical.par_chunks(CHUNK))
+            .flat_map_iter(|contacts| {
+                let mut links = Vec::new();
+                for v in contacts {
+                    self.lifted(v, window, &mut links);
                 }
-                let below = self.lifts.patch(lower.chain, slabs - lower.slabs);
-                let above = self.lifts.patch(upper.chain, slabs + shift - upper.slabs);
-                let (Some(below), Some(above)) = (below, above) else {
-                    continue;
-                };
-                // Within one chain nothing happens, unless it meets itself around the turn without being closed.
-                let chain = &self.chains.chains[lower.chain as usize];
-                if below == above && (chain.closed || chain.last != v.lower) {
-                    continue;
-                }
-                links.push(VerticalLink {
-                    lower: below,
-                    upper: above,
-                    theta: at,
-                    overlap: self.overlap(&curve, v, slabs, at),
-                });
-            }
-        }
-        links.sort_by(|a, b| {
+                links
+            })
+            .collect();
+        links.par_sort_by(|a, b| {
             a.theta
                 .total_cmp(&b.theta)
                 .then((a.lower, a.upper).cmp(&(b.lower, b.upper)))
         });
         links
+    }
+
+    /// The links that a contact of two cells makes in all slabs.
+    fn lifted(&self, v: &VerticalContact, window: Window, links: &mut Vec<VerticalLink>) {
+        let (Some(lower), Some(upper)) = (self.member(v.lower), self.member(v.upper)) else {
+            return;
+        };
+        // Seen from the lower cell's slab.
+        let shift = i64::from(self.linker.is_wrap(v.lower));
+        let place = Place {
+            cluster: v.at,
+            slabs: 0,
+        };
+        let theta = self.linker.clusters.at(v.at);
+        let sheet = self.linker.sheet(v.lower);
+        let curve = sheet.curve(theta, Rotation::by(theta));
+        // A little more than there are: rounding is not to lose one.
+        for slabs in self.lifts.shifts(theta - 0.1, theta + 0.1) {
+            let at = self.lifts.orientation(place, slabs);
+            let inside = window.full_turn || (window.lo < at && at < window.hi);
+            if !inside {
+                continue;
+            }
+            let below = self.lifts.patch(lower.chain, slabs - lower.slabs);
+            let above = self.lifts.patch(upper.chain, slabs + shift - upper.slabs);
+            let (Some(below), Some(above)) = (below, above) else {
+                continue;
+            };
+            // Within one chain nothing happens, unless it meets itself around the turn without being closed.
+            let chain = &self.chains.chains[lower.chain as usize];
+            if below == above && (chain.closed || chain.last != v.lower) {
+                continue;
+            }
+            links.push(VerticalLink {
+                lower: below,
+                upper: above,
+                theta: at,
+                overlap: self.overlap(&curve, v, slabs, at),
+            });
+        }
     }
 
     /// What two cells share of their curve, some slabs further.
