@@ -55,16 +55,7 @@ pub fn slices(page: &Page<'_>) -> String {
         GAP + columns as f64 * (side + GAP),
         TITLE + rows as f64 * (side + CAPTION + GAP) + LEGEND.len() as f64 * LINE + GAP,
     );
-    let mut out = String::new();
-    let _ = writeln!(
-        out,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13" fill="none">"#
-    );
-    let _ = writeln!(
-        out,
-        r##"<rect width="100%" height="100%" fill="white"/><text x="{GAP}" y="22" font-size="16" fill="#222">{}</text>"##,
-        escaped(&page.title)
-    );
+    let mut out = opened(&page.title, width, height, GAP);
     let view = View::of(page, side);
     for (i, slice) in page.slices.iter().enumerate() {
         let x = GAP + (i % columns) as f64 * (side + GAP);
@@ -75,6 +66,21 @@ pub fn slices(page: &Page<'_>) -> String {
     }
     legend(&mut out, height - GAP - LEGEND.len() as f64 * LINE);
     out.push_str("</svg>\n");
+    out
+}
+
+/// The beginning of a picture: its size, a white ground, the title.
+pub(super) fn opened(title: &str, width: f64, height: f64, left: f64) -> String {
+    let mut out = String::new();
+    let _ = writeln!(
+        out,
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13" fill="none">"#
+    );
+    let _ = writeln!(
+        out,
+        r##"<rect width="100%" height="100%" fill="white"/><text x="{left}" y="22" font-size="16" fill="#222">{}</text>"##,
+        escaped(title)
+    );
     out
 }
 
@@ -212,7 +218,7 @@ fn legend(out: &mut String, top: f64) {
     }
 }
 
-pub(super) fn escaped(text: &str) -> String {
+fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

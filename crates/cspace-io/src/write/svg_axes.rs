@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use cspace::{FeatureKind, FeatureName, FixedAxesSpace};
 
-use super::svg::{BLOCKED, escaped, rounded};
+use super::svg::{BLOCKED, opened, rounded};
 
 /// Width and height of the plane, in pixels.
 const SIDE: f64 = 720.0;
@@ -22,16 +22,7 @@ pub fn plane(title: &str, space: &FixedAxesSpace) -> String {
     let [u, v] = space.extent();
     let view = View { u, v };
     let (width, height) = (SIDE + 2.0 * MARGIN, SIDE + 2.0 * MARGIN);
-    let mut out = String::new();
-    let _ = writeln!(
-        out,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13" fill="none">"#
-    );
-    let _ = writeln!(
-        out,
-        r##"<rect width="100%" height="100%" fill="white"/><text x="{MARGIN}" y="22" font-size="16" fill="#222">{}</text>"##,
-        escaped(title)
-    );
+    let mut out = opened(title, width, height, MARGIN);
     let _ = writeln!(
         out,
         r#"<clipPath id="plane"><rect x="{MARGIN}" y="{MARGIN}" width="{SIDE}" height="{SIDE}"/></clipPath>"#

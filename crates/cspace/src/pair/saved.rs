@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::axes::SavedAxesSpace;
-use crate::space::{SAVED_VERSION, SavedError, SavedPart, SavedSpace};
+use crate::space::{SAVED_VERSION, SavedError, SavedPart, SavedSpace, check_head};
 
 use super::lower::{Joint, LowerPair, PermanentContact};
 use super::space::PairSpace;
@@ -73,17 +73,7 @@ impl LowerPair {
     /// # Errors
     /// If the format or its version is another, a part is none, or a number is not finite or out of order.
     pub fn from_saved(saved: SavedLower) -> Result<Self, SavedError> {
-        if saved.format != FORMAT {
-            return Err(SavedError::Format {
-                found: saved.format,
-                wanted: FORMAT,
-            });
-        }
-        if saved.version != SAVED_VERSION {
-            return Err(SavedError::Version {
-                found: saved.version,
-            });
-        }
+        check_head(&saved.format, FORMAT, saved.version)?;
         let whole = |what, why| Err(SavedError::Whole { what, why });
         let sound = match saved.joint {
             Joint::Revolute { at } => at.is_finite(),

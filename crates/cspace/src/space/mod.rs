@@ -31,6 +31,7 @@ mod triple;
 pub use compute::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage};
 pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
+pub(crate) use saved::check_head;
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
 pub(crate) use slice::{PASSED_ENDS, sweep};
 pub use stats::{StageSeconds, Statistics};

@@ -192,17 +192,7 @@ impl ContactSpace {
     /// # Errors
     /// If the data are of another format or version, or refer to what is not there.
     pub fn from_saved(saved: SavedSpace) -> Result<Self, SavedError> {
-        if saved.format != FORMAT {
-            return Err(SavedError::Format {
-                found: saved.format,
-                wanted: FORMAT,
-            });
-        }
-        if saved.version != SAVED_VERSION {
-            return Err(SavedError::Version {
-                found: saved.version,
-            });
-        }
+        check_head(&saved.format, FORMAT, saved.version)?;
         let (fixed, moving) = (saved.fixed.part()?, saved.moving.part()?);
         check(&saved)?;
         let walk = Walk::new(saved.patches.len(), &saved.side_links);
@@ -227,6 +217,24 @@ impl ContactSpace {
             walk,
         })
     }
+}
+
+/// That data are of the format and version that is read.
+pub(crate) fn check_head(
+    format: &str,
+    wanted: &'static str,
+    version: u32,
+) -> Result<(), SavedError> {
+    if format != wanted {
+        return Err(SavedError::Format {
+            found: format.to_owned(),
+            wanted,
+        });
+    }
+    if version != SAVED_VERSION {
+        return Err(SavedError::Version { found: version });
+    }
+    Ok(())
 }
 
 /// Lengths of the pair's frame, in which the parts have size 1, are far below this.
