@@ -101,6 +101,18 @@ fn report(name: &str, fixed: &Part, moving: &Part, other: Option<f64>) {
         s.cells,
         s.conflicts
     );
+    let d = s.decisions;
+    println!(
+        "  {} passings, {} by places; {} orientations, {} rough; {} overlaps, {} uncertain; {} shells, {} conflicts",
+        d.passings,
+        d.passings_by_places,
+        d.orientations,
+        d.orientations_rough,
+        d.overlaps,
+        d.overlaps_uncertain,
+        d.shells,
+        s.conflicts
+    );
     println!(
         "  {patches} patches, {} critical orientations, {} bytes a patch with its links, {:.2} µs a patch",
         space.critical_orientations().len(),

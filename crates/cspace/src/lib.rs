@@ -23,7 +23,7 @@ pub use query::{
 };
 pub use slice::{CurveGeometry, Slice, SliceCurve, Slicer};
 pub use space::{
-    Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, FeatureCounts,
-    FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress, SideLink, Stage,
-    StageSeconds, Statistics, Symmetry, VerticalLink, Window,
+    Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, Decisions,
+    FeatureCounts, FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress,
+    SideLink, Stage, StageSeconds, Statistics, Symmetry, VerticalLink, Window,
 };

@@ -6,7 +6,7 @@ use std::time::Instant;
 use cspace::axes::{AxesRegion, AxesStatistics};
 use cspace::pair::{Joint, PermanentContact, PermanentKind};
 use cspace::{
-    Axis, AxisMotion, FreeRegion, PairClass, PairSpace, StageSeconds, Statistics, Window,
+    Axis, AxisMotion, Decisions, FreeRegion, PairClass, PairSpace, StageSeconds, Statistics, Window,
 };
 use serde::Serialize;
 
@@ -117,6 +117,7 @@ struct Counts {
     cells: u64,
     overlap_tests: u64,
     conflicts: u64,
+    decisions: Decisions,
 }
 
 impl From<&Statistics> for Counts {
@@ -131,6 +132,7 @@ impl From<&Statistics> for Counts {
             cells: s.cells,
             overlap_tests: s.overlap_tests,
             conflicts: s.conflicts,
+            decisions: s.decisions,
         }
     }
 }

@@ -70,6 +70,12 @@ impl Clusters {
         self.lo.len()
     }
 
+    /// How many are wider than the narrowest band.
+    pub(super) fn rough(&self) -> usize {
+        let wide = |(lo, hi): (&f64, &f64)| hi - lo > NARROWEST_BAND;
+        self.lo.iter().zip(&self.hi).filter(|&w| wide(w)).count()
+    }
+
     /// The cluster an orientation belongs to: the last that does not begin after it.
     pub(super) fn index(&self, theta: f64) -> u32 {
         self.lo.partition_point(|&lo| lo <= theta).max(1) as u32 - 1

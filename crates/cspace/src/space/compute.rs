@@ -15,7 +15,7 @@ use super::clusters::Clusters;
 use super::core::Cores;
 use super::graph::{ContactSpace, Window};
 use super::shells::ShellFinder;
-use super::stats::{StageSeconds, Statistics};
+use super::stats::{Decisions, StageSeconds, Statistics};
 use super::sweep::Sweep;
 use super::symmetry::{Method, Plan, Symmetry};
 use super::triple::{OnSheet, triple_events};
@@ -213,7 +213,7 @@ impl ContactSpace {
         progress.stage(Stage::TripleEvents)?;
         let on_sheet = OnSheet::new(sheets.len(), &branches);
         let triples = triple_events(&geometry, &branches, &encounters, &on_sheet, &clusters);
-        let (clusters, moved) = clusters.with(triples.iter().map(|t| t.1).collect());
+        let (clusters, moved) = clusters.with(triples.events.iter().map(|t| t.1).collect());
         for b in &mut branches {
             b.from = moved[b.from as usize];
             b.to = moved[b.to as usize];
@@ -228,6 +228,7 @@ impl ContactSpace {
         splits.sort_unstable();
         splits.dedup();
         let mut passings: Vec<(u32, u32)> = triples
+            .events
             .iter()
             .map(|(sheet, e)| (*sheet, clusters.index(e.theta)))
             .collect();
@@ -263,12 +264,21 @@ impl ContactSpace {
             sheets: sheets.len() as u64,
             pairs: candidates.pairs.len() as u64,
             pair_events: pair_event_count,
-            triple_events: triples.len() as u64,
+            triple_events: triples.events.len() as u64,
             clusters: clusters.len() as u64,
             branches: branches.len() as u64,
             cells: cells.cells.len() as u64,
             overlap_tests: shells.tests as u64,
             conflicts: shells.conflicts as u64,
+            decisions: Decisions {
+                passings: triples.isolated,
+                passings_by_places: triples.by_places,
+                orientations: clusters.len() as u64,
+                orientations_rough: clusters.rough() as u64,
+                overlaps: shells.overlaps.0,
+                overlaps_uncertain: shells.overlaps.1,
+                shells: shells.judged as u64,
+            },
             seconds: StageSeconds::default(),
         };
         let (lo, hi) = window.unwrap_or((span.lo, span.lo + TAU));

@@ -34,5 +34,5 @@ pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub(crate) use saved::check_head;
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
 pub(crate) use slice::{PASSED_ENDS, sweep};
-pub use stats::{StageSeconds, Statistics};
+pub use stats::{Decisions, StageSeconds, Statistics};
 pub use symmetry::{PairSymmetry, Symmetry};

@@ -104,14 +104,15 @@ impl Passing<'_> {
         }
     }
 
-    /// Finds every orientation at which the two branches pass each other.
+    /// Finds every orientation at which the two branches pass each other, and tells in how many parts of the interval the
+    /// polynomial told nothing.
     pub(super) fn isolate(
         &self,
         f: &TrigPolynomial,
         lo: f64,
         hi: f64,
         found: &mut impl FnMut(Event),
-    ) {
+    ) -> u64 {
         let mut vague: Vec<(f64, f64)> = Vec::new();
         f.brackets(
             lo,
@@ -120,10 +121,11 @@ impl Passing<'_> {
             &mut |lo, hi| self.refine(f, lo, hi, found),
             &mut |lo, hi| vague.push((lo, hi)),
         );
-        for (lo, hi) in vague {
+        for &(lo, hi) in &vague {
             let mut budget = PLACE_BUDGET;
             self.isolate_places(lo, hi, &mut budget, found);
         }
+        vague.len() as u64
     }
 
     /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells

@@ -24,6 +24,10 @@ pub(super) struct Shells {
     pub(super) shell: Vec<u32>,
     /// How many configurations were tested for overlap.
     pub(super) tests: usize,
+    /// Shells with cells that what bounds them leaves open.
+    pub(super) judged: usize,
+    /// Pieces of curve that cells share, and how many of them are not certainly longer than the errors of their ends.
+    pub(super) overlaps: (u64, u64),
     /// Shells whose bounds and tests told different things; their cells were tested one by one.
     pub(super) conflicts: usize,
 }
@@ -58,6 +62,8 @@ impl ShellFinder<'_> {
         for v in vertical.iter().filter(|v| v.certain) {
             sets.union(v.lower, v.upper);
         }
+        let uncertain = vertical.iter().filter(|v| !v.certain).count();
+        let overlaps = (vertical.len() as u64, uncertain as u64);
         let shell: Vec<u32> = (0..cells.cells.len() as u32)
             .map(|i| sets.find(i))
             .collect();
@@ -67,6 +73,8 @@ impl ShellFinder<'_> {
             free: Vec::new(),
             shell,
             tests: 0,
+            judged: 0,
+            overlaps,
             conflicts: 0,
         };
         self.judge(&cells.cells, &mut shells);
@@ -159,6 +167,7 @@ impl ShellFinder<'_> {
             .collect();
         shells.free = vec![false; cells.len()];
         for (shell, (free, tests, conflict)) in members.chunk_by(|a, b| a.0 == b.0).zip(verdicts) {
+            shells.judged += 1;
             shells.tests += tests;
             shells.conflicts += usize::from(conflict);
             for (&(_, c), f) in shell.iter().zip(free) {

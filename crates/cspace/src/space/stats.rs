@@ -23,8 +23,34 @@ pub struct Statistics {
     pub overlap_tests: u64,
     /// Shells whose bounds and tests disagreed and were decided cell by cell; 0 in sound computations.
     pub conflicts: u64,
+    /// How often which certainty was reached.
+    #[serde(default)]
+    pub decisions: Decisions,
     /// Seconds taken, by stage.
     pub seconds: StageSeconds,
+}
+
+/// How often a decision was certain at once, and how often it took more, or was left to the resolution.
+///
+/// There is no arithmetic of more digits: what a bound on the error of `f64` leaves open is enclosed in another way, or counts
+/// as one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Decisions {
+    /// Intervals of orientation in which two branches may pass each other: decided by the polynomial of three carriers.
+    pub passings: u64,
+    /// Of these, handed on because the polynomial cannot be told from zero: decided by enclosures of places.
+    pub passings_by_places: u64,
+    /// Orientations at which something may change.
+    pub orientations: u64,
+    /// Of these, known less well than to the narrowest band, or several that are nearer than it: nothing asks in which order
+    /// events happen there.
+    pub orientations_rough: u64,
+    /// Pieces of curve that two cells share at an orientation.
+    pub overlaps: u64,
+    /// Of these, not certainly longer than the errors of their ends: they join no shells.
+    pub overlaps_uncertain: u64,
+    /// Shells, each decided by one test of overlap and what bounds its cells.
+    pub shells: u64,
 }
 
 /// Seconds taken by each stage.

@@ -59,11 +59,11 @@ pub(super) fn triple_events(
     encounters: &[Encounter],
     on_sheet: &OnSheet,
     clusters: &Clusters,
-) -> Vec<(u32, Event)> {
+) -> Triples {
     let meetings = Meetings::new(geometry, encounters);
-    (0..geometry.contacts.sheets.len() as u32)
+    let found: Vec<Triples> = (0..geometry.contacts.sheets.len() as u32)
         .into_par_iter()
-        .flat_map_iter(|sheet| {
+        .fold(Triples::default, |mut all, sheet| {
             let mut search = Search {
                 geometry,
                 branches,
@@ -72,12 +72,37 @@ pub(super) fn triple_events(
                 sheet,
                 gaps: Gaps::of(geometry, sheet),
                 concurrencies: HashMap::new(),
-                events: Vec::new(),
+                found: Triples::default(),
             };
             search.run(on_sheet.of(sheet));
-            search.events
+            all.append(search.found);
+            all
         })
-        .collect()
+        .collect();
+    let mut all = Triples::default();
+    for f in found {
+        all.append(f);
+    }
+    all
+}
+
+/// What was found, and how.
+#[derive(Debug, Default)]
+pub(super) struct Triples {
+    /// Sheets, and the orientations at which branches pass each other on them.
+    pub(super) events: Vec<(u32, Event)>,
+    /// Intervals in which two branches may pass each other.
+    pub(super) isolated: u64,
+    /// Parts of them in which the polynomial tells nothing.
+    pub(super) by_places: u64,
+}
+
+impl Triples {
+    fn append(&mut self, other: Self) {
+        self.events.extend(other.events);
+        self.isolated += other.isolated;
+        self.by_places += other.by_places;
+    }
 }
 
 /// The search on one sheet.
@@ -90,7 +115,7 @@ struct Search<'a> {
     gaps: Gaps,
     /// What vanishes where two branches pass each other, for pairs already looked at; `None` for pairs that never do.
     concurrencies: HashMap<(u32, u32), Option<TrigPolynomial>>,
-    events: Vec<(u32, Event)>,
+    found: Triples,
 }
 
 /// An interval between two clusters in which the same branches exist on the sheet.
@@ -150,7 +175,7 @@ impl Search<'_> {
                     let (i, j) = (gaps.branch(n), gaps.branch(m));
                     let (from, to) = self.passings(window, i.min(j), i.max(j));
                     cuts.extend(
-                        self.events[from as usize..to as usize]
+                        self.found.events[from as usize..to as usize]
                             .iter()
                             .map(|e| e.1)
                             .filter(|e| lo < e.theta - e.error && e.theta + e.error < hi),
@@ -183,9 +208,9 @@ impl Search<'_> {
         if let Some(range) = *slot {
             return range;
         }
-        let from = self.events.len() as u32;
+        let from = self.found.events.len() as u32;
         let (x, y) = (&self.branches[i as usize], &self.branches[j as usize]);
-        let (sheet, events) = (self.sheet, &mut self.events);
+        let (sheet, found) = (self.sheet, &mut self.found);
         let pair = Passing {
             geometry: self.geometry,
             sheet,
@@ -202,9 +227,12 @@ impl Search<'_> {
             })
         });
         if let Some(f) = known {
-            pair.isolate(f, window.lo, window.hi, &mut |e| events.push((sheet, e)));
+            let events = &mut found.events;
+            let vague = pair.isolate(f, window.lo, window.hi, &mut |e| events.push((sheet, e)));
+            found.isolated += 1;
+            found.by_places += vague;
         }
-        let range = (from, events.len() as u32);
+        let range = (from, found.events.len() as u32);
         *slot = Some(range);
         range
     }
