@@ -226,6 +226,11 @@ class Model:
         self.out += "]\n"
         return self
 
+    def joint(self, kind, first, second, at, text=""):
+        where = f"at = [{number(at.real)}, {number(at.imag)}]"
+        self.out += "\n" + comment(text) + f'[[joint]]\ntype = "{kind}"\nparts = ["{first}", "{second}"]\n{where}\n'
+        return self
+
     def pair(self, fixed, moving, text=""):
         self.out += "\n" + comment(text) + f'[[pair]]\nfixed = "{fixed}"\nmoving = "{moving}"\n'
         return self
@@ -234,8 +239,13 @@ class Model:
 # ---------------------------------------------------------------- the models
 
 
-def ratchet_pawl():
-    teeth, tip, root, undercut, back = 20, 50.0, 44.0, 8.0, 40.0
+TEETH, TIP = 20, 50.0  # of the ratchet
+PAWL_PIVOT = 42 + 56j  # where it works
+
+
+def ratchet_and_pawl():
+    """Outlines of the wheel, its axis at the origin, and of the pawl, engaged with the tooth at the top."""
+    teeth, tip, root, undercut, back = TEETH, TIP, 44.0, 8.0, 40.0
     pitch = 360 / teeth
 
     def crest(k):
@@ -252,8 +262,8 @@ def ratchet_pawl():
         pen.bow(back, foot(k + 1) if k + 1 < teeth else foot(0), "back")
     ratchet = pen.closed()
 
-    # The pawl is laid out where it works, its nose 0.05 from the face of the tooth at the top, then moved to its own frame.
-    pivot, boss, top = 42 + 56j, 8.0, 75.0
+    # The pawl is laid out where it works, its nose 0.05 from the face of the tooth at the top.
+    pivot, boss, top = PAWL_PIVOT, 8.0, 75.0
     face = polar(1, 90 - undercut)  # up along the tooth's face
     gap = 0.05 * (-1j * face)
     nose = polar(tip, 90) + gap - face * 5.0
@@ -266,8 +276,12 @@ def ratchet_pawl():
     pen.round(6.0, "boss to belly")
     pen.line(nose, "belly").round(1.2, "nose").line(brow, "face, bears on the tooth").round(1.5, "brow")
     pen.arc(hump, crown, -1, f"R{top:g} back").arc(pivot, heel, -1, f"R{boss:g} boss")
-    pawl = moved(pen.closed(), 1, -pivot)
+    return ratchet, pen.closed()
 
+
+def ratchet_pawl():
+    ratchet, pawl = ratchet_and_pawl()
+    pawl = moved(pawl, 1, -PAWL_PIVOT)
     m = Model(
         "ratchet_pawl.toml",
         "ratchet and pawl",
@@ -283,8 +297,78 @@ The pawl's frame has its origin in the pivot, which stands at (42, 56) from the 
 the shaft and the pin and nothing else gets there.
 """,
     )
-    m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [("20 teeth", ratchet)], symmetry=teeth)
+    m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [("20 teeth", ratchet)], symmetry=TEETH)
     m.part("pawl", "Pivot at the origin; the nose points to -x.", [("outline", pawl)])
+    return m
+
+
+def ratchet_mechanism():
+    ratchet, pawl = ratchet_and_pawl()
+    shaft, throw, disc, play = -100j, 19.5, 26.0, 0.1
+    fork = disc + play  # half the fork's width
+    stroke = 2 * math.degrees(math.asin(throw / abs(shaft)))
+
+    hub, eye, prong, floor, end = 15.0, 9.0, 12.0, -52.0, -129.0
+
+    def tangent(c, r, e, s):
+        """Where the line that leaves a circle on its right and comes to another on its right touches the two."""
+        along = unit(e - c)
+        normal = along * cmath.exp(-1j * math.acos((r - s) / abs(e - c)))
+        return c + normal * r, e + normal * s
+
+    up = tangent(0, hub, PAWL_PIVOT, eye)
+    down = tangent(PAWL_PIVOT, eye, 0, hub)
+    pen = Outline(complex(-hub, 0))
+    pen.line(complex(-hub, -38), "arm").round(8.0).line(complex(-fork - prong, -46), "shoulder").round(8.0)
+    pen.line(complex(-fork - prong, end), "prong").round(4.0).line(complex(-fork, end), "end").round(3.0)
+    pen.line(complex(-fork, floor), "fork, bears on the eccentric").round(8.0).line(complex(fork, floor), "floor").round(8.0)
+    pen.line(complex(fork, end), "fork, bears on the eccentric").round(3.0).line(complex(fork + prong, end), "end").round(4.0)
+    pen.line(complex(fork + prong, -46), "prong").round(8.0).line(complex(hub, -38), "shoulder").round(8.0)
+    pen.line(meet_lines(hub, 1j, up[0], up[1] - up[0]), "arm").round(12.0)
+    pen.line(up[1], "arm to the pawl").arc(PAWL_PIVOT, down[0], 1, f"eye R{eye:g}").line(down[1], "arm to the pawl")
+    link = pen.arc(0, pen.start, 1, f"hub R{hub:g}").closed()
+
+    driver = circle(shaft - 1j * throw, disc, f"eccentric, thrown by {throw:g}")
+    frame = rounded_polygon([
+        (-20 + 20j, 12.0, "post"), (-20 - 75j, 10.0, "post"), (-45 - 135j, 0, "foot"), (-60 - 135j, 3.0, "foot"),
+        (-60 - 150j, 0, "base"), (60 - 150j, 0, "foot"), (60 - 135j, 3.0, "foot"), (45 - 135j, 0, "post"),
+        (20 - 75j, 10.0, "post"), (20 + 20j, 12.0, "head"),
+    ])
+
+    m = Model(
+        "ratchet_mechanism.toml",
+        "ratchet mechanism",
+        f"""
+A shaft that turns for ever feeds a ratchet wheel on, tooth by tooth: five parts, six pairs, three classes of them.
+
+The driver is an eccentric of {2 * disc:g}, thrown by {throw:g}. It runs in the fork of the link, {play:g} clear on either side, and rocks
+it by {stroke:.1f} deg in all: the fork's sides are parallel to the line to the link's pivot, so that the link follows the
+direction of the eccentric's centre. The link has its pivot on the wheel's axis and carries the pawl. On the way
+counter-clockwise the pawl bears on the face of a tooth and takes the wheel along; on the way back it rides over a tooth
+and drops behind the next, one pitch of {360 / TEETH:g} deg on: {stroke - 360 / TEETH:.1f} deg of the stroke are to spare. What keeps the wheel
+from turning back, a brake or a second pawl, is not drawn.
+
+Wheel and pawl are those of ratchet_pawl.toml, here drawn where they work: at zero motion the eccentric points down, the link
+is in the middle of its stroke, and the pawl is engaged, 0.05 clear of the face of the tooth at the top. From the back to the
+front, frame, driver and link, and wheel and pawl lie in layers of their own; pins and bores are not drawn, the joints stand
+for them.
+""",
+    )
+    m.part("frame", "Stands still.", [("post and foot", frame)], '{ type = "fixed" }')
+    m.part("driver", "On the frame's lower bearing.", [(f"eccentric, diameter {2 * disc:g}", driver)],
+           '{ type = "revolute", center = [0, -100] }')
+    m.part("link", "On the wheel's axis; fork below, eye for the pawl above. There is no room for more than 20 deg either way.",
+           [("outline", link)], '{ type = "revolute", center = [0, 0], range = ["-20deg", "20deg"] }')
+    m.part("pawl", "On the link; the nose points to -x.", [("outline", pawl)])
+    m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [("20 teeth", ratchet)],
+           '{ type = "revolute", center = [0, 0] }', TEETH)
+    m.joint("revolute", "frame", "driver", shaft)
+    m.joint("revolute", "frame", "link", 0j)
+    m.joint("revolute", "frame", "ratchet", 0j)
+    m.joint("revolute", "link", "pawl", PAWL_PIVOT)
+    m.pair("frame", "driver", "Lower pairs.").pair("frame", "link").pair("frame", "ratchet").pair("link", "pawl")
+    m.pair("driver", "link", "Fixed axes: u is the driver's turn, v the link's.")
+    m.pair("ratchet", "pawl", "Symmetric, 20-fold.")
     return m
 
 
@@ -360,7 +444,41 @@ Both are drawn where they work, the shafts 44 apart. The pinion turns by -12/10 
     return m
 
 
-def cam_follower():
+def rack_pinion():
+    teeth, module, pressure, dedendum, thinning = 12, 4.0, 25, 1.25, 0.1
+    count, travel = 16, 70.0
+    pitch, line = math.pi * module, -module * teeth / 2  # the rack's pitch line
+    lean = math.tan(math.radians(pressure))
+    half = pitch / 4 - thinning / 2  # half a tooth of the rack at the pitch line
+    tip, root = line + module, line - dedendum * module
+    pen = Outline(complex(-(count + 1) * pitch / 2, root))
+    pen.line(complex(pen.start.real, root - 12), "end").round(1.0).line(complex(-pen.start.real, root - 12), "back").round(1.0)
+    pen.line(complex(-pen.start.real, root), "end").round(1.0)
+    for k in reversed(range(count)):
+        middle = (k + 0.5 - count / 2) * pitch
+        wide, narrow = half + dedendum * module * lean, half - module * lean
+        pen.line(complex(middle + wide, root), "root").round(1.0)
+        pen.line(complex(middle + narrow, tip), f"tooth {k + 1}, flank").round(0.4).line(complex(middle - narrow, tip), "tip")
+        pen.round(0.4).line(complex(middle - wide, root), "flank").round(1.0)
+    rack = pen.line(pen.start, "root").round(1.0).closed()
+    m = Model("rack_pinion.toml", "rack and pinion", f"""
+A pinion that turns on its shaft and a rack that slides below it.
+
+Module 4, pressure angle 25 deg, dedendum 1.25 modules. The pinion has 12 teeth and is the gear of gears.toml,
+turned: each flank one arc, through three points of the involute. The rack has {count} teeth with straight flanks, tips broken by
+R0.4. Each tooth of either is thinned by 0.1 at the pitch line. The rack travels {travel:g} to either side, and the pinion always
+has a tooth in it: turned by u, it pushes the rack by 24 u.
+
+Both are drawn where they work, the rack in the middle of its travel: a tooth of the pinion points down into a gap of the rack.
+""")
+    m.part("pinion", "Axis at the origin.", [("12 teeth", gear_outline(teeth, module, pressure, dedendum, thinning, 1.0, -90))],
+           '{ type = "revolute", center = [0, 0] }', teeth)
+    m.part("rack", "", [(f"{count} teeth", rack)],
+           f'{{ type = "prismatic", direction = [1, 0], range = [-{travel:g}, {travel:g}] }}')
+    return m
+
+
+def cam_profile():
     base, top, shoulder, flank = 22.0, 34.0, 8.0, 60.0
     rise, fall = polar(top - shoulder, 75), polar(top - shoulder, 105)  # the shoulders' centres
     side = meet_circles(0, flank - base, rise, flank - shoulder)[0]
@@ -370,8 +488,11 @@ def cam_follower():
     pen.arc(side, arrive, 1, f"rise flank R{flank:g}").arc(rise, polar(top, 75), 1, f"shoulder R{shoulder:g}")
     pen.arc(0, polar(top, 105), 1, f"dwell R{top:g}, 30 deg").arc(fall, fall + across * shoulder, 1, f"shoulder R{shoulder:g}")
     pen.line(across * base, "fall flank, straight").arc(0, leave, 1, f"base circle R{base:g}")
-    cam = pen.closed()
+    return pen.closed()
 
+
+def cam_follower():
+    cam = cam_profile()
     crown, half, stem = 80.0, 18.0, 6.0
     edge = crown - math.sqrt(crown**2 - half**2)  # how far the face has risen at the head's rim
     pen = Outline(complex(-half, edge))
@@ -391,6 +512,112 @@ up. At (x, y, theta) = (0, 34, 0) the tappet stands on the dwell; turned and shi
 """)
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam)])
     m.part("follower", "Origin in the middle of the face, stem to +y.", [("outline", pen.closed())])
+    return m
+
+
+def cam_tappet():
+    face, half, stem, low, high = 34.1, 25.0, 6.0, -13.0, 6.0
+    tappet = rounded_polygon([
+        (complex(-half, face), 1.0, "flat face"), (complex(half, face), 1.0, "rim"), (complex(half, face + 6), 1.0, "head"),
+        (complex(stem, face + 8), 3.0, "stem"), (complex(stem, face + 60), 1.0, "end"), (complex(-stem, face + 60), 1.0, "stem"),
+        (complex(-stem, face + 8), 3.0, "head"), (complex(-half, face + 6), 1.0, "rim"),
+    ])
+    m = Model("cam_tappet.toml", "cam and flat tappet", f"""
+Plate cam on its shaft and a flat tappet in its guide.
+
+The cam is that of cam_follower.toml: base circle R22, dwell R34, lift 12; its straight flank comes to lie on the tappet's face
+all at once. The face is {2 * half:g} across, wide enough for the contact never to leave it.
+
+Drawn with the cam's dwell on top and the tappet 0.1 above it. The tappet can drop by {-low:g}, which is 0.9 more than it ever does:
+the cam stops it first.
+""")
+    m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam_profile())], '{ type = "revolute", center = [0, 0] }')
+    m.part("tappet", "Stem to +y.", [("outline", tappet)],
+           f'{{ type = "prismatic", direction = [0, 1], range = [{low:g}, {high:g}] }}')
+    return m
+
+
+def cam_plate():
+    pin, play, lift, start, end = 6.0, 0.1, 20.0, 30.0, 55.0
+    length, bend, half = start + end, 14.0, pin + play
+    middle = [0j, complex(start), complex(end, lift), complex(length, lift)]
+    slope = unit(middle[2] - middle[1])
+    aside = 1j * half
+
+    def corner(i, shift):  # where the lines at one side of the slot's middle meet
+        return meet_lines(middle[i] + shift, 1, middle[1] + shift * slope, slope)
+
+    pen = Outline(-aside)
+    pen.line(corner(1, -aside), "dwell").round(bend + half).line(corner(2, -aside), "rise").round(bend - half)
+    pen.line(middle[3] - aside, "dwell").arc(middle[3], middle[3] + aside, 1, f"end R{half:g}")
+    pen.line(corner(2, aside), "dwell").round(bend + half).line(corner(1, aside), "rise").round(bend - half)
+    slot = pen.line(aside, "dwell").arc(0, pen.start, 1, f"end R{half:g}").closed()
+    plate = rounded_polygon([
+        (-22 - 20j, 4.0, "edge"), (complex(length + 22, -20), 4.0, "edge"), (complex(length + 22, lift + 20), 4.0, "edge"),
+        (complex(-22, lift + 20), 4.0, "edge"),
+    ])
+    m = Model("cam_plate.toml", "cam plate and pin", f"""
+Cam plate of a lifting gear and the pin it moves, both in straight guides at right angles.
+
+The plate slides to the left and its slot, {2 * half:g} wide, lifts the pin of {2 * pin:g} by {lift:g}: a dwell, a rise of
+{math.degrees(cmath.phase(slope)):.1f} deg and another dwell, with bends of R{bend:g} in the middle. The slot's round ends stop the plate.
+
+Drawn with the plate as far right as it works and the pin in the middle of the slot's left end.
+""")
+    m.part("plate", "Slides to -x.", [("outline", plate), ("slot", slot)],
+           f'{{ type = "prismatic", direction = [-1, 0], range = [-5, {length + 5:g}] }}')
+    m.part("pin", "Slides to +y, with the rod that is to be lifted.", [(f"diameter {2 * pin:g}", circle(0, pin))],
+           f'{{ type = "prismatic", direction = [0, 1], range = [-5, {lift + 5:g}] }}')
+    return m
+
+
+def escapement():
+    teeth, tip, root, land, drop = 30, 50.0, 40.0, 0.8, 1.0
+    lock, lift, swing = 1.0, 3.0, 6.0  # of the anchor, degrees; drop is the wheel's
+    pitch = 360 / teeth
+    pivot = 1j * tip * math.sqrt(2)  # its tangents touch the wheel where the pallets are, 90 deg apart
+    half = tip * math.radians(pitch / 2 - drop) / 2  # half a pallet's thickness, along the way of the teeth
+    outer, inner = tip + half, tip - half
+    release, catch = (lock + lift) / 2, (lock - lift) / 2  # how deep the pallets' corners reach in the middle of the swing
+
+    # The wheel runs clockwise; its teeth lean forward, so that nothing but their tips comes to the pallets.
+    pen = None
+    for k in range(teeth):
+        lead = 4.2 + pitch * k  # the angle of the leading corner of a tip: of one just before the entry pallet's impulse face
+        pen = pen or Outline(polar(root, lead + 2.8))
+        pen.round(0.8).line(polar(tip, lead), f"tooth {k + 1}, front").round(0.15)
+        pen.arc(0, polar(tip, lead + land), 1, "tip").line(polar(root, lead + 6.5), "back").round(0.8)
+        pen.arc(0, polar(root, lead + pitch + 2.8) if k + 1 < teeth else pen.start, 1, "root")
+    wheel = pen.closed()
+
+    def at(radius, angle):  # about the anchor's pivot
+        return pivot + polar(radius, angle)
+
+    pen = Outline(at(9, 90))
+    pen.line(at(outer, 205), "arm").round(2.0)
+    pen.arc(pivot, at(outer, 225 + catch), 1, "entry pallet, locks the teeth").round(0.15)
+    pen.line(at(inner, 225 + release), "impulse face").round(0.15)
+    pen.arc(pivot, at(inner, 212), -1, "entry pallet, inside").round(3.0)
+    pen.line(at(9, 270), "arm").round(10.0).line(at(inner, 328), "arm").round(3.0)
+    pen.arc(pivot, at(inner, 315 - catch), -1, "exit pallet, locks the teeth").round(0.15)
+    pen.line(at(outer, 315 - release), "impulse face").round(0.15)
+    pen.arc(pivot, at(outer, 335), 1, "exit pallet, outside").round(2.0)
+    anchor = pen.line(pen.start, "arm").round(6.0).closed()
+    m = Model("escapement.toml", "dead-beat escapement", f"""
+Dead-beat escapement of a pendulum clock, after Graham: escape wheel and anchor.
+
+The wheel of {teeth} teeth, 100 across, runs clockwise. The anchor spans 7 1/2 of them; its pivot is where the tangents of the wheel at
+the pallets meet, so that a tooth moves along the pallets' radius. A tooth rests on an arc about the anchor's pivot, and
+while the anchor swings on the wheel stands still; then it slides over the impulse face and drives the anchor by {lift:g} deg, drops by
+{drop:g} deg of the wheel, and another is caught on the other side, {lock:g} deg from the corner. For each swing to and fro the wheel turns
+by one tooth, {pitch:g} deg. Pallets and teeth have corners of R0.15.
+
+Both are drawn where they work, the anchor in the middle of its swing and a tooth about to drive it; {swing:g} deg to either side
+are possible.
+""")
+    m.part("wheel", "Axis at the origin.", [(f"{teeth} teeth", wheel)], '{ type = "revolute", center = [0, 0] }', teeth)
+    m.part("anchor", "Entry pallet on the left.", [("outline", anchor)],
+           f'{{ type = "revolute", center = [0, {number(pivot.imag)}], range = ["-{swing:g}deg", "{swing:g}deg"] }}')
     return m
 
 
@@ -598,7 +825,8 @@ touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to abo
     return m
 
 
-MODELS = [ratchet_pawl, gears, gears_on_shafts, cam_follower, fixture_plate, snap_fastener, peg_hole, ball_in_c, geneva, knee]
+MODELS = [ratchet_pawl, ratchet_mechanism, gears, gears_on_shafts, rack_pinion, cam_follower, cam_tappet, cam_plate, escapement,
+          fixture_plate, snap_fastener, peg_hole, ball_in_c, geneva, knee]
 
 
 # ---------------------------------------------------------------- writing and checking
