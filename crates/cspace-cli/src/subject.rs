@@ -103,6 +103,14 @@ impl Subject {
                     ))
                     .help("leave out --pair, or give the model file"));
                 }
+                if common.general && space.class() != PairClass::General {
+                    return Err(Failure::input(format_args!(
+                        "{}: the file is the saved configuration space of a {} pair, and nothing is computed again",
+                        common.file.display(),
+                        space.class()
+                    ))
+                    .help("leave out --general, or give the model file"));
+                }
                 return Ok(vec![Chosen {
                     subject: self,
                     pair: None,
@@ -209,17 +217,8 @@ impl Chosen<'_> {
     /// Whether the coordinates of a pair with fixed axes are angles.
     pub(crate) fn turns(&self) -> (bool, bool) {
         let turns = |axis: &Axis| matches!(axis.motion, AxisMotion::Revolute { .. });
-        match (self.relation(), self.subject) {
-            (Some(Relation::Axes { fixed, moving }), _) => (turns(&fixed), turns(&moving)),
-            (None, Subject::Saved(space)) => match &**space {
-                PairSpace::FixedAxes(space) => {
-                    let (fixed, moving) = space.axes();
-                    (turns(&fixed), turns(&moving))
-                }
-                _ => (false, false),
-            },
-            _ => (false, false),
-        }
+        self.axes()
+            .map_or((false, false), |(a, b)| (turns(&a), turns(&b)))
     }
 
     /// Whether the general method is asked for.
@@ -250,6 +249,28 @@ impl Chosen<'_> {
     pub(crate) fn is_planar(&self) -> bool {
         let by_class = matches!(self.class(), PairClass::General | PairClass::Symmetric);
         by_class || (self.general && !self.is_saved())
+    }
+
+    /// Refuses a window of orientations where orientation is no coordinate.
+    pub(crate) fn check_window(&self) -> Result<(), Failure> {
+        match self.window() {
+            Some(_) if !self.is_planar() => Err(self.failure(&PairError::Window {
+                class: self.class(),
+            })),
+            _ => Ok(()),
+        }
+    }
+
+    /// The axes of a pair with fixed axes.
+    pub(crate) fn axes(&self) -> Option<(Axis, Axis)> {
+        match (self.relation(), self.subject) {
+            (Some(Relation::Axes { fixed, moving }), _) => Some((fixed, moving)),
+            (None, Subject::Saved(space)) => match &**space {
+                PairSpace::FixedAxes(space) => Some(space.axes()),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     /// The slice of a planar pair at one orientation; of a model that slice alone is computed.
@@ -338,7 +359,7 @@ impl Chosen<'_> {
                 work().help("split a part, or replace runs of short lines by arcs")
             }
             PairError::Window { .. } => input().help(
-                "leave out the window; limit the motion with `range`, or compute all of x, y and theta with --general",
+                "leave the window out, or name a pair that has orientations with --pair; limit the motion with `range`, or compute all of x, y and theta with --general",
             ),
             PairError::Axes(AxesError::TooFar { .. }) => {
                 input().help("draw the pivot nearer to the parts, or use --general")

@@ -40,7 +40,7 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         .map_err(|e| Failure::input(format_args!("standard input: {e}")))?;
     let rows = read(&bytes, &pair)?;
     let space = pair.space()?;
-    let classes = classify(&space, &rows)?;
+    let classes = classify(&pair, &space, &rows)?;
     let bytes = match common.format {
         Format::Text => as_csv(&rows, &classes)?,
         Format::Json => as_json(&rows, &classes)?,
@@ -49,7 +49,11 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
 }
 
 /// Classifies all rows; orientations, which were checked, are brought into the window by turns.
-fn classify(space: &PairSpace, rows: &Rows) -> Result<Vec<Classification>, Failure> {
+fn classify(
+    pair: &Chosen<'_>,
+    space: &PairSpace,
+    rows: &Rows,
+) -> Result<Vec<Classification>, Failure> {
     let all = rows.configurations.par_iter();
     let classifier = match space {
         PairSpace::Planar(space) if rows.configurations.len() >= MANY => Some(space.classifier()),
@@ -75,15 +79,36 @@ fn classify(space: &PairSpace, rows: &Rows) -> Result<Vec<Classification>, Failu
         (axes, _) => space.classify(axes),
     };
     let found: Vec<Result<Classification, QueryError>> = all.map(one).collect();
-    (found.into_iter().zip(&rows.records))
-        .map(|(class, record)| {
+    (found.into_iter().enumerate())
+        .map(|(i, class)| {
             class.map_err(|e| {
-                let line = record.position().map_or(0, csv::Position::line);
-                Failure::input(format_args!("standard input, line {line}: {e}"))
-                    .help("leave the row out, or widen the `range` of the motion")
+                let line = rows.records[i].position().map_or(0, csv::Position::line);
+                let why = beyond_range(pair, rows.configurations[i]).unwrap_or(e.to_string());
+                Failure::input(format_args!("standard input, line {line}: {why}"))
+                    .help("leave the row out, or widen the `range` of the motion in the model")
             })
         })
         .collect()
+}
+
+/// Which coordinate is beyond the range of its motion, if one is.
+fn beyond_range(pair: &Chosen<'_>, at: Coordinates) -> Option<String> {
+    let (Some(axes), Coordinates::Axes { u, v }) = (pair.axes(), at) else {
+        return None;
+    };
+    [
+        ("u", u, axes.0, pair.fixed()),
+        ("v", v, axes.1, pair.moving()),
+    ]
+    .into_iter()
+    .find_map(|(name, t, axis, part)| {
+        let (lo, hi) = axis.range?;
+        let beyond = !(lo..=hi).contains(&t);
+        beyond.then(|| {
+            let part = part.name();
+            format!("{name} {t} is outside the range from {lo} to {hi} of the motion of {part}")
+        })
+    })
 }
 
 /// Reads all rows; nothing is computed before all of them are understood.
@@ -171,7 +196,7 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
             (Some(_), Some(_)) => Err(Failure::input(format_args!(
                 "standard input, line 1: the column {name} is named twice"
             ))
-            .help("name the columns x, y and theta, each once")),
+            .help("name every column once")),
         }
     };
     let planar = (find("x")?, find("y")?, find("theta")?);
@@ -184,12 +209,12 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
             let found: Vec<&str> = header.iter().collect();
             let wanted = if by_axes { "u and v" } else { "x, y and theta" };
             let class = if pair.is_planar() {
-                PairClass::General
+                String::new()
             } else {
-                pair.class()
+                format!("{} ", pair.class())
             };
             let failure = Failure::input(format_args!(
-                "standard input, line 1: the columns are {:?}, and a configuration of the {class} pair {} is {wanted}",
+                "standard input, line 1: the columns are {:?}, and a configuration of the {class}pair {} is {wanted}",
                 found.join(","),
                 pair.names()
             ));

@@ -4,8 +4,8 @@ use std::fmt::{self, Write};
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::{Edge, Part};
-use cspace_io::{Joint, JointKind, Model, Motion, PairClass};
+use cspace::{AxisMotion, Edge, PairSpace, Part};
+use cspace_io::{JointKind, Motion, PairClass};
 use serde::Serialize;
 
 use crate::args::{Format, InfoArgs};
@@ -88,6 +88,9 @@ struct PairInfo {
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
     let subject = Subject::open(&args.common)?;
     let pairs = subject.pairs_if_any(&args.common, args.window.theta)?;
+    for pair in &pairs {
+        pair.check_window()?;
+    }
     let info = gather(&subject, &pairs);
     let bytes = match args.common.format {
         Format::Json => super::json(&info)?,
@@ -109,19 +112,61 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
             parts: (model.parts.iter())
                 .map(|p| part_info(&p.part, p.motion))
                 .collect(),
-            joints: model.joints.iter().map(|j| joint_info(model, j)).collect(),
+            joints: (model.joints.iter())
+                .map(|j| {
+                    let (a, b) = j.parts;
+                    joint_info(j.kind, [a, b].map(|i| &model.parts[i].part))
+                })
+                .collect(),
             pairs,
         },
         Subject::Saved(space) => Info {
             name: format!("{} and {}", space.fixed().name(), space.moving().name()),
             unit: None,
-            parts: [space.fixed(), space.moving()]
-                .map(|p| part_info(p, Motion::Planar))
-                .into(),
-            joints: Vec::new(),
+            parts: saved_parts(space),
+            joints: match &**space {
+                PairSpace::Lower(pair) => vec![saved_joint(pair)],
+                _ => Vec::new(),
+            },
             pairs,
         },
     }
+}
+
+/// The parts of a saved space; how they move relative to the ground is known of those on axes only.
+fn saved_parts(space: &PairSpace) -> Vec<PartInfo> {
+    let motions = match space {
+        PairSpace::FixedAxes(space) => {
+            let (fixed, moving) = space.axes();
+            [fixed, moving].map(|axis| match axis.motion {
+                AxisMotion::Fixed => Motion::Fixed,
+                AxisMotion::Revolute { center } => Motion::Revolute {
+                    center,
+                    range: axis.range,
+                },
+                AxisMotion::Prismatic { direction } => Motion::Prismatic {
+                    direction,
+                    range: axis.range,
+                },
+            })
+        }
+        _ => [Motion::Planar; 2],
+    };
+    ([space.fixed(), space.moving()].into_iter().zip(motions))
+        .map(|(part, motion)| part_info(part, motion))
+        .collect()
+}
+
+fn saved_joint(pair: &cspace::LowerPair) -> JointInfo {
+    let kind = match pair.joint() {
+        cspace::pair::Joint::Revolute { at } => JointKind::Revolute { at },
+        cspace::pair::Joint::Prismatic { direction, at } => JointKind::Prismatic {
+            direction,
+            at: Some(at),
+        },
+        cspace::pair::Joint::Rigid => JointKind::Rigid,
+    };
+    joint_info(kind, [pair.fixed(), pair.moving()])
 }
 
 fn pair_info(pair: &Chosen<'_>) -> PairInfo {
@@ -134,11 +179,14 @@ fn pair_info(pair: &Chosen<'_>) -> PairInfo {
     }
 }
 
-/// The class by motions and joints; a general pair with a symmetric part is symmetric, unless the window is too narrow to
-/// gain anything.
+/// The class by motions and joints, or of the saved space; a general pair with a symmetric part is symmetric, unless the
+/// window is too narrow to gain anything or the general method is asked for.
 fn class(pair: &Chosen<'_>) -> &'static str {
     let class = pair.class();
-    if class != PairClass::General || pair.is_general() {
+    if pair.is_general() {
+        return PairClass::General.name();
+    }
+    if class != PairClass::General || pair.is_saved() {
         return class.name();
     }
     let fold = |part: &Part| u64::from(part.symmetry().fold());
@@ -180,16 +228,15 @@ fn part_info(part: &Part, motion: Motion) -> PartInfo {
     }
 }
 
-fn joint_info(model: &Model, joint: &Joint) -> JointInfo {
-    let name = |i: usize| model.parts[i].part.name().to_owned();
-    let (kind, at, direction) = match joint.kind {
+fn joint_info(kind: JointKind, parts: [&Part; 2]) -> JointInfo {
+    let (kind, at, direction) = match kind {
         JointKind::Revolute { at } => ("revolute", Some(at), None),
         JointKind::Prismatic { direction, at } => ("prismatic", at, Some(direction)),
         JointKind::Rigid => ("rigid", None, None),
     };
     JointInfo {
         kind,
-        parts: [name(joint.parts.0), name(joint.parts.1)],
+        parts: parts.map(|p| p.name().to_owned()),
         at: at.map(|p| [p.x, p.y]),
         direction: direction.map(|d| [d.x, d.y]),
     }

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use cspace::{CurveGeometry, FixedAxesSpace, PairSpace, Slice};
+use cspace::{CurveGeometry, FixedAxesSpace, PairClass, PairSpace, Slice};
 use cspace_io::write::{svg, svg_axes};
 
 use crate::args::{Format, SliceArgs};
@@ -49,7 +49,16 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
 /// A pair with fixed axes has one plane, that of its motions.
 fn plane(args: &SliceArgs, pair: &Chosen<'_>, is_picture: bool) -> Result<(), Failure> {
     if args.theta.is_some() {
-        return Err(pair.no_orientation("--theta"));
+        let class = pair.class();
+        return Err(Failure::input(format_args!(
+            "--theta: orientation is no coordinate of the {class} pair {}",
+            pair.names()
+        ))
+        .help(if class == PairClass::FixedAxes {
+            "leave --theta out: the plane of the two motions is shown; or use --general with the model"
+        } else {
+            "use --general with the model, which computes it in x, y and theta"
+        }));
     }
     let space = pair.space()?;
     let PairSpace::FixedAxes(space) = &*space else {
