@@ -176,7 +176,7 @@ fn refuses(validator: &Validator, good: &Value, changes: &[(&str, Value)]) {
     assert!(validator.is_valid(good));
     for (pointer, to) in changes {
         let mut bad = good.clone();
-        *bad.pointer_mut(pointer).expect(pointer) = to.clone();
+        *bad.pointer_mut(pointer).unwrap() = to.clone();
         assert!(!validator.is_valid(&bad), "{pointer}");
     }
 }
