@@ -174,23 +174,27 @@ Examples:
   cspace compute models/ratchet_pawl.toml
   cspace compute models/ratchet_pawl.toml --theta=-10deg,10deg
   cspace compute models/fixture_plate.toml --format json -o summary.json
+  cspace compute models/ratchet_mechanism.toml --pair driver,link
 
 All pairs of the file are computed, or the one that --pair names. The class in the result is the
-method that was used: `symmetric` if one slab of orientations was computed and the others are
-copies, else `general`; `slices` are the bands that were computed. `cspace info` tells the class of
-the pair itself.
+method that was used: `lower` for two parts that a joint connects, whose patches are permanent
+contacts; `fixed-axes` for two of which each turns, slides or stands still, in (u, v); `symmetric` if
+one slab of orientations was computed and the others are copies; else `general`. `slices` are the
+bands that were computed. `cspace info` tells the class of the pair itself.
 
 A clearance below the resolution counts as none: such a channel is blocked, and the summary says so.";
 
 const SLICE: &str = "\
 Examples:
   cspace slice models/ratchet_pawl.toml --theta 5deg
+  cspace slice models/ratchet_mechanism.toml --pair driver,link -o rocking.svg
   cspace slice models/snap_fastener.toml --theta=-0.02 --format json
   cspace slice models/ratchet_pawl.toml --theta 0 -o slice.svg
 
 Each loop is one closed piece of the boundary of free space: blocked space on the left of travel, free
 space on the right. Features are named by the loop and vertex of the part as given, counted from 0.
-At a critical orientation the slice just above it is shown.
+At a critical orientation the slice just above it is shown. A pair with fixed axes has no orientation
+to choose: the plane of its two motions (u, v) is shown.
 With -o OUT.svg a picture is written; any other OUT gets the text or JSON.";
 
 const CLASSIFY: &str = "\
@@ -216,9 +220,11 @@ Examples:
   cspace export pawl.json -o pawl.obj
 
 Formats, by the extension of OUT:
-  .json   the whole contact space; every command reads it in place of a model. The schema is
-          docs/contact-space.schema.json
-  .svg    slices at even steps of orientation: free space white, blocked space grey
+  .json   the whole configuration space; every command reads it in place of a model. The schemas are
+          docs/contact-space.schema.json, docs/fixed-axes-space.schema.json and
+          docs/lower-pair.schema.json
+  .svg    slices at even steps of orientation: free space white, blocked space grey; of a pair with
+          fixed axes the plane of its two motions
   .ply    the contact surface as triangles: vertices (x, y, theta) on the exact surface, in double
           precision; triangles are counter-clockwise seen from free space and carry their `patch`
   .obj    the same as text, the triangles of a patch in a group, such as patch_7

@@ -7,15 +7,20 @@ use std::path::PathBuf;
 use assert_cmd::Command;
 use serde_json::Value;
 
-const MODELS: [&str; 10] = [
+const MODELS: [&str; 15] = [
     "ball_in_c",
     "cam_follower",
+    "cam_plate",
+    "cam_tappet",
+    "escapement",
     "fixture_plate",
     "gears",
     "gears_on_shafts",
     "geneva",
     "knee",
     "peg_hole",
+    "rack_pinion",
+    "ratchet_mechanism",
     "ratchet_pawl",
     "snap_fastener",
 ];

@@ -224,7 +224,7 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
                 )
             } else {
                 failure.help(
-                    "let the first row name the columns x, y and theta; u and v are for pairs that move about fixed axes",
+                    "let the first row name the columns x, y and theta; u and v are for pairs with fixed axes",
                 )
             })
         }
