@@ -1,6 +1,6 @@
 //! The published schemas of lower pairs and of pairs with fixed axes, held against what is written.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use std::collections::BTreeSet;
 
