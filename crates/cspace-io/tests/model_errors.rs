@@ -172,6 +172,33 @@ fn declared_symmetry_must_be_true() {
 }
 
 #[test]
+fn joints_must_agree_with_motions() {
+    let model = |motion: &str, joints: &str| {
+        let wheel = format!("loops = [{SQUARE}]\nmotion = {motion}");
+        let frame = format!("loops = [{SQUARE}]\nmotion = {{ type = \"fixed\" }}");
+        format!("{}{}{joints}", part("wheel", &wheel), part("frame", &frame))
+    };
+    let hinge = |at: &str| {
+        format!("[[joint]]\ntype = \"revolute\"\nparts = [\"frame\", \"wheel\"]\nat = {at}\n")
+    };
+    let turning = "{ type = \"revolute\", center = [1, 2] }";
+    assert!(Model::from_toml(&model(turning, &hinge("[1, 2]")), "m.toml").is_ok());
+    says(
+        &error(&model(turning, &hinge("[1, 2.1]"))),
+        &["joint 0", "\"wheel\"", "motion"],
+    );
+    let sliding = "{ type = \"prismatic\", direction = [0, 1] }";
+    says(
+        &error(&model(sliding, &hinge("[1, 2]"))),
+        &["joint 0", "motion"],
+    );
+    let twice = format!("{}{}", hinge("[1, 2]"), hinge("[1, 2]"));
+    says(&error(&model(turning, &twice)), &["joint 1", "joint 0"]);
+    let tiny = "{ type = \"prismatic\", direction = [1e-320, 0] }";
+    says(&error(&model(tiny, "")), &["direction", "length"]);
+}
+
+#[test]
 fn errors_in_pairs_and_joints() {
     let parts = format!(
         "{}{}",

@@ -362,10 +362,23 @@ fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fm
             (false, true) => ", around v",
             _ => "",
         };
+        let range = |(lo, hi): (f64, f64), open: (bool, bool)| {
+            let end = |t: f64, open: bool| {
+                if open {
+                    "no limit".to_owned()
+                } else {
+                    format!("{t:.6}")
+                }
+            };
+            format!("from {} to {}", end(lo, open.0), end(hi, open.1))
+        };
         writeln!(
             text,
-            "    region {i}     u from {:.6} to {:.6}, v from {:.6} to {:.6}{around}, e.g. ({:.6}, {:.6})",
-            r.u.0, r.u.1, r.v.0, r.v.1, r.sample.0, r.sample.1
+            "    region {i}     u {}, v {}{around}, e.g. ({:.6}, {:.6})",
+            range(r.u, r.open_u),
+            range(r.v, r.open_v),
+            r.sample.0,
+            r.sample.1
         )?;
     }
     Ok(())

@@ -271,7 +271,18 @@ pub(super) fn direction(table: &Table<'_>) -> Result<Vector> {
             .error("direction", "the direction is zero")
             .with_help("give a vector with a length, such as direction = [1, 0]"));
     }
-    Ok(Vector::new(x, y))
+    // Too short to be told from zero, or too long to be measured, it is none either.
+    let direction = Vector::new(x, y);
+    let length = direction.unit().length();
+    if !(0.5..2.0).contains(&length) {
+        return Err(table
+            .error(
+                "direction",
+                "the direction has no length that can be computed with",
+            )
+            .with_help("give a vector of ordinary length, such as direction = [1, 0]"));
+    }
+    Ok(direction)
 }
 
 #[cfg(test)]

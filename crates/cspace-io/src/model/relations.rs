@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use cspace::Point;
 
 use super::error::ModelError;
-use super::mechanism::{Joint, JointKind, Pair, PartEntry};
+use super::mechanism::{Joint, JointKind, Motion, Pair, PartEntry};
 use super::node::{Node, quoted};
 use super::parts::direction;
 use super::place::Place;
@@ -32,9 +32,51 @@ pub(super) fn read_joints(
     nodes: &[Node],
     parts: &[PartEntry],
 ) -> Result<Vec<Joint>> {
-    (nodes.iter().enumerate())
-        .map(|(i, n)| read_joint(place.item(i).called(format!("joint {i}")), n, parts))
-        .collect()
+    let mut joints: Vec<Joint> = Vec::new();
+    for (i, node) in nodes.iter().enumerate() {
+        let place = place.item(i).called(format!("joint {i}"));
+        let joint = read_joint(place.clone(), node, parts)?;
+        let (a, b) = joint.parts;
+        let twice = |j: &Joint| j.parts == (a, b) || j.parts == (b, a);
+        if let Some(first) = joints.iter().position(twice) {
+            let message = format!("it joins the same parts as joint {first}");
+            return Err(ModelError::new(&place, message)
+                .with_help("two parts have one joint: keep one of the two"));
+        }
+        agrees(&place, &joint, parts)?;
+        joints.push(joint);
+    }
+    Ok(joints)
+}
+
+/// A joint with a part that does not move leaves the other the motion of the joint, and no other.
+fn agrees(place: &Place, joint: &Joint, parts: &[PartEntry]) -> Result<()> {
+    let (a, b) = (&parts[joint.parts.0], &parts[joint.parts.1]);
+    let moving = match (a.motion, b.motion) {
+        (Motion::Fixed, _) => b,
+        (_, Motion::Fixed) => a,
+        _ => return Ok(()),
+    };
+    /// Coordinates are rounded in drawings: relative to their size.
+    const SAME: f64 = 1e-6;
+    let agree = match (joint.kind, moving.motion) {
+        (_, Motion::Planar) | (JointKind::Rigid, Motion::Fixed) => true,
+        (JointKind::Revolute { at }, Motion::Revolute { center, .. }) => {
+            at.distance(center) <= SAME * (moving.part.size() + at.to_vector().length())
+        }
+        (JointKind::Prismatic { direction: d, .. }, Motion::Prismatic { direction: e, .. }) => {
+            d.unit().cross(e.unit()).abs() <= SAME
+        }
+        _ => false,
+    };
+    if agree {
+        return Ok(());
+    }
+    let name = quoted(moving.part.name());
+    let message = format!("the joint does not let part {name} move as its `motion` says");
+    Err(ModelError::new(place, message).with_help(
+        "the other part does not move: give both the same type and the same centre or direction, or leave out one of them",
+    ))
 }
 
 fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<Joint> {

@@ -368,6 +368,10 @@ pub struct AxesRegion {
     pub u: (f64, f64),
     /// Least and largest v.
     pub v: (f64, f64),
+    /// Whether u goes on without limit below its least and beyond its greatest value: nothing touches there.
+    pub open_u: (bool, bool),
+    /// Whether v does.
+    pub open_v: (bool, bool),
     /// Whether the part called fixed can turn for ever within it.
     pub around_u: bool,
     /// Whether the moving part can.
@@ -381,7 +385,14 @@ impl FixedAxesSpace {
             .regions
             .iter()
             .map(|r| {
-                let (lo, hi) = (self.map.outer(r.x.0, r.y.0), self.map.outer(r.x.1, r.y.1));
+                let (x, open_x) = reached(r.x, &self.x, self.motions.first);
+                let (y, open_y) = reached(r.y, &self.y, self.motions.second);
+                let (lo, hi) = (self.map.outer(x.0, y.0), self.map.outer(x.1, y.1));
+                let open = if self.map.swapped {
+                    (open_y, open_x)
+                } else {
+                    (open_x, open_y)
+                };
                 let around = if self.map.swapped {
                     (r.around_y, r.around_x)
                 } else {
@@ -391,10 +402,22 @@ impl FixedAxesSpace {
                     sample: self.map.outer(r.sample.0, r.sample.1),
                     u: (lo.0, hi.0),
                     v: (lo.1, hi.1),
+                    open_u: open.0,
+                    open_v: open.1,
                     around_u: around.0,
                     around_v: around.1,
                 }
             })
             .collect()
     }
+}
+
+/// The values of a coordinate that a region reaches, and whether it goes on without limit at either end.
+fn reached(range: (f64, f64), extent: &Extent, motion: Motion) -> ((f64, f64), (bool, bool)) {
+    if motion == Motion::Still {
+        return ((0.0, 0.0), (false, false));
+    }
+    let open = extent.kind == ExtentKind::Open;
+    let ends = (range.0 <= extent.lo, range.1 >= extent.hi);
+    (range, (open && ends.0, open && ends.1))
 }

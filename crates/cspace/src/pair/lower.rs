@@ -97,7 +97,14 @@ impl LowerPair {
         }
     }
 
-    /// The joint by which a part moves relative to the ground.
+    /// The joint by which a part moves relative to the ground: every motion of one degree of freedom is a lower pair.
+    ///
+    /// ```
+    /// use cspace::pair::{Joint, LowerPair};
+    /// use cspace::{Axis, Point};
+    /// let at = Point::new(2.0, 1.0);
+    /// assert_eq!(LowerPair::joint_with_ground(&Axis::revolute(at)), Joint::Revolute { at });
+    /// ```
     pub fn joint_with_ground(axis: &Axis) -> Joint {
         match axis.motion {
             AxisMotion::Fixed => Joint::Rigid,
