@@ -74,15 +74,14 @@ fn every_motion_joint_and_window() {
         },
         JointKind::Rigid,
     ]
-    .map(|kind| Joint {
-        kind,
-        parts: (2, 0),
-    });
+    .into_iter()
+    .zip([(2, 1), (3, 1), (3, 0), (3, 2)])
+    .map(|(kind, parts)| Joint { kind, parts });
     round_trip(&Model {
         name: "all\tof it".into(),
         unit: Some("mm".into()),
         parts,
-        joints: joints.to_vec(),
+        joints: joints.collect(),
         pairs: vec![
             Pair {
                 fixed: 3,
