@@ -1,18 +1,23 @@
 //! Which sheets can cross, and when.
 //!
-//! Orientations are cut into slots of equal width. In every slot each sheet has a box in the plane of positions;
-//! sheets whose boxes do not meet do not cross. Where the inscribed discs of the parts overlap, a sheet is in blocked
-//! space for certain and is left out.
+//! Orientations are cut into slots of equal width. In every slot each sheet has boxes in the plane of positions;
+//! sheets whose boxes do not meet do not cross. Where inscribed discs of the parts overlap, positions are blocked for
+//! certain, and pieces of a sheet's curves that lie there are left out: crossings in blocked space change nothing about
+//! what is free. They only divide gaps that are blocked on both sides of them.
 
 use rayon::prelude::*;
 
-use crate::contact::{CurveShape, Geometry, Sheet};
+use crate::contact::{Curve, CurveShape, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
 
-use super::core::Cores;
+use super::core::{Cores, Layout};
+use super::uncovered::Uncovered;
 
-/// Widest slot, radians: two degrees.
-const WIDEST_SLOT: f64 = core::f64::consts::PI / 90.0;
+/// Widest slot, radians: a little over a degree. Narrower ones leave fewer crossings and cost more themselves.
+const WIDEST_SLOT: f64 = core::f64::consts::PI / 150.0;
+
+/// Slots looked at together first, for the sheets that are blocked in all of them.
+const TOGETHER: usize = 4;
 
 /// Two sheets that may cross at orientations from `lo` to `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,9 +69,9 @@ impl Candidates {
         slots.push(span.hi);
         let slot_of = |theta: f64| slots.partition_point(|&s| s <= theta).clamp(1, count) - 1;
 
-        let mut in_slot: Vec<Vec<u32>> = vec![Vec::new(); count];
+        let mut in_slot: Vec<Vec<u32>> = vec![Vec::new(); count.div_ceil(TOGETHER)];
         for (i, sheet) in (0..).zip(sheets) {
-            let (first, last) = (slot_of(sheet.lo), slot_of(sheet.hi));
+            let (first, last) = (slot_of(sheet.lo) / TOGETHER, slot_of(sheet.hi) / TOGETHER);
             for list in &mut in_slot[first..=last] {
                 list.push(i);
             }
@@ -74,8 +79,17 @@ impl Candidates {
         let per_slot: Vec<(Vec<u64>, Vec<Boxed>)> = in_slot
             .par_iter()
             .enumerate()
-            .map(|(slot, list)| {
-                look_at_slot(geometry, cores, list, slot, slots[slot], slots[slot + 1])
+            .flat_map_iter(|(wide, list)| {
+                let first = wide * TOGETHER;
+                let last = (first + TOGETHER).min(count);
+                let (lo, hi) = (slots[first], slots[last]);
+                let mut list = list.clone();
+                let layout = cores.about(0.5 * (lo + hi));
+                drop_covered(sheets, &layout, &mut list, lo, hi);
+                let slots = &slots;
+                (first..last).map(move |slot| {
+                    look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1])
+                })
             })
             .collect();
 
@@ -88,6 +102,7 @@ impl Candidates {
         }
         pairs.par_sort_unstable();
         alive.par_sort_unstable();
+        alive.dedup();
         let clip = |lo: f64, hi: f64, sheet: &Sheet| (lo.max(sheet.lo), hi.min(sheet.hi));
         let pairs = runs(&pairs)
             .filter_map(|(key, first_slot, last_slot)| {
@@ -164,30 +179,46 @@ fn runs(sorted: &[u64]) -> impl Iterator<Item = (u64, usize, usize)> + '_ {
     })
 }
 
+/// Drops the sheets that are blocked for certain wherever they exist between two orientations.
+fn drop_covered(sheets: &[Sheet], layout: &Layout, list: &mut Vec<u32>, from: f64, to: f64) {
+    let discs = layout.at(0.5 * (from + to), 0.5 * (to - from));
+    let mut work = Uncovered::default();
+    list.retain(|&i| {
+        let sheet = &sheets[i as usize];
+        discs.uncovered(sheet, from.max(sheet.lo), to.min(sheet.hi), &mut work);
+        !work.open.is_empty()
+    });
+}
+
 fn look_at_slot(
     geometry: &Geometry,
-    cores: &Cores,
+    layout: &Layout,
     list: &[u32],
     slot: usize,
     slot_lo: f64,
     slot_hi: f64,
 ) -> (Vec<u64>, Vec<Boxed>) {
     let contacts = &geometry.contacts;
+    let discs = layout.at(0.5 * (slot_lo + slot_hi), 0.5 * (slot_hi - slot_lo));
     let mut boxes: Vec<Boxed> = Vec::with_capacity(list.len());
+    let mut work = Uncovered::default();
     for &i in list {
         let sheet = &contacts.sheets[i as usize];
         let (lo, hi) = (slot_lo.max(sheet.lo), slot_hi.min(sheet.hi));
-        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        let turn = Rotation::by(mid);
-        if cores.cover(sheet, mid, turn, half) {
+        if lo > hi {
             continue;
         }
-        let (box_lo, box_hi) = sheet_box(sheet, mid, turn, half);
-        boxes.push(Boxed {
-            sheet: i,
-            lo: box_lo,
-            hi: box_hi,
-        });
+        discs.uncovered(sheet, lo, hi, &mut work);
+        if work.open.is_empty() {
+            continue;
+        }
+        let whole = sheet.lo <= slot_lo && slot_hi <= sheet.hi;
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let turn = if whole { discs.turn } else { Rotation::by(mid) };
+        boxes.extend(work.open.iter().map(|&(from, to)| {
+            let (lo, hi) = piece_box(sheet, turn, half, from, to);
+            Boxed { sheet: i, lo, hi }
+        }));
     }
     boxes.sort_unstable_by(|a, b| a.lo.x.total_cmp(&b.lo.x).then(a.sheet.cmp(&b.sheet)));
     let mut pairs = Vec::new();
@@ -199,7 +230,8 @@ fn look_at_slot(
             if c.lo.y <= b.hi.y && b.lo.y <= c.hi.y {
                 let (f, g) = (b.sheet.min(c.sheet), b.sheet.max(c.sheet));
                 let (fs, gs) = (&contacts.sheets[f as usize], &contacts.sheets[g as usize]);
-                if fs.lo < gs.hi
+                if f != g
+                    && fs.lo < gs.hi
                     && gs.lo < fs.hi
                     && !fs.shared_ends(gs, contacts.first_vertex_name).tangent
                 {
@@ -210,32 +242,45 @@ fn look_at_slot(
             }
         }
     }
+    pairs.sort_unstable();
+    pairs.dedup();
     (pairs, boxes)
 }
 
-/// A box that contains the sheet's curves at all orientations within `half` of the middle one.
-fn sheet_box(sheet: &Sheet, mid: f64, turn: Rotation, half: f64) -> (Point, Point) {
-    let mut curve = sheet.curve(mid, turn);
+/// A box that contains a range of the sheet's curves at all orientations within `half` of the middle one.
+fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (Point, Point) {
+    /// Rounding is far below this, in the pair's frame.
+    const MARGIN: f64 = 1e-10;
     // |R w − R₀ w| along an axis is at most the velocity's share times h, plus |w| h² / 2.
     let grow = |w: Vector| {
         let v = (turn * w).left();
-        let bend = 0.5 * w.length() * half * half;
+        let bend = 0.5 * w.length() * half * half + MARGIN;
         Vector::new(v.x.abs() * half + bend, v.y.abs() * half + bend)
     };
-    let (g, h) = (grow(sheet.start.w), grow(sheet.end.w));
-    let (s, e) = (curve.start, curve.end);
-    let mut lo = Point::new((s.x - g.x).min(e.x - h.x), (s.y - g.y).min(e.y - h.y));
-    let mut hi = Point::new((s.x + g.x).max(e.x + h.x), (s.y + g.y).max(e.y + h.y));
-    if let CurveShape::Circle { half: spread, .. } = &mut curve.shape {
-        // The circle's own extremes: with normals as far as they come, about a centre that moves.
-        *spread += half;
-        let g = grow(sheet.center().w);
-        let (l, h) = curve.bounds();
-        lo = Point::new(lo.x.min(l.x - g.x), lo.y.min(l.y - g.y));
-        hi = Point::new(hi.x.max(h.x + g.x), hi.y.max(h.y + g.y));
+    if sheet.is_circle() {
+        let center = sheet.center();
+        let arc = Curve {
+            start: center.at(turn) + Vector::from_angle(from) * sheet.radius,
+            end: center.at(turn) + Vector::from_angle(to) * sheet.radius,
+            shape: CurveShape::Circle {
+                center: center.at(turn),
+                radius: sheet.radius,
+                mid_angle: 0.5 * (from + to),
+                half: 0.5 * (to - from),
+            },
+        };
+        let (lo, hi) = arc.bounds();
+        let g = grow(center.w);
+        return (lo + (-g), hi + g);
     }
-    // Rounding is far below this.
-    const MARGIN: f64 = 1e-10;
-    let margin = Vector::new(MARGIN, MARGIN);
-    (lo + (-margin), hi + margin)
+    let at = |t: f64| {
+        let w = sheet.start.w + (sheet.end.w - sheet.start.w) * t;
+        let u = sheet.start.u + (sheet.end.u - sheet.start.u) * t;
+        (u + turn * w, grow(w))
+    };
+    let ((s, g), (e, h)) = (at(from), at(to));
+    (
+        Point::new((s.x - g.x).min(e.x - h.x), (s.y - g.y).min(e.y - h.y)),
+        Point::new((s.x + g.x).max(e.x + h.x), (s.y + g.y).max(e.y + h.y)),
+    )
 }

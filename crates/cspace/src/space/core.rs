@@ -1,8 +1,11 @@
-//! Where a sheet is in blocked space for certain: discs inside the two parts overlap.
+//! Where positions are blocked for certain: discs inside the two parts overlap.
 
-use crate::contact::{Geometry, Sheet};
+use crate::contact::Geometry;
 use crate::feature::inscribed_discs;
-use crate::geometry::{Point, Rotation};
+use crate::geometry::{Point, Rotation, Vector};
+
+use super::grid::Grid;
+use super::uncovered::{BlockedDiscs, Disc, LONG};
 
 /// Pairs of discs, one inside each part: a position p is blocked if |p − (a − R b)| is less than the sum of radii.
 #[derive(Debug)]
@@ -13,14 +16,12 @@ pub(super) struct Cores {
 #[derive(Debug, Clone, Copy)]
 struct DiscPair {
     fixed: Point,
-    moving: Point,
+    moving: Vector,
     reach: f64,
 }
 
 impl Cores {
     pub(super) fn new(geometry: &Geometry) -> Self {
-        /// Up to this many pairs, all are used; beyond, those with the largest disc of either part.
-        const ALL_PAIRS: usize = 100;
         let frame = &geometry.frame;
         let fixed = inscribed_discs(
             geometry.fixed_part(),
@@ -36,17 +37,14 @@ impl Cores {
             geometry.moving.disc,
             geometry.moving_fold,
         );
-        let all = fixed.len() * moving.len() <= ALL_PAIRS;
         let mut pairs = Vec::new();
-        for (i, a) in fixed.iter().enumerate() {
-            for (j, b) in moving.iter().enumerate() {
-                if all || i == 0 || j == 0 {
-                    pairs.push(DiscPair {
-                        fixed: a.0,
-                        moving: b.0,
-                        reach: a.1 + b.1,
-                    });
-                }
+        for a in &fixed {
+            for b in &moving {
+                pairs.push(DiscPair {
+                    fixed: a.0,
+                    moving: b.0.to_vector(),
+                    reach: a.1 + b.1,
+                });
             }
         }
         pairs.retain(|p| p.reach > 0.0);
@@ -54,24 +52,70 @@ impl Cores {
         Self { pairs }
     }
 
-    /// Whether the whole sheet is blocked at all orientations within `half` of the middle one.
-    pub(super) fn cover(&self, sheet: &Sheet, mid: f64, turn: Rotation, half: f64) -> bool {
-        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
-        // On an arc, the furthest point from anywhere is at most the sagitta further than the ends.
-        let bulge = if sheet.is_circle() {
-            let spread = 0.5 * (sheet.end_angle.at(mid) - sheet.start_angle.at(mid)).abs() + half;
-            sheet.radius.abs() * (1.0 - spread.min(core::f64::consts::PI).cos())
-        } else {
-            0.0
+    /// Where they are about an orientation.
+    pub(super) fn about(&self, theta: f64) -> Layout {
+        let turn = Rotation::by(theta);
+        let mut pairs = self.pairs.iter();
+        let largest = pairs.next().copied();
+        let place = |p: &DiscPair| {
+            let disc = p.at(turn);
+            largest.map_or(Some((disc.center, disc.reach)), |l| {
+                disc.outside(&l.at(turn))
+            })
         };
-        self.pairs.iter().any(|pair| {
-            let center = pair.fixed + (-(turn * pair.moving.to_vector()));
-            // Relative to the discs the ends move by R (w + b).
-            let reach = |end: Point, w: crate::Vector| {
-                let room = pair.reach - bulge - (w + pair.moving.to_vector()).length() * half;
-                room > 0.0 && (end - center).length_squared() < room * room
-            };
-            reach(start, sheet.start.w) && reach(end, sheet.end.w)
-        })
+        let others: Vec<_> = pairs
+            .filter_map(|p| place(p).map(|rough| (*p, rough)))
+            .collect();
+        Layout {
+            largest,
+            grid: Grid::new(others.iter().map(|o| o.1), LONG),
+            others,
+        }
+    }
+}
+
+impl DiscPair {
+    fn at(&self, turn: Rotation) -> Disc {
+        Disc {
+            center: self.fixed + (-(turn * self.moving)),
+            moving: self.moving,
+            reach: self.reach,
+        }
+    }
+}
+
+/// The discs in a grid, as they are about some orientation: it tells which of them are worth a look.
+#[derive(Debug)]
+pub(super) struct Layout {
+    /// The largest, which covers most that is covered at all.
+    largest: Option<DiscPair>,
+    /// The others, each with a disc about what it has outside the largest.
+    others: Vec<(DiscPair, (Point, f64))>,
+    grid: Grid,
+}
+
+impl Layout {
+    /// Which of the other discs may cover some of a curve that lies within `reach` of a place.
+    pub(super) fn near(&self, middle: Point, reach: f64) -> impl Iterator<Item = usize> + '_ {
+        let close = move |i: &usize| {
+            let (center, radius) = self.others[*i].1;
+            let sum = radius + reach;
+            (middle - center).length_squared() < sum * sum
+        };
+        let near = self.grid.near(middle).iter();
+        near.map(|&i| i as usize).filter(close)
+    }
+
+    /// The discs as they are at an orientation, for orientations within `half` of it.
+    pub(super) fn at(&self, theta: f64, half: f64) -> BlockedDiscs<'_> {
+        let turn = Rotation::by(theta);
+        BlockedDiscs {
+            theta,
+            turn,
+            half,
+            largest: self.largest.map(|p| p.at(turn)),
+            others: self.others.iter().map(|o| o.0.at(turn)).collect(),
+            layout: self,
+        }
     }
 }

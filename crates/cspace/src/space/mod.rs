@@ -12,6 +12,7 @@ mod core;
 mod extent;
 mod gaps;
 mod graph;
+mod grid;
 mod levels;
 mod lifts;
 mod links;
@@ -27,6 +28,7 @@ mod stats;
 mod sweep;
 mod symmetry;
 mod triple;
+mod uncovered;
 
 pub use compute::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage};
 pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};

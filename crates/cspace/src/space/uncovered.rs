@@ -1,0 +1,312 @@
+//! The parts of contact curves that are not in blocked space for certain: what discs of blocked positions do not cover.
+
+use crate::contact::Sheet;
+use crate::geometry::{Point, Rotation, Vector};
+
+use super::core::Layout;
+
+/// Positions blocked for certain at one orientation; they move as it changes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Disc {
+    pub(super) center: Point,
+    /// The centre of the moving part's disc, in its frame.
+    pub(super) moving: Vector,
+    pub(super) reach: f64,
+}
+
+impl Disc {
+    /// A disc about what it has outside another: centre and radius; `None` if that is nothing.
+    pub(super) fn outside(&self, other: &Self) -> Option<(Point, f64)> {
+        let off = self.center - other.center;
+        let (d, r, s) = (off.length(), self.reach, other.reach);
+        if d + r <= s {
+            return None;
+        }
+        // Their circles cross at this share of the way from the other's centre, if they do.
+        let along = 0.5 * (1.0 + (s - r) * (s + r) / (d * d));
+        let half_chord = (s * s - along * along * d * d).max(0.0).sqrt();
+        let height = d + r - along * d;
+        let radius = half_chord.max(height);
+        if d >= r + s || radius.is_nan() || radius >= r {
+            return Some((self.center, r));
+        }
+        Some((other.center + off * along, radius))
+    }
+}
+
+/// The discs of blocked positions about one orientation.
+#[derive(Debug)]
+pub(super) struct BlockedDiscs<'a> {
+    pub(super) theta: f64,
+    pub(super) turn: Rotation,
+    pub(super) half: f64,
+    pub(super) largest: Option<Disc>,
+    pub(super) others: Vec<Disc>,
+    pub(super) layout: &'a Layout,
+}
+
+/// The work of [`BlockedDiscs::uncovered`], kept for the next time.
+#[derive(Debug, Default)]
+pub(super) struct Uncovered {
+    covered: Vec<(f64, f64)>,
+    /// What no disc covers: ranges of the parameter.
+    pub(super) open: Vec<(f64, f64)>,
+}
+
+/// Rounding of places is far below this, in the pair's frame.
+const MARGIN: f64 = 1e-10;
+
+/// Of curves that reach further than this from their middle, discs that cover an end may be missed.
+pub(super) const LONG: f64 = 0.06;
+
+impl BlockedDiscs<'_> {
+    /// The parts of a sheet's curves that no disc covers at all orientations from `lo` to `hi`, which lie within `half`
+    /// of the middle one: ranges of the share of the way along a line, or of the angle of the normal on a circle.
+    ///
+    /// At one share or angle, a point of the curve is P + R w. Relative to a disc about a − R b it moves by R (w + b), so
+    /// that it is inside at all orientations if it is by |w + b| times `half` at the middle one.
+    pub(super) fn uncovered(&self, sheet: &Sheet, lo: f64, hi: f64, work: &mut Uncovered) {
+        let Uncovered { covered, open } = work;
+        covered.clear();
+        open.clear();
+        let (mut from, mut to) = (0.0, 1.0);
+        let (mut middle, mut half_angle) = (0.0, 0.0);
+        if sheet.is_circle() {
+            let ends = [sheet.start_angle, sheet.end_angle];
+            middle = 0.5 * (ends[0].at(self.theta) + ends[1].at(self.theta));
+            // Angles are linear in the orientation, so their extremes are those at its ends.
+            for angle in ends.iter().flat_map(|e| [e.at(lo), e.at(hi)]) {
+                half_angle = (angle - middle).abs().max(half_angle);
+            }
+            // Sines tell angles up to a quarter turn; what reaches further is seldom covered.
+            if half_angle > 1.5 {
+                open.push((middle - half_angle, middle + half_angle));
+                return;
+            }
+            to = half_angle.sin();
+            from = -to;
+        }
+        let path = Path::new(sheet, self.turn, half_angle);
+        let mut take = |disc: &Disc| {
+            let range = path.within(disc, self.half);
+            covered.extend(range);
+            range.is_some_and(|(lo, hi)| lo <= from && hi >= to)
+        };
+        if self.largest.as_ref().is_some_and(&mut take) {
+            return;
+        }
+        let mut near = self.layout.near(path.middle, path.reach);
+        if near.any(|i| take(&self.others[i])) {
+            return;
+        }
+        covered.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let mut at = from;
+        for &(lo, hi) in covered.iter().chain([&(to, f64::INFINITY)]) {
+            if lo > at {
+                open.push((at, lo.min(to)));
+            }
+            at = at.max(hi);
+            if at >= to {
+                break;
+            }
+        }
+        if sheet.is_circle() {
+            let angle = |sine: f64| {
+                let edge = sine <= from || sine >= to;
+                middle
+                    + if edge {
+                        half_angle.copysign(sine)
+                    } else {
+                        sine.asin()
+                    }
+            };
+            for (lo, hi) in open {
+                (*lo, *hi) = (angle(*lo), angle(*hi));
+            }
+        }
+    }
+}
+
+/// A sheet's curve at the middle orientation.
+struct Path {
+    shape: Shape,
+    /// Its w at both ends.
+    ends: (Vector, Vector),
+    /// All of it lies within `reach` of the middle.
+    middle: Point,
+    reach: f64,
+}
+
+enum Shape {
+    Line {
+        start: Point,
+        along: Vector,
+    },
+    /// `mid` is the normal in the middle.
+    Circle {
+        center: Point,
+        radius: f64,
+        mid: Vector,
+    },
+}
+
+impl Path {
+    fn new(sheet: &Sheet, turn: Rotation, half_angle: f64) -> Self {
+        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
+        if sheet.is_circle() {
+            let spiral = sheet.center();
+            let (center, radius) = (spiral.at(turn), sheet.radius);
+            let both = ((start - center) + (end - center)) * radius.signum();
+            let mid = both * (1.0 / both.length());
+            Self {
+                shape: Shape::Circle {
+                    center,
+                    radius,
+                    mid,
+                },
+                ends: (spiral.w, spiral.w),
+                middle: center + mid * radius,
+                reach: radius.abs() * half_angle,
+            }
+        } else {
+            Self {
+                shape: Shape::Line {
+                    start,
+                    along: end - start,
+                },
+                ends: (sheet.start.w, sheet.end.w),
+                middle: start.midpoint(end),
+                reach: 0.5 * (end - start).length(),
+            }
+        }
+    }
+
+    /// The range of the parameter in which the curve is in a disc for certain: on a line the share of the way, on a
+    /// circle the sine of the angle from the middle.
+    fn within(&self, disc: &Disc, half: f64) -> Option<(f64, f64)> {
+        let speed = (self.ends.0 + disc.moving)
+            .length_squared()
+            .max((self.ends.1 + disc.moving).length_squared())
+            .sqrt();
+        let room = disc.reach - speed * half - MARGIN;
+        if room <= 0.0 {
+            return None;
+        }
+        match self.shape {
+            Shape::Line { start, along } => {
+                // |A + t D| < r.
+                let a = start - disc.center;
+                let (dd, ad) = (along.length_squared(), a.dot(along));
+                let square = ad * ad - dd * (a.length_squared() - room * room);
+                if square <= 0.0 {
+                    return None;
+                }
+                let root = square.sqrt();
+                Some(((-ad - root) / dd, (-ad + root) / dd))
+            }
+            Shape::Circle {
+                center,
+                radius,
+                mid,
+            } => {
+                // |ρ n − d| < r: n within an angle α of ±d.
+                let d = (disc.center - center) * radius.signum();
+                let length = d.length();
+                let least = radius * radius + length * length - room * room;
+                let cos = least / (2.0 * radius.abs() * length);
+                if cos >= 1.0 || cos.is_nan() {
+                    return None;
+                }
+                let toward = d * (1.0 / length);
+                let all = (f64::NEG_INFINITY, f64::INFINITY);
+                if cos <= -1.0 {
+                    return Some(all);
+                }
+                let (across, sin) = (toward.left(), ((1.0 - cos) * (1.0 + cos)).sqrt());
+                let ends = [toward * cos + across * (-sin), toward * cos + across * sin];
+                // Sines of their angles from the middle, if they are within a quarter turn of it.
+                let [lo, hi] = ends.map(|n| (mid.dot(n) > 0.0).then(|| mid.cross(n)));
+                match (lo, hi) {
+                    (None, None) => (mid.dot(toward) > cos).then_some(all),
+                    (lo, hi) => {
+                        let (lo, hi) = (lo.unwrap_or(all.0), hi.unwrap_or(all.1));
+                        (lo < hi).then_some((lo, hi))
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use rand::{Rng, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::super::core::Cores;
+    use super::*;
+    use crate::contact::Geometry;
+    use crate::part::{Part, Vertex};
+
+    /// A wheel with teeth and a round bump between any two.
+    fn wheel(teeth: u32, bulge: f64) -> Part {
+        let step = core::f64::consts::TAU / f64::from(teeth);
+        let at = |k: u32, share: f64, r: f64, bulge: f64| {
+            let angle = step * (f64::from(k) + share);
+            Vertex::new(r * angle.cos(), r * angle.sin(), bulge)
+        };
+        let outline = (0..teeth).flat_map(|k| {
+            [
+                at(k, 0.0, 1.0, 0.1),
+                at(k, 0.4, 1.0, 0.0),
+                at(k, 0.5, 0.7, bulge),
+                at(k, 0.9, 0.7, 0.0),
+            ]
+        });
+        Part::new("wheel", vec![outline.collect()]).unwrap()
+    }
+
+    /// What is covered is blocked, at any orientation of the interval; and a good deal is covered.
+    #[test]
+    fn covered_curves_are_blocked() {
+        let mut rng = ChaCha8Rng::seed_from_u64(3);
+        let (mut covered, mut asked) = (0, 0);
+        for bulge in [0.3, -0.3] {
+            let geometry = Geometry::new(&wheel(7, bulge), &wheel(5, -bulge), None);
+            let cores = Cores::new(&geometry);
+            let mut work = Uncovered::default();
+            for _ in 0..40 {
+                let (theta, half) = (rng.random_range(-3.0..3.0), rng.random_range(0.001..0.04));
+                let layout = cores.about(theta + rng.random_range(-0.05..0.05));
+                let discs = layout.at(theta, half);
+                for sheet in &geometry.contacts.sheets {
+                    let (lo, hi) = (sheet.lo.max(theta - half), sheet.hi.min(theta + half));
+                    if lo >= hi {
+                        continue;
+                    }
+                    discs.uncovered(sheet, lo, hi, &mut work);
+                    let at = rng.random_range(lo..hi);
+                    let turn = Rotation::by(at);
+                    let share: f64 = rng.random_range(0.0..1.0);
+                    let (parameter, point) = if sheet.is_circle() {
+                        let ends = [sheet.start_angle.at(at), sheet.end_angle.at(at)];
+                        let angle = ends[0] + (ends[1] - ends[0]) * share;
+                        let normal = Vector::from_angle(angle);
+                        (angle, sheet.center().at(turn) + normal * sheet.radius)
+                    } else {
+                        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
+                        (share, start + (end - start) * share)
+                    };
+                    asked += 1;
+                    let open = |&(lo, hi): &(f64, f64)| lo <= parameter && parameter <= hi;
+                    if !work.open.iter().any(open) {
+                        covered += 1;
+                        assert!(geometry.overlaps(point, at), "{sheet:?} {parameter} {at}");
+                    }
+                }
+            }
+        }
+        assert!(2 * covered > asked, "{covered} of {asked} covered");
+    }
+}
