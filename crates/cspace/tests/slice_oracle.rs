@@ -75,3 +75,61 @@ fn prepared_pairs_give_the_same_slices() {
         assert!(slicer.slice(f64::NAN).curves.is_empty());
     }
 }
+
+/// At orientations at which lines are parallel, corners pass edges and curves begin or end: the slice just above.
+#[test]
+fn slices_at_ties_agree_with_brute_force() {
+    use cspace::Point;
+    use rand::Rng;
+    /// Nearer to contact than this share of the size, the little by which the orientation is above may matter.
+    const CLEAR: f64 = 1e-7;
+    let (mut checked, mut free, mut blocked) = (0, 0, 0);
+    let mut bad = Vec::new();
+    for pair in pairs() {
+        let oracle = Oracle::new(&pair.fixed, &pair.moving);
+        let slicer = Slicer::new(&pair.fixed, &pair.moving);
+        let mut rng = ChaCha8Rng::seed_from_u64(17);
+        for k in -12..=12 {
+            let theta = f64::from(k) * core::f64::consts::PI / 12.0;
+            let slices = [
+                Slice::compute(&pair.fixed, &pair.moving, theta),
+                slicer.slice(theta),
+            ];
+            let near = near_contact_about(&oracle, &pair.notable, &mut rng, 6);
+            for c in near.iter().map(|n| n.configuration) {
+                let step = oracle.size() * 10f64.powf(rng.random_range(-5.0..0.0));
+                let p = Point::new(
+                    c.x + step * rng.random_range(-1.0..1.0),
+                    c.y + step * rng.random_range(-1.0..1.0),
+                );
+                let verdict = oracle.judge(cspace::Configuration {
+                    x: p.x,
+                    y: p.y,
+                    theta,
+                });
+                if verdict.margin < CLEAR * oracle.size() {
+                    continue;
+                }
+                checked += 1;
+                *(if verdict.overlap {
+                    &mut blocked
+                } else {
+                    &mut free
+                }) += 1;
+                for slice in &slices {
+                    if slice.is_free(p) == verdict.overlap {
+                        bad.push(format!("{} at {theta}: {p:?} {verdict:?}", pair.name));
+                    }
+                }
+            }
+        }
+    }
+    for b in bad.iter().take(60) {
+        println!("{b}");
+    }
+    assert!(bad.is_empty(), "{} of {checked} wrong", bad.len());
+    assert!(
+        free > 2000 && blocked > 2000,
+        "{free} free, {blocked} blocked"
+    );
+}

@@ -34,6 +34,8 @@ pub(crate) struct FreeGap {
 /// The pieces on the boundary of free space.
 #[derive(Debug)]
 pub(crate) struct Arrangement {
+    /// The orientation it was computed at: the one asked for, or just above.
+    pub(crate) theta: f64,
     pub(crate) gaps: Vec<FreeGap>,
 }
 
@@ -56,26 +58,58 @@ struct Cut {
 }
 
 impl Arrangement {
-    /// Computes the slice at `theta`, which must not be a critical orientation, from the sheets that may exist there.
-    pub(crate) fn new(geometry: &Geometry, sheets: impl Iterator<Item = u32>, theta: f64) -> Self {
-        let turn = Rotation::by(theta);
-        let (mut live, live_of_sheet) = live_curves(geometry, sheets, theta, turn);
-        cut(&mut live, geometry, turn);
-        let mut this = Self { gaps: Vec::new() };
-        this.keep_free(geometry, &mut live, &live_of_sheet, theta);
-        this
+    /// Computes the slice at `theta`, from the sheets that may exist there.
+    ///
+    /// Where curves begin or end just there, or what bounds a shell contradicts the test of it, as happens where a
+    /// crossing lies on the end of a curve, the slice just above is computed, within rounding of the one asked for.
+    pub(crate) fn new(
+        geometry: &Geometry,
+        sheets: impl Iterator<Item = u32> + Clone,
+        theta: f64,
+    ) -> Self {
+        /// How far above, radians, relative to an orientation beyond one.
+        const STEPS: [f64; 6] = [0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9];
+        let scale = theta.abs().max(1.0);
+        let mut last = None;
+        for step in STEPS {
+            let (this, certain) = Self::at(geometry, sheets.clone(), theta + step * scale);
+            if certain {
+                return this;
+            }
+            last = Some(this);
+        }
+        last.unwrap_or(Self {
+            theta,
+            gaps: Vec::new(),
+        })
     }
 
+    /// Computes the slice at just this orientation, and tells whether nothing contradicts it.
+    fn at(geometry: &Geometry, sheets: impl Iterator<Item = u32>, theta: f64) -> (Self, bool) {
+        let turn = Rotation::by(theta);
+        let mut this = Self {
+            theta,
+            gaps: Vec::new(),
+        };
+        let (mut live, live_of_sheet, seams) = live_curves(geometry, sheets, theta, turn);
+        cut(&mut live, geometry, turn);
+        let consistent = this.keep_free(geometry, &mut live, &live_of_sheet, theta);
+        (this, consistent && !seams)
+    }
+
+    /// Decides every shell; tells whether the tests agree with what bounds the gaps where that was in doubt.
     fn keep_free(
         &mut self,
         geometry: &Geometry,
         live: &mut [Live],
         live_of_sheet: &[u32],
         theta: f64,
-    ) {
+    ) -> bool {
         let mut count = 0;
+        let mut doubt = false;
         for l in live.iter_mut() {
             l.cuts.sort_by(|a, b| a.position.total_cmp(&b.position));
+            doubt |= l.is_tied();
             l.first_gap = count;
             count += l.cuts.len() as u32 + 1;
         }
@@ -137,13 +171,16 @@ impl Arrangement {
                 }
             }
         }
+        let mut consistent = true;
         for root in 0..count as usize {
-            if shells.find(root as u32) as usize != root || shell_blocked[root] {
+            if shells.find(root as u32) as usize != root || (shell_blocked[root] && !doubt) {
                 continue;
             }
             if let Some((i, from, length)) = witness[root] {
-                shell_blocked[root] =
-                    !is_free(geometry, live, i as usize, from + 0.5 * length, theta);
+                let free = is_free(geometry, live, i as usize, from + 0.5 * length, theta);
+                // What is too short to be told from nothing contradicts nothing.
+                consistent &= !(free && shell_blocked[root]) || length < TIED;
+                shell_blocked[root] |= !free;
             }
         }
         let mut number = vec![u32::MAX; count as usize];
@@ -176,11 +213,31 @@ impl Arrangement {
             if gap.next != u32::MAX {
                 gap.next = number[gap.next as usize];
             }
+            consistent &= gap.next != u32::MAX;
         }
+        consistent
     }
 }
 
+/// Crossings closer than this, to each other or to an end, may have come in the wrong order by rounding; in the
+/// pair's frame.
+const TIED: f64 = 1e-10;
+
+/// Curves that begin or end within this of an orientation, in radians, may exist there or not by rounding.
+const SEAM: f64 = 1e-14;
+
 impl Live {
+    /// Whether crossings, in order already, lie on each other or on an end.
+    fn is_tied(&self) -> bool {
+        let mut at = -self.half;
+        let places = self.cuts.iter().map(|c| c.position);
+        places.chain([self.half]).any(|p| {
+            let tied = p - at < TIED;
+            at = p;
+            tied
+        })
+    }
+
     /// Whether a point of the carrier is in the curve's box, up to more than rounding.
     fn may_hold(&self, p: Point) -> bool {
         const MARGIN: f64 = 1e-9;
@@ -201,17 +258,21 @@ impl Live {
     }
 }
 
+/// The curves, where they are by sheet, and whether some begin or end at the orientation.
 fn live_curves(
     geometry: &Geometry,
     sheets: impl Iterator<Item = u32>,
     theta: f64,
     turn: Rotation,
-) -> (Vec<Live>, Vec<u32>) {
+) -> (Vec<Live>, Vec<u32>, bool) {
     let (core, reach) = geometry.core(turn);
     let mut live = Vec::new();
     let mut live_of_sheet = vec![u32::MAX; geometry.contacts.sheets.len()];
+    let mut seams = false;
+    let seam = SEAM * theta.abs().max(1.0);
     for i in sheets {
         let sheet = &geometry.contacts.sheets[i as usize];
+        seams |= (sheet.lo - theta).abs().min((sheet.hi - theta).abs()) <= seam;
         if !(sheet.lo < theta && theta < sheet.hi) {
             continue;
         }
@@ -236,7 +297,7 @@ fn live_curves(
             first_gap: 0,
         });
     }
-    (live, live_of_sheet)
+    (live, live_of_sheet, seams)
 }
 
 /// Finds all crossings.
