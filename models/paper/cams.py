@@ -3,17 +3,8 @@
 import cmath
 import math
 
+from common import RECONSTRUCTION, stadium
 from drawing import Model, Outline, circle, dot, moved, polar, rounded_polygon, unit
-
-RECONSTRUCTION = "A reconstruction: the drawings behind Figure 5 of the paper are not public."
-
-
-def stadium(a, b, radius, note):
-    """A slot or a bar with round ends about a and b."""
-    side = 1j * unit(b - a) * radius
-    pen = Outline(a - side)
-    pen.line(b - side, note).arc(b, b + side, 1, f"end R{radius:g}").line(a + side, note)
-    return pen.arc(a, pen.start, 1, f"end R{radius:g}").closed()
 
 
 def cam():
@@ -25,7 +16,7 @@ def cam():
     pen.line(top + nose * right, "flank").arc(top, top + nose * left, 1, f"nose R{nose:g}").line(base * left, "flank")
     plate = pen.arc(0, pen.start, 1, f"base circle R{base:g}").closed()
 
-    half, rim, stem, length = 18.0, 2.5, 5.0, 50.0
+    half, rim, stem, length = 25.0, 2.5, 5.0, 60.0
     pen = Outline(complex(rim - half, 0))
     pen.line(complex(half - rim, 0), "flat face").arc(complex(half - rim, rim), complex(half - rim, 2 * rim), 1, f"rim R{rim:g}")
     pen.line(complex(stem, 2 * rim), "head").round(2.0).line(complex(stem, length), "stem").round(1.0)

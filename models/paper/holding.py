@@ -1,12 +1,7 @@
 """Blocks, a fixture and a fastener: parts that hold or are held."""
 
-from cams import RECONSTRUCTION
+from common import RECONSTRUCTION, rectangle
 from drawing import Model, rounded_polygon
-
-
-def rectangle(low, high, radius):
-    corners = [low, complex(high.real, low.imag), high, complex(low.real, high.imag)]
-    return rounded_polygon([(c, radius, "") for c in corners])
 
 
 def blocks():
@@ -30,9 +25,9 @@ At (x, y, theta) = (0, 0, 0) the block is seated.
 
 
 def fixture():
-    pads = [("pad 1 of the long side", rectangle(10 - 12j, 22 + 0j, 0)),
-            ("pad 2 of the long side", rectangle(58 - 12j, 70 + 0j, 0)),
-            ("pad of the short side", rectangle(-12 + 19j, 0 + 31j, 0))]
+    pads = [("pad 1 of the long side", rectangle(10 - 12j, 22 + 0j)),
+            ("pad 2 of the long side", rectangle(58 - 12j, 70 + 0j)),
+            ("pad of the short side", rectangle(-12 + 19j, 0 + 31j))]
     work = rounded_polygon([
         (0j, 0, "long side, rests on two pads"), (80 + 0j, 0, "end"), (80 + 25j, 0, "step"), (50 + 25j, 3.0, "step"),
         (50 + 50j, 0, "top"), (50j, 0, "short side, rests on one pad"),

@@ -1,6 +1,6 @@
 """The knee: femur and tibia in the plane of flexion, and the patella in the groove of the femur."""
 
-from cams import RECONSTRUCTION
+from common import RECONSTRUCTION
 from drawing import Edge, Model, Outline, meet_line_circle, meet_lines, nearest, polar, rounded_polygon
 
 
@@ -74,7 +74,7 @@ def radii(steps):
 
 def tibia_femur():
     femur, tibia = femur_outline(), tibia_outline()
-    # The marrow stays 6 or so from the surface.
+    # The marrow stays some 5 from the surface.
     canals = [rounded_polygon([(p, 3.0, "marrow") for p in corners]) for corners in (
         (-12 + 58j, 12 + 58j, 10.5 + 98j, -12 + 98j), (-6 - 30j, -8 - 89j, 6 - 89j, 8 - 30j))]
     m = Model("tibia_femur.toml", "tibia and femur", f"""

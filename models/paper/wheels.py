@@ -3,7 +3,7 @@
 import cmath
 import math
 
-from cams import RECONSTRUCTION
+from common import RECONSTRUCTION
 from drawing import (
     Model, Outline, circle, dot, meet_circles, meet_line_circle, moved, nearest, polar, rounded_polygon,
     unit,
