@@ -115,7 +115,7 @@ Three-lobed cam of a film projector and the frame with the claw that it moves. 4
 
 The cam has constant breadth: arcs R{pull + r:g} about the corners of a triangle of {pull:g}, its corners rounded R{r:g}, so that it is {breadth:g}
 across in every direction and fills the window of {2 * w:g}. The shaft stands in one of the triangle's corners. The frame is kept
-from turning by guide slots. While the shaft turns it rests for 60 deg, is carried by {pull:g} within 120, rests for 60 and returns, to and
+from turning by guide slots. While the shaft turns clockwise, it rests for 60 deg, is carried by {pull:g} within 120, rests for 60 and returns, to and
 fro and, a quarter of a turn later, up and down: the claw enters a perforation, pulls 35 mm film by one picture, which is {pull:g},
 withdraws, and goes back up.
 

@@ -37,7 +37,7 @@ def femur_outline():
     fore, _ = chain(0j, 0, FEMUR_FRONT)
     hind, _ = chain(0j, 180, FEMUR_BACK)
     lean, length = polar(1, 92), 45.0  # of the shaft
-    back_foot, front_foot = -17 + 60j, 17 + 60j
+    back_foot, front_foot = -13 + 60j, 17 + 60j
 
     def cut_off(edges, foot, pick):
         """The last arc ends where it meets the shaft's line."""
@@ -46,7 +46,7 @@ def femur_outline():
         edges[-1] = Edge(last.start, end, last.note, last.centre, last.turn)
         return end
 
-    back = cut_off(hind, back_foot, lambda points: nearest(points, back_foot))
+    back = cut_off(hind, back_foot, lambda points: nearest(points, back_foot - 7j))
     cut_off(fore, front_foot, lambda points: max(points, key=lambda p: p.imag))
     head = back_foot + lean * length
     pen = Outline(head).round(3.0).line(back, "shaft, back").round(12.0)
@@ -76,7 +76,7 @@ def tibia_femur():
     femur, tibia = femur_outline(), tibia_outline()
     # The marrow stays some 5 from the surface.
     canals = [rounded_polygon([(p, 3.0, "marrow") for p in corners]) for corners in (
-        (-12 + 58j, 12 + 58j, 10.5 + 98j, -12 + 98j), (-6 - 30j, -8 - 89j, 6 - 89j, 8 - 30j))]
+        (-8 + 58j, 12 + 58j, 10.5 + 98j, -9.5 + 98j), (-6 - 30j, -8 - 89j, 6 - 89j, 8 - 30j))]
     m = Model("tibia_femur.toml", "tibia and femur", f"""
 The knee in the plane of flexion: tibia and femur, as chains of tangent arcs. 27 + 25 = 52 features.
 
@@ -89,7 +89,7 @@ The tibia's plateau is a dish, R{TIBIA_FRONT[0][0]:g} in front and R{-TIBIA_BACK
 front. The bones are cut through the shaft, and show their marrow. Front is +x.
 
 The femur's origin is the lowest point of its condyle, the tibia's the lowest point of its plateau: in extension they touch at
-(x, y, theta) = (0, 0, 0). Flexed by theta, to some 120 deg, the femur slides in the dish, and its arcs come to
+(x, y, theta) = (0, 0, 0). Flexed by theta, up to 115 deg, the femur slides in the dish, and its arcs come to
 bear one after the other.
 """)
     m.part("tibia", "Plateau on top.", [("outline", tibia), ("marrow", canals[1])])
