@@ -62,7 +62,7 @@ def tibia_outline():
     notch = meet_lines(back, polar(1, under), -15 - 60j, shaft)
     neck = meet_lines(front, polar(1, down), tuberosity, polar(1, 100))
     pen = follow(follow(Outline(front), backwards(fore)), hind)
-    pen.line(notch, "back").round(40.0).line(meet_lines(notch, shaft, 1j * cut, 1), "shaft, back").round(3.0)
+    pen.line(notch, "back").round(50.0).line(meet_lines(notch, shaft, 1j * cut, 1), "shaft, back").round(3.0)
     pen.line(complex(13, cut), "cut").round(3.0).line(15 - 60j, "shaft, front").round(30.0)
     pen.line(tuberosity, "tuberosity").round(6.0).line(neck, "tuberosity").round(12.0)
     return pen.line(front, "front").closed()

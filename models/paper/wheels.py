@@ -5,8 +5,7 @@ import math
 
 from common import RECONSTRUCTION
 from drawing import (
-    Model, Outline, circle, dot, meet_circles, meet_line_circle, moved, nearest, polar, rounded_polygon,
-    unit,
+    Model, Outline, circle, dot, meet_circles, meet_line_circle, moved, nearest, polar, unit,
 )
 
 
@@ -145,10 +144,9 @@ def chain_gear():
         pen.arc(centre * turned, foot * turned, -1, f"seat R{seat:.2f}")
         pen.arc(pole * turned, tip * turned if k < teeth - 1 else pen.start, 1, "flank")
     loops = [(f"{teeth} teeth", pen.closed())]
-    inner, outer, wide = 13.0, 21.0, 3.2
-    window = rounded_polygon([(inner, 0.8, "window"), (outer - 1j * wide, 0.8, "window"), (outer + 1j * wide, 0.8, "window")])
-    for k in range(teeth):
-        loops.append((f"window {k + 1}", moved(window, polar(1, 360 * (k + 0.5) / teeth))))
+    for ring, (radius, between) in enumerate(((20.6, 0.5), (16.3, 0.0), (12.3, 0.5))):
+        for k in range(teeth):
+            loops.append((f"hole {k + 1} of ring {ring + 1}", circle(polar(radius, 360 * (k + between) / teeth), 1.8)))
     loops.append(("bore", circle(0, 8.0)))
     link = []
     for side, name in ((-1, "first"), (1, "second")):
@@ -160,7 +158,7 @@ Chain wheel of {teeth} teeth and a link of its roller chain. 142 + 24 = 166 feat
 {RECONSTRUCTION}
 
 The pitch is {pitch:g}, the rollers are {roller:g} across. The wheel's pitch circle is {2 * circle_of_pitch:.3f}; the seats are R{seat:.2f}, tangent to convex
-flanks that meet in the tip of the tooth. Between the spokes the disc has {teeth} windows.
+flanks that meet in the tip of the tooth. The disc is lightened by three rings of {teeth} holes.
 
 The link is cut in the middle of the rollers: two hollow pins, bushes and rollers, {pitch:g} apart. The plates lie before and behind
 the wheel. The link's origin is half way between the pins, which are on its x axis: at ({circle_of_pitch * math.cos(math.pi / teeth):.6f}, 0) turned by a right
