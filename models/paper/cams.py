@@ -3,7 +3,7 @@
 import cmath
 import math
 
-from common import RECONSTRUCTION, stadium
+from common import RECONSTRUCTION, rectangle, stadium
 from drawing import Model, Outline, circle, dot, moved, polar, rounded_polygon, unit
 
 
@@ -124,5 +124,7 @@ the window settles its position, but for {play:g} to any side: ({placed(0).real:
 """)
     m.part("frame", "Claw to +x.", loops)
     m.part("cam", "A corner to +y.", [("three lobes", lobes)], symmetry=3)
-    turn = 75.0
-    return m.picture({"cam": (turn, placed(turn))})
+    turn, film, hole, apart = 75.0, edge + arm - 3.0, 1.98, 4.75
+    webs = [rectangle(complex(film, low + hole), complex(film + 0.6, low + apart))
+            for low in (edge - claw - 0.05 + apart * k for k in range(-4, 1))]
+    return m.picture({"cam": (turn, placed(turn))}, webs)
