@@ -7,7 +7,7 @@ use crate::feature::{Feature, Outline, unwrap_near};
 use crate::geometry::Vector;
 
 use super::function::Spiral;
-use super::names::Sizes;
+use super::names::{Points, Sizes};
 use super::sheet::{EndAngle, Seam, Sheet, SheetKind};
 use super::span::Span;
 use super::twist::Carried;
@@ -25,12 +25,13 @@ pub(crate) struct Contacts {
     /// How features are permuted from slab to slab.
     pub(crate) carried: Carried,
     sizes: Sizes,
+    points: Points,
 }
 
 impl Contacts {
     /// The name of the same end one slab lower.
     pub(crate) fn name_below(&self, name: u32) -> u32 {
-        self.sizes.name_below(name, &self.carried)
+        self.points.name(self.sizes.name_below(name, &self.carried))
     }
 
     /// The feature pair that does one slab lower what this one does.
@@ -64,6 +65,7 @@ impl Contacts {
             moving_vertex: moving.vertex_of_joint(),
             fixed_line: fixed.line_of_joint(),
             moving_line: moving.line_of_joint(),
+            points: Points::default(),
             sheets: Vec::new(),
         };
         for a in 0..fixed.features.len() as u32 {
@@ -72,7 +74,11 @@ impl Contacts {
             }
         }
         let first_vertex_name = sizes.first_vertex();
-        let sheets = builder.sheets;
+        let (mut sheets, points) = (builder.sheets, builder.points);
+        for sheet in &mut sheets {
+            sheet.start_name = points.name(sheet.start_name);
+            sheet.end_name = points.name(sheet.end_name);
+        }
         let index = |name: fn(&Sheet) -> u32| {
             let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
             list.sort_unstable();
@@ -87,6 +93,7 @@ impl Contacts {
             starts,
             carried,
             sizes,
+            points,
         }
     }
 }
@@ -109,6 +116,7 @@ struct Builder<'a> {
     moving_vertex: Vec<Option<u32>>,
     fixed_line: Vec<Option<u32>>,
     moving_line: Vec<Option<u32>>,
+    points: Points,
     sheets: Vec<Sheet>,
 }
 
@@ -285,12 +293,28 @@ impl Builder<'_> {
         let radius = a.radius() + b.radius();
         let convex = a.radius() >= 0.0 && b.radius() >= 0.0;
         let concave = a.radius() < 0.0 && b.radius() < 0.0;
-        if concave || (convex && radius < SMALLEST_CIRCLE) || (!convex && radius > -SMALLEST_CIRCLE)
-        {
+        if concave || (convex && radius < SMALLEST_CIRCLE) {
             return;
         }
         let (a_lo, a_hi) = a.joints_by_angle();
         let (b_lo, b_hi) = b.joints_by_angle();
+        if !convex && radius > -SMALLEST_CIRCLE {
+            /// Around more than this, the curves before and after the point all but turn back on each other.
+            const WIDEST: f64 = 0.9 * PI;
+            let sweep = (a.hi - a.lo).min(b.hi - b.lo);
+            if radius < SMALLEST_CIRCLE && sweep < WIDEST {
+                self.points.unite(
+                    self.sizes.vertices(ia, ib),
+                    [
+                        self.fixed_joint_name(a_lo, ib, b),
+                        self.fixed_joint_name(a_hi, ib, b),
+                        self.moving_joint_name(ia, a, b_lo),
+                        self.moving_joint_name(ia, a, b_hi),
+                    ],
+                );
+            }
+            return;
+        }
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.
         let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
