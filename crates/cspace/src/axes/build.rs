@@ -57,7 +57,7 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
     let shares: Vec<(Vec<Pair>, Vec<Piece>)> = first
         .par_iter()
         .enumerate()
-        .map(|(ia, &ra)| {
+        .map(|(ia, ra)| {
             let mut builder = Builder {
                 scene,
                 pairs: Vec::new(),
@@ -65,7 +65,7 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
                 spots: Vec::new(),
                 breaks: Vec::new(),
             };
-            for (ib, &rb) in (0u32..).zip(&second) {
+            for (ib, rb) in (0u32..).zip(&second) {
                 if apart.may_meet(ra, rb) {
                     builder.add(ia as u32, ib);
                 }

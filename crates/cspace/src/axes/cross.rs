@@ -18,8 +18,12 @@ use super::piece::{Height, Pair, Piece};
 /// Intervals of x are not halved below this when crossings are isolated (radians or length); two crossings nearer than
 /// that, between which the pieces are a hundred times nearer than rounding, may go unnoticed as a pair.
 const NARROWEST: f64 = 1e-8;
+/// More rounds than narrowing a bracket ever takes: a guard against numbers that are not.
+const MOST_ROUNDS: u32 = 200;
+/// A bracket about a crossing is not narrowed further, as a share of 1 + |x|: a few last bits.
+const NARROWEST_BRACKET: f64 = 4.0 * f64::EPSILON;
 /// How often boxes about two pieces are halved before the resultant is asked.
-const HALVINGS: u32 = 3;
+const HALVINGS: u32 = 5;
 
 /// How two pieces, the second shifted by so many turns, lie to each other at x: the sign of y₁ − y₂, never 0.
 ///
@@ -160,43 +164,56 @@ fn separate(
 }
 
 /// The x at which the order changes, given the order at the left end and another at the right one.
+///
+/// Inverse quadratic interpolation where the last three values promise that it converges, otherwise bisection
+/// (T. R. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, 1997). Curves often end near a crossing with a
+/// vertical tangent, where false position creeps. An end where the two are equal counts as the order says.
 fn bisect(
     pairs: &[Pair],
     p: &Piece,
     q: &Piece,
     shift: i32,
-    (mut lo, mut hi): (f64, f64),
+    (lo, hi): (f64, f64),
     before: i8,
 ) -> f64 {
     let side = f64::from(before);
     let value = |x: f64| side * difference(pairs, p, q, shift, x);
-    let (mut at_lo, mut at_hi) = (value(lo).max(0.0), value(hi).min(0.0));
-    for round in 0..200 {
-        let middle = 0.5 * (lo + hi);
-        if middle <= lo || middle >= hi || hi - lo < 1e-15 * (1.0 + lo.abs()) {
-            break;
-        }
-        // False position (Illinois), every fourth time bisection.
-        let x = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
-        let x = if round % 4 == 3 || !(x > lo && x < hi) {
-            middle
-        } else {
-            x
-        };
-        let v = value(x);
-        if v > 0.0 {
-            lo = x;
-            at_lo = v;
-            at_hi *= 0.5;
-        } else if v < 0.0 {
-            hi = x;
-            at_hi = v;
-            at_lo *= 0.5;
-        } else {
+    let least = f64::EPSILON * f64::EPSILON;
+    // The newest end of the bracket, the other one, and the one before.
+    let (mut x1, mut f1) = (hi, value(hi).min(-least));
+    let (mut x2, mut f2) = (lo, value(lo).max(least));
+    let mut share = 0.5;
+    for _ in 0..MOST_ROUNDS {
+        let x = x1 + share * (x2 - x1);
+        let f = value(x);
+        if f == 0.0 {
             return x;
         }
+        let (x3, f3);
+        if (f > 0.0) == (f1 > 0.0) {
+            (x3, f3) = (x1, f1);
+        } else {
+            (x3, f3) = (x2, f2);
+            (x2, f2) = (x1, f1);
+        }
+        (x1, f1) = (x, f);
+        let width = (x2 - x1).abs();
+        let narrowest = NARROWEST_BRACKET * (1.0 + x1.abs());
+        if width <= narrowest {
+            break;
+        }
+        let xi = (x1 - x2) / (x3 - x2);
+        let phi = (f1 - f2) / (f3 - f2);
+        share = if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+            let quadratic = f1 / (f2 - f1) * f3 / (f2 - f3)
+                + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2);
+            let step = 0.5 * narrowest / width;
+            quadratic.max(step).min(1.0 - step)
+        } else {
+            0.5
+        };
     }
-    0.5 * (lo + hi)
+    0.5 * (x1 + x2)
 }
 
 /// Whether two conditions are levels of one function of (x, y), so that their curves never cross.

@@ -16,7 +16,7 @@ const STEP: f64 = 1.0 / 256.0;
 const SLOTS: usize = 256;
 /// A cell steeper than this is left sideways.
 const STEEP: f64 = 1e3;
-/// Of how many cells of a chain the best tested one is taken.
+/// So many cells of a chain, the largest, are tested; if they disagree, all are.
 const TRIED: usize = 3;
 /// A place no farther than this from the next curve tells nothing (radians or length): it is about what the first part
 /// is grown by.
@@ -100,20 +100,21 @@ impl<'a> Judge<'a> {
             .map(|&i| (self.size(&cells[i as usize]), i))
             .collect();
         open.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let best = open[..open.len().min(TRIED)]
-            .iter()
-            .filter_map(|o| self.beside(&cells[o.1 as usize]))
-            .max_by(|a, b| a.2.total_cmp(&b.2));
-        let Some((x, y, _)) = best else {
-            return (Vec::new(), 0, false);
-        };
-        if self.bodies.overlap(x, y) {
-            return (Vec::new(), 1, false);
+        // The largest cells: a place far enough from other curves is beside one of them, if anywhere.
+        let mut verdicts: Vec<bool> = Vec::new();
+        for o in &open[..open.len().min(TRIED)] {
+            if let Some((x, y, _)) = self.beside(&cells[o.1 as usize]) {
+                verdicts.push(!self.bodies.overlap(x, y));
+            }
         }
-        if !blocked {
-            return (members.to_vec(), 1, false);
+        let tests = verdicts.len();
+        if !verdicts.contains(&true) {
+            return (Vec::new(), tests, false);
         }
-        // All should be blocked where one is: rounding has gone astray, or something is closer than the resolution.
+        if !blocked && !verdicts.contains(&false) {
+            return (members.to_vec(), tests, false);
+        }
+        // All should be free or blocked, and blocked where one is: rounding has gone astray, or something is closer than the resolution.
         let free = open
             .iter()
             .map(|o| o.1)
@@ -122,7 +123,7 @@ impl<'a> Judge<'a> {
                     .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
             })
             .collect();
-        (free, 1 + open.len(), true)
+        (free, tests + open.len(), true)
     }
 
     /// How far a cell reaches.
@@ -212,12 +213,9 @@ impl<'a> Judge<'a> {
                 if level < lo || level > hi {
                     continue;
                 }
-                let at = if q.vertical {
-                    q.start.x
-                } else {
-                    crossing_of_level(q, self.pairs, level)
+                let Some(d) = self.ahead_at_level(q, level, x, sign, reach) else {
+                    continue;
                 };
-                let d = sign * (at - x);
                 let q_right = if q.vertical {
                     q.root == 0
                 } else {
@@ -229,6 +227,40 @@ impl<'a> Judge<'a> {
             }
         }
         (reach > TOO_NEAR).then_some((x + 0.5 * sign * reach, y, reach))
+    }
+
+    /// How far ahead of x, at most `reach`, a piece comes to a level. It is asked for the middle of what is free, so a
+    /// thousandth of the distance does.
+    fn ahead_at_level(&self, q: &Piece, level: f64, x: f64, sign: f64, reach: f64) -> Option<f64> {
+        if q.vertical {
+            let d = sign * (q.start.x - x);
+            return (d > 0.0).then_some(d);
+        }
+        // The part of the piece that lies ahead and within reach.
+        let ahead = |at: f64| sign * (at - x);
+        let (near, far) = if sign > 0.0 {
+            (q.start.x, q.end.x)
+        } else {
+            (q.end.x, q.start.x)
+        };
+        let (mut near, mut far) = (ahead(near).max(0.0), ahead(far).min(reach));
+        if near > far {
+            return None;
+        }
+        let above = |d: f64| q.y(self.pairs, x + sign * d) > level;
+        let begins = above(near);
+        if above(far) == begins {
+            return None;
+        }
+        while far - near > 1e-3 * near && far > TOO_NEAR {
+            let middle = 0.5 * (near + far);
+            if above(middle) == begins {
+                near = middle;
+            } else {
+                far = middle;
+            }
+        }
+        Some(if near > 0.0 { near } else { far })
     }
 
     fn slot(&self, x: f64) -> &[u32] {
