@@ -14,8 +14,8 @@ const NEAR: f64 = 1e-9;
 
 impl FixedAxesSpace {
     /// Classifies a configuration: contact if a contact function of the boundary there is within the
-    /// [`resolution`](Self::resolution), otherwise by the free gaps at u. `None` outside the ranges of motion, or if the
-    /// configuration is not finite.
+    /// [`resolution`](Self::resolution), otherwise by the free gaps at u. `None` outside the ranges of motion, which of a
+    /// part that does not move is 0 alone, or if the configuration is not finite.
     pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
         let (x, y) = self.placed(u, v)?;
         if self.touching(x, y).next().is_some() {
@@ -69,10 +69,10 @@ impl FixedAxesSpace {
                 ExtentKind::Open => {}
             }
         }
-        for (t, m) in [(&mut x, self.motions.first), (&mut y, self.motions.second)] {
-            if m == Motion::Still {
-                *t = 0.0;
-            }
+        // A part that does not move is at 0 and nowhere else.
+        let moved = |t: f64, m: Motion| m == Motion::Still && t != 0.0;
+        if moved(x, self.motions.first) || moved(y, self.motions.second) {
+            return None;
         }
         if let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
             (self.motions.first, self.motions.second)

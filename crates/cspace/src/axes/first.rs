@@ -17,7 +17,7 @@ impl FixedAxesSpace {
     /// Along the motion the contact condition of each curve is a smooth function of time (for two arcs the square of the
     /// centres' distance). A bound on its second derivative tells for any interval of time that it holds no root, or one
     /// at most; other intervals are halved. A root counts if the parts come closer there and the configuration is on the
-    /// curve. Nothing is found by sampling. Motions that touch without going deeper go on.
+    /// curve. Nothing is found by sampling. Motions that touch without going deeper go on. A motion that asks a part to move that does not leaves its range at once.
     ///
     /// # Errors
     /// If numbers are not finite, or the motion begins in blocked space or outside the ranges.
@@ -83,18 +83,15 @@ impl FixedAxesSpace {
     fn way(&self, from: (f64, f64), rates: (f64, f64)) -> Way {
         let (x, y) = self.map.inner(from.0, from.1);
         let (dx, dy) = self.map.inner(rates.0, rates.1);
-        let still = |m: Motion, rate: f64| if m == Motion::Still { 0.0 } else { rate };
-        Way {
-            x,
-            y,
-            dx: still(self.motions.first, dx),
-            dy: still(self.motions.second, dy),
-        }
+        Way { x, y, dx, dy }
     }
 
     /// When the motion leaves the ranges, if it does.
     fn time_in_ranges(&self, way: &Way) -> Option<f64> {
-        let of = |extent: &super::domain::Extent, t: f64, rate: f64| {
+        let of = |extent: &super::domain::Extent, motion: Motion, t: f64, rate: f64| {
+            if motion == Motion::Still && rate != 0.0 {
+                return Some(0.0);
+            }
             let limited = matches!(
                 extent.kind,
                 ExtentKind::TurnLimits | ExtentKind::SlideLimits
@@ -105,7 +102,8 @@ impl FixedAxesSpace {
                 r => Some(((extent.lo - t) / r).max(0.0)),
             }
         };
-        let (a, b) = (of(&self.x, way.x, way.dx), of(&self.y, way.y, way.dy));
+        let a = of(&self.x, self.motions.first, way.x, way.dx);
+        let b = of(&self.y, self.motions.second, way.y, way.dy);
         match (a, b) {
             (Some(a), Some(b)) => Some(a.min(b)),
             (a, b) => a.or(b),
