@@ -623,7 +623,7 @@ pub(super) fn crossing_of_level(piece: &Piece, pairs: &[Pair], level: f64) -> f6
 }
 
 /// The condition of a pair of features, if they can touch.
-fn carriers(scene: &Scene, ia: u32, ib: u32) -> Option<Carriers> {
+pub(super) fn carriers(scene: &Scene, ia: u32, ib: u32) -> Option<Carriers> {
     let (a, b) = (scene.first_feature(ia), scene.second_feature(ib));
     match (a.is_line(), b.is_line()) {
         (true, false) if b.radius() >= 0.0 => {

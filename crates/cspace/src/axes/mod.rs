@@ -75,11 +75,14 @@ mod patch;
 mod picture;
 mod piece;
 mod reach;
+mod region;
 mod saved;
+mod setting;
 mod space;
 mod tidy;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use patch::{AxesBranch, AxesPatch, BranchForm};
+pub use region::AxesRegion;
 pub use saved::{SAVED_AXES_VERSION, SavedAxesError, SavedAxesSpace};
-pub use space::{AxesRegion, AxesStatistics, FixedAxesSpace};
+pub use space::{AxesStatistics, FixedAxesSpace};
