@@ -261,3 +261,93 @@ fn axes_without_sense_are_refused() {
     let far = Axis::revolute(Point::new(1e9, 0.0));
     assert!(refused(far).contains("slide"));
 }
+
+/// A part that is symmetric about its pivot is computed in one period of its motion and copied. With limits a full turn apart
+/// it is computed over all of it; every answer must be the same.
+#[test]
+fn a_symmetric_part_is_computed_as_if_it_were_not() {
+    let mut asked = 0;
+    for m in mechanisms() {
+        let unlimited = |axis: &Axis| {
+            axis.range.is_none() && matches!(axis.motion, AxisMotion::Revolute { .. })
+        };
+        let limited = |axis: Axis| {
+            if unlimited(&axis) {
+                axis.within(0.0, TAU)
+            } else {
+                axis
+            }
+        };
+        if !(unlimited(&m.fixed_axis) || unlimited(&m.moving_axis)) {
+            continue;
+        }
+        let copied = compute(&m);
+        let whole = compute(&Mechanism {
+            fixed_axis: limited(m.fixed_axis),
+            moving_axis: limited(m.moving_axis),
+            ..m.clone()
+        });
+        let names = |s: &FixedAxesSpace| {
+            let mut names: Vec<_> = s.patches().iter().map(|p| (p.fixed, p.moving)).collect();
+            names.sort_unstable();
+            names.dedup();
+            names
+        };
+        assert_eq!(names(&copied), names(&whole), "{}", m.name);
+        // Contact at the limits is part of no curve, so lengths are compared: what patches of a pair of features cover.
+        let length = |s: &FixedAxesSpace| -> f64 {
+            let over = |from: f64, to: f64| (to - from).abs();
+            s.branches()
+                .iter()
+                .map(|b| over(b.start.0, b.end.0) + over(b.start.1, b.end.1))
+                .sum()
+        };
+        let (a, b) = (length(&copied), length(&whole));
+        assert!((a - b).abs() < 1e-6 * (1.0 + a), "{}: {a} {b}", m.name);
+        let mut rng = ChaCha8Rng::seed_from_u64(17);
+        let mut coordinate = |axis: &Axis| match (axis.motion, axis.range) {
+            (AxisMotion::Fixed, _) => 0.0,
+            (_, Some((lo, hi))) => rng.random_range(lo..hi),
+            (AxisMotion::Revolute { .. }, None) => rng.random_range(0.0..TAU),
+            (AxisMotion::Prismatic { .. }, None) => rng.random_range(-6.0..6.0),
+        };
+        for _ in 0..500 {
+            let (u, v) = (coordinate(&m.fixed_axis), coordinate(&m.moving_axis));
+            assert_eq!(
+                copied.classify(u, v),
+                whole.classify(u, v),
+                "{}: {u} {v}",
+                m.name
+            );
+            asked += 1;
+        }
+        // The same curves, with the same functions.
+        for (i, b) in copied.branches().iter().enumerate().step_by(5) {
+            let middle = match b.form {
+                BranchForm::VOfU => 0.5 * (b.start.0 + b.end.0),
+                BranchForm::UOfV => 0.5 * (b.start.1 + b.end.1),
+            };
+            let ((u, v), _) = copied.branch_at(i, middle).unwrap();
+            let fold = |axis: &Axis, t: f64| {
+                if unlimited(axis) {
+                    t.rem_euclid(TAU)
+                } else {
+                    t
+                }
+            };
+            let (u, v) = (fold(&m.fixed_axis, u), fold(&m.moving_axis, v));
+            let patch = &copied.patches()[b.patch as usize];
+            let names = (patch.fixed, patch.moving);
+            let there = whole.contacts(u, v, 1e-9);
+            assert!(
+                there.iter().any(|&(p, _)| {
+                    let p = &whole.patches()[p as usize];
+                    (p.fixed, p.moving) == names
+                }),
+                "{}: {names:?} at {u} {v}: {there:?}",
+                m.name
+            );
+        }
+    }
+    assert!(asked > 5000, "{asked}");
+}

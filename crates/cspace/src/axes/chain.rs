@@ -105,6 +105,11 @@ pub(super) fn chains(
         }
     }
     let pair = |i: u32| piece(i).pair;
+    // A pair of features has an entry for each copy of the window in which it touches.
+    let same = |p: u32, q: u32| {
+        let features = |i: u32| (pairs[i as usize].first, pairs[i as usize].second);
+        p == q || features(p) == features(q)
+    };
     // A curve starts where the pair of features changes, and where it crosses itself.
     let continues = |from: u32, to: u32| {
         let stop = |i: u32, leaving: bool| {
@@ -115,7 +120,7 @@ pub(super) fn chains(
                 c.start
             }
         };
-        pair(from) == pair(to)
+        same(pair(from), pair(to))
             && matches!(stop(from, true), Stop::Node(_))
             && matches!(stop(to, false), Stop::Node(_))
     };

@@ -1,76 +1,14 @@
 //! Contact conditions of two features, and their closed-form solutions.
 
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
 
+use super::carriers::Carriers;
 use super::equation::Equation;
 use super::motion::{Bearing, Motion, Motions};
 
 /// Lengths, and sines of angles, below this do not matter: a condition that depends no more than this on a coordinate is
 /// independent of it (a cam's arc about its own pivot). An eighth of what the fixed part is grown by.
 pub(super) const INDEPENDENT: f64 = crate::feature::tolerance::SAME_CARRIER;
-
-/// When two features touch: their carriers, at zero coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub(super) enum Carriers {
-    /// A line of the first part and an arc or vertex of the second: n(x)·(q(y) − l(x)) = ρ.
-    FirstLine {
-        normal: Vector,
-        through: Point,
-        point: Point,
-        radius: f64,
-    },
-    /// An arc or vertex of the first part and a line of the second: n(y)·(p(x) − l(y)) = ρ.
-    SecondLine {
-        normal: Vector,
-        through: Point,
-        point: Point,
-        radius: f64,
-    },
-    /// Two round features: |q(y) − p(x)| = |r|.
-    Circles {
-        first: Point,
-        second: Point,
-        radius: f64,
-    },
-}
-
-impl Carriers {
-    fn swapped(&self) -> Self {
-        match *self {
-            Self::FirstLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => Self::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            },
-            Self::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => Self::FirstLine {
-                normal,
-                through,
-                point,
-                radius,
-            },
-            Self::Circles {
-                first,
-                second,
-                radius,
-            } => Self::Circles {
-                first: second,
-                second: first,
-                radius,
-            },
-        }
-    }
-}
 
 /// A condition prepared to be solved for y.
 ///

@@ -11,7 +11,8 @@ use core::f64::consts::TAU;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::TrigPolynomial;
 
-use super::condition::{Carriers, Condition, INDEPENDENT};
+use super::carriers::Carriers;
+use super::condition::{Condition, INDEPENDENT};
 use super::motion::Motion;
 use super::piece::{Height, Pair, Piece};
 
@@ -67,7 +68,9 @@ pub(super) fn crossings(
 ) {
     let lo = p.start.x.max(q.start.x);
     let hi = p.end.x.min(q.end.x);
-    if lo >= hi {
+    let motions = &pairs[p.pair as usize].condition.motions;
+    // About one pivot all depends on y − x alone: curves are parallel, or the same.
+    if lo >= hi || motions.share_a_pivot() {
         return;
     }
     let heights = |x: f64| (p.height(pairs, x), q.height(pairs, x));

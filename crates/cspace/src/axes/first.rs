@@ -3,7 +3,8 @@
 use crate::pair::{Coordinates, PairContact, PairMotion};
 use crate::query::{Classification, MotionError};
 
-use super::condition::{Carriers, Condition};
+use super::carriers::Carriers;
+use super::condition::Condition;
 use super::domain::ExtentKind;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;

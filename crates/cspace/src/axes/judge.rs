@@ -6,9 +6,9 @@ use rayon::prelude::*;
 
 use super::arrange::{Arrangement, Cell};
 use super::body::Bodies;
-use super::build::crossing_of_level;
 use super::domain::Extent;
 use super::piece::{Pair, Piece};
+use super::place::crossing_of_level;
 
 /// How far the free side is looked at (radians or length).
 const STEP: f64 = 1.0 / 256.0;
@@ -27,7 +27,7 @@ pub(super) struct Judge<'a> {
     pub(super) pieces: &'a [Piece],
     pub(super) bodies: &'a Bodies,
     pub(super) y: Extent,
-    lo: f64,
+    x: Extent,
     width: f64,
     slots: Vec<Vec<u32>>,
 }
@@ -60,7 +60,7 @@ impl<'a> Judge<'a> {
             pieces,
             bodies,
             y,
-            lo: x.lo,
+            x,
             width,
             slots,
         }
@@ -194,9 +194,11 @@ impl<'a> Judge<'a> {
     /// Left or right to the next curve at this y.
     fn beside_steep(&self, c: &Cell, x: f64, y: f64, right: bool) -> Option<(f64, f64, f64)> {
         let sign = if right { 1.0 } else { -1.0 };
-        let mut reach = STEP;
+        // Not beyond the end of what is computed.
+        let end = if right { self.x.hi - x } else { x - self.x.lo };
+        let mut reach = STEP.min(end);
         let (a, b) = (x.min(x + sign * STEP), x.max(x + sign * STEP));
-        let slot = |at: f64| (((at - self.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        let slot = |at: f64| (((at - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
         for s in slot(a)..=slot(b) {
             for &j in &self.slots[s] {
                 let q = &self.pieces[j as usize];
@@ -264,7 +266,7 @@ impl<'a> Judge<'a> {
     }
 
     fn slot(&self, x: f64) -> &[u32] {
-        let s = (((x - self.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        let s = (((x - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
         &self.slots[s]
     }
 }

@@ -13,6 +13,7 @@ use super::condition::INDEPENDENT;
 use super::domain::{Extent, wrapped};
 use super::equation::{Equation, coincidences};
 use super::motion::{Motion, Motions};
+use super::repeats::{Image, Repeats};
 
 /// What a node is, so that ends of curves find each other.
 #[derive(
@@ -37,6 +38,8 @@ pub(super) enum Name {
     Turning(u32, u32),
     /// A curve goes on with the same pair: at the cut of a circle, or where it is cut to be monotone.
     Same(u32, u32),
+    /// A curve goes on in the next copy of the window.
+    Seam(u32, u32),
     /// A limit of a motion, or the window's end.
     Limit,
 }
@@ -59,6 +62,9 @@ pub(super) struct Spot {
     pub(super) root: u8,
     pub(super) x: f64,
     pub(super) y: f64,
+    /// Where it is in the window, and in which copy of it x is.
+    pub(super) in_window: f64,
+    pub(super) copy: u32,
 }
 
 /// Normals nearer than this to an end of an interval of normals are told by that end alone (radians).
@@ -137,6 +143,8 @@ pub(super) struct Scene {
     pub(super) motions: Motions,
     pub(super) x: Extent,
     pub(super) y: Extent,
+    /// How the first part repeats itself.
+    pub(super) repeats: Repeats,
 }
 
 impl Scene {
@@ -202,15 +210,28 @@ impl Scene {
         &self.second.outline.features[i as usize]
     }
 
-    /// Calls `found` with every node on the curve of a pair of which one is round at least.
+    /// Calls `found` with every node on the curve of a pair of which one is round at least. The first feature stands for
+    /// its orbit.
+    ///
+    /// What belongs to another joint or line of the first part is computed from the one that stands for its orbit, and
+    /// moved: so all pairs that meet there have the same numbers, in whatever copy of the window they meet.
     pub(super) fn spots(&self, ia: u32, ib: u32, mut found: impl FnMut(Spot)) {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
-        let mut found = |name, root, x: f64, y: f64| {
+        let fold = self.repeats.fold;
+        let mut found = |name, root, steps: u32, x: f64, y: f64| {
+            let (in_window, copy) = self.repeats.split(&self.x, x);
+            let copy = (copy + fold - steps) % fold;
             found(Spot {
                 name,
                 root,
-                x: self.x.reduced(x),
+                x: if fold == 1 {
+                    in_window
+                } else {
+                    in_window + self.repeats.period() * f64::from(copy)
+                },
                 y: self.y.reduced(y),
+                in_window,
+                copy,
             });
         };
         if !b.is_line() {
@@ -233,10 +254,11 @@ impl Scene {
         a: &Feature,
         ib: u32,
         b: &Feature,
-        found: &mut impl FnMut(Name, u8, f64, f64),
+        found: &mut impl FnMut(Name, u8, u32, f64, f64),
     ) {
         let Motions { first, second } = self.motions;
         for joint in [a.start, a.end] {
+            let Image { of: joint, steps } = self.repeats.joint(joint);
             let at = self.first.point(joint) + self.first.normal(joint) * b.radius();
             let name = match self.first.vertex[joint as usize] {
                 Some(vertex) if b.is_vertex() => Name::Vertices(vertex, ib),
@@ -249,9 +271,9 @@ impl Scene {
                 let theta = self.motions.theta(x, y);
                 let tied = |k: &u32| self.tied(joint, *k, theta);
                 if let Some(k) = [b.start, b.end].into_iter().find(tied) {
-                    found(Name::Joints(joint, k), root, x, y);
+                    found(Name::Joints(joint, k), root, steps, x, y);
                 } else if self.second_has(b, joint, theta) {
-                    found(name, root, x, y);
+                    found(name, root, steps, x, y);
                 }
             });
         }
@@ -262,7 +284,7 @@ impl Scene {
         ia: u32,
         a: &Feature,
         b: &Feature,
-        found: &mut impl FnMut(Name, u8, f64, f64),
+        found: &mut impl FnMut(Name, u8, u32, f64, f64),
     ) {
         let Motions { first, second } = self.motions;
         for joint in [b.start, b.end] {
@@ -278,20 +300,30 @@ impl Scene {
                 let theta = self.motions.theta(x, y);
                 let tied = |k: &u32| self.tied(*k, joint, theta);
                 if let Some(k) = [a.start, a.end].into_iter().find(tied) {
-                    found(Name::Joints(k, joint), root, x, y);
+                    let Image { of, steps } = self.repeats.joint(k);
+                    // The orbit's joint is there when x is larger by the steps between them.
+                    let x = x + self.repeats.period() * f64::from(steps);
+                    found(Name::Joints(of, joint), root, steps, x, y);
                 } else if self.first_has(a, joint, theta) {
-                    found(name, root, x, y);
+                    found(name, root, 0, x, y);
                 }
             });
         }
     }
 
     /// The round feature of the second part ends where its normal is a line's of the first.
-    fn aligned_with_first(&self, ia: u32, ib: u32, found: &mut impl FnMut(Name, u8, f64, f64)) {
+    fn aligned_with_first(
+        &self,
+        ia: u32,
+        ib: u32,
+        found: &mut impl FnMut(Name, u8, u32, f64, f64),
+    ) {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         for joint in [b.start, b.end] {
             if let Some(line) = self.second.line[joint as usize] {
-                self.lines(ia, line, found, |from_first, at| !from_first && at == joint);
+                self.lines((ia, 0), line, found, |from_first, at| {
+                    !from_first && at == joint
+                });
                 continue;
             }
             let (start, along, length) = self.first.segment(a);
@@ -303,18 +335,30 @@ impl Scene {
                 0.0 < at && at < length
             };
             aligned(first, side, second, (point, beta), accepts, |root, x, y| {
-                found(Name::LineJoint(ia, joint), root, x, y);
+                found(Name::LineJoint(ia, joint), root, 0, x, y);
             });
         }
     }
 
-    fn aligned_with_second(&self, ia: u32, ib: u32, found: &mut impl FnMut(Name, u8, f64, f64)) {
+    fn aligned_with_second(
+        &self,
+        ia: u32,
+        ib: u32,
+        found: &mut impl FnMut(Name, u8, u32, f64, f64),
+    ) {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
-        for joint in [a.start, a.end] {
+        for (joint, at_start) in [(a.start, true), (a.end, false)] {
             if let Some(line) = self.first.line[joint as usize] {
-                self.lines(line, ib, found, |from_first, at| from_first && at == joint);
+                let Image { of, steps } = self.repeats.feature(line);
+                // Travel goes on: where the feature starts the line ends.
+                let line = self.first_feature(of);
+                let joint = if at_start { line.end } else { line.start };
+                self.lines((of, steps), ib, found, |from_first, at| {
+                    from_first && at == joint
+                });
                 continue;
             }
+            let Image { of: joint, steps } = self.repeats.joint(joint);
             let (start, along, length) = self.second.segment(b);
             let Motions { first, second } = self.motions;
             let side = (
@@ -334,7 +378,7 @@ impl Scene {
                 (point, alpha),
                 accepts,
                 |root, y, x| {
-                    found(Name::JointLine(joint, ib), root, x, y);
+                    found(Name::JointLine(joint, ib), root, steps, x, y);
                 },
             );
         }
@@ -343,9 +387,9 @@ impl Scene {
     /// Two lines touch along a stretch; it has two ends, each a joint of one part, at which `ends_at` is asked.
     fn lines(
         &self,
-        ia: u32,
+        (ia, steps): (u32, u32),
         ib: u32,
-        found: &mut impl FnMut(Name, u8, f64, f64),
+        found: &mut impl FnMut(Name, u8, u32, f64, f64),
         ends_at: impl Fn(bool, u32) -> bool,
     ) {
         let Motions { first, second } = self.motions;
@@ -373,7 +417,7 @@ impl Scene {
             ends_at(lower.0, lower.1) || ends_at(upper.0, upper.1)
         };
         aligned(first, side, second, joint, accepts, |root, x, y| {
-            found(Name::Lines(ia, ib), root, x, y);
+            found(Name::Lines(ia, ib), root, steps, x, y);
         });
     }
 }

@@ -8,8 +8,8 @@ use crate::space::{SavedError, SavedPart};
 use super::arrange::Cell;
 use super::axis::{AxesError, Axis};
 use super::bands::{Band, Bands, Gap, Region};
-use super::build::carriers;
-use super::condition::{Carriers, Condition};
+use super::carriers::{Carriers, carriers};
+use super::condition::Condition;
 use super::domain::Extent;
 use super::motion::Motions;
 use super::patch::{AxesBranch, AxesPatch};
@@ -196,9 +196,8 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
                 bands: s.bands,
                 gaps: s.gaps,
                 regions: s.regions,
-                conflicts: 0,
-                tests: 0,
             },
+            deviation: setting.deviation,
             slots: Vec::new(),
             patches: s.patches,
             branches: s.branches,

@@ -2,16 +2,18 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::contact::Body;
-use crate::feature::{FeatureName, Outline, PairFrame};
+use crate::contact::{Body, Permutation};
+use crate::feature::{Feature, FeatureName, Outline, PairFrame};
 use crate::geometry::{Point, Vector};
-use crate::part::Part;
+use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
+use crate::space::as_drawn;
 
 use super::axis::{AxesError, Axis, AxisMotion, Role};
 use super::body::Bodies;
 use super::domain::{Extent, ExtentKind};
 use super::motion::{Motion, Motions};
 use super::nodes::{Scene, Side};
+use super::repeats::Repeats;
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
 /// grown by.
@@ -55,6 +57,8 @@ pub(super) struct Setting {
     pub(super) bodies: Bodies,
     /// What the features of the first and of the second part are called.
     pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
+    /// How far the first part as computed is from the part as drawn, in the model's unit of length.
+    pub(super) deviation: f64,
 }
 
 impl Setting {
@@ -65,27 +69,26 @@ impl Setting {
         moving_axis: Axis,
     ) -> Result<Self, AxesError> {
         let frame = PairFrame::new(fixed, moving);
-        let center = frame.fixed_center;
         let mut motions = Motions {
             first: motion(&fixed_axis, Role::Fixed, &frame)?,
             second: motion(&moving_axis, Role::Moving, &frame)?,
         };
-        let rank = |m: &Motion| match m {
-            Motion::Turn { .. } => 2,
+        let mut symmetric = (
+            Symmetric::find(fixed, &fixed_axis),
+            Symmetric::find(moving, &moving_axis),
+        );
+        let rank = |m: &Motion, s: &Option<Symmetric>| match m {
+            Motion::Turn { .. } => 2 + s.as_ref().map_or(0, |s| s.redrawn.fold),
             Motion::Slide { .. } => 1,
             Motion::Still => 0,
         };
-        let swapped = rank(&motions.second) > rank(&motions.first);
-        let outlined = |part: &Part, grown| {
-            let outline = Outline::new(part, center, frame.scale, grown);
-            let body = Body::new(&outline, part, center, frame.scale);
-            (outline, body)
-        };
-        let mut sides = (outlined(fixed, true), outlined(moving, false));
+        let swapped = rank(&motions.second, &symmetric.1) > rank(&motions.first, &symmetric.0);
+        let mut parts = (fixed, moving);
         let mut axes = (fixed_axis, moving_axis);
         if swapped {
-            sides = (sides.1, sides.0);
+            parts = (parts.1, parts.0);
             axes = (axes.1, axes.0);
+            symmetric = (symmetric.1, symmetric.0);
             motions = motions.swapped();
         }
         let unit = |m: &Motion| if m.turns() { 1.0 } else { 1.0 / frame.scale };
@@ -95,18 +98,42 @@ impl Setting {
             x_unit: unit(&motions.first),
             y_unit: unit(&motions.second),
         };
-        let names = |o: &Outline| o.features.iter().map(|f| f.name).collect();
-        let ((first, first_body), (second, second_body)) = sides;
+        // The fixed part is the one that is grown.
+        let drawn = |part: &Part, center: Point, grown| {
+            let outline = Outline::new(part, center, frame.scale, grown);
+            let body = Body::new(&outline, part, center, frame.scale);
+            (outline, body)
+        };
+        let (second, second_body) = drawn(parts.1, frame.fixed_center, swapped);
+        let repeating = symmetric.0.and_then(|s| {
+            let center = s.center_in(&frame);
+            let (outline, body) = drawn(&s.redrawn.part, center, !swapped);
+            let repeats = s.repeats(&outline)?;
+            Some((outline, body, repeats, Some(s)))
+        });
+        let (first, first_body, repeats, symmetric) = repeating.unwrap_or_else(|| {
+            let (outline, body) = drawn(parts.0, frame.fixed_center, !swapped);
+            let repeats = Repeats::none(&outline);
+            (outline, body, repeats, None)
+        });
+        let deviation = symmetric.as_ref().map_or(0.0, |s| s.deviation);
+        let redrawn = symmetric.map(|s| s.redrawn);
+        let name = |f: &Feature| as_drawn(&redrawn, f.name);
         let reach = reach(&first, &second, &motions);
         Ok(Self {
             map,
-            names: (names(&first), names(&second)),
+            deviation,
+            names: (
+                first.features.iter().map(name).collect(),
+                second.features.iter().map(|f| f.name).collect(),
+            ),
             scene: Scene {
                 x: extent(&axes.0, &motions.first, map.x_unit, reach),
                 y: extent(&axes.1, &motions.second, map.y_unit, reach),
                 first: Side::new(first),
                 second: Side::new(second),
                 motions,
+                repeats,
             },
             bodies: Bodies {
                 first: first_body,
@@ -114,6 +141,45 @@ impl Setting {
                 motions,
             },
         })
+    }
+}
+
+/// A part that is symmetric about the point it turns about without limits.
+struct Symmetric {
+    redrawn: Symmetrized,
+    pivot: Point,
+    /// How far it is from the drawing: what was moved to make it exactly so.
+    deviation: f64,
+}
+
+impl Symmetric {
+    fn find(part: &Part, axis: &Axis) -> Option<Self> {
+        let AxisMotion::Revolute { center: pivot } = axis.motion else {
+            return None;
+        };
+        if axis.range.is_some() {
+            return None;
+        }
+        let redrawn = part.symmetrized(Corresponding::Outlines)?;
+        let aside = redrawn.center.distance(pivot);
+        (aside <= SYMMETRIC * part.size()).then(|| Self {
+            deviation: redrawn.deviation + aside,
+            redrawn,
+            pivot,
+        })
+    }
+
+    /// The point of the part as it is drawn anew, about its own centre, that becomes the origin of the frame.
+    fn center_in(&self, frame: &PairFrame) -> Point {
+        Point::ORIGIN + (frame.fixed_center - self.pivot)
+    }
+
+    /// `None` if the features do not correspond.
+    fn repeats(&self, outline: &Outline) -> Option<Repeats> {
+        let length = |l: &Loop| l.vertices().len() as u32;
+        let lengths: Vec<u32> = self.redrawn.part.loops().iter().map(length).collect();
+        let step = Permutation::of_loops(outline, &self.redrawn.images, &lengths)?;
+        Some(Repeats::new(outline, self.redrawn.fold, &step))
     }
 }
 

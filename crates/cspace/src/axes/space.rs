@@ -10,12 +10,14 @@ use super::axis::{AxesError, Axis};
 use super::bands::{Bands, Graphs, Sweep};
 use super::build::build;
 use super::chain::chains;
+use super::components::regions;
 use super::domain::Extent;
 use super::judge::Judge;
 use super::motion::Motions;
 use super::patch::{AxesBranch, AxesPatch};
 use super::piece::{Pair, Piece};
 use super::setting::{Map, Setting};
+use super::unroll::Partition;
 
 /// The configuration space of two parts on fixed axes.
 #[derive(Debug)]
@@ -33,6 +35,7 @@ pub struct FixedAxesSpace {
     pub(super) cells: Vec<Cell>,
     pub(super) free: Vec<bool>,
     pub(super) bands: Bands,
+    pub(super) deviation: f64,
     pub(super) slots: Vec<Vec<u32>>,
     pub(super) patches: Vec<AxesPatch>,
     pub(super) branches: Vec<AxesBranch>,
@@ -48,7 +51,7 @@ pub struct AxesStatistics {
     pub pieces: usize,
     /// Crossings of pieces.
     pub crossings: usize,
-    /// Tests of overlap.
+    /// Tests of overlap. A part that is symmetric about its pivot is tested in one period only.
     pub tests: usize,
     /// Places at which tests and structure told different things; 0 unless something lies closer than the resolution.
     pub conflicts: usize,
@@ -72,12 +75,14 @@ impl FixedAxesSpace {
             scene,
             bodies,
             names,
+            deviation,
         } = Setting::new(fixed, fixed_axis, moving, moving_axis)?;
+        let window = scene.repeats.window(&scene.x);
         let (pairs, pieces) = build(&scene);
         let arrangement = Arrangement::new(&pairs, &pieces, &scene.y);
-        let judge = Judge::new(&pairs, &pieces, &bodies, scene.x, scene.y);
+        let judge = Judge::new(&pairs, &pieces, &bodies, window, scene.y);
         let verdicts = judge.verdicts(&arrangement);
-        let bands = Sweep {
+        let swept = Sweep {
             graphs: Graphs {
                 pairs: &pairs,
                 pieces: &pieces,
@@ -86,15 +91,37 @@ impl FixedAxesSpace {
             },
             free: &verdicts.free,
             bodies: &bodies,
-            x: scene.x,
+            x: window,
         }
         .run();
+        let (tests, conflicts) = (
+            verdicts.tests + swept.tests,
+            verdicts.conflicts + swept.conflicts,
+        );
+        let Partition {
+            pairs,
+            pieces,
+            cells,
+            joints,
+            free,
+            swept,
+            crossings,
+        } = Partition {
+            pairs,
+            pieces,
+            cells: arrangement.cells,
+            joints: arrangement.joints,
+            free: verdicts.free,
+            swept,
+            crossings: arrangement.crossings,
+        }
+        .unrolled(&scene);
         let statistics = AxesStatistics {
             pairs: pairs.len(),
             pieces: pieces.len(),
-            crossings: arrangement.crossings,
-            tests: verdicts.tests + bands.tests,
-            conflicts: verdicts.conflicts + bands.conflicts,
+            crossings,
+            tests,
+            conflicts,
         };
         let mut space = Self {
             fixed: fixed.clone(),
@@ -107,9 +134,10 @@ impl FixedAxesSpace {
             names,
             pairs,
             pieces,
-            cells: arrangement.cells,
-            free: verdicts.free,
-            bands,
+            cells,
+            free,
+            bands: regions(swept, &scene.y),
+            deviation,
             slots: Vec::new(),
             patches: Vec::new(),
             branches: Vec::new(),
@@ -121,7 +149,7 @@ impl FixedAxesSpace {
             &space.pieces,
             &space.cells,
             &space.free,
-            &arrangement.joints,
+            &joints,
             (space.x, space.y),
         );
         space.set_patches(chains);
@@ -149,8 +177,10 @@ impl FixedAxesSpace {
     }
 
     /// The resolution in the model's unit of length: clearances below it count as none.
+    ///
+    /// Where a part's symmetry about its pivot is used, how far the part as drawn is from being symmetric belongs to it.
     pub fn resolution(&self) -> f64 {
-        self.map.frame.outer_length(8.0 * GROWTH)
+        self.map.frame.outer_length(8.0 * GROWTH) + self.deviation
     }
 
     /// Where the moving part is in the fixed part's frame at (u, v).
