@@ -34,7 +34,7 @@ pub(super) fn end_of(cell: &Cell, piece: &Piece, pairs: &[Pair], at_end: bool) -
     }
 }
 
-/// Finds which free cell follows which, and gathers them to curves.
+/// Finds which free cell follows which, and gathers those of the same features, as `same` tells, to curves.
 pub(super) fn chains(
     pairs: &[Pair],
     pieces: &[Piece],
@@ -42,6 +42,7 @@ pub(super) fn chains(
     free: &[bool],
     joints: &[[(u32, bool); 2]],
     (x, y): (Extent, Extent),
+    same: impl Fn(&Pair, &Pair) -> bool,
 ) -> Vec<Chain> {
     const NONE: u32 = u32::MAX;
     let piece = |i: u32| &pieces[cells[i as usize].piece as usize];
@@ -105,11 +106,6 @@ pub(super) fn chains(
         }
     }
     let pair = |i: u32| piece(i).pair;
-    // A pair of features has an entry for each copy of the window in which it touches.
-    let same = |p: u32, q: u32| {
-        let features = |i: u32| (pairs[i as usize].first, pairs[i as usize].second);
-        p == q || features(p) == features(q)
-    };
     // A curve starts where the pair of features changes, and where it crosses itself.
     let continues = |from: u32, to: u32| {
         let stop = |i: u32, leaving: bool| {
@@ -120,7 +116,7 @@ pub(super) fn chains(
                 c.start
             }
         };
-        same(pair(from), pair(to))
+        same(&pairs[pair(from) as usize], &pairs[pair(to) as usize])
             && matches!(stop(from, true), Stop::Node(_))
             && matches!(stop(to, false), Stop::Node(_))
     };

@@ -144,6 +144,13 @@ impl FixedAxesSpace {
             statistics,
         };
         space.slots = space.near_slots();
+        // A pair of features has an entry for each copy of the window in which it touches, and a circle that was divided
+        // to make a part symmetric has several features of one name.
+        let (firsts, seconds) = &space.names;
+        let same = |p: &Pair, q: &Pair| {
+            firsts[p.first as usize] == firsts[q.first as usize]
+                && seconds[p.second as usize] == seconds[q.second as usize]
+        };
         let chains = chains(
             &space.pairs,
             &space.pieces,
@@ -151,6 +158,7 @@ impl FixedAxesSpace {
             &space.free,
             &joints,
             (space.x, space.y),
+            same,
         );
         space.set_patches(chains);
         Ok(space)
