@@ -80,7 +80,7 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
     for (some_pairs, some_pieces) in shares {
         let shift = pairs.len() as u32;
         pairs.extend(some_pairs);
-        pieces.extend(some_pieces.into_iter().map(|p| p.renumbered(shift)));
+        pieces.extend(some_pieces.into_iter().map(|p| p.renumbered(|i| i + shift)));
     }
     contract(&pairs, &mut pieces);
     snap(&pairs, &mut pieces);

@@ -74,6 +74,7 @@ mod first;
 mod judge;
 mod motion;
 mod nodes;
+mod partition;
 mod patch;
 mod picture;
 mod piece;

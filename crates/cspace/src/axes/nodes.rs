@@ -55,6 +55,16 @@ pub(super) struct Key {
     pub(super) y_turn: i32,
 }
 
+impl Key {
+    /// The key when pairs have other numbers.
+    pub(super) fn renumbered(mut self, number: impl Fn(u32) -> u32) -> Self {
+        if let Name::Turning(pair, _) | Name::Same(pair, _) = &mut self.name {
+            *pair = number(*pair);
+        }
+        self
+    }
+}
+
 /// A node on the curve of a pair; coordinates in the first turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Spot {

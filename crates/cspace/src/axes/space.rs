@@ -14,10 +14,10 @@ use super::components::regions;
 use super::domain::Extent;
 use super::judge::Judge;
 use super::motion::Motions;
+use super::partition::Partition;
 use super::patch::{AxesBranch, AxesPatch};
 use super::piece::{Pair, Piece};
 use super::setting::{Map, Setting};
-use super::unroll::Partition;
 
 /// The configuration space of two parts on fixed axes.
 #[derive(Debug)]
@@ -94,10 +94,20 @@ impl FixedAxesSpace {
             x: window,
         }
         .run();
-        let (tests, conflicts) = (
-            verdicts.tests + swept.tests,
-            verdicts.conflicts + swept.conflicts,
-        );
+        // Each pair of features once, whatever copies of the window it touches in.
+        let mut touching: Vec<(u32, u32)> = (pairs.iter())
+            .map(|p| (scene.repeats.feature(p.first).of, p.second))
+            .collect();
+        touching.sort_unstable();
+        touching.dedup();
+        let fold = scene.repeats.fold as usize;
+        let statistics = AxesStatistics {
+            pairs: fold * touching.len(),
+            pieces: fold * pieces.len(),
+            crossings: fold * arrangement.crossings,
+            tests: verdicts.tests + swept.tests,
+            conflicts: verdicts.conflicts + swept.conflicts,
+        };
         let Partition {
             pairs,
             pieces,
@@ -105,7 +115,7 @@ impl FixedAxesSpace {
             joints,
             free,
             swept,
-            crossings,
+            ..
         } = Partition {
             pairs,
             pieces,
@@ -115,14 +125,8 @@ impl FixedAxesSpace {
             swept,
             crossings: arrangement.crossings,
         }
+        .kept()
         .unrolled(&scene);
-        let statistics = AxesStatistics {
-            pairs: pairs.len(),
-            pieces: pieces.len(),
-            crossings,
-            tests,
-            conflicts,
-        };
         let mut space = Self {
             fixed: fixed.clone(),
             moving: moving.clone(),

@@ -7,19 +7,8 @@ use super::bands::{Band, Gap, Link, Swept};
 use super::carriers::carriers;
 use super::condition::Condition;
 use super::nodes::{Key, Name, Scene};
+use super::partition::Partition;
 use super::piece::{End, Pair, Piece};
-
-/// The partition of the window, or of all.
-#[derive(Debug)]
-pub(super) struct Partition {
-    pub(super) pairs: Vec<Pair>,
-    pub(super) pieces: Vec<Piece>,
-    pub(super) cells: Vec<Cell>,
-    pub(super) joints: Vec<[(u32, bool); 2]>,
-    pub(super) free: Vec<bool>,
-    pub(super) swept: Swept,
-    pub(super) crossings: usize,
-}
 
 impl Partition {
     /// All copies of the window, one after the other.
@@ -151,13 +140,8 @@ impl Copy<'_> {
 
     fn key(&self, key: Key) -> Key {
         Key {
-            name: match key.name {
-                Name::Turning(pair, i) => Name::Turning(pair + self.pairs, i),
-                Name::Same(pair, i) => Name::Same(pair + self.pairs, i),
-                other => other,
-            },
             x_turn: key.x_turn + self.number as i32,
-            ..key
+            ..key.renumbered(|pair| pair + self.pairs)
         }
     }
 
