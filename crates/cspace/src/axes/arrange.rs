@@ -8,7 +8,7 @@ use crate::union_find::UnionFind;
 
 use super::cross::crossings;
 use super::domain::Extent;
-use super::nodes::{Key, Name};
+use super::names::{Key, Name};
 use super::piece::{Pair, Piece};
 
 /// What is at an end of a cell.

@@ -7,9 +7,10 @@ use rayon::prelude::*;
 
 use super::carriers::carriers;
 use super::condition::Condition;
-use super::nodes::{Key, Name, Scene, Spot};
+use super::names::{Key, Name, Spot};
 use super::piece::{Pair, Piece};
 use super::reach::{Apart, reaches};
+use super::scene::Scene;
 use super::tidy::{contract, snap};
 
 /// A section shorter than this (in x, radians or length) is not tested: near a turning y moves with the square root of x, and

@@ -3,7 +3,7 @@
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::{Point, Vector};
 
-use super::nodes::Scene;
+use super::scene::Scene;
 
 /// When two features touch: their carriers, at zero coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]

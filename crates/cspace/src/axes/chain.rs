@@ -2,7 +2,7 @@
 
 use super::arrange::{Cell, Stop};
 use super::domain::Extent;
-use super::nodes::Name;
+use super::names::Name;
 use super::piece::{Pair, Piece};
 
 /// Ends that no name joins, but no farther apart than this (radians or length), follow each other: three curves through one

@@ -6,8 +6,8 @@ use crate::geometry::{Point, Vector};
 use super::carriers::Carriers;
 use super::condition::INDEPENDENT;
 use super::domain::wrapped;
-use super::nodes::Scene;
 use super::piece::Pair;
+use super::scene::Scene;
 
 /// A section is tested by where its middle lies between the ends of its features. Nearer to one than this (length, or
 /// radians) the test is not trusted: what lies on the other side of the node beside it tells.

@@ -56,6 +56,7 @@
 //! chain. Pieces that coincide and face the same way count as one. Sections too short to have a place are contracted; ends that
 //! rounding keeps from a vertical piece are put on it; normals that oppose each other exactly are ordered by one rule.
 
+mod aligned;
 mod arrange;
 mod axis;
 mod bands;
@@ -73,6 +74,7 @@ mod extents;
 mod first;
 mod judge;
 mod motion;
+mod names;
 mod nodes;
 mod partition;
 mod patch;
@@ -82,9 +84,13 @@ mod place;
 mod reach;
 mod region;
 mod repeats;
+mod resultant;
 mod saved;
+mod scene;
 mod sections;
 mod setting;
+mod side;
+mod solve;
 mod space;
 mod tidy;
 mod unroll;

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::condition::Condition;
-use super::nodes::Key;
+use super::names::Key;
 
 /// Two features that touch, and when.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::build::Builder;
 use super::domain::ExtentKind;
-use super::nodes::{Key, Name};
+use super::names::{Key, Name};
 use super::piece::{End, Pair, Piece};
 
 impl Builder<'_> {

@@ -7,7 +7,7 @@ use crate::geometry::{Point, Vector};
 
 use super::domain::wrapped;
 use super::motion::Motion;
-use super::nodes::Scene;
+use super::scene::Scene;
 
 /// Where a feature can come, and how its normals lean.
 #[derive(Debug, Clone, Copy)]

@@ -166,7 +166,7 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
         let (fixed, moving) = (s.fixed.part()?, s.moving.part()?);
         let setting = Setting::new(&fixed, s.fixed_axis, &moving, s.moving_axis)?;
         let scene = &setting.scene;
-        let features = |side: &super::nodes::Side| side.outline.features.len() as u32;
+        let features = |side: &super::side::Side| side.outline.features.len() as u32;
         let (first, second) = (features(&scene.first), features(&scene.second));
         let pair = |(a, b, _): (u32, u32, Carriers)| {
             let there = a < first && b < second;

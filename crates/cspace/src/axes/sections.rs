@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use super::build::{Builder, Cut, SHORT};
 use super::condition::Condition;
 use super::extents::{decide, margin};
-use super::nodes::{Name, Spot};
+use super::names::{Name, Spot};
 use super::piece::{End, Pair, Piece};
 
 /// How far rounding may put a node beyond a turning (radians or length).

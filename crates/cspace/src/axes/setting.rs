@@ -12,8 +12,9 @@ use super::axis::{AxesError, Axis, AxisMotion, Role};
 use super::body::Bodies;
 use super::domain::{Extent, ExtentKind};
 use super::motion::{Motion, Motions};
-use super::nodes::{Scene, Side};
 use super::repeats::Repeats;
+use super::scene::Scene;
+use super::side::Side;
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
 /// grown by.
@@ -162,7 +163,7 @@ impl Symmetric {
         }
         let redrawn = part.symmetrized(Corresponding::Outlines)?;
         let aside = redrawn.center.distance(pivot);
-        (aside <= SYMMETRIC * part.size()).then(|| Self {
+        (aside <= SYMMETRIC * part.size()).then_some(Self {
             deviation: redrawn.deviation + aside,
             redrawn,
             pivot,

@@ -6,9 +6,10 @@ use super::arrange::{Cell, Stop};
 use super::bands::{Band, Gap, Link, Swept};
 use super::carriers::carriers;
 use super::condition::Condition;
-use super::nodes::{Key, Name, Scene};
+use super::names::{Key, Name};
 use super::partition::Partition;
 use super::piece::{End, Pair, Piece};
+use super::scene::Scene;
 
 impl Partition {
     /// All copies of the window, one after the other.

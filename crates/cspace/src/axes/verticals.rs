@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::build::{Builder, Cut};
 use super::extents::{decide, margin};
-use super::nodes::{Name, Spot};
+use super::names::{Name, Spot};
 use super::piece::{End, Pair, Piece};
 
 impl Builder<'_> {
