@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use cspace::axes::AxisMotion;
 use cspace::{Axis, FixedAxesSpace, Part, Point};
 use cspace_oracle::Oracle;
-use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
+use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
 use rayon::prelude::*;
 
 /// Values of each coordinate.
@@ -255,4 +255,18 @@ fn free_regions_agree_with_a_flood_fill() {
     }
     assert!(sum.is_empty(), "{} wrong:\n{}", sum.len(), sum.join("\n"));
     assert!(joined > 50, "{joined}");
+}
+
+/// Two gears in mesh can be put together in as many ways that no motion joins as their numbers of teeth have for greatest
+/// common divisor: turning one of them on by a tooth leads to another way, and meshing on brings some of these together.
+#[test]
+fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
+    for (n, m, ways) in [(10, 9, 1), (14, 12, 2), (9, 6, 3), (8, 8, 8), (6, 12, 6)] {
+        let g = gears(n, m);
+        let space =
+            FixedAxesSpace::compute(&g.fixed, g.fixed_axis, &g.moving, g.moving_axis).unwrap();
+        let regions = space.regions();
+        assert_eq!(regions.len(), ways, "{n} and {m}");
+        assert!(regions.iter().all(|r| r.around_u && r.around_v));
+    }
 }
