@@ -64,6 +64,7 @@
 //! rounding keeps from a vertical piece are put on it; normals that oppose each other exactly are ordered by one rule.
 
 mod aligned;
+mod along;
 mod arrange;
 mod axis;
 mod bands;
@@ -102,6 +103,7 @@ mod space;
 mod tidy;
 mod unroll;
 mod verticals;
+mod visits;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use patch::{AxesBranch, AxesPatch, BranchForm};
