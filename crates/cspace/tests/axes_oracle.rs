@@ -10,7 +10,7 @@ use core::f64::consts::TAU;
 use cspace::axes::{AxisMotion, FixedAxesSpace};
 use cspace::{Axis, Classification, Configuration, Point, Rotation, Vector};
 use cspace_oracle::Oracle;
-use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
+use cspace_oracle::shapes::mechanisms::{Mechanism, gears, geneva, mechanisms};
 use cspace_oracle::shapes::shifted;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -207,6 +207,13 @@ fn try_all(all: &[Mechanism], least: usize) {
 #[test]
 fn mechanisms_agree_with_brute_force() {
     try_all(&mechanisms(), 20_000);
+}
+
+/// Many teeth: all copies of one period.
+#[test]
+fn large_gears_agree_with_brute_force() {
+    let all = [gears(14, 12), gears(9, 16), gears(20, 18), geneva(8, 0.02)];
+    try_all(&all, 3_000);
 }
 
 /// The parts of all pairs of the oracle, each pair on axes of every combination: in the middle of the part, at a corner of

@@ -8,7 +8,7 @@ use crate::union_find::UnionFind;
 
 use super::cross::crossings;
 use super::domain::Extent;
-use super::nodes::{Key, Name};
+use super::names::{Key, Name};
 use super::piece::{Pair, Piece};
 
 /// What is at an end of a cell.
@@ -134,6 +134,13 @@ impl Arrangement {
     }
 }
 
+/// By how many turns two pieces on a circle may have to be shifted to meet: both begin in the first turn, and a monotone
+/// piece rises by less than two turns, since its roots and what they are measured from go around once at most each.
+const MOST_SHIFTS: i32 = 2;
+
+/// Rounding of boxes (radians), with room: a quick look before the comparison.
+const ROOM: f64 = 1e-9;
+
 fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Vec<Crossing> {
     let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
     order.sort_by(|&a, &b| {
@@ -142,24 +149,35 @@ fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Vec<Crossing> 
     });
     let boxes: Vec<(f64, f64)> = pieces.iter().map(Piece::y_range).collect();
     let mut candidates: Vec<(u32, u32, i32)> = Vec::new();
-    let mut active: Vec<u32> = Vec::new();
+    // Where a piece ends and its box, side by side: most of the work is to go through this list.
+    let mut active: Vec<(f64, f64, f64, u32)> = Vec::new();
     for i in order {
         let p = &pieces[i as usize];
-        active.retain(|&j| pieces[j as usize].end.x >= p.start.x);
+        active.retain(|a| a.0 >= p.start.x);
         let (p_lo, p_hi) = boxes[i as usize];
-        for &j in &active {
-            let (q_lo, q_hi) = boxes[j as usize];
-            if y.is_circle() {
-                let first = ((p_lo - q_hi) / TAU).ceil() as i32;
-                let last = ((p_hi - q_lo) / TAU).floor() as i32;
-                for shift in first..=last {
+        for &(_, q_lo, q_hi, j) in &active {
+            if !y.is_circle() {
+                if p_lo <= q_hi && q_lo <= p_hi {
+                    candidates.push((i, j, 0));
+                }
+                continue;
+            }
+            // The lower ends are in the first turn, so no other shifts than these need to be looked at.
+            // One test for all shifts: how far q's box is ahead of p's on the circle, and how far p's of q's.
+            let (p_size, q_size) = (p_hi - p_lo, q_hi - q_lo);
+            let apart = q_lo - p_lo;
+            let apart = if apart < 0.0 { apart + TAU } else { apart };
+            if apart > p_size + ROOM && TAU - apart > q_size + ROOM {
+                continue;
+            }
+            for shift in -MOST_SHIFTS..=MOST_SHIFTS {
+                let by = TAU * f64::from(shift);
+                if p_lo <= q_hi + by && q_lo + by <= p_hi {
                     candidates.push((i, j, shift));
                 }
-            } else if p_lo <= q_hi && q_lo <= p_hi {
-                candidates.push((i, j, 0));
             }
         }
-        active.push(i);
+        active.push((p.end.x, p_lo, p_hi, i));
     }
     candidates
         .par_iter()

@@ -47,11 +47,32 @@ pub(super) struct Region {
     pub(super) around_y: bool,
 }
 
+/// The bands, their gaps, and the regions they join to.
 #[derive(Debug)]
 pub(super) struct Bands {
     pub(super) bands: Vec<Band>,
     pub(super) gaps: Vec<Gap>,
     pub(super) regions: Vec<Region>,
+}
+
+/// Two gaps of neighbouring bands that share a stretch: `to`, moved by so many turns, or widths of the window, is right of
+/// `from`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Link {
+    pub(super) from: u32,
+    pub(super) to: u32,
+    pub(super) x_turns: i32,
+    pub(super) y_turns: i32,
+}
+
+/// What the sweep finds.
+#[derive(Debug, Default)]
+pub(super) struct Swept {
+    pub(super) bands: Vec<Band>,
+    pub(super) gaps: Vec<Gap>,
+    /// Where each gap is at the left end, in the middle and at the right end of its band.
+    pub(super) spans: Vec<[(f64, f64); 3]>,
+    pub(super) links: Vec<Link>,
     pub(super) conflicts: usize,
     pub(super) tests: usize,
 }
@@ -94,14 +115,8 @@ impl Graphs<'_> {
 }
 
 impl Sweep<'_> {
-    pub(super) fn run(&self) -> Bands {
-        let mut result = Bands {
-            bands: Vec::new(),
-            gaps: Vec::new(),
-            regions: Vec::new(),
-            conflicts: 0,
-            tests: 0,
-        };
+    pub(super) fn run(&self) -> Swept {
+        let mut result = Swept::default();
         let mut graphs: Vec<u32> = (0..self.graphs.cells.len() as u32)
             .filter(|&i| self.free[i as usize] && !self.graphs.piece(i).vertical)
             .collect();
@@ -142,7 +157,8 @@ impl Sweep<'_> {
                 gaps: from..result.gaps.len() as u32,
             });
         }
-        self.join(&mut result);
+        self.spans(&mut result);
+        self.links(&mut result);
         result
     }
 
@@ -169,7 +185,7 @@ impl Sweep<'_> {
     }
 
     /// The free gaps at the middle of a band, between cells in order of y.
-    fn gaps(&self, middle: f64, order: &[(f64, u32)], result: &mut Bands) {
+    fn gaps(&self, middle: f64, order: &[(f64, u32)], result: &mut Swept) {
         let above = |i: u32| self.graphs.piece(i).root == 0;
         let n = order.len();
         let whole = |from: f64, to: f64| ((to - from) / TAU).round() as i32;
@@ -232,10 +248,9 @@ impl Sweep<'_> {
         }
     }
 
-    /// Joins gaps to regions.
-    fn join(&self, result: &mut Bands) {
-        // (gap, gap, turns of x, turns of y between them)
-        let mut links: Vec<(u32, u32, i32, i32)> = Vec::new();
+    /// Gaps of neighbouring bands that share a stretch.
+    fn links(&self, result: &mut Swept) {
+        let mut links = Vec::new();
         let n = result.bands.len();
         for k in 0..n {
             let last = k + 1 == n;
@@ -244,9 +259,9 @@ impl Sweep<'_> {
             }
             let (left, right) = (&result.bands[k], &result.bands[(k + 1) % n]);
             for a in left.gaps.clone() {
-                let (p, q) = self.graphs.interval(&result.gaps[a as usize], left.hi);
+                let (p, q) = result.spans[a as usize][2];
                 for b in right.gaps.clone() {
-                    let (r, s) = self.graphs.interval(&result.gaps[b as usize], right.lo);
+                    let (r, s) = result.spans[b as usize][0];
                     let shifts = if self.graphs.y.is_circle() {
                         ((p - s) / TAU).ceil() as i32..=((q - r) / TAU).floor() as i32
                     } else {
@@ -255,83 +270,30 @@ impl Sweep<'_> {
                     for turns in shifts {
                         let by = TAU * f64::from(turns);
                         if q.min(s + by) - p.max(r + by) > SHORTEST {
-                            links.push((a, b, i32::from(last), turns));
+                            links.push(Link {
+                                from: a,
+                                to: b,
+                                x_turns: i32::from(last),
+                                y_turns: turns,
+                            });
                         }
                     }
                 }
             }
         }
-        self.collect(&links, result);
+        result.links = links;
     }
 
-    /// Walks through linked gaps, keeping count of turns.
-    fn collect(&self, links: &[(u32, u32, i32, i32)], result: &mut Bands) {
-        let n = result.gaps.len();
-        let mut beside: Vec<Vec<(u32, i32, i32)>> = vec![Vec::new(); n];
-        for &(a, b, dx, dy) in links {
-            beside[a as usize].push((b, dx, dy));
-            beside[b as usize].push((a, -dx, -dy));
-        }
-        let mut band_of = vec![0u32; n];
-        for (k, band) in (0u32..).zip(&result.bands) {
+    /// Where every gap is at the ends and in the middle of its band.
+    fn spans(&self, result: &mut Swept) {
+        for band in &result.bands {
+            let middle = 0.5 * (band.lo + band.hi);
             for g in band.gaps.clone() {
-                band_of[g as usize] = k;
+                let gap = &result.gaps[g as usize];
+                result
+                    .spans
+                    .push([band.lo, middle, band.hi].map(|x| self.graphs.interval(gap, x)));
             }
-        }
-        let mut turns = vec![(0, 0); n];
-        for seed in 0..n as u32 {
-            if result.gaps[seed as usize].region != u32::MAX {
-                continue;
-            }
-            let index = result.regions.len() as u32;
-            let mut region = Region {
-                sample: (0.0, 0.0),
-                x: (f64::INFINITY, f64::NEG_INFINITY),
-                y: (f64::INFINITY, f64::NEG_INFINITY),
-                around_x: false,
-                around_y: false,
-            };
-            let mut largest = -1.0;
-            let mut stack = vec![seed];
-            result.gaps[seed as usize].region = index;
-            while let Some(g) = stack.pop() {
-                let (tx, ty) = turns[g as usize];
-                let gap = result.gaps[g as usize];
-                let band = &result.bands[band_of[g as usize] as usize];
-                if gap.lower == gap.upper && self.graphs.y.is_circle() && gap.lower.is_none() {
-                    region.around_y = true;
-                }
-                let middle = 0.5 * (band.lo + band.hi);
-                let size = |(p, q): (f64, f64)| q - p;
-                let at = self.graphs.interval(&gap, middle);
-                let measure = size(at).min(band.hi - band.lo);
-                if measure > largest {
-                    largest = measure;
-                    region.sample = (middle, 0.5 * (at.0 + at.1));
-                }
-                let (dx, dy) = (TAU * f64::from(tx), TAU * f64::from(ty));
-                region.x.0 = region.x.0.min(band.lo + dx);
-                region.x.1 = region.x.1.max(band.hi + dx);
-                for x in [band.lo, middle, band.hi] {
-                    let (p, q) = self.graphs.interval(&gap, x);
-                    region.y.0 = region.y.0.min(p + dy);
-                    region.y.1 = region.y.1.max(q + dy);
-                }
-                for &(other, dx, dy) in &beside[g as usize] {
-                    // The neighbour, seen from here, is dx turns of x and dy turns of y farther than where it is drawn.
-                    let there = (tx + dx, ty + dy);
-                    if result.gaps[other as usize].region == u32::MAX {
-                        result.gaps[other as usize].region = index;
-                        turns[other as usize] = there;
-                        stack.push(other);
-                    } else {
-                        let known = turns[other as usize];
-                        region.around_x |= known.0 != there.0;
-                        region.around_y |= known.1 != there.1;
-                    }
-                }
-            }
-            result.regions.push(region);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::arrange::{Cell, Stop};
 use super::domain::Extent;
-use super::nodes::Name;
+use super::names::Name;
 use super::piece::{Pair, Piece};
 
 /// Ends that no name joins, but no farther apart than this (radians or length), follow each other: three curves through one
@@ -34,7 +34,7 @@ pub(super) fn end_of(cell: &Cell, piece: &Piece, pairs: &[Pair], at_end: bool) -
     }
 }
 
-/// Finds which free cell follows which, and gathers them to curves.
+/// Finds which free cell follows which, and gathers those of the same features, as `same` tells, to curves.
 pub(super) fn chains(
     pairs: &[Pair],
     pieces: &[Piece],
@@ -42,6 +42,7 @@ pub(super) fn chains(
     free: &[bool],
     joints: &[[(u32, bool); 2]],
     (x, y): (Extent, Extent),
+    same: impl Fn(&Pair, &Pair) -> bool,
 ) -> Vec<Chain> {
     const NONE: u32 = u32::MAX;
     let piece = |i: u32| &pieces[cells[i as usize].piece as usize];
@@ -115,7 +116,7 @@ pub(super) fn chains(
                 c.start
             }
         };
-        pair(from) == pair(to)
+        same(&pairs[pair(from) as usize], &pairs[pair(to) as usize])
             && matches!(stop(from, true), Stop::Node(_))
             && matches!(stop(to, false), Stop::Node(_))
     };

@@ -14,8 +14,8 @@ const NEAR: f64 = 1e-9;
 
 impl FixedAxesSpace {
     /// Classifies a configuration: contact if a contact function of the boundary there is within the
-    /// [`resolution`](Self::resolution), otherwise by the free gaps at u. `None` outside the ranges of motion, or if the
-    /// configuration is not finite.
+    /// [`resolution`](Self::resolution), otherwise by the free gaps at u. `None` outside the ranges of motion, which of a
+    /// part that does not move is 0 alone, or if the configuration is not finite.
     pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
         let (x, y) = self.placed(u, v)?;
         if self.touching(x, y).next().is_some() {
@@ -69,22 +69,27 @@ impl FixedAxesSpace {
                 ExtentKind::Open => {}
             }
         }
-        for (t, m) in [(&mut x, self.motions.first), (&mut y, self.motions.second)] {
-            if m == Motion::Still {
-                *t = 0.0;
-            }
+        // A part that does not move is at 0 and nowhere else.
+        let moved = |t: f64, m: Motion| m == Motion::Still && t != 0.0;
+        if moved(x, self.motions.first) || moved(y, self.motions.second) {
+            return None;
         }
-        if let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
-            (self.motions.first, self.motions.second)
-        {
-            // Along one line only the difference matters.
-            let open = self.x.kind == ExtentKind::Open && self.y.kind == ExtentKind::Open;
-            if open && d.cross(e).abs() < super::condition::INDEPENDENT {
-                y -= x * d.dot(e);
-                x = 0.0;
-            }
+        if let Some(share) = self.on_one_line() {
+            y -= x * share;
+            x = 0.0;
         }
         Some((x, y))
+    }
+
+    /// Of parts that slide along one line without limits only the difference of y and so many x matters.
+    pub(super) fn on_one_line(&self) -> Option<f64> {
+        let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
+            (self.motions.first, self.motions.second)
+        else {
+            return None;
+        };
+        let open = self.x.kind == ExtentKind::Open && self.y.kind == ExtentKind::Open;
+        (open && d.cross(e).abs() < super::condition::INDEPENDENT).then(|| d.dot(e))
     }
 
     pub(super) fn graphs(&self) -> Graphs<'_> {
@@ -132,15 +137,19 @@ impl FixedAxesSpace {
         })
     }
 
+    /// Where a cell is along x and along y.
+    pub(super) fn cell_box(&self, cell: u32) -> ((f64, f64), (f64, f64)) {
+        let (c, p) = self.cell_and_piece(cell);
+        if p.vertical {
+            return ((p.start.x, p.start.x), (c.from, c.to));
+        }
+        let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
+        ((c.from, c.to), (a.min(b), a.max(b)))
+    }
+
     /// The contact function of a cell at a configuration in its box, or no farther from it than `reach`.
     pub(super) fn near_cell(&self, cell: u32, x: f64, y: f64, reach: f64) -> Option<f64> {
-        let (c, p) = self.cell_and_piece(cell);
-        let (x_range, y_range) = if p.vertical {
-            ((p.start.x, p.start.x), (c.from, c.to))
-        } else {
-            let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
-            ((c.from, c.to), (a.min(b), a.max(b)))
-        };
+        let (x_range, y_range) = self.cell_box(cell);
         let near = |t: f64, (lo, hi): (f64, f64), circle: bool| {
             let t = if circle {
                 let turn = core::f64::consts::TAU;
@@ -151,7 +160,10 @@ impl FixedAxesSpace {
             lo - reach <= t && t <= hi + reach
         };
         let inside = near(x, x_range, self.x.is_circle()) && near(y, y_range, self.y.is_circle());
-        inside.then(|| self.pairs[p.pair as usize].condition.value(x, y))
+        inside.then(|| {
+            let (_, p) = self.cell_and_piece(cell);
+            self.pairs[p.pair as usize].condition.value(x, y)
+        })
     }
 
     fn slot(&self, x: f64) -> usize {

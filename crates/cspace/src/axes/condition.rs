@@ -1,76 +1,13 @@
-//! Contact conditions of two features, and their closed-form solutions.
+//! Contact conditions of two features: what must vanish where they touch.
 
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
 
-use super::equation::Equation;
+use super::carriers::Carriers;
 use super::motion::{Bearing, Motion, Motions};
 
 /// Lengths, and sines of angles, below this do not matter: a condition that depends no more than this on a coordinate is
 /// independent of it (a cam's arc about its own pivot). An eighth of what the fixed part is grown by.
 pub(super) const INDEPENDENT: f64 = crate::feature::tolerance::SAME_CARRIER;
-
-/// When two features touch: their carriers, at zero coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub(super) enum Carriers {
-    /// A line of the first part and an arc or vertex of the second: n(x)·(q(y) − l(x)) = ρ.
-    FirstLine {
-        normal: Vector,
-        through: Point,
-        point: Point,
-        radius: f64,
-    },
-    /// An arc or vertex of the first part and a line of the second: n(y)·(p(x) − l(y)) = ρ.
-    SecondLine {
-        normal: Vector,
-        through: Point,
-        point: Point,
-        radius: f64,
-    },
-    /// Two round features: |q(y) − p(x)| = |r|.
-    Circles {
-        first: Point,
-        second: Point,
-        radius: f64,
-    },
-}
-
-impl Carriers {
-    fn swapped(&self) -> Self {
-        match *self {
-            Self::FirstLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => Self::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            },
-            Self::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => Self::FirstLine {
-                normal,
-                through,
-                point,
-                radius,
-            },
-            Self::Circles {
-                first,
-                second,
-                radius,
-            } => Self::Circles {
-                first: second,
-                second: first,
-                radius,
-            },
-        }
-    }
-}
 
 /// A condition prepared to be solved for y.
 ///
@@ -80,11 +17,11 @@ pub(super) struct Condition {
     pub(super) carriers: Carriers,
     pub(super) motions: Motions,
     /// Second turning: direction to the carried point, and the angle and the arm of the turning feature.
-    bearing: Bearing,
-    angle: f64,
-    arm: f64,
+    pub(super) bearing: Bearing,
+    pub(super) angle: f64,
+    pub(super) arm: f64,
     /// What the turning line's distance from its own pivot and the radius add up to.
-    offset: f64,
+    pub(super) offset: f64,
 }
 
 impl Condition {
@@ -211,184 +148,4 @@ impl Condition {
             (Carriers::Circles { .. }, Motion::Slide { .. }) => false,
         }
     }
-
-    /// Whether the root exists at x.
-    pub(super) fn exists(&self, x: f64, root: u8) -> bool {
-        let rises = root == 0;
-        match (self.carriers, self.motions.second) {
-            (_, Motion::Still) => false,
-            (Carriers::FirstLine { .. }, Motion::Turn { .. }) => {
-                self.arm >= self.line_offset(x).abs()
-            }
-            (Carriers::SecondLine { .. }, Motion::Turn { .. }) => {
-                self.bearing.vector(x).length() >= self.offset.abs()
-            }
-            (Carriers::Circles { radius, .. }, Motion::Turn { .. }) => {
-                let m = self.bearing.vector(x).length();
-                let (q, r) = (self.arm, radius.abs());
-                (q - r).abs() <= m && m <= q + r
-            }
-            (Carriers::FirstLine { normal, .. }, Motion::Slide { direction }) => {
-                let rate = self.motions.first.vector(x, normal).dot(direction);
-                if rises { rate > 0.0 } else { rate < 0.0 }
-            }
-            (Carriers::SecondLine { normal, .. }, Motion::Slide { direction }) => {
-                let rate = -normal.dot(direction);
-                if rises { rate > 0.0 } else { rate < 0.0 }
-            }
-            (
-                Carriers::Circles {
-                    first,
-                    second,
-                    radius,
-                },
-                Motion::Slide { direction },
-            ) => {
-                let p = self.motions.first.point(x, first);
-                direction.cross(p - second).abs() <= radius.abs()
-            }
-        }
-    }
-
-    /// n(x)·(l(x) − c₂) + ρ: how far the line, moved out by the radius, is from the second part's pivot.
-    fn line_offset(&self, x: f64) -> f64 {
-        let (
-            Carriers::FirstLine {
-                normal,
-                through,
-                radius,
-                ..
-            },
-            Motion::Turn { center },
-        ) = (self.carriers, self.motions.second)
-        else {
-            return f64::NAN;
-        };
-        let n = self.motions.first.vector(x, normal);
-        n.dot(self.motions.first.point(x, through) - center) + radius
-    }
-
-    /// The root at x: continuous in x where it exists; where rounding has just lost it, the double root.
-    ///
-    /// For a turning second part the condition is a cos (y − φ) = c with y = φ ± acos (c / a), and φ continuous.
-    pub(super) fn y(&self, x: f64, root: u8) -> f64 {
-        // Root 0 is φ − acos for lines and concave circles, φ + acos for convex ones.
-        let sign = if root == 0 { 1.0 } else { -1.0 };
-        match (self.carriers, self.motions.second) {
-            (_, Motion::Still) => f64::NAN,
-            (Carriers::FirstLine { .. }, Motion::Turn { .. }) => {
-                let (q, c) = (self.arm, self.line_offset(x));
-                let middle = self.motions.first.angle(x) + self.angle;
-                middle - sign * root_of((q - c) * (q + c)).atan2(c)
-            }
-            (Carriers::SecondLine { .. }, Motion::Turn { .. }) => {
-                let v = self.bearing.vector(x);
-                let (m, c) = (v.length(), self.offset);
-                let aside = (c, root_of((m - c) * (m + c)));
-                self.angle + self.bearing.turned(x, v, aside, -sign)
-            }
-            (Carriers::Circles { radius, .. }, Motion::Turn { .. }) => {
-                let v = self.bearing.vector(x);
-                let (m, q, r) = (v.length(), self.arm, radius.abs());
-                // Heron: (2 m q)² − (m² + q² − r²)² = ((m + q)² − r²) (r² − (m − q)²).
-                let square = (m + q - r) * (m + q + r) * (r - m + q) * (r + m - q);
-                let aside = (m * m + (q - r) * (q + r), root_of(square));
-                let sign = sign * radius.signum();
-                self.angle + self.bearing.turned(x, v, aside, sign)
-            }
-            (
-                Carriers::FirstLine {
-                    normal,
-                    through,
-                    point,
-                    radius,
-                },
-                Motion::Slide { direction },
-            ) => {
-                let n = self.motions.first.vector(x, normal);
-                let l = self.motions.first.point(x, through);
-                (radius + n.dot(l - point)) / n.dot(direction)
-            }
-            (
-                Carriers::SecondLine {
-                    normal,
-                    through,
-                    point,
-                    radius,
-                },
-                Motion::Slide { direction },
-            ) => {
-                let p = self.motions.first.point(x, point);
-                (normal.dot(p - through) - radius) / normal.dot(direction)
-            }
-            (
-                Carriers::Circles {
-                    first,
-                    second,
-                    radius,
-                },
-                Motion::Slide { direction },
-            ) => {
-                let v = self.motions.first.point(x, first) - second;
-                let (aside, r) = (direction.cross(v), radius.abs());
-                direction.dot(v) + sign * radius.signum() * root_of((r - aside) * (r + aside))
-            }
-        }
-    }
-
-    /// Calls `found` with every x at which the roots may come or go: where they are double, or infinite.
-    pub(super) fn turnings(&self, mut found: impl FnMut(f64)) {
-        let Motions { first, second } = self.motions;
-        let mut solve = |equation: Equation| equation.roots(&mut found);
-        match (self.carriers, second) {
-            (_, Motion::Still) | (Carriers::SecondLine { .. }, Motion::Slide { .. }) => {}
-            (
-                Carriers::FirstLine {
-                    normal,
-                    through,
-                    radius,
-                    ..
-                },
-                Motion::Turn { center },
-            ) => {
-                let offset = Equation::line_offset(first, normal, through, center);
-                solve(offset.plus(radius - self.arm));
-                solve(offset.plus(radius + self.arm));
-            }
-            (Carriers::SecondLine { point, .. }, Motion::Turn { center }) => {
-                let square = Equation::distance_squared(first, point, center);
-                solve(square.plus(-self.offset * self.offset));
-            }
-            (
-                Carriers::Circles {
-                    first: p, radius, ..
-                },
-                Motion::Turn { center },
-            ) => {
-                let square = Equation::distance_squared(first, p, center);
-                let (q, r) = (self.arm, radius.abs());
-                solve(square.plus(-(q + r) * (q + r)));
-                solve(square.plus(-(q - r) * (q - r)));
-            }
-            (Carriers::FirstLine { normal, .. }, Motion::Slide { direction }) => {
-                solve(Equation::direction(first, normal, direction));
-            }
-            (
-                Carriers::Circles {
-                    first: p,
-                    second: q,
-                    radius,
-                },
-                Motion::Slide { direction },
-            ) => {
-                let aside = Equation::position(first, p, direction.left(), q);
-                solve(aside.plus(-radius));
-                solve(aside.plus(radius));
-            }
-        }
-    }
-}
-
-fn root_of(square: f64) -> f64 {
-    square.max(0.0).sqrt()
 }

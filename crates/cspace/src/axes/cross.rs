@@ -8,18 +8,15 @@
 
 use core::f64::consts::TAU;
 
-use crate::geometry::{Point, Rotation, Vector};
-use crate::number::TrigPolynomial;
-
-use super::condition::{Carriers, Condition, INDEPENDENT};
-use super::motion::Motion;
 use super::piece::{Height, Pair, Piece};
+use super::resultant::{isolate, parallel};
 
-/// Intervals of x are not halved below this when crossings are isolated (radians or length); two crossings nearer than
-/// that, between which the pieces are a hundred times nearer than rounding, may go unnoticed as a pair.
-const NARROWEST: f64 = 1e-8;
+/// More rounds than narrowing a bracket ever takes: a guard against numbers that are not.
+const MOST_ROUNDS: u32 = 200;
+/// A bracket about a crossing is not narrowed further, as a share of 1 + |x|: a few last bits.
+const NARROWEST_BRACKET: f64 = 4.0 * f64::EPSILON;
 /// How often boxes about two pieces are halved before the resultant is asked.
-const HALVINGS: u32 = 3;
+const HALVINGS: u32 = 5;
 
 /// How two pieces, the second shifted by so many turns, lie to each other at x: the sign of y₁ − y₂, never 0.
 ///
@@ -63,7 +60,9 @@ pub(super) fn crossings(
 ) {
     let lo = p.start.x.max(q.start.x);
     let hi = p.end.x.min(q.end.x);
-    if lo >= hi {
+    let motions = &pairs[p.pair as usize].condition.motions;
+    // About one pivot all depends on y − x alone: curves are parallel, or the same.
+    if lo >= hi || motions.share_a_pivot() {
         return;
     }
     let heights = |x: f64| (p.height(pairs, x), q.height(pairs, x));
@@ -160,253 +159,54 @@ fn separate(
 }
 
 /// The x at which the order changes, given the order at the left end and another at the right one.
+///
+/// Inverse quadratic interpolation where the last three values promise that it converges, otherwise bisection
+/// (T. R. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, 1997). Curves often end near a crossing with a
+/// vertical tangent, where false position creeps. An end where the two are equal counts as the order says.
 fn bisect(
     pairs: &[Pair],
     p: &Piece,
     q: &Piece,
     shift: i32,
-    (mut lo, mut hi): (f64, f64),
+    (lo, hi): (f64, f64),
     before: i8,
 ) -> f64 {
     let side = f64::from(before);
     let value = |x: f64| side * difference(pairs, p, q, shift, x);
-    let (mut at_lo, mut at_hi) = (value(lo).max(0.0), value(hi).min(0.0));
-    for round in 0..200 {
-        let middle = 0.5 * (lo + hi);
-        if middle <= lo || middle >= hi || hi - lo < 1e-15 * (1.0 + lo.abs()) {
-            break;
-        }
-        // False position (Illinois), every fourth time bisection.
-        let x = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
-        let x = if round % 4 == 3 || !(x > lo && x < hi) {
-            middle
-        } else {
-            x
-        };
-        let v = value(x);
-        if v > 0.0 {
-            lo = x;
-            at_lo = v;
-            at_hi *= 0.5;
-        } else if v < 0.0 {
-            hi = x;
-            at_hi = v;
-            at_lo *= 0.5;
-        } else {
+    let least = f64::EPSILON * f64::EPSILON;
+    // The newest end of the bracket, the other one, and the one before.
+    let (mut x1, mut f1) = (hi, value(hi).min(-least));
+    let (mut x2, mut f2) = (lo, value(lo).max(least));
+    let mut share = 0.5;
+    for _ in 0..MOST_ROUNDS {
+        let x = x1 + share * (x2 - x1);
+        let f = value(x);
+        if f == 0.0 {
             return x;
         }
-    }
-    0.5 * (lo + hi)
-}
-
-/// Whether two conditions are levels of one function of (x, y), so that their curves never cross.
-fn parallel(f: &Condition, g: &Condition) -> bool {
-    let same = |a: Point, b: Point| a.distance(b) < INDEPENDENT;
-    match (f.carriers, g.carriers) {
-        (
-            Carriers::FirstLine {
-                normal: n,
-                point: p,
-                ..
-            },
-            Carriers::FirstLine {
-                normal: m,
-                point: q,
-                ..
-            },
-        )
-        | (
-            Carriers::SecondLine {
-                normal: n,
-                point: p,
-                ..
-            },
-            Carriers::SecondLine {
-                normal: m,
-                point: q,
-                ..
-            },
-        ) => n.cross(m).abs() < INDEPENDENT && same(p, q),
-        (
-            Carriers::Circles {
-                first: p,
-                second: q,
-                ..
-            },
-            Carriers::Circles {
-                first: r,
-                second: s,
-                ..
-            },
-        ) => same(p, r) && same(q, s),
-        _ => false,
-    }
-}
-
-/// Calls `mark` with intervals that hold all x at which the conditions are met by one y.
-fn isolate(f: &Condition, g: &Condition, lo: f64, hi: f64, mark: &mut impl FnMut(f64, f64)) {
-    let resultant = |first: Placed| resultant(&f.at(first), &g.at(first));
-    if let Motion::Turn { center } = f.motions.first {
-        let polynomial = TrigPolynomial::sampled(|cos: f64, sin: f64| {
-            let turn = Rotation { cos, sin };
-            let shift = center.to_vector() - turn * center.to_vector();
-            resultant(Placed { turn, shift })
-        });
-        let mut vague = Vec::new();
-        polynomial.brackets(lo, hi, NARROWEST, mark, &mut |a, b| vague.push((a, b)));
-        for (a, b) in vague {
-            mark(a, b);
+        let (x3, f3);
+        if (f > 0.0) == (f1 > 0.0) {
+            (x3, f3) = (x1, f1);
+        } else {
+            (x3, f3) = (x2, f2);
+            (x2, f2) = (x1, f1);
         }
-        return;
-    }
-    // A polynomial of x = m + h cos φ is a trigonometric one of φ.
-    let (m, h) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-    let x = |angle: f64| m + h * angle.cos();
-    let polynomial = TrigPolynomial::sampled(|cos: f64, _| {
-        let shift = match f.motions.first {
-            Motion::Slide { direction } => direction * (m + h * cos),
-            _ => Vector::ZERO,
+        (x1, f1) = (x, f);
+        let width = (x2 - x1).abs();
+        let narrowest = NARROWEST_BRACKET * (1.0 + x1.abs());
+        if width <= narrowest {
+            break;
+        }
+        let xi = (x1 - x2) / (x3 - x2);
+        let phi = (f1 - f2) / (f3 - f2);
+        share = if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+            let quadratic = f1 / (f2 - f1) * f3 / (f2 - f3)
+                + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2);
+            let step = 0.5 * narrowest / width;
+            quadratic.max(step).min(1.0 - step)
+        } else {
+            0.5
         };
-        let turn = Rotation::IDENTITY;
-        resultant(Placed { turn, shift })
-    });
-    let mut both = Vec::new();
-    let mut vague = Vec::new();
-    polynomial.brackets(
-        0.0,
-        core::f64::consts::PI,
-        NARROWEST,
-        &mut |a, b| both.push((a, b)),
-        &mut |a, b| vague.push((a, b)),
-    );
-    for (a, b) in both.into_iter().chain(vague) {
-        mark(x(b).max(lo), x(a).min(hi));
     }
-}
-
-/// The first part at some x: its point q is at turn q + shift.
-#[derive(Debug, Clone, Copy)]
-struct Placed {
-    turn: Rotation,
-    shift: Vector,
-}
-
-impl Placed {
-    fn point(&self, q: Point) -> Point {
-        self.turn * q + self.shift
-    }
-}
-
-/// What a condition asks of y at one x.
-#[derive(Debug, Clone, Copy)]
-enum InY {
-    /// a cos y + b sin y = c.
-    Turn(f64, f64, f64),
-    /// b y = c.
-    Line(f64, f64),
-    /// y² + b y + c = 0.
-    Square(f64, f64),
-}
-
-impl Condition {
-    fn at(&self, first: Placed) -> InY {
-        match (self.carriers, self.motions.second) {
-            (
-                Carriers::FirstLine {
-                    normal,
-                    through,
-                    point,
-                    radius,
-                },
-                second,
-            ) => {
-                let (n, l) = (first.turn * normal, first.point(through));
-                match second {
-                    Motion::Turn { center } => {
-                        let w = point - center;
-                        InY::Turn(n.dot(w), n.dot(w.left()), n.dot(l - center) + radius)
-                    }
-                    Motion::Slide { direction } => {
-                        InY::Line(n.dot(direction), n.dot(l - point) + radius)
-                    }
-                    Motion::Still => InY::Line(0.0, 0.0),
-                }
-            }
-            (
-                Carriers::SecondLine {
-                    normal,
-                    through,
-                    point,
-                    radius,
-                },
-                second,
-            ) => {
-                let p = first.point(point);
-                match second {
-                    Motion::Turn { center } => {
-                        let v = p - center;
-                        let offset = normal.dot(through - center) + radius;
-                        InY::Turn(normal.dot(v), normal.left().dot(v), offset)
-                    }
-                    Motion::Slide { direction } => {
-                        InY::Line(normal.dot(direction), normal.dot(p - through) - radius)
-                    }
-                    Motion::Still => InY::Line(0.0, 0.0),
-                }
-            }
-            (
-                Carriers::Circles {
-                    first: p,
-                    second: q,
-                    radius,
-                },
-                second,
-            ) => {
-                let p = first.point(p);
-                match second {
-                    Motion::Turn { center } => {
-                        let (v, w) = (p - center, q - center);
-                        let c = 0.5 * (v.length_squared() + w.length_squared() - radius * radius);
-                        InY::Turn(v.dot(w), v.dot(w.left()), c)
-                    }
-                    Motion::Slide { direction } => {
-                        let v = p - q;
-                        InY::Square(
-                            -2.0 * direction.dot(v),
-                            v.length_squared() - radius * radius,
-                        )
-                    }
-                    Motion::Still => InY::Line(0.0, 0.0),
-                }
-            }
-        }
-    }
-}
-
-/// Zero where both conditions are met by one y, and the size of the terms it was summed from.
-fn resultant(f: &InY, g: &InY) -> (f64, f64) {
-    match (*f, *g) {
-        (InY::Turn(a, b, c), InY::Turn(d, e, f)) => {
-            // Cramer's rule for (cos y, sin y), whose length is one.
-            let (p, q, r) = (c * e - f * b, a * f - d * c, a * e - d * b);
-            let size = |a: f64, b: f64| (a.abs() + b.abs()).powi(2);
-            let terms = size(c * e, f * b) + size(a * f, d * c) + size(a * e, d * b);
-            (p * p + q * q - r * r, terms)
-        }
-        (InY::Line(b, c), InY::Line(d, e)) => (b * e - d * c, (b * e).abs() + (d * c).abs()),
-        (InY::Line(d, e), InY::Square(b, c)) | (InY::Square(b, c), InY::Line(d, e)) => (
-            e * e + b * e * d + c * d * d,
-            e * e + (b * e * d).abs() + (c * d * d).abs(),
-        ),
-        (InY::Square(b, c), InY::Square(d, e)) => {
-            let (p, q) = (b - d, e - c);
-            (
-                q * q + b * q * p + c * p * p,
-                (e.abs() + c.abs()).powi(2)
-                    + ((b.abs() + d.abs()) * b * (e.abs() + c.abs())).abs()
-                    + (c * (b.abs() + d.abs()).powi(2)).abs(),
-            )
-        }
-        _ => (f64::NAN, 0.0),
-    }
+    0.5 * (x1 + x2)
 }

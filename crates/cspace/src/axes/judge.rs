@@ -6,9 +6,9 @@ use rayon::prelude::*;
 
 use super::arrange::{Arrangement, Cell};
 use super::body::Bodies;
-use super::build::crossing_of_level;
 use super::domain::Extent;
 use super::piece::{Pair, Piece};
+use super::place::crossing_of_level;
 
 /// How far the free side is looked at (radians or length).
 const STEP: f64 = 1.0 / 256.0;
@@ -16,7 +16,7 @@ const STEP: f64 = 1.0 / 256.0;
 const SLOTS: usize = 256;
 /// A cell steeper than this is left sideways.
 const STEEP: f64 = 1e3;
-/// Of how many cells of a chain the best tested one is taken.
+/// So many cells of a chain, the largest, are tested; if they disagree, all are.
 const TRIED: usize = 3;
 /// A place no farther than this from the next curve tells nothing (radians or length): it is about what the first part
 /// is grown by.
@@ -27,7 +27,7 @@ pub(super) struct Judge<'a> {
     pub(super) pieces: &'a [Piece],
     pub(super) bodies: &'a Bodies,
     pub(super) y: Extent,
-    lo: f64,
+    x: Extent,
     width: f64,
     slots: Vec<Vec<u32>>,
 }
@@ -60,7 +60,7 @@ impl<'a> Judge<'a> {
             pieces,
             bodies,
             y,
-            lo: x.lo,
+            x,
             width,
             slots,
         }
@@ -100,20 +100,21 @@ impl<'a> Judge<'a> {
             .map(|&i| (self.size(&cells[i as usize]), i))
             .collect();
         open.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let best = open[..open.len().min(TRIED)]
-            .iter()
-            .filter_map(|o| self.beside(&cells[o.1 as usize]))
-            .max_by(|a, b| a.2.total_cmp(&b.2));
-        let Some((x, y, _)) = best else {
-            return (Vec::new(), 0, false);
-        };
-        if self.bodies.overlap(x, y) {
-            return (Vec::new(), 1, false);
+        // The largest cells: a place far enough from other curves is beside one of them, if anywhere.
+        let mut verdicts: Vec<bool> = Vec::new();
+        for o in &open[..open.len().min(TRIED)] {
+            if let Some((x, y, _)) = self.beside(&cells[o.1 as usize]) {
+                verdicts.push(!self.bodies.overlap(x, y));
+            }
         }
-        if !blocked {
-            return (members.to_vec(), 1, false);
+        let tests = verdicts.len();
+        if !verdicts.contains(&true) {
+            return (Vec::new(), tests, false);
         }
-        // All should be blocked where one is: rounding has gone astray, or something is closer than the resolution.
+        if !blocked && !verdicts.contains(&false) {
+            return (members.to_vec(), tests, false);
+        }
+        // All should be free or blocked, and blocked where one is: rounding has gone astray, or something is closer than the resolution.
         let free = open
             .iter()
             .map(|o| o.1)
@@ -122,7 +123,7 @@ impl<'a> Judge<'a> {
                     .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
             })
             .collect();
-        (free, 1 + open.len(), true)
+        (free, tests + open.len(), true)
     }
 
     /// How far a cell reaches.
@@ -193,9 +194,11 @@ impl<'a> Judge<'a> {
     /// Left or right to the next curve at this y.
     fn beside_steep(&self, c: &Cell, x: f64, y: f64, right: bool) -> Option<(f64, f64, f64)> {
         let sign = if right { 1.0 } else { -1.0 };
-        let mut reach = STEP;
+        // Not beyond the end of what is computed.
+        let end = if right { self.x.hi - x } else { x - self.x.lo };
+        let mut reach = STEP.min(end);
         let (a, b) = (x.min(x + sign * STEP), x.max(x + sign * STEP));
-        let slot = |at: f64| (((at - self.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        let slot = |at: f64| (((at - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
         for s in slot(a)..=slot(b) {
             for &j in &self.slots[s] {
                 let q = &self.pieces[j as usize];
@@ -212,12 +215,9 @@ impl<'a> Judge<'a> {
                 if level < lo || level > hi {
                     continue;
                 }
-                let at = if q.vertical {
-                    q.start.x
-                } else {
-                    crossing_of_level(q, self.pairs, level)
+                let Some(d) = self.ahead_at_level(q, level, x, sign, reach) else {
+                    continue;
                 };
-                let d = sign * (at - x);
                 let q_right = if q.vertical {
                     q.root == 0
                 } else {
@@ -231,8 +231,42 @@ impl<'a> Judge<'a> {
         (reach > TOO_NEAR).then_some((x + 0.5 * sign * reach, y, reach))
     }
 
+    /// How far ahead of x, at most `reach`, a piece comes to a level. It is asked for the middle of what is free, so a
+    /// thousandth of the distance does.
+    fn ahead_at_level(&self, q: &Piece, level: f64, x: f64, sign: f64, reach: f64) -> Option<f64> {
+        if q.vertical {
+            let d = sign * (q.start.x - x);
+            return (d > 0.0).then_some(d);
+        }
+        // The part of the piece that lies ahead and within reach.
+        let ahead = |at: f64| sign * (at - x);
+        let (near, far) = if sign > 0.0 {
+            (q.start.x, q.end.x)
+        } else {
+            (q.end.x, q.start.x)
+        };
+        let (mut near, mut far) = (ahead(near).max(0.0), ahead(far).min(reach));
+        if near > far {
+            return None;
+        }
+        let above = |d: f64| q.y(self.pairs, x + sign * d) > level;
+        let begins = above(near);
+        if above(far) == begins {
+            return None;
+        }
+        while far - near > 1e-3 * near && far > TOO_NEAR {
+            let middle = 0.5 * (near + far);
+            if above(middle) == begins {
+                near = middle;
+            } else {
+                far = middle;
+            }
+        }
+        Some(if near > 0.0 { near } else { far })
+    }
+
     fn slot(&self, x: f64) -> &[u32] {
-        let s = (((x - self.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        let s = (((x - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
         &self.slots[s]
     }
 }

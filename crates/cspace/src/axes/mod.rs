@@ -31,20 +31,27 @@
 //!
 //! The plane is swept along x, the coordinate of a part that turns if there is one (u or v); y is the other.
 //!
-//! 1. *Nodes* (`nodes`): a contact curve ends where one of its features gives way to its neighbour. These configurations
-//!    have closed forms and names: a joint of one part and a feature of the other, two vertices, two lines. Pairs that meet
-//!    at a node compute it from the same numbers, to the same bit; no coordinates are compared to find who meets.
-//! 2. *Pieces* (`build`, `piece`): the curve of a pair is cut at nodes, at turnings (dx = 0 and dy = 0, closed forms) and
-//!    at limits into monotone graphs y(x), and vertical segments where y does not matter (dwell). Which are contact is told
-//!    away from their ends, by the features' extents.
-//! 3. *Crossings* (`cross`): of two monotone graphs, decided by their order at the ends of their common interval; where
-//!    that leaves it open, the resultant of both conditions isolates all roots, none is found by sampling.
+//! 0. *Setting* (`setting`, `repeats`): frame, motions, outlines. A part that turns without limits about its own centre of
+//!    symmetry is swept over one period of its motion, the *window*; of every orbit of its features one is looked at.
+//! 1. *Nodes* (`nodes`, `names`): a contact curve ends where one of its features gives way to its neighbour. These
+//!    configurations have closed forms and names: a joint of one part and a feature of the other, two vertices, two lines.
+//!    Pairs that meet at a node compute it from the same numbers, to the same bit; no coordinates are compared to find who
+//!    meets.
+//! 2. *Pieces* (`build`, `sections`, `verticals`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
+//!    dy = 0, closed forms), at ends of the window and at limits into monotone graphs y(x), and vertical segments where y does
+//!    not matter (dwell). Which are contact is told away from their ends, by the features' extents.
+//! 3. *Crossings* (`cross`, `resultant`): of two monotone graphs, decided by their order at the ends of their common interval;
+//!    where that leaves it open, the resultant of both conditions isolates all roots, none is found by sampling.
 //! 4. *Cells* (`arrange`): pieces between crossings. Cells that follow each other around the outside hang together in a chain.
-//! 5. *Verdicts* (`judge`): a chain bounds free space as a whole or not at all; one honest test of overlap tells. A chain
-//!    that is known to be blocked and yet tests free is decided cell by cell and counted as a conflict.
-//! 6. *Bands and regions* (`bands`): between critical values of x the free gaps of y are bounded by an ordered list of cells.
-//!    Gaps join across critical values by overlap; turns are counted on the way, so a region knows what it reaches around.
-//! 7. *Patches* (`chain`, `patch`): free cells of one pair of features, in order of travel, with their neighbours.
+//! 5. *Verdicts* (`judge`): a chain bounds free space as a whole or not at all; honest tests of overlap beside its largest
+//!    cells tell. A chain that is known to be blocked and yet tests free, or whose tests differ, is decided cell by cell and
+//!    counted as a conflict.
+//! 6. *Bands and regions* (`bands`, `components`): between critical values of x the free gaps of y are bounded by an ordered
+//!    list of cells. Gaps join across critical values by overlap; turns are counted on the way, so a region knows what it
+//!    reaches around.
+//! 7. *Copies* (`partition`, `unroll`): what bounds free space in the window is copied to all periods, with the images of the
+//!    features.
+//! 8. *Patches* (`chain`, `patch`): free cells of one pair of features, in order of travel, with their neighbours.
 //!
 //! The sweep in the end does not need the chains to be right everywhere: a gap is free where the cells below and above it
 //! both say so. That is why it was preferred to faces made of loops, which a torus makes awkward anyway.
@@ -56,30 +63,50 @@
 //! chain. Pieces that coincide and face the same way count as one. Sections too short to have a place are contracted; ends that
 //! rounding keeps from a vertical piece are put on it; normals that oppose each other exactly are ordered by one rule.
 
+mod aligned;
+mod along;
 mod arrange;
 mod axis;
 mod bands;
 mod body;
 mod build;
+mod carriers;
 mod chain;
 mod classify;
+mod components;
 mod condition;
 mod cross;
 mod domain;
 mod equation;
+mod extents;
 mod first;
 mod judge;
 mod motion;
+mod names;
 mod nodes;
+mod partition;
 mod patch;
 mod picture;
 mod piece;
+mod place;
 mod reach;
+mod region;
+mod repeats;
+mod resultant;
 mod saved;
+mod scene;
+mod sections;
+mod setting;
+mod side;
+mod solve;
 mod space;
 mod tidy;
+mod unroll;
+mod verticals;
+mod visits;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use patch::{AxesBranch, AxesPatch, BranchForm};
+pub use region::AxesRegion;
 pub use saved::{SAVED_AXES_VERSION, SavedAxesError, SavedAxesSpace};
-pub use space::{AxesRegion, AxesStatistics, FixedAxesSpace};
+pub use space::{AxesStatistics, FixedAxesSpace};

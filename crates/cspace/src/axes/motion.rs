@@ -73,6 +73,16 @@ impl Motions {
         }
     }
 
+    /// Whether both parts turn about one point.
+    pub(super) fn share_a_pivot(&self) -> bool {
+        match (self.first, self.second) {
+            (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
+                c.distance(d) < super::condition::INDEPENDENT
+            }
+            _ => false,
+        }
+    }
+
     /// The orientation of the second part seen from the first.
     #[inline]
     pub(super) fn theta(&self, x: f64, y: f64) -> f64 {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::feature::FeatureName;
 
 use super::chain::{Chain, end_of, goes_up};
+use super::motion::Motion;
 use super::space::FixedAxesSpace;
 
 /// A contact curve: where one pair of features touches, on the boundary of free space.
@@ -93,7 +94,7 @@ impl FixedAxesSpace {
             let (by_x, by_y) = self.pairs[p.pair as usize].condition.gradient(x, y);
             -by_x / by_y
         };
-        Some((self.map.outer(x, y), slope * first(!of_u) / first(of_u)))
+        Some((self.outer(x, y), slope * first(!of_u) / first(of_u)))
     }
 
     /// The contact function of a patch at (u, v), in the model's unit of length: zero on the patch, positive on its free
@@ -117,6 +118,13 @@ impl FixedAxesSpace {
         let unit = self.map.units();
         let scale = self.map.frame.scale;
         Some((by_u / (scale * unit.0), by_v / (scale * unit.1)))
+    }
+
+    /// u and v of a point on a curve: 0 of a part that does not move, of which the arrangement has a strip.
+    fn outer(&self, x: f64, y: f64) -> (f64, f64) {
+        let at = |t: f64, m: Motion| if m == Motion::Still { 0.0 } else { t };
+        self.map
+            .outer(at(x, self.motions.first), at(y, self.motions.second))
     }
 
     pub(super) fn cell_and_piece(
@@ -172,7 +180,7 @@ impl FixedAxesSpace {
         let forward = goes_up(p) != self.map.swapped;
         let end = |at_end| {
             let (x, y) = end_of(c, p, &self.pairs, at_end);
-            self.map.outer(x, y)
+            self.outer(x, y)
         };
         AxesBranch {
             patch,

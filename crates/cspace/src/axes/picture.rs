@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 use super::space::FixedAxesSpace;
 
 impl FixedAxesSpace {
-    /// Least and greatest u and v of a picture: the ranges of motion, a turn, or as far as parts that slide can touch.
+    /// Least and greatest u and v of a picture: the ranges of motion, a turn, or as far as parts that slide can touch. For a
+    /// part that does not move it is a strip about 0 of no meaning, so that there is something to see.
     pub fn extent(&self) -> [(f64, f64); 2] {
         let (lo, hi) = (
             self.map.outer(self.x.lo, self.y.lo),
@@ -15,7 +16,8 @@ impl FixedAxesSpace {
     }
 
     /// Free space as polygons of points (u, v), for pictures: every side is a contact curve sampled at `points` places, or
-    /// straight. On a circle a polygon may reach beyond the extent; it then comes once more, a turn lower.
+    /// straight. On a circle a polygon may reach beyond the extent; it then comes once more, a turn lower. Along the coordinate
+    /// of a part that does not move it is as wide as the extent and stands for the coordinate 0.
     pub fn free_areas(&self, points: usize) -> Vec<Vec<(f64, f64)>> {
         let graphs = self.graphs();
         let points = points.max(1);

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::condition::Condition;
-use super::nodes::{Key, Name};
+use super::names::Key;
 
 /// Two features that touch, and when.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,14 +61,11 @@ impl Height {
 }
 
 impl Piece {
-    /// The piece when its pair's index, by itself and in names, is greater by `shift`.
-    pub(super) fn renumbered(mut self, shift: u32) -> Self {
-        self.pair += shift;
+    /// The piece when its pair, by itself and in names, has another number.
+    pub(super) fn renumbered(mut self, number: impl Fn(u32) -> u32) -> Self {
+        self.pair = number(self.pair);
         for end in [&mut self.start, &mut self.end] {
-            match &mut end.key.name {
-                Name::Turning(pair, _) | Name::Same(pair, _) => *pair += shift,
-                _ => {}
-            }
+            end.key = end.key.renumbered(&number);
         }
         self
     }

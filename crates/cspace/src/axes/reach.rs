@@ -1,14 +1,25 @@
 //! Where features can come, to tell pairs that never meet.
 
+use core::f64::consts::{PI, TAU};
+
 use crate::feature::Feature;
 use crate::geometry::{Point, Vector};
 
 use super::domain::wrapped;
 use super::motion::Motion;
-use super::nodes::Scene;
+use super::scene::Scene;
 
-/// Where a feature can come: distances from its pivot, or beside its direction of sliding.
-pub(super) fn reaches(features: &[Feature], scene: &Scene, is_first: bool) -> Vec<(f64, f64)> {
+/// Where a feature can come, and how its normals lean.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reach {
+    /// Distances from its pivot, or beside its direction of sliding.
+    distances: (f64, f64),
+    /// Of a part that turns: the angles from the ray, pivot to contact, to the normal there; their middle and half width.
+    lean: (f64, f64),
+}
+
+/// Where the features of a part can come.
+pub(super) fn reaches(features: &[Feature], scene: &Scene, is_first: bool) -> Vec<Reach> {
     let (side, motion) = if is_first {
         (&scene.first, scene.motions.first)
     } else {
@@ -18,11 +29,16 @@ pub(super) fn reaches(features: &[Feature], scene: &Scene, is_first: bool) -> Ve
         .iter()
         .map(|f| {
             let points = [side.outline.start(f).point, side.outline.end(f).point];
-            match motion {
+            let distances = match motion {
                 Motion::Turn { center } => distances_from(f, points, center),
                 Motion::Slide { direction } => distances_beside(f, points, direction.left()),
                 Motion::Still => (0.0, f64::INFINITY),
-            }
+            };
+            let lean = match motion {
+                Motion::Turn { center } => lean(f, points, center),
+                _ => (0.0, PI),
+            };
+            Reach { distances, lean }
         })
         .collect()
 }
@@ -60,6 +76,33 @@ fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) 
     if m == 0.0 { (r, r) } else { (least, largest) }
 }
 
+/// The angles from the ray that leads from a pivot to a point of the feature to the normal there, or bounds on them: middle
+/// and half width.
+///
+/// All of a feature is in a disc about its middle: its half length, or for an arc of radius r with normals over an angle w
+/// the chord of half of it, 2 r sin(w / 4). Seen from the pivot the disc takes asin(h / m) to both sides.
+fn lean(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
+    let normal = 0.5 * (f.lo + f.hi);
+    let (middle, half) = if f.is_line() {
+        (p + (q - p) * 0.5, 0.5 * p.distance(q))
+    } else {
+        let out = Vector::from_angle(normal) * f.radius();
+        let width = (f.hi - f.lo).min(TAU);
+        (
+            f.center() + out,
+            2.0 * f.radius().abs() * (0.25 * width).sin(),
+        )
+    };
+    let ray = middle - center;
+    let share = half / ray.length();
+    let seen = if share < 1.0 { share.asin() } else { PI };
+    let width = 0.5 * (f.hi - f.lo) + seen;
+    (
+        normal - ray.angle(),
+        if width.is_finite() { width } else { PI },
+    )
+}
+
 /// Between which distances along `side` a feature lies, or bounds on them.
 fn distances_beside(f: &Feature, [p, q]: [Point; 2], side: Vector) -> (f64, f64) {
     let (a, b) = (side.dot(p - Point::ORIGIN), side.dot(q - Point::ORIGIN));
@@ -79,6 +122,8 @@ pub(super) struct Apart {
 impl Apart {
     /// Room for growth and rounding (length).
     const ROOM: f64 = 1e-9;
+    /// Room for rounding of angles near a limit of the inverse cosine (radians).
+    const TURN: f64 = 1e-4;
 
     pub(super) fn new(scene: &Scene) -> Self {
         Self {
@@ -87,12 +132,17 @@ impl Apart {
         }
     }
 
-    pub(super) fn may_meet(&self, a: (f64, f64), b: (f64, f64)) -> bool {
+    pub(super) fn may_meet(&self, a: &Reach, b: &Reach) -> bool {
+        let leans = (a.lean, b.lean);
+        let (a, b) = (a.distances, b.distances);
         match (self.first, self.second) {
             (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
                 let apart = c.distance(d);
                 let room = Self::ROOM;
-                apart <= a.1 + b.1 + room && a.0 <= apart + b.1 + room && b.0 <= apart + a.1 + room
+                apart <= a.1 + b.1 + room
+                    && a.0 <= apart + b.1 + room
+                    && b.0 <= apart + a.1 + room
+                    && Self::may_oppose(apart, (a, leans.0), (b, leans.1))
             }
             (Motion::Turn { center }, Motion::Slide { direction }) => {
                 // The strip beside the centre.
@@ -108,6 +158,40 @@ impl Apart {
                 a.0 <= hi + Self::ROOM && lo <= a.1 + Self::ROOM
             }
             _ => true,
+        }
+    }
+
+    /// Whether normals can oppose each other where two features on turning parts touch.
+    ///
+    /// A touch is seen at an angle α beside the line of the pivots from the first, and β from the second; the normals lean
+    /// by a from the first ray, by b from the second. They oppose each other if a + α = b + β up to whole turns.
+    fn may_oppose(
+        apart: f64,
+        ((a0, a1), (a, a_width)): ((f64, f64), (f64, f64)),
+        ((b0, b1), (b, b_width)): ((f64, f64), (f64, f64)),
+    ) -> bool {
+        let aside = Self::aside(apart, (a0, a1), b1) + Self::aside(apart, (b0, b1), a1);
+        wrapped(a - b).abs() <= a_width + b_width + aside + Self::TURN
+    }
+
+    /// The largest angle beside the line of the pivots at which points at distances from r₀ to r₁ from one pivot, and no
+    /// farther than s from the other, are seen from the first.
+    ///
+    /// Its cosine is (d² + r² − s²) / (2 d r), least at r² = d² − s² if that is in between, else at an end.
+    fn aside(d: f64, (r0, r1): (f64, f64), s: f64) -> f64 {
+        let (s, r0) = (s + Self::ROOM, (r0 - Self::ROOM).max(0.0));
+        let cosine = |r: f64| (d * d + r * r - s * s) / (2.0 * d * r);
+        let turning = (d * d - s * s).max(0.0).sqrt().clamp(r0, r1.max(r0));
+        let cosines = [cosine(r0), cosine(r1), cosine(turning)];
+        // Not finite if a pivot is on the feature or the pivots are one: anything is possible.
+        if cosines.iter().all(|c| c.is_finite()) {
+            cosines
+                .iter()
+                .fold(1.0, |a: f64, &c| a.min(c))
+                .max(-1.0)
+                .acos()
+        } else {
+            PI
         }
     }
 }

@@ -6,14 +6,17 @@ use crate::feature::FeatureName;
 use crate::space::{SavedError, SavedPart};
 
 use super::arrange::Cell;
-use super::axis::Axis;
+use super::axis::{AxesError, Axis};
 use super::bands::{Band, Bands, Gap, Region};
-use super::condition::{Carriers, Condition};
+use super::carriers::{Carriers, carriers};
+use super::condition::Condition;
 use super::domain::Extent;
 use super::motion::Motions;
 use super::patch::{AxesBranch, AxesPatch};
 use super::piece::{Pair, Piece};
-use super::space::{AxesRegion, AxesStatistics, FixedAxesSpace, Map};
+use super::region::AxesRegion;
+use super::setting::{Map, Setting};
+use super::space::{AxesStatistics, FixedAxesSpace};
 
 /// The version of the format that this library writes, and the only one it reads.
 pub const SAVED_AXES_VERSION: u32 = 1;
@@ -83,6 +86,9 @@ pub enum SavedAxesError {
     /// A part is none.
     #[error(transparent)]
     Part(#[from] SavedError),
+    /// An axis is none.
+    #[error(transparent)]
+    Axes(#[from] AxesError),
     /// Written by another version.
     #[error(
         "the format's version is {found}, this program reads version {SAVED_AXES_VERSION}; compute the space again"
@@ -91,9 +97,9 @@ pub enum SavedAxesError {
         /// The version found.
         found: u32,
     },
-    /// The data refer to what is not there.
+    /// The data refer to what is not there, or numbers are out of order.
     #[error(
-        "the saved space is damaged: {what} refer to what is not there; compute the space again"
+        "the saved space is damaged: its {what} refer to what is not there, or are out of order; compute the space again"
     )]
     Damaged {
         /// What is wrong.
@@ -107,10 +113,12 @@ impl FixedAxesSpace {
         self.into()
     }
 
-    /// The space that plain data describe; nothing is computed again.
+    /// The space that plain data describe. The partition is not computed again; what follows at once from the parts and
+    /// their axes (motions, names of features, contact conditions) is, and is not read.
     ///
     /// # Errors
-    /// If the data are of another format or version, or refer to what is not there.
+    /// If the data are of another format or version, describe no parts or axes, refer to what is not there, or have numbers
+    /// out of order.
     pub fn from_saved(saved: SavedAxesSpace) -> Result<Self, SavedAxesError> {
         saved.try_into()
     }
@@ -156,22 +164,31 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
     fn try_from(s: SavedAxesSpace) -> Result<Self, SavedAxesError> {
         s.check()?;
         let (fixed, moving) = (s.fixed.part()?, s.moving.part()?);
-        let motions = s.motions;
-        let pairs = s.pairs.into_iter().map(|(first, second, carriers)| Pair {
-            first,
-            second,
-            condition: Condition::new(carriers, motions),
-        });
+        let setting = Setting::new(&fixed, s.fixed_axis, &moving, s.moving_axis)?;
+        let scene = &setting.scene;
+        let features = |side: &super::side::Side| side.outline.features.len() as u32;
+        let (first, second) = (features(&scene.first), features(&scene.second));
+        let pair = |(a, b, _): (u32, u32, Carriers)| {
+            let there = a < first && b < second;
+            let carriers = there.then(|| carriers(scene, a, b)).flatten()?;
+            Some(Pair {
+                first: a,
+                second: b,
+                condition: Condition::new(carriers, scene.motions),
+            })
+        };
+        let pairs: Option<Vec<Pair>> = s.pairs.into_iter().map(pair).collect();
+        let pairs = pairs.ok_or(SavedAxesError::Damaged { what: "pairs" })?;
         let mut space = Self {
             fixed,
             moving,
             axes: (s.fixed_axis, s.moving_axis),
-            map: s.map,
-            motions,
-            x: s.x,
-            y: s.y,
-            names: (s.first_names, s.second_names),
-            pairs: pairs.collect(),
+            map: setting.map,
+            motions: scene.motions,
+            x: scene.x,
+            y: scene.y,
+            names: setting.names,
+            pairs,
             pieces: s.pieces,
             cells: s.cells,
             free: s.free,
@@ -179,9 +196,8 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
                 bands: s.bands,
                 gaps: s.gaps,
                 regions: s.regions,
-                conflicts: 0,
-                tests: 0,
             },
+            deviation: setting.deviation,
             slots: Vec::new(),
             patches: s.patches,
             branches: s.branches,
@@ -215,16 +231,16 @@ impl SavedAxesSpace {
         let within = |i: u32, n: usize| (i as usize) < n;
         let range = |r: &core::ops::Range<u32>, n: usize| r.start <= r.end && r.end as usize <= n;
         let optional = |i: Option<u32>, n: usize| i.is_none_or(|i| within(i, n));
-        let (first, second) = (self.first_names.len(), self.second_names.len());
-        let mut pairs = self.pairs.iter();
-        sound(
-            pairs.all(|p| within(p.0, first) && within(p.1, second)),
-            "pairs",
-        )?;
+        let ordered = |(lo, hi): (f64, f64)| lo.is_finite() && hi.is_finite() && lo <= hi;
         let mut pieces = self.pieces.iter();
-        sound(pieces.all(|p| within(p.pair, self.pairs.len())), "pieces")?;
+        let level = |p: &Piece| p.start.y().is_finite() && p.end.y().is_finite();
+        sound(
+            pieces.all(|p| within(p.pair, self.pairs.len()) && ordered(p.x_range()) && level(p)),
+            "pieces",
+        )?;
         let mut cells = self.cells.iter();
-        let cells_sound = cells.all(|c| within(c.piece, self.pieces.len()));
+        let cells_sound =
+            cells.all(|c| within(c.piece, self.pieces.len()) && ordered((c.from, c.to)));
         sound(cells_sound && self.free.len() == self.cells.len(), "cells")?;
         let n = self.cells.len();
         let mut gaps = self.gaps.iter();
@@ -236,7 +252,8 @@ impl SavedAxesSpace {
         )?;
         let mut bands = self.bands.iter();
         sound(
-            !self.bands.is_empty() && bands.all(|b| range(&b.gaps, self.gaps.len())),
+            !self.bands.is_empty()
+                && bands.all(|b| range(&b.gaps, self.gaps.len()) && ordered((b.lo, b.hi))),
             "bands",
         )?;
         let mut branches = self.branches.iter();

@@ -6,7 +6,7 @@ use crate::union_find::UnionFind;
 
 use super::build::SHORT;
 use super::condition::INDEPENDENT;
-use super::nodes::{Key, Name};
+use super::names::{Key, Name};
 use super::piece::{End, Pair, Piece};
 
 /// Takes out pieces too short to have a place, and makes their two ends one.

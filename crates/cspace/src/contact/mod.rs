@@ -21,4 +21,4 @@ pub use function::{ContactFunction, Spiral};
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Geometry, Placed};
 pub(crate) use sheet::{Seam, Sheet};
-pub(crate) use twist::{Steps, Twist};
+pub(crate) use twist::{Permutation, Steps, Twist};

@@ -26,7 +26,7 @@ pub(crate) struct Permutation {
 
 impl Permutation {
     /// Nothing moves.
-    fn identity(outline: &Outline) -> Self {
+    pub(crate) fn identity(outline: &Outline) -> Self {
         Self {
             features: (0..outline.features.len() as u32).collect(),
             joints: (0..outline.joints.len() as u32).collect(),
@@ -34,7 +34,11 @@ impl Permutation {
     }
 
     /// From the images of loops that are drawn in order of travel. `None` if features do not correspond.
-    fn of_loops(outline: &Outline, loops: &[LoopImage], lengths: &[u32]) -> Option<Self> {
+    pub(crate) fn of_loops(
+        outline: &Outline,
+        loops: &[LoopImage],
+        lengths: &[u32],
+    ) -> Option<Self> {
         let by_name: BTreeMap<_, u32> = (0u32..)
             .zip(&outline.features)
             .map(|(i, f)| (f.name, i))

@@ -37,4 +37,5 @@ pub(crate) use saved::check_head;
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
 pub(crate) use slice::{PASSED_ENDS, sweep};
 pub use stats::{Decisions, StageSeconds, Statistics};
+pub(crate) use symmetry::as_drawn;
 pub use symmetry::{PairSymmetry, Symmetry};

@@ -194,7 +194,8 @@ impl Names {
     }
 }
 
-fn as_drawn(symmetrized: &Option<Symmetrized>, name: FeatureName) -> FeatureName {
+/// What a feature of a part drawn anew is called in the part as drawn.
+pub(crate) fn as_drawn(symmetrized: &Option<Symmetrized>, name: FeatureName) -> FeatureName {
     let place = |s: &Symmetrized| {
         let l = s.drawn.get(name.loop_index as usize)?;
         l.get(name.index as usize).copied()

@@ -1,0 +1,97 @@
+//! Which sections of a curve are contact: where both features have the point and the normal.
+
+use crate::feature::Feature;
+use crate::geometry::{Point, Vector};
+
+use super::carriers::Carriers;
+use super::condition::INDEPENDENT;
+use super::domain::wrapped;
+use super::piece::Pair;
+use super::scene::Scene;
+
+/// A section is tested by where its middle lies between the ends of its features. Nearer to one than this (length, or
+/// radians) the test is not trusted: what lies on the other side of the node beside it tells.
+const UNCLEAR: f64 = 1e-11;
+
+/// How far inside both features' extents the contact at (x, y) is: negative outside.
+pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
+    let (a, b) = (
+        scene.first_feature(pair.first),
+        scene.second_feature(pair.second),
+    );
+    let motions = scene.motions;
+    let theta = motions.theta(x, y);
+    let turning = motions.first.turns() || motions.second.turns();
+    let inside =
+        |f: &Feature, angle: f64| 0.5 * (f.hi - f.lo) - wrapped(angle - 0.5 * (f.lo + f.hi)).abs();
+    let on = |(start, along, length): (Point, Vector, f64), p: Point| {
+        let at = along.dot(p - start);
+        at.min(length - at)
+    };
+    let half_turn = core::f64::consts::PI;
+    match pair.condition.carriers {
+        Carriers::FirstLine { point, .. } => {
+            let (start, along, length) = scene.first.segment(a);
+            let (start, along) = (
+                motions.first.point(x, start),
+                motions.first.vector(x, along),
+            );
+            let foot = on((start, along, length), motions.second.point(y, point));
+            if turning {
+                foot.min(inside(b, a.lo + half_turn - theta))
+            } else {
+                foot
+            }
+        }
+        Carriers::SecondLine { point, .. } => {
+            let (start, along, length) = scene.second.segment(b);
+            let (start, along) = (
+                motions.second.point(y, start),
+                motions.second.vector(y, along),
+            );
+            let foot = on((start, along, length), motions.first.point(x, point));
+            if turning {
+                foot.min(inside(a, b.lo + half_turn + theta))
+            } else {
+                foot
+            }
+        }
+        Carriers::Circles {
+            first,
+            second,
+            radius,
+        } => {
+            let n =
+                (motions.second.point(y, second) - motions.first.point(x, first)) * radius.signum();
+            let angle = n.angle();
+            inside(a, angle - motions.first.angle(x))
+                .min(inside(b, angle + half_turn - motions.second.angle(y)))
+        }
+    }
+}
+
+/// Which sections are contact: by their margins, and where those are unclear by the section beside.
+pub(super) fn decide(margins: &[f64], ends: impl Fn(usize) -> bool) -> Vec<bool> {
+    let n = margins.len();
+    let mut verdicts: Vec<Option<bool>> = margins
+        .iter()
+        .map(|&m| (m.abs() > UNCLEAR).then_some(m > 0.0))
+        .collect();
+    for i in 1..n {
+        if verdicts[i].is_none() {
+            verdicts[i] = verdicts[i - 1].map(|before| before != ends(i));
+        }
+    }
+    for i in (0..n.saturating_sub(1)).rev() {
+        if verdicts[i].is_none() {
+            verdicts[i] = verdicts[i + 1].map(|after| after != ends(i + 1));
+        }
+    }
+    // A curve without nodes that runs along a joint of both parts for good (discs that slide along their line of centres)
+    // belongs to the features on either side of it; one is enough, more do no harm.
+    verdicts
+        .iter()
+        .zip(margins)
+        .map(|(v, m)| v.unwrap_or(n == 1 && *m > -INDEPENDENT))
+        .collect()
+}
