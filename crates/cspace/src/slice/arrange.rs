@@ -5,9 +5,11 @@
 //! and right before it leaves it, it is in blocked space; so is an end that no other curve continues. The other gaps
 //! hang together at crossings and shared ends in shells; one honest test of overlap decides each shell.
 
-use crate::contact::{Curve, CurveShape, Geometry, crossing, roots};
-use crate::geometry::{Point, Rotation};
+use crate::contact::{Curve, CurveShape, Geometry};
+use crate::geometry::Rotation;
 use crate::union_find::UnionFind;
+
+use super::cut::{Cut, Live, TIED, cut, live_curves};
 
 /// What bounds a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,22 +41,13 @@ pub(crate) struct Arrangement {
     pub(crate) gaps: Vec<FreeGap>,
 }
 
-struct Live {
-    sheet: u32,
-    curve: Curve,
-    half: f64,
-    lo: Point,
-    hi: Point,
-    cuts: Vec<Cut>,
-    first_gap: u32,
-}
-
-#[derive(Clone, Copy)]
-struct Cut {
-    position: f64,
-    other: u32,
-    root: u8,
-    enters: bool,
+/// What is tested for overlap.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Test {
+    /// One gap of each shell, where nothing that bounds its gaps tells.
+    Shells,
+    /// Every gap for itself.
+    Gaps,
 }
 
 impl Arrangement {
@@ -68,24 +61,26 @@ impl Arrangement {
         theta: f64,
     ) -> Self {
         /// How far above, radians, relative to an orientation beyond one.
-        const STEPS: [f64; 6] = [0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9];
+        const STEPS: [f64; 8] = [0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7];
         let scale = theta.abs().max(1.0);
-        let mut last = None;
         for step in STEPS {
-            let (this, certain) = Self::at(geometry, sheets.clone(), theta + step * scale);
+            let sheets = sheets.clone();
+            let (this, certain) = Self::at(geometry, sheets, theta + step * scale, Test::Shells);
             if certain {
                 return this;
             }
-            last = Some(this);
         }
-        last.unwrap_or(Self {
-            theta,
-            gaps: Vec::new(),
-        })
+        // A touch of second order: what bounds the gaps tells nothing.
+        Self::at(geometry, sheets, theta, Test::Gaps).0
     }
 
     /// Computes the slice at just this orientation, and tells whether nothing contradicts it.
-    fn at(geometry: &Geometry, sheets: impl Iterator<Item = u32>, theta: f64) -> (Self, bool) {
+    fn at(
+        geometry: &Geometry,
+        sheets: impl Iterator<Item = u32>,
+        theta: f64,
+        test: Test,
+    ) -> (Self, bool) {
         let turn = Rotation::by(theta);
         let mut this = Self {
             theta,
@@ -93,7 +88,7 @@ impl Arrangement {
         };
         let (mut live, live_of_sheet, seams) = live_curves(geometry, sheets, theta, turn);
         cut(&mut live, geometry, turn);
-        let consistent = this.keep_free(geometry, &mut live, &live_of_sheet, theta);
+        let consistent = this.keep_free(geometry, &mut live, &live_of_sheet, theta, test);
         (this, consistent && !seams)
     }
 
@@ -104,12 +99,15 @@ impl Arrangement {
         live: &mut [Live],
         live_of_sheet: &[u32],
         theta: f64,
+        test: Test,
     ) -> bool {
         let mut count = 0;
-        let mut doubt = false;
         for l in live.iter_mut() {
             l.cuts.sort_by(|a, b| a.position.total_cmp(&b.position));
-            doubt |= l.is_tied();
+            l.tied |= l
+                .cuts
+                .windows(2)
+                .any(|c| c[1].position - c[0].position < c[0].error + c[1].error);
             l.first_gap = count;
             count += l.cuts.len() as u32 + 1;
         }
@@ -159,12 +157,14 @@ impl Arrangement {
             }
         }
         let mut shell_blocked = vec![false; count as usize];
+        let mut doubt = vec![false; count as usize];
         let mut witness: Vec<Option<(u32, f64, f64)>> = vec![None; count as usize];
         for (i, l) in live.iter().enumerate() {
             for g in 0..=l.cuts.len() {
                 let gap = l.first_gap + g as u32;
                 let root = shells.find(gap) as usize;
                 shell_blocked[root] |= blocked[gap as usize];
+                doubt[root] |= l.tied;
                 let (from, to) = l.gap_range(g);
                 if witness[root].is_none_or(|w| to - from > w.2) {
                     witness[root] = Some((i as u32, from, to - from));
@@ -173,7 +173,7 @@ impl Arrangement {
         }
         let mut consistent = true;
         for root in 0..count as usize {
-            if shells.find(root as u32) as usize != root || (shell_blocked[root] && !doubt) {
+            if shells.find(root as u32) as usize != root || (shell_blocked[root] && !doubt[root]) {
                 continue;
             }
             if let Some((i, from, length)) = witness[root] {
@@ -184,10 +184,17 @@ impl Arrangement {
             }
         }
         let mut number = vec![u32::MAX; count as usize];
-        for l in live.iter() {
+        for (i, l) in live.iter().enumerate() {
             for g in 0..=l.cuts.len() {
                 let gap = l.first_gap + g as u32;
-                if shell_blocked[shells.find(gap) as usize] {
+                let free = match test {
+                    Test::Shells => !shell_blocked[shells.find(gap) as usize],
+                    Test::Gaps => {
+                        let (from, to) = l.gap_range(g);
+                        is_free(geometry, live, i, 0.5 * (from + to), theta)
+                    }
+                };
+                if !free {
                     continue;
                 }
                 number[gap as usize] = self.gaps.len() as u32;
@@ -215,155 +222,8 @@ impl Arrangement {
             }
             consistent &= gap.next != u32::MAX;
         }
-        consistent
-    }
-}
-
-/// Crossings closer than this, to each other or to an end, may have come in the wrong order by rounding; in the
-/// pair's frame.
-const TIED: f64 = 1e-10;
-
-/// Curves that begin or end within this of an orientation, in radians, may exist there or not by rounding.
-const SEAM: f64 = 1e-14;
-
-impl Live {
-    /// Whether crossings, in order already, lie on each other or on an end.
-    fn is_tied(&self) -> bool {
-        let mut at = -self.half;
-        let places = self.cuts.iter().map(|c| c.position);
-        places.chain([self.half]).any(|p| {
-            let tied = p - at < TIED;
-            at = p;
-            tied
-        })
-    }
-
-    /// Whether a point of the carrier is in the curve's box, up to more than rounding.
-    fn may_hold(&self, p: Point) -> bool {
-        const MARGIN: f64 = 1e-9;
-        self.lo.x - MARGIN <= p.x
-            && p.x <= self.hi.x + MARGIN
-            && self.lo.y - MARGIN <= p.y
-            && p.y <= self.hi.y + MARGIN
-    }
-
-    fn gap_range(&self, gap: usize) -> (f64, f64) {
-        let from = if gap == 0 {
-            -self.half
-        } else {
-            self.cuts[gap - 1].position
-        };
-        let to = self.cuts.get(gap).map_or(self.half, |c| c.position);
-        (from, to)
-    }
-}
-
-/// The curves, where they are by sheet, and whether some begin or end at the orientation.
-fn live_curves(
-    geometry: &Geometry,
-    sheets: impl Iterator<Item = u32>,
-    theta: f64,
-    turn: Rotation,
-) -> (Vec<Live>, Vec<u32>, bool) {
-    let (core, reach) = geometry.core(turn);
-    let mut live = Vec::new();
-    let mut live_of_sheet = vec![u32::MAX; geometry.contacts.sheets.len()];
-    let mut seams = false;
-    let seam = SEAM * theta.abs().max(1.0);
-    for i in sheets {
-        let sheet = &geometry.contacts.sheets[i as usize];
-        seams |= (sheet.lo - theta).abs().min((sheet.hi - theta).abs()) <= seam;
-        if !(sheet.lo < theta && theta < sheet.hi) {
-            continue;
-        }
-        let curve = sheet.curve(theta, turn);
-        let (lo, hi) = curve.bounds();
-        let far = (core.x - lo.x)
-            .abs()
-            .max((core.x - hi.x).abs())
-            .hypot((core.y - lo.y).abs().max((core.y - hi.y).abs()));
-        if far < reach {
-            continue;
-        }
-        live_of_sheet[i as usize] = live.len() as u32;
-        let half = curve.half_length();
-        live.push(Live {
-            sheet: i,
-            curve,
-            half,
-            lo,
-            hi,
-            cuts: Vec::new(),
-            first_gap: 0,
-        });
-    }
-    (live, live_of_sheet, seams)
-}
-
-/// Finds all crossings.
-fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) {
-    let mut order: Vec<u32> = (0..live.len() as u32).collect();
-    order.sort_by(|&a, &b| live[a as usize].lo.x.total_cmp(&live[b as usize].lo.x));
-    for (n, &i) in order.iter().enumerate() {
-        let (x, y0, y1) = {
-            let l = &live[i as usize];
-            (l.hi.x, l.lo.y, l.hi.y)
-        };
-        for &j in &order[n + 1..] {
-            let m = &live[j as usize];
-            if m.lo.x > x {
-                break;
-            }
-            if m.lo.y <= y1 && y0 <= m.hi.y {
-                let (a, b) = (i.min(j), i.max(j));
-                cut_pair(live, geometry, turn, a, b);
-            }
-        }
-    }
-}
-
-fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u32) {
-    let (f, g) = (&live[i as usize], &live[j as usize]);
-    let sheets = &geometry.contacts.sheets;
-    let (fs, gs) = (&sheets[f.sheet as usize], &sheets[g.sheet as usize]);
-    let shared = fs.shared_ends(gs, geometry.contacts.first_vertex_name);
-    if shared.tangent {
-        return;
-    }
-    let mut found: [Option<(Point, bool)>; 2] = [None; 2];
-    for root in 0..roots(&f.curve, &g.curve) {
-        found[usize::from(root)] = crossing(&f.curve, &g.curve, root).map(|c| (c.point, c.enters));
-    }
-    for spiral in shared.corners.into_iter().flatten() {
-        let p = spiral.at(turn);
-        let distance = |c: &Option<(Point, bool)>| c.map_or(f64::INFINITY, |c| c.0.distance(p));
-        let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
-        found[nearest] = None;
-    }
-    let mut cuts = Vec::new();
-    for (root, c) in (0u8..).zip(found) {
-        let Some((p, enters)) = c else { continue };
-        if !(f.may_hold(p) && g.may_hold(p)) {
-            continue;
-        }
-        let (s, t) = (f.curve.position(p), g.curve.position(p));
-        if s.abs() < f.half && t.abs() < g.half {
-            cuts.push((root, enters, s, t));
-        }
-    }
-    for &(root, enters, s, t) in &cuts {
-        live[i as usize].cuts.push(Cut {
-            position: s,
-            other: j,
-            root,
-            enters,
-        });
-        live[j as usize].cuts.push(Cut {
-            position: t,
-            other: i,
-            root,
-            enters: !enters,
-        });
+        // Far away all is free, and something bounds that.
+        consistent && !self.gaps.is_empty()
     }
 }
 

@@ -12,7 +12,7 @@ use super::types::Slice;
 const SLOTS: usize = 256;
 
 /// Slices at a critical orientation are taken at most this far above it, radians.
-const ABOVE: f64 = 1e-8;
+const ABOVE: f64 = 1e-6;
 
 /// A pair of parts prepared for slices at any orientation: what does not depend on it is computed once.
 ///

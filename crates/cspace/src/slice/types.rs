@@ -205,7 +205,7 @@ impl CurveGeometry {
 impl Slice {
     /// Computes the slice of a pair at one orientation from scratch.
     ///
-    /// If `theta` is a critical orientation exactly, the slice just above it is meant, within 1e-9 rad. For many slices
+    /// If `theta` is a critical orientation, the slice just above it is meant: within 1e-9 rad, or 1e-7 rad beside a tangency. For many slices
     /// of one pair a [`Slicer`](crate::Slicer) is faster.
     ///
     /// ```

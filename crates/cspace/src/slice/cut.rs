@@ -1,0 +1,188 @@
+//! The contact curves at one orientation, and where they cross.
+
+use crate::contact::{Curve, Geometry, crossing, roots};
+use crate::geometry::{Point, Rotation};
+
+/// A contact curve with its crossings.
+pub(super) struct Live {
+    pub(super) sheet: u32,
+    pub(super) curve: Curve,
+    pub(super) half: f64,
+    pub(super) lo: Point,
+    pub(super) hi: Point,
+    pub(super) cuts: Vec<Cut>,
+    /// Whether a crossing may be on either side of the end of a curve.
+    pub(super) tied: bool,
+    pub(super) first_gap: u32,
+}
+
+/// A crossing with another curve.
+#[derive(Clone, Copy)]
+pub(super) struct Cut {
+    pub(super) position: f64,
+    pub(super) other: u32,
+    pub(super) root: u8,
+    pub(super) enters: bool,
+    /// How far off the place may be.
+    pub(super) error: f64,
+}
+
+/// Crossings closer than this to the end of a curve, divided by the sine at which the curves cross, may have come to lie
+/// on the wrong side of it by rounding; in the pair's frame.
+const ROUNDING: f64 = 1e-13;
+
+/// The same of crossings at any angle: the orientation may be known as well as this, or be one of an event.
+pub(super) const TIED: f64 = 1e-11;
+
+/// Curves that begin or end within this of an orientation, in radians, may exist there or not by rounding.
+const SEAM: f64 = 1e-14;
+
+impl Live {
+    /// Whether a point of the carrier is in the curve's box, widened by a margin.
+    fn may_hold(&self, p: Point, margin: f64) -> bool {
+        self.lo.x - margin <= p.x
+            && p.x <= self.hi.x + margin
+            && self.lo.y - margin <= p.y
+            && p.y <= self.hi.y + margin
+    }
+
+    /// The range of places of a gap.
+    pub(super) fn gap_range(&self, gap: usize) -> (f64, f64) {
+        let from = if gap == 0 {
+            -self.half
+        } else {
+            self.cuts[gap - 1].position
+        };
+        let to = self.cuts.get(gap).map_or(self.half, |c| c.position);
+        (from, to)
+    }
+}
+
+/// The curves, where they are by sheet, and whether some begin or end at the orientation.
+pub(super) fn live_curves(
+    geometry: &Geometry,
+    sheets: impl Iterator<Item = u32>,
+    theta: f64,
+    turn: Rotation,
+) -> (Vec<Live>, Vec<u32>, bool) {
+    let (core, reach) = geometry.core(turn);
+    let mut live = Vec::new();
+    let mut live_of_sheet = vec![u32::MAX; geometry.contacts.sheets.len()];
+    let mut seams = false;
+    let seam = SEAM * theta.abs().max(1.0);
+    for i in sheets {
+        let sheet = &geometry.contacts.sheets[i as usize];
+        seams |= (sheet.lo - theta).abs().min((sheet.hi - theta).abs()) <= seam;
+        if !(sheet.lo < theta && theta < sheet.hi) {
+            continue;
+        }
+        let curve = sheet.curve(theta, turn);
+        let (lo, hi) = curve.bounds();
+        let far = (core.x - lo.x)
+            .abs()
+            .max((core.x - hi.x).abs())
+            .hypot((core.y - lo.y).abs().max((core.y - hi.y).abs()));
+        if far < reach {
+            continue;
+        }
+        live_of_sheet[i as usize] = live.len() as u32;
+        let half = curve.half_length();
+        live.push(Live {
+            sheet: i,
+            curve,
+            half,
+            lo,
+            hi,
+            cuts: Vec::new(),
+            tied: false,
+            first_gap: 0,
+        });
+    }
+    (live, live_of_sheet, seams)
+}
+
+/// Finds all crossings.
+pub(super) fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) {
+    let mut order: Vec<u32> = (0..live.len() as u32).collect();
+    order.sort_by(|&a, &b| live[a as usize].lo.x.total_cmp(&live[b as usize].lo.x));
+    for (n, &i) in order.iter().enumerate() {
+        let (x, y0, y1) = {
+            let l = &live[i as usize];
+            (l.hi.x, l.lo.y, l.hi.y)
+        };
+        for &j in &order[n + 1..] {
+            let m = &live[j as usize];
+            if m.lo.x > x {
+                break;
+            }
+            if m.lo.y <= y1 && y0 <= m.hi.y {
+                let (a, b) = (i.min(j), i.max(j));
+                cut_pair(live, geometry, turn, a, b);
+            }
+        }
+    }
+}
+
+/// Finds the crossings of two curves.
+fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u32) {
+    let (f, g) = (&live[i as usize], &live[j as usize]);
+    let sheets = &geometry.contacts.sheets;
+    let (fs, gs) = (&sheets[f.sheet as usize], &sheets[g.sheet as usize]);
+    let shared = fs.shared_ends(gs, geometry.contacts.first_vertex_name);
+    if shared.tangent {
+        return;
+    }
+    /// More than rounding.
+    const MARGIN: f64 = 1e-9;
+    /// Sines and lengths: two crossings this close to a tangency are closer to each other than their rounding.
+    const BLUNT: f64 = 1e-5;
+    let mut found: [Option<(Point, bool)>; 2] = [None; 2];
+    for root in 0..roots(&f.curve, &g.curve) {
+        found[usize::from(root)] = crossing(&f.curve, &g.curve, root).map(|c| (c.point, c.enters));
+    }
+    // Where curves are all but tangent, two crossings may be taken for each other.
+    let blunt = |p: Point| {
+        let sine = f.curve.normal(p).cross(g.curve.normal(p)).abs();
+        sine < BLUNT && f.may_hold(p, BLUNT) && g.may_hold(p, BLUNT)
+    };
+    let mut tied = found.iter().flatten().any(|c| blunt(c.0));
+    for spiral in shared.corners.into_iter().flatten() {
+        let p = spiral.at(turn);
+        let distance = |c: &Option<(Point, bool)>| c.map_or(f64::INFINITY, |c| c.0.distance(p));
+        let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
+        found[nearest] = None;
+    }
+    let mut cuts = Vec::new();
+    for (root, c) in (0u8..).zip(found) {
+        let Some((p, enters)) = c else { continue };
+        if !(f.may_hold(p, MARGIN) && g.may_hold(p, MARGIN)) {
+            continue;
+        }
+        let (s, t) = (f.curve.position(p), g.curve.position(p));
+        let sine = f.curve.normal(p).cross(g.curve.normal(p)).abs();
+        let near = TIED + ROUNDING / sine.max(ROUNDING);
+        if s.abs() < f.half && t.abs() < g.half {
+            cuts.push((root, enters, s, t, near));
+        }
+        let beyond = (s.abs() - f.half).max(t.abs() - g.half);
+        tied |= beyond.abs() < near;
+    }
+    live[i as usize].tied |= tied;
+    live[j as usize].tied |= tied;
+    for &(root, enters, s, t, error) in &cuts {
+        live[i as usize].cuts.push(Cut {
+            position: s,
+            other: j,
+            root,
+            enters,
+            error,
+        });
+        live[j as usize].cuts.push(Cut {
+            position: t,
+            other: i,
+            root,
+            enters: !enters,
+            error,
+        });
+    }
+}
