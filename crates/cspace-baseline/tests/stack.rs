@@ -1,0 +1,120 @@
+//! The stack and its surface against the exact contact space.
+
+use cspace::{Classification, Configuration, ContactSpace, Options, Symmetry};
+use cspace_baseline::compare::{Errors, errors};
+use cspace_baseline::{Stack, Surface, paper, with_bands};
+use cspace_io::Model;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+struct Both {
+    space: ContactSpace,
+    surface: Surface,
+    errors: Errors,
+}
+
+fn both(pair: &paper::PaperPair, separation: f64) -> Both {
+    let model = Model::from_toml(pair.model, pair.name).unwrap();
+    let [fixed, moving] =
+        [model.pairs[0].fixed, model.pairs[0].moving].map(|i| &model.parts[i].part);
+    let options = Options {
+        symmetry: Symmetry::Ignore,
+        ..Options::default()
+    };
+    let space = ContactSpace::compute(fixed, moving, &options).unwrap();
+    let orientations = with_bands(separation, &space.bands()).unwrap();
+    let stack = Stack::new(fixed, moving, &orientations);
+    let surface = Surface::new(&stack, 1e-3 * (fixed.size() + moving.size()));
+    let errors = errors(&stack, &surface, &space);
+    assert_eq!(errors.unknown, 0, "{}", pair.name);
+    assert!(errors.boundary_lines > 1000, "{} {errors:?}", pair.name);
+    Both {
+        space,
+        surface,
+        errors,
+    }
+}
+
+/// Farther from contact than the largest gap and what arcs lose as straight pieces, both say the same.
+#[test]
+fn surface_and_space_agree_away_from_contact() {
+    for pair in &paper::PAIRS {
+        let Both {
+            space,
+            surface,
+            errors,
+        } = both(pair, 0.005);
+        let clear = errors.largest_gap + surface.accuracy;
+        let mut rng = ChaCha8Rng::seed_from_u64(7);
+        let (mut free, mut blocked, mut open) = (0, 0, 0);
+        while free + blocked < 400 {
+            let theta = rng.random_range(-7.0..7.0);
+            let slice = space.slice(theta);
+            // About a place of contact.
+            let curve = &slice.curves[rng.random_range(0..slice.curves.len())].geometry;
+            let at = curve.point(rng.random_range(0.0..1.0));
+            let reach = 8.0 * clear;
+            let p = cspace::Point::new(
+                at.x + rng.random_range(-reach..reach),
+                at.y + rng.random_range(-reach..reach),
+            );
+            let distances = slice
+                .curves
+                .iter()
+                .map(|c| c.geometry.nearest(p).distance(p));
+            if distances.fold(f64::INFINITY, f64::min) <= clear {
+                continue;
+            }
+            let c = Configuration::new(p.x, p.y, theta);
+            let class = space.classify(c).unwrap();
+            match surface.is_free(c) {
+                None => open += 1,
+                Some(true) => {
+                    assert_eq!(class, Classification::Free, "{} {c:?}", pair.name);
+                    free += 1;
+                }
+                Some(false) => {
+                    assert_eq!(class, Classification::Blocked, "{} {c:?}", pair.name);
+                    blocked += 1;
+                }
+            }
+            assert!(open < 800, "{}: hardly any layer is closed", pair.name);
+        }
+        assert!(free > 50 && blocked > 50, "{}: {free} {blocked}", pair.name);
+    }
+}
+
+/// Where boundary curves are smooth, their chords are off by the square of the separation.
+#[test]
+fn gap_is_quadratic_in_the_separation() {
+    for name in ["blocks", "crank/slider"] {
+        let pair = paper::PAIRS.iter().find(|p| p.name == name).unwrap();
+        let [coarse, fine] = [0.01, 0.005].map(|s| both(pair, s).errors.largest_gap);
+        let ratio = coarse / fine;
+        assert!((3.5..4.5).contains(&ratio), "{name}: {coarse} {fine}");
+    }
+}
+
+/// Within bands nothing is joined wrongly.
+#[test]
+fn layers_within_bands_are_closed() {
+    for name in ["cam", "fixture", "patella/femur"] {
+        let pair = paper::PAIRS.iter().find(|p| p.name == name).unwrap();
+        let Both { space, surface, .. } = both(pair, 0.005);
+        let critical = space.critical_orientations();
+        let mut within = 0;
+        for layer in &surface.layers {
+            let (lo, hi) = layer.theta;
+            let turn = core::f64::consts::TAU;
+            let crossed = critical.iter().any(|&c| {
+                let c = c + turn * ((lo - c) / turn).ceil();
+                c <= hi
+            });
+            if !crossed {
+                within += 1;
+                assert!(layer.closed, "{name} {lo} {hi}");
+            }
+        }
+        assert!(within > 1000, "{name} {within}");
+    }
+}
