@@ -12,6 +12,9 @@ use crate::{Layer, Stack, Surface};
 pub struct Errors {
     /// The largest gap, in the model's unit: half way between two consecutive slices, from the straight boundary line to the
     /// boundary curve of the patch it stands for. Only patches that exist over the whole layer count, so that the curve is there.
+    ///
+    /// It shrinks with the square of the separation where boundary curves are smooth, and with its root where two contact
+    /// curves become tangent.
     pub largest_gap: f64,
     /// The orientation of the largest gap, radians.
     pub largest_gap_theta: f64,
