@@ -20,11 +20,14 @@ pub struct Errors {
     pub largest_gap_theta: f64,
     /// How many boundary lines were compared.
     pub boundary_lines: usize,
-    /// Joined curves that belong to different patches, of which neither continues the other between the two slices: the surface
-    /// goes straight across free or blocked configurations between two separate pieces of contact.
-    pub wrongly_joined: usize,
-    /// Curves joined to none: the surface has a hole there, and free and blocked configurations meet in it.
+    /// Layers in which free and blocked configurations are joined: the surface has a hole there, or is torn between neighbours,
+    /// or goes across what separates two pieces of contact. Every patch that begins or ends between two slices makes one.
+    pub open_layers: usize,
+    /// Curves joined to none, each with a hole beside it.
     pub left_open: usize,
+    /// Joined curves that belong to different patches, of which the upper does not continue the lower between the two slices:
+    /// the surface goes straight across free or blocked configurations between two separate pieces of contact.
+    pub joined_across: usize,
     /// Curves whose patch is not known; 0 unless the slices are not of the same pair as the space.
     pub unknown: usize,
 }
@@ -48,7 +51,8 @@ pub fn errors(stack: &Stack, surface: &Surface, space: &ContactSpace) -> Errors 
             sum.largest_gap_theta = e.largest_gap_theta;
         }
         sum.boundary_lines += e.boundary_lines;
-        sum.wrongly_joined += e.wrongly_joined;
+        sum.open_layers += e.open_layers;
+        sum.joined_across += e.joined_across;
         sum.left_open += e.left_open;
         sum.unknown += e.unknown;
         sum
@@ -155,7 +159,7 @@ fn layer_errors(
         };
         if lower != upper {
             if !continued.leads(lower, upper, layer.theta) {
-                errors.wrongly_joined += 1;
+                errors.joined_across += 1;
             }
             continue;
         }
@@ -164,7 +168,7 @@ fn layer_errors(
             .filter(|p| p.contains_orientation(middle))
         else {
             // One patch that ends and, nearly a turn later, begins.
-            errors.wrongly_joined += 1;
+            errors.joined_across += 1;
             continue;
         };
         let ends = [(0.0, patch.left()), (1.0, patch.right())];
@@ -180,5 +184,6 @@ fn layer_errors(
             }
         }
     }
+    errors.open_layers = usize::from(!layer.closed || errors.joined_across > 0);
     errors
 }

@@ -277,8 +277,11 @@ all combinations of features is not timed.
 
 The errors of the old algorithm: `gap` is the largest distance between its straight boundary lines and
 the exact boundary curves, half way between two slices. The others are of slices without critical
-orientations given: bands without a slice, curves joined across free or blocked space, and curves that
-nothing continues, which leave holes.";
+orientations given: bands that no slice falls in, and spaces between two slices in which the surface
+lets free and blocked configurations meet.
+
+`special` are times of the pairs with joints and fixed axes among the project's models, each by its own
+method and by the one for three degrees of freedom.";
 
 const COMPLETIONS: &str = "\
 Example:

@@ -40,6 +40,16 @@ fn json_has_the_fields_of_the_contract() {
         assert!(pair["links"]["side"].as_u64().unwrap() > 0);
         assert!(pair["links"]["vertical"].as_u64().unwrap() > 0);
         assert_eq!(pair["features"], pair["paper"]["features"]);
+        // Not timed, and said to be so.
+        assert!(pair["criticality_seconds"].is_null());
+        // Each layer has a change or none; each missed band shares its layer with another.
+        let [joined, missed] =
+            ["wrongly_joined", "missed_bands"].map(|f| pair[f].as_u64().unwrap());
+        let changes = pair["new_slices_without_symmetry"].as_u64().unwrap();
+        assert!(
+            0 < joined && joined + missed <= changes,
+            "{joined} {missed}"
+        );
         // Bands of width w take ⌈w / 0.005⌉ slices.
         let (old, bands) = [&pair["old_slices"], &pair["new_slices_without_symmetry"]]
             .map(|n| n.as_u64().unwrap())
@@ -60,8 +70,10 @@ fn json_has_the_fields_of_the_contract() {
     let survey = &answer["survey"];
     assert_eq!(survey["paper_saving"], 10.0);
     let share = survey["special_share"].as_f64().unwrap();
-    let saving = survey["saving"].as_f64().unwrap();
-    assert!(saving < 1.0 / (1.0 - share), "{saving}");
+    for saving in ["all_fixed_axes", "all_lower"] {
+        let saving = survey["saving"][saving].as_f64().unwrap();
+        assert!(0.0 < saving && saving < 1.0 / (1.0 - share), "{saving}");
+    }
     let classes: Vec<&str> = (survey["special_pairs"].as_array().unwrap().iter())
         .map(|p| p["class"].as_str().unwrap())
         .collect();

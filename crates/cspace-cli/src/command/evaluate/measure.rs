@@ -1,8 +1,9 @@
 //! One pair, by the general algorithm and by this one.
 
+use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::{ContactSpace, Options, Part, Symmetry};
+use cspace::{ContactSpace, Options, Part, Slicer, Symmetry};
 use cspace_baseline::compare::{errors, missed_bands};
 use cspace_baseline::paper::{Group, PaperPair};
 use cspace_baseline::{Stack, Surface, evenly, with_bands};
@@ -34,6 +35,8 @@ pub(super) struct Measured {
     pub(super) old_stages: OldStages,
     pub(super) new_seconds: f64,
     pub(super) new_seconds_without_symmetry: f64,
+    /// Of one slice: by the old algorithm on all threads, and by the product's kernel on one.
+    pub(super) seconds_per_slice: PerSlice,
     /// Old seconds by new ones.
     pub(super) ratio: f64,
     /// The general algorithm's search of critical orientations over all combinations of features: not measured.
@@ -45,9 +48,14 @@ pub(super) struct Measured {
     pub(super) largest_gap: f64,
     /// The largest gap as a share of the larger part's size.
     pub(super) largest_gap_share: f64,
+    /// Of the stack without critical orientations: bands that no slice falls in,
     pub(super) missed_bands: usize,
+    /// spaces between slices in which free and blocked configurations are joined,
     pub(super) wrongly_joined: usize,
-    pub(super) left_open: usize,
+    /// curves there that nothing continues,
+    pub(super) curves_left_open: usize,
+    /// and curves continued by another piece of contact.
+    pub(super) curves_joined_across: usize,
     /// Figure 5's numbers.
     pub(super) paper: Paper,
 }
@@ -56,6 +64,12 @@ pub(super) struct Measured {
 pub(super) struct OldStages {
     slices: f64,
     surface: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct PerSlice {
+    pub(super) old: f64,
+    pub(super) product: f64,
 }
 
 #[derive(Serialize)]
@@ -108,11 +122,26 @@ pub(super) fn measure(pair: &PaperPair, separation: f64, repeat: u16) -> Result<
     let accuracy = ACCURACY * size;
 
     // The methods take turns, so that what else the machine does meets all of them.
-    let [mut slices, mut surfaces, mut old, mut new, mut without] = [const { Vec::new() }; 5];
+    let [
+        mut slices,
+        mut surfaces,
+        mut old,
+        mut new,
+        mut without,
+        mut alone,
+    ] = [const { Vec::new() }; 6];
     for _ in 0..repeat {
         let (of_slices, stack) = timed(|| Stack::new(fixed, moving, &orientations));
         let (of_surface, surface) = timed(|| Surface::new(&stack, accuracy));
         drop((stack, surface));
+        let (of_product, curves) = timed(|| {
+            let slicer = Slicer::new(fixed, moving);
+            let slices = orientations.iter().map(|&theta| slicer.slice(theta));
+            slices.map(|s| s.curves.len()).sum::<usize>()
+        });
+        // Nothing of it may be left out as unused.
+        black_box(curves);
+        alone.push(of_product);
         slices.push(of_slices);
         surfaces.push(of_surface);
         old.push(of_slices + of_surface);
@@ -125,7 +154,8 @@ pub(super) fn measure(pair: &PaperPair, separation: f64, repeat: u16) -> Result<
             seconds.push(of_space);
         }
     }
-    let (old_seconds, new_seconds) = (median(old), median(new));
+    let (old_seconds, new_seconds, slices) = (median(old), median(new), median(slices));
+    let count = orientations.len() as f64;
 
     let stack = Stack::new(fixed, moving, &orientations);
     let surface = Surface::new(&stack, accuracy);
@@ -150,11 +180,15 @@ pub(super) fn measure(pair: &PaperPair, separation: f64, repeat: u16) -> Result<
         slice_ratio: orientations.len() as f64 / exact.computed_bands().max(1) as f64,
         old_seconds,
         old_stages: OldStages {
-            slices: median(slices),
+            slices,
             surface: median(surfaces),
         },
         new_seconds,
         new_seconds_without_symmetry: median(without),
+        seconds_per_slice: PerSlice {
+            old: slices / count,
+            product: median(alone) / count,
+        },
         ratio: old_seconds / new_seconds,
         criticality_seconds: None,
         patches: exact.patches().len(),
@@ -166,8 +200,9 @@ pub(super) fn measure(pair: &PaperPair, separation: f64, repeat: u16) -> Result<
         largest_gap: gaps.largest_gap,
         largest_gap_share: gaps.largest_gap / size,
         missed_bands: missed_bands(&general, &plain),
-        wrongly_joined: topology.wrongly_joined,
-        left_open: topology.left_open,
+        wrongly_joined: topology.open_layers,
+        curves_left_open: topology.left_open,
+        curves_joined_across: topology.joined_across,
         paper: Paper {
             features: pair.features,
             old_slices: pair.old_slices,

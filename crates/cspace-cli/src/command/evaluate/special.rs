@@ -32,18 +32,33 @@ const MODELS: [(&str, &str); 7] = [
 pub(super) struct Survey {
     /// Special pairs, by their own method and by the general one.
     pub(super) special_pairs: Vec<Special>,
-    /// Mean over those by a joint: a look-up.
-    pub(super) lower_seconds: f64,
-    /// Mean over those with fixed axes.
-    pub(super) fixed_axes_seconds: f64,
-    /// Mean over the same pairs with fixed axes by the method for three degrees of freedom.
-    pub(super) general_seconds: f64,
+    /// Means over those that a joint connects.
+    pub(super) lower: Means,
+    /// Means over those with fixed axes.
+    pub(super) fixed_axes: Means,
     /// Share of the survey's planar pairs that special methods cover, counting one pair of each mechanism that has only such.
     pub(super) special_share: f64,
-    /// Average saving over all pairs, every special pair taken to have fixed axes.
-    pub(super) saving: f64,
+    /// Average saving over all pairs; the survey does not say how many special pairs are of which class.
+    pub(super) saving: Saving,
     pub(super) paper_share: f64,
     pub(super) paper_saving: f64,
+}
+
+/// Mean seconds over some special pairs.
+#[derive(Serialize)]
+pub(super) struct Means {
+    /// By their own method.
+    pub(super) seconds: f64,
+    /// By the method for three degrees of freedom.
+    pub(super) general_seconds: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct Saving {
+    /// Were all special pairs as those with fixed axes here.
+    pub(super) all_fixed_axes: f64,
+    /// Were all as those that a joint connects.
+    pub(super) all_lower: f64,
 }
 
 #[derive(Serialize)]
@@ -85,22 +100,32 @@ pub(super) fn survey(repeat: u16) -> Result<Survey, Failure> {
             });
         }
     }
-    let mean = |kind: PairClass, of: fn(&Special) -> f64| {
-        let members = special_pairs.iter().filter(|s| s.kind == kind).map(of);
-        let (n, sum) = members.fold((0.0, 0.0), |(n, sum), s| (n + 1.0, sum + s));
-        sum / n
+    let means = |kind: PairClass| {
+        let mean = |of: fn(&Special) -> f64| {
+            let members = special_pairs.iter().filter(|s| s.kind == kind).map(of);
+            let (n, sum) = members.fold((0.0, 0.0), |(n, sum), s| (n + 1.0, sum + s));
+            sum / n
+        };
+        Means {
+            seconds: mean(|s| s.seconds),
+            general_seconds: mean(|s| s.general_seconds),
+        }
     };
-    let lower_seconds = mean(PairClass::Lower, |s| s.seconds);
-    let fixed_axes_seconds = mean(PairClass::FixedAxes, |s| s.seconds);
-    let general_seconds = mean(PairClass::FixedAxes, |s| s.general_seconds);
+    let [lower, fixed_axes] = [PairClass::Lower, PairClass::FixedAxes].map(means);
     let special_share = SURVEY.special_share(1.0);
     Ok(Survey {
         special_pairs,
-        lower_seconds,
-        fixed_axes_seconds,
-        general_seconds,
         special_share,
-        saving: saving(special_share, fixed_axes_seconds, general_seconds),
+        saving: Saving {
+            all_fixed_axes: saving(
+                special_share,
+                fixed_axes.seconds,
+                fixed_axes.general_seconds,
+            ),
+            all_lower: saving(special_share, lower.seconds, lower.general_seconds),
+        },
+        lower,
+        fixed_axes,
         paper_share: SURVEY.paper_share,
         paper_saving: SURVEY.paper_saving,
     })
