@@ -12,7 +12,7 @@ use serde::Serialize;
 use crate::args::{EvaluateArgs, Format};
 use crate::failure::Failure;
 use crate::output;
-use crate::progress::catch_interrupts;
+use crate::progress::{Steps, catch_interrupts};
 use crate::subject::set_threads;
 
 use averages::Averages;
@@ -41,16 +41,19 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
     })?;
     catch_interrupts();
     set_threads(args.threads)?;
+    let steps = Steps::new(chosen.len() + 1);
     let pairs = (chosen.iter())
-        .map(|pair| measure(pair, args.separation, args.repeat))
+        .map(|pair| steps.step(pair.name, || measure(pair, args.separation, args.repeat)))
         .collect::<Result<Vec<_>, _>>()?;
+    let survey = steps.step("special pairs", || special::survey(args.repeat))?;
+    drop(steps);
     let evaluation = Evaluation {
         separation: args.separation,
         repeat: args.repeat,
         threads: rayon::current_num_threads(),
         averages: Averages::of(&pairs),
         pairs,
-        survey: special::survey(args.repeat)?,
+        survey,
     };
     let bytes = match args.format {
         Format::Json => super::json(&evaluation)?,
