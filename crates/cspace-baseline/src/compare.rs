@@ -33,6 +33,22 @@ pub struct Errors {
 }
 
 /// Compares a surface with the exact contact space of its pair, computed for the full turn.
+///
+/// ```
+/// use cspace::{ContactSpace, Options, Part, Vertex};
+/// use cspace_baseline::{Stack, Surface, compare, with_bands};
+/// let square = |name: &str, r: f64| {
+///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+/// };
+/// let (table, block) = (square("table", 2.0)?, square("block", 1.0)?);
+/// let space = ContactSpace::compute(&table, &block, &Options::default())?;
+/// let stack = Stack::new(&table, &block, &with_bands(0.005, &space.bands())?);
+/// let errors = compare::errors(&stack, &Surface::new(&stack, 0.01), &space);
+/// // Corners of the block go around those of the table on circles of radius √2; a chord of 0.005 rad is r 0.005² / 8 off.
+/// assert!((errors.largest_gap / (2f64.sqrt() * 0.005f64.powi(2) / 8.0) - 1.0).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn errors(stack: &Stack, surface: &Surface, space: &ContactSpace) -> Errors {
     let patches: Vec<Vec<Option<u32>>> = (stack.slices.par_iter())
         .map(|slice| patches_of(slice, space))

@@ -41,6 +41,24 @@ pub struct Surface {
 impl Surface {
     /// Joins curves of equal features in consecutive slices by straight boundary lines, with triangles between them. Arcs are cut
     /// into straight pieces no farther than `accuracy` (in the model's unit) from them, and into 4096 a turn at most.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Part, Vertex};
+    /// use cspace_baseline::{Stack, Surface, evenly};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// // An even number of slices: none is at the orientation 0, where sides align.
+    /// let stack = Stack::new(&square("table", 2.0)?, &square("block", 1.0)?, &evenly(std::f64::consts::TAU / 1256.0)?);
+    /// let surface = Surface::new(&stack, 0.01);
+    /// assert_eq!(surface.layers.len(), stack.slices.len());
+    /// assert_eq!(surface.is_free(Configuration::new(4.0, 0.0, 0.1)), Some(true));
+    /// assert_eq!(surface.is_free(Configuration::new(2.0, 0.0, 0.1)), Some(false));
+    /// // The features change there, and the layer is open.
+    /// assert_eq!(surface.is_free(Configuration::new(2.0, 0.0, 0.0)), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(stack: &Stack, accuracy: f64) -> Self {
         let n = stack.slices.len();
         let layers = (0..n).into_par_iter().map(|i| {
