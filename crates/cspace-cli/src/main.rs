@@ -38,6 +38,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Slice(args) => command::slice::run(&args),
         Command::Classify(args) => command::classify::run(&args),
         Command::Export(args) => command::export::run(&args),
+        Command::Evaluate(args) => command::evaluate::run(&args),
         Command::Completions(args) => command::completions::run(&args),
     }
 }

@@ -110,6 +110,42 @@ impl Drop for Bar {
     }
 }
 
+/// A bar on stderr over pieces of work with names, if stderr is a terminal and they take more than a second.
+pub(crate) struct Steps {
+    begin: Instant,
+    bar: ProgressBar,
+}
+
+impl Steps {
+    pub(crate) fn new(count: usize) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("[{bar:24}] {pos}/{len} {elapsed} {msg}") {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        Self {
+            begin: Instant::now(),
+            bar,
+        }
+    }
+
+    /// Does the next piece.
+    pub(crate) fn step<T>(&self, name: &str, work: impl FnOnce() -> T) -> T {
+        if self.begin.elapsed() >= PATIENCE && self.bar.is_hidden() {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        self.bar.set_message(name.to_owned());
+        let result = work();
+        self.bar.inc(1);
+        result
+    }
+}
+
+impl Drop for Steps {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
 impl Progress for Bar {
     fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
         *self.stage.lock().unwrap_or_else(PoisonError::into_inner) = Some(stage);

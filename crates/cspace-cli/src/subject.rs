@@ -35,20 +35,25 @@ pub(crate) struct Chosen<'a> {
     general: bool,
 }
 
+/// Sets the number of threads of all computations; 0 or none for one per processor.
+pub(crate) fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(usize::from(threads))
+        .build_global()
+        .map_err(|e| {
+            Failure::work(format_args!("--threads {threads}: {e}")).help("give a smaller number")
+        })
+}
+
 impl Subject {
     /// Reads the file, and sets up what all commands need.
     pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
         output::check(common.output.as_deref())?;
         catch_interrupts();
-        if let Some(threads) = common.threads {
-            rayon::ThreadPoolBuilder::new()
-                .num_threads(usize::from(threads))
-                .build_global()
-                .map_err(|e| {
-                    Failure::work(format_args!("--threads {threads}: {e}"))
-                        .help("give a smaller number")
-                })?;
-        }
+        set_threads(common.threads)?;
         let path = common.file.clone();
         Ok(match cspace_io::read(&path)? {
             Document::Model(model) => Self::Model { path, model },

@@ -463,7 +463,7 @@ fn usage_and_input_errors_leave_with_2() {
         2,
         &["out.xyz", "extension"],
     );
-    fails(cspace(&["evaluate"]), 2, &["evaluate"]);
+    fails(cspace(&["simulate"]), 2, &["simulate"]);
 }
 
 #[test]

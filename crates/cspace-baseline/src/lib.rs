@@ -1,0 +1,25 @@
+//! The general algorithm of Bajaj and Sacks as section 2 of Sacks (1999) reviews it: what the library is measured against.
+//!
+//! Slices are taken at closely spaced orientations, and a polyhedral surface with straight boundary lines is put through their
+//! contours. Nothing of this is part of the product; [`Stack`] and [`Surface`] are here to be timed, and [`compare`] says by how
+//! much, and where, they are wrong.
+//!
+//! | step of the general algorithm | here |
+//! |---|---|
+//! | critical orientations | given for nothing, as [`bands`](cspace::ContactSpace::bands); [`with_bands`] spaces slices within them |
+//! | slices at closely spaced orientations | [`Stack`], by the product's own kernel, [`cspace::Slicer`] |
+//! | polyhedral approximation from the contours | [`Surface`] |
+//!
+//! [`paper`] has the pairs of Figure 5 and their published numbers, [`survey`] the shares of section 4.
+
+pub mod compare;
+mod join;
+mod orientations;
+pub mod paper;
+mod stack;
+mod surface;
+pub mod survey;
+
+pub use orientations::{MOST_SLICES, SEPARATION, SeparationError, evenly, with_bands};
+pub use stack::Stack;
+pub use surface::{Layer, Surface};

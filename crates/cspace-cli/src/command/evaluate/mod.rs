@@ -1,0 +1,94 @@
+//! `cspace evaluate`: section 4 of Sacks (1999), measured here.
+
+mod averages;
+mod measure;
+mod special;
+mod text;
+
+use cspace_baseline::paper::{self, PaperPair};
+use cspace_io::Model;
+use serde::Serialize;
+
+use crate::args::{EvaluateArgs, Format};
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::{Steps, catch_interrupts};
+use crate::subject::set_threads;
+
+use averages::Averages;
+use measure::{Measured, measure};
+use special::Survey;
+
+/// Everything that was measured.
+#[derive(Serialize)]
+struct Evaluation {
+    /// Between slices of the general algorithm, radians.
+    separation: f64,
+    /// Of how many runs seconds are the median.
+    repeat: u16,
+    threads: usize,
+    pairs: Vec<Measured>,
+    averages: Averages,
+    survey: Survey,
+}
+
+pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
+    output::check(args.output.as_deref())?;
+    let chosen = chosen(&args.pairs)?;
+    // What is wrong with the separation is told before anything is measured.
+    cspace_baseline::evenly(args.separation).map_err(|e| {
+        Failure::input(format_args!("--separation: {e}")).help("give an angle such as 0.005")
+    })?;
+    catch_interrupts();
+    set_threads(args.threads)?;
+    let steps = Steps::new(chosen.len() + 1);
+    let pairs = (chosen.iter())
+        .map(|pair| steps.step(pair.name, || measure(pair, args.separation, args.repeat)))
+        .collect::<Result<Vec<_>, _>>()?;
+    let survey = steps.step("special pairs", || special::survey(args.repeat))?;
+    drop(steps);
+    let evaluation = Evaluation {
+        separation: args.separation,
+        repeat: args.repeat,
+        threads: rayon::current_num_threads(),
+        averages: Averages::of(&pairs),
+        pairs,
+        survey,
+    };
+    let bytes = match args.format {
+        Format::Json => super::json(&evaluation)?,
+        Format::Text => {
+            let mut text = String::new();
+            text::describe(&mut text, &evaluation).map_err(Failure::work)?;
+            text.into_bytes()
+        }
+    };
+    output::write(args.output.as_deref(), &bytes)
+}
+
+/// The pairs of these names, in Figure 5's order; all if none is named.
+fn chosen(names: &[String]) -> Result<Vec<&'static PaperPair>, Failure> {
+    /// `ratchet_pawl` and `Ratchet/Pawl` mean the same.
+    fn plain(name: &str) -> String {
+        let letters = name.chars().filter(|c| c.is_alphanumeric());
+        letters.flat_map(char::to_lowercase).collect()
+    }
+    let all = || paper::PAIRS.iter();
+    for name in names {
+        if !all().any(|p| plain(p.name) == plain(name)) {
+            let known: Vec<&str> = all().map(|p| p.name).collect();
+            return Err(
+                Failure::input(format_args!("--pairs: Figure 5 has no pair {name:?}"))
+                    .help(format_args!("the pairs are {}", known.join(", "))),
+            );
+        }
+    }
+    Ok(all()
+        .filter(|p| names.is_empty() || names.iter().any(|n| plain(n) == plain(p.name)))
+        .collect())
+}
+
+/// A model that is part of the program.
+fn embedded(text: &str, name: &str) -> Result<Model, Failure> {
+    Model::from_toml(text, name).map_err(Failure::work)
+}

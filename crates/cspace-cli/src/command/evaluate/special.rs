@@ -1,0 +1,132 @@
+//! What the special methods save: the survey's shares with times measured here.
+
+use cspace::{PairClass, PairSpace, Relation};
+use cspace_baseline::survey::{SURVEY, saving};
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+use super::measure::{median, timed};
+
+macro_rules! model {
+    ($name:literal) => {
+        (
+            $name,
+            include_str!(concat!("../../../../../models/", $name, ".toml")),
+        )
+    };
+}
+
+/// Models whose pairs are special.
+const MODELS: [(&str, &str); 7] = [
+    model!("cam_plate"),
+    model!("cam_tappet"),
+    model!("escapement"),
+    model!("gears_on_shafts"),
+    model!("geneva"),
+    model!("rack_pinion"),
+    model!("ratchet_mechanism"),
+];
+
+#[derive(Serialize)]
+pub(super) struct Survey {
+    /// Special pairs, by their own method and by the general one.
+    pub(super) special_pairs: Vec<Special>,
+    /// Means over those that a joint connects.
+    pub(super) lower: Means,
+    /// Means over those with fixed axes.
+    pub(super) fixed_axes: Means,
+    /// Share of the survey's planar pairs that special methods cover, counting one pair of each mechanism that has only such.
+    pub(super) special_share: f64,
+    /// Average saving over all pairs; the survey does not say how many special pairs are of which class.
+    pub(super) saving: Saving,
+    pub(super) paper_share: f64,
+    pub(super) paper_saving: f64,
+}
+
+/// Mean seconds over some special pairs.
+#[derive(Serialize)]
+pub(super) struct Means {
+    /// By their own method.
+    pub(super) seconds: f64,
+    /// By the method for three degrees of freedom.
+    pub(super) general_seconds: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct Saving {
+    /// Were all special pairs as those with fixed axes here.
+    pub(super) all_fixed_axes: f64,
+    /// Were all as those that a joint connects.
+    pub(super) all_lower: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct Special {
+    pub(super) model: &'static str,
+    pub(super) pair: String,
+    pub(super) class: &'static str,
+    pub(super) seconds: f64,
+    pub(super) general_seconds: f64,
+    #[serde(skip)]
+    kind: PairClass,
+}
+
+pub(super) fn survey(repeat: u16) -> Result<Survey, Failure> {
+    let mut special_pairs = Vec::new();
+    for (name, text) in MODELS {
+        let model = super::embedded(text, name)?;
+        for pair in &model.pairs {
+            let kind = model.pair_class(pair);
+            if !matches!(kind, PairClass::Lower | PairClass::FixedAxes) {
+                continue;
+            }
+            let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &model.parts[i].part);
+            let [seconds, general_seconds] = [model.relation(pair), Relation::Planar].map(|r| {
+                let runs = (0..repeat).map(|_| {
+                    let options = cspace::Options::default();
+                    let (seconds, space) = timed(|| PairSpace::compute(fixed, moving, r, &options));
+                    space.map(|_| seconds).map_err(Failure::work)
+                });
+                runs.collect::<Result<Vec<f64>, Failure>>().map(median)
+            });
+            special_pairs.push(Special {
+                model: name,
+                pair: format!("{},{}", fixed.name(), moving.name()),
+                class: kind.name(),
+                seconds: seconds?,
+                general_seconds: general_seconds?,
+                kind,
+            });
+        }
+    }
+    let means = |kind: PairClass| {
+        let mean = |of: fn(&Special) -> f64| {
+            let members = special_pairs.iter().filter(|s| s.kind == kind).map(of);
+            let (n, sum) = members.fold((0.0, 0.0), |(n, sum), s| (n + 1.0, sum + s));
+            sum / n
+        };
+        Means {
+            seconds: mean(|s| s.seconds),
+            general_seconds: mean(|s| s.general_seconds),
+        }
+    };
+    let [lower, fixed_axes] = [PairClass::Lower, PairClass::FixedAxes].map(means);
+    let special_share = SURVEY.special_share(1.0);
+    Ok(Survey {
+        special_pairs,
+        special_share,
+        saving: Saving {
+            all_fixed_axes: saving(
+                special_share,
+                fixed_axes.seconds,
+                fixed_axes.general_seconds,
+            ),
+            all_lower: saving(special_share, lower.seconds, lower.general_seconds),
+        },
+        lower,
+        fixed_axes,
+        paper_share: SURVEY.paper_share,
+        paper_saving: SURVEY.paper_saving,
+    })
+}

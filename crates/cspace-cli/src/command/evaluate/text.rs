@@ -1,0 +1,184 @@
+//! The evaluation for people.
+
+use std::fmt::{self, Write};
+
+use super::Evaluation;
+use super::averages::Average;
+use super::measure::Measured;
+use super::special::Survey;
+
+pub(super) fn describe(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
+    slices(text, evaluation)?;
+    times(text, evaluation)?;
+    errors(text, evaluation)?;
+    let averages = &evaluation.averages;
+    average(text, "engineering pairs", averages.engineering.as_ref())?;
+    average(text, "knee pairs", averages.knee.as_ref())?;
+    survey(text, &evaluation.survey)
+}
+
+/// With the number for the whole turn in parentheses where symmetry makes another, as in Figure 5.
+fn with_turn(computed: impl Into<u64>, turn: impl Into<u64>) -> String {
+    let (computed, turn) = (computed.into(), turn.into());
+    if computed == turn {
+        computed.to_string()
+    } else {
+        format!("{computed} ({turn})")
+    }
+}
+
+fn slices(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
+    writeln!(
+        text,
+        "Slices (in parentheses without symmetry); the general algorithm's are {} rad apart\n",
+        evaluation.separation
+    )?;
+    let head = ["features", "old", "new", "ratio"];
+    writeln!(
+        text,
+        "{:14}{:>9}{:>7}{:>11}{:>8}   Figure 5:{:>7}{:>11}{:>8}",
+        "pair", head[0], head[1], head[2], head[3], head[1], head[2], head[3]
+    )?;
+    for m in &evaluation.pairs {
+        let paper = &m.paper;
+        writeln!(
+            text,
+            "{:14}{:>9}{:>7}{:>11}{:>8.1}            {:>7}{:>11}{:>8.1}",
+            m.pair,
+            m.features,
+            m.old_slices,
+            with_turn(m.new_slices as u64, m.new_slices_without_symmetry as u64),
+            m.slice_ratio,
+            paper.old_slices,
+            with_turn(paper.new_slices, paper.new_slices_without_symmetry),
+            f64::from(paper.old_slices) / f64::from(paper.new_slices),
+        )?;
+    }
+    Ok(())
+}
+
+fn times(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
+    writeln!(
+        text,
+        "\nMilliseconds, median of {}, {} threads (in parentheses without symmetry)\n",
+        evaluation.repeat, evaluation.threads
+    )?;
+    writeln!(
+        text,
+        "{:14}{:>10}{:>19}{:>8}{:>11}{:>10}   a slice: {:>7}{:>9}",
+        "pair", "old", "new", "ratio", "patches", "links", "old", "1 thread"
+    )?;
+    for m in &evaluation.pairs {
+        let [old, new, without] =
+            [m.old_seconds, m.new_seconds, m.new_seconds_without_symmetry].map(|s| 1e3 * s);
+        let new = if m.symmetry > 1 {
+            format!("{new:.2} ({without:.2})")
+        } else {
+            format!("{new:.2}")
+        };
+        writeln!(
+            text,
+            "{:14}{old:>10.1}{new:>19}{:>8.1}{:>11}{:>10}            {:>7.4}{:>9.4}",
+            m.pair,
+            m.ratio,
+            m.patches,
+            m.links.side + m.links.vertical,
+            1e3 * m.seconds_per_slice.old,
+            1e3 * m.seconds_per_slice.product
+        )?;
+    }
+    Ok(())
+}
+
+fn errors(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
+    writeln!(
+        text,
+        "\nErrors of the general algorithm: largest gap at straight boundary lines with critical orientations given;\n\
+         without them bands that no slice falls in, spaces between slices where free and blocked are joined,\n\
+         curves there that nothing continues, and curves continued by another piece of contact\n"
+    )?;
+    writeln!(
+        text,
+        "{:14}{:>18}{:>10}{:>14}{:>15}{:>10}{:>10}",
+        "pair", "gap", "of size", "missed bands", "wrongly joined", "open", "across"
+    )?;
+    for m in &evaluation.pairs {
+        writeln!(
+            text,
+            "{:14}{:>18}{:>9.4}%{:>14}{:>15}{:>10}{:>10}",
+            m.pair,
+            gap(m),
+            100.0 * m.largest_gap_share,
+            m.missed_bands,
+            m.wrongly_joined,
+            m.curves_left_open,
+            m.curves_joined_across
+        )?;
+    }
+    Ok(())
+}
+
+fn gap(m: &Measured) -> String {
+    match &m.unit {
+        Some(unit) => format!("{:.6} {unit}", m.largest_gap),
+        None => format!("{:.6}", m.largest_gap),
+    }
+}
+
+fn average(text: &mut String, what: &str, average: Option<&Average>) -> fmt::Result {
+    let Some(a) = average else {
+        return Ok(());
+    };
+    writeln!(
+        text,
+        "\n{} {what}: the paper has a factor of {}",
+        a.pairs, a.paper_factor
+    )?;
+    for (name, r) in [
+        ("slices", a.slices),
+        ("slices, Figure 5", a.paper_slices),
+        ("seconds", a.seconds),
+    ] {
+        writeln!(
+            text,
+            "  {name:18}{:>8.1} mean of ratios, {:>8.1} geometric mean, {:>8.1} ratio of totals",
+            r.mean, r.geometric_mean, r.of_totals
+        )?;
+    }
+    writeln!(
+        text,
+        "  seconds without symmetry: {:.1} geometric mean",
+        a.seconds_without_symmetry
+    )
+}
+
+fn survey(text: &mut String, s: &Survey) -> fmt::Result {
+    writeln!(text, "\nSpecial pairs, milliseconds\n")?;
+    writeln!(
+        text,
+        "{:20}{:24}{:12}{:>10}{:>10}",
+        "model", "pair", "class", "special", "general"
+    )?;
+    for pair in &s.special_pairs {
+        writeln!(
+            text,
+            "{:20}{:24}{:12}{:>10.3}{:>10.2}",
+            pair.model,
+            pair.pair,
+            pair.class,
+            1e3 * pair.seconds,
+            1e3 * pair.general_seconds
+        )?;
+    }
+    writeln!(
+        text,
+        "\nSurvey of 2500 mechanisms: special methods cover {:.1} % of planar pairs (the paper: {:.0} %)\n\
+         and save a factor of {:.1} on average if all are as those with fixed axes here, {:.1} if all are as those\n\
+         with joints (the paper: {:.0})",
+        100.0 * s.special_share,
+        100.0 * s.paper_share,
+        s.saving.all_fixed_axes,
+        s.saving.all_lower,
+        s.paper_saving
+    )
+}
