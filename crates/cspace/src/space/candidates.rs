@@ -5,6 +5,8 @@
 //! certain, and pieces of a sheet's curves that lie there are left out: crossings in blocked space change nothing about
 //! what is free. They only divide gaps that are blocked on both sides of them.
 
+use core::f64::consts::TAU;
+
 use rayon::prelude::*;
 
 use crate::contact::{Curve, CurveShape, Geometry, Sheet};
@@ -13,8 +15,12 @@ use crate::geometry::{Point, Rotation, Vector};
 use super::core::{Cores, Layout};
 use super::uncovered::Uncovered;
 
-/// Widest slot, radians: a little over a degree. Narrower ones leave fewer crossings and cost more themselves.
-const WIDEST_SLOT: f64 = core::f64::consts::PI / 150.0;
+/// How many slots a turn has, per square root of the number of sheets in a turn: more leave fewer crossings, and each
+/// costs as much as a small pair.
+const SLOTS_PER_ROOT: f64 = 3.0;
+
+/// The fewest and the most slots of a turn.
+const SLOTS: (f64, f64) = (24.0, 300.0);
 
 /// Slots looked at together first, for the sheets that are blocked in all of them.
 const TOGETHER: usize = 4;
@@ -63,7 +69,9 @@ impl Candidates {
     pub(super) fn find(geometry: &Geometry, cores: &Cores) -> Self {
         let span = geometry.contacts.span;
         let sheets = &geometry.contacts.sheets;
-        let count = ((span.hi - span.lo) / WIDEST_SLOT).ceil().max(1.0) as usize;
+        let turns = (span.hi - span.lo) / TAU;
+        let in_turn = SLOTS_PER_ROOT * (sheets.len() as f64 / turns).sqrt();
+        let count = (turns * in_turn.clamp(SLOTS.0, SLOTS.1)).ceil().max(1.0) as usize;
         let width = (span.hi - span.lo) / count as f64;
         let mut slots: Vec<f64> = (0..count).map(|i| span.lo + width * i as f64).collect();
         slots.push(span.hi);
