@@ -142,8 +142,9 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     }
     // Where curves are all but tangent, two crossings may be taken for each other.
     let blunt = |p: Point| {
-        let sine = f.curve.normal(p).cross(g.curve.normal(p)).abs();
-        sine < BLUNT && f.may_hold(p, BLUNT) && g.may_hold(p, BLUNT)
+        f.may_hold(p, BLUNT)
+            && g.may_hold(p, BLUNT)
+            && f.curve.normal(p).cross(g.curve.normal(p)).abs() < BLUNT
     };
     let mut tied = found.iter().flatten().any(|c| blunt(c.0));
     for spiral in shared.corners.into_iter().flatten() {
