@@ -1,6 +1,6 @@
 //! Which sheets can cross, and when.
 //!
-//! Orientations are cut into slots of equal width. In every slot each sheet has boxes in the plane of positions;
+//! Orientations are cut into slots of equal width, more of them the more sheets there are. In every slot each sheet has boxes in the plane of positions;
 //! sheets whose boxes do not meet do not cross. Where inscribed discs of the parts overlap, positions are blocked for
 //! certain, and pieces of a sheet's curves that lie there are left out: crossings in blocked space change nothing about
 //! what is free. They only divide gaps that are blocked on both sides of them.
