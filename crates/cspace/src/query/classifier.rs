@@ -144,6 +144,8 @@ impl<'a> Classifier<'a> {
         patches: &[u32],
     ) -> Option<Classification> {
         let resolution = self.space.resolution();
+        let theta = self.space.settled(c.theta);
+        let c = Configuration { theta, ..c };
         let mut unclear = false;
         for &i in patches {
             let patch = &self.space.patches[i as usize];

@@ -17,8 +17,9 @@ impl ContactSpace {
         let mut curves = Vec::new();
         let mut number = vec![u32::MAX; self.patches.len()];
         let mut at = Vec::new();
+        let settled = self.settled(theta);
         for (i, patch) in (0u32..).zip(&self.patches) {
-            if let Some(t) = self.alive(patch, theta) {
+            if let Some(t) = self.alive(patch, settled) {
                 number[i as usize] = curves.len() as u32;
                 at.push((i, t));
                 curves.push(SliceCurve {
@@ -41,6 +42,36 @@ impl ContactSpace {
             }
         }
         Slice::from_curves(theta, curves)
+    }
+
+    /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.
+    ///
+    /// Patches that end at a critical orientation, and those that begin there, may be turns apart, so that their
+    /// orientations differ by a rounding.
+    pub(crate) fn settled(&self, theta: f64) -> f64 {
+        /// Some roundings, and twice as many; radians, relative to orientations beyond one.
+        const NEAR: f64 = 4e-15;
+        const ASIDE: f64 = 8e-15;
+        let (window, critical) = (&self.window, &self.critical_orientations);
+        let scale = theta.abs().max(1.0);
+        let turns = if window.full_turn {
+            TAU * ((theta - window.lo) / TAU).floor()
+        } else {
+            0.0
+        };
+        let turned = theta - turns;
+        let next = critical.partition_point(|&c| c < turned - NEAR * scale);
+        let wrapped = critical.first().map(|c| c + TAU);
+        let Some(c) = critical.get(next).copied().or(wrapped) else {
+            return theta;
+        };
+        let aside = theta + (c - turned) + ASIDE * scale;
+        let within = window.full_turn || aside < window.hi;
+        if (c - turned).abs() <= NEAR * scale && within {
+            aside
+        } else {
+            theta
+        }
     }
 
     /// The orientation brought into the interval of a patch, if the patch is part of the slice there: where one patch
