@@ -52,6 +52,26 @@ impl Contacts {
         run(&self.starts, name)
     }
 
+    /// Whether a circle lies between the curves of two lines wherever both exist, tangent to both.
+    ///
+    /// It turns by less than half a turn, so that the lines cross beyond its ends, by ρ tan(φ/2): the curves do not cross.
+    /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
+    /// second order, so that computing would tell little.
+    pub(crate) fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
+        let lines = !f.is_circle() && !g.is_circle() && f.kind != g.kind;
+        let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
+        let bridge = |before: &Sheet, after: &Sheet| {
+            self.starting_at(before.end_name).any(|c| {
+                let c = &self.sheets[c as usize];
+                c.is_circle()
+                    && c.end_name == after.start_name
+                    && c.lo <= lo + NARROWEST_BAND
+                    && c.hi >= hi - NARROWEST_BAND
+            })
+        };
+        lines && (bridge(f, g) || bridge(g, f))
+    }
+
     /// Finds every sheet of the pair in the window.
     pub(crate) fn new(fixed: &Outline, moving: &Outline, span: Span, carried: Carried) -> Self {
         let sizes = Sizes::new(fixed, moving);

@@ -242,6 +242,7 @@ fn look_at_slot(
                     && fs.lo < gs.hi
                     && gs.lo < fs.hi
                     && !fs.shared_ends(gs, contacts.first_vertex_name).tangent
+                    && !contacts.bridged(fs, gs)
                 {
                     pairs.push(
                         (u64::from(f) << SHEET_BITS | u64::from(g)) << SLOT_BITS | slot as u64,
