@@ -51,21 +51,23 @@ enum Test {
 }
 
 impl Arrangement {
-    /// Computes the slice at `theta`, from the sheets that may exist there.
+    /// Computes the slice at `theta`; `at` brings an orientation into the span of the sheets, and tells which of them may
+    /// exist there.
     ///
     /// Where curves begin or end just there, or what bounds a shell contradicts the test of it, as happens where a
     /// crossing lies on the end of a curve, the slice just above is computed, within rounding of the one asked for.
-    pub(crate) fn new(
+    pub(crate) fn new<S: Iterator<Item = u32>>(
         geometry: &Geometry,
-        sheets: impl Iterator<Item = u32> + Clone,
         theta: f64,
+        at: impl Fn(f64) -> (f64, S),
     ) -> Self {
         /// How far above, radians, relative to an orientation beyond one.
         const STEPS: [f64; 8] = [0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7];
+        let (theta, sheets) = at(theta);
         let scale = theta.abs().max(1.0);
         for step in STEPS {
-            let sheets = sheets.clone();
-            let (this, certain) = Self::at(geometry, sheets, theta + step * scale, Test::Shells);
+            let (above, sheets) = at(theta + step * scale);
+            let (this, certain) = Self::at(geometry, sheets, above, Test::Shells);
             if certain {
                 return this;
             }

@@ -1,6 +1,6 @@
 //! The contact curves at one orientation, and where they cross.
 
-use crate::contact::{Curve, Geometry, crossing, roots};
+use crate::contact::{Curve, Geometry, Seam, crossing, roots};
 use crate::geometry::{Point, Rotation};
 
 /// A contact curve with its crossings.
@@ -72,8 +72,13 @@ pub(super) fn live_curves(
     let seam = SEAM * theta.abs().max(1.0);
     for i in sheets {
         let sheet = &geometry.contacts.sheets[i as usize];
-        seams |= (sheet.lo - theta).abs().min((sheet.hi - theta).abs()) <= seam;
-        if !(sheet.lo < theta && theta < sheet.hi) {
+        // Where a full turn is cut nothing happens: the lower end belongs to the sheet.
+        let goes_on = |end: Seam| matches!(end, Seam::Wrap(..));
+        let (begins, ends) = (!goes_on(sheet.bottom), !goes_on(sheet.top));
+        seams |= begins && (sheet.lo - theta).abs() <= seam;
+        seams |= ends && (sheet.hi - theta).abs() <= seam;
+        let above = sheet.lo < theta || (!begins && sheet.lo == theta);
+        if !(above && theta < sheet.hi) {
             continue;
         }
         let curve = sheet.curve(theta, turn);

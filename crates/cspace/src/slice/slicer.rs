@@ -11,9 +11,6 @@ use super::types::Slice;
 /// Slots of orientations, each with the contacts that exist in it.
 const SLOTS: usize = 256;
 
-/// Slices at a critical orientation are taken at most this far above it, radians.
-const ABOVE: f64 = 1e-6;
-
 /// A pair of parts prepared for slices at any orientation: what does not depend on it is computed once.
 ///
 /// ```
@@ -40,8 +37,7 @@ impl Slicer {
         let mut slots = vec![Vec::new(); SLOTS];
         let lo = geometry.contacts.span.lo;
         for (i, sheet) in (0u32..).zip(&geometry.contacts.sheets) {
-            let (first, last) = (sheet.lo - lo - ABOVE, sheet.hi - lo + ABOVE);
-            for slot in &mut slots[slot(first)..=slot(last)] {
+            for slot in &mut slots[slot(sheet.lo - lo)..=slot(sheet.hi - lo)] {
                 slot.push(i);
             }
         }
@@ -52,19 +48,14 @@ impl Slicer {
     ///
     /// An orientation that is not finite has an empty slice.
     pub fn slice(&self, theta: f64) -> Slice {
-        let lo = self.geometry.contacts.span.lo;
-        let turned = theta - TAU * ((theta - lo) / TAU).floor();
-        // Just below the end of the turn, what is just above is at its beginning.
-        let turned = if turned + ABOVE > lo + TAU {
-            lo
-        } else {
-            turned
-        };
-        if !turned.is_finite() {
+        if !theta.is_finite() {
             return Slice::from_curves(theta, Vec::new());
         }
-        let sheets = self.slots[slot(turned - lo)].iter().copied();
-        let arrangement = Arrangement::new(&self.geometry, sheets, turned);
+        let lo = self.geometry.contacts.span.lo;
+        let arrangement = Arrangement::new(&self.geometry, theta, |theta| {
+            let turned = theta - TAU * ((theta - lo) / TAU).floor();
+            (turned, self.slots[slot(turned - lo)].iter().copied())
+        });
         let slice = Slice::from_arrangement(&arrangement, &self.geometry);
         Slice { theta, ..slice }
     }

@@ -221,8 +221,9 @@ impl Slice {
     /// ```
     pub fn compute(fixed: &Part, moving: &Part, theta: f64) -> Self {
         let geometry = Geometry::new(fixed, moving, Some((theta - 0.25, theta + 0.25)));
-        let sheets = 0..geometry.contacts.sheets.len() as u32;
-        let slice = Self::from_arrangement(&Arrangement::new(&geometry, sheets, theta), &geometry);
+        let sheets = geometry.contacts.sheets.len() as u32;
+        let arrangement = Arrangement::new(&geometry, theta, |t| (t, 0..sheets));
+        let slice = Self::from_arrangement(&arrangement, &geometry);
         Self { theta, ..slice }
     }
 
