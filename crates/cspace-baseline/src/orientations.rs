@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::Band;
 
-/// The paper's separation of slices, radians: "the minimum needed for topological correctness and for 1% accuracy" (section 4).
+/// The paper's separation of slices, radians (section 4): no wider one gave it the right topology and an accuracy of 1 %.
 pub const SEPARATION: f64 = 0.005;
 
 /// The most slices of a turn that are asked for: more is a mistake in the separation, and would fill the memory.

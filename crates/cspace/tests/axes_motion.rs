@@ -5,8 +5,6 @@
 //! than the resolution.
 #![allow(clippy::unwrap_used)]
 
-use core::f64::consts::TAU;
-
 use cspace::axes::{AxisMotion, FixedAxesSpace};
 use cspace::pair::{Coordinates, PairMotion};
 use cspace::{Axis, Classification};
@@ -22,15 +20,6 @@ const CERTAIN: f64 = 1e-9;
 const MOTIONS: usize = 150;
 /// Steps of each motion.
 const STEPS: u32 = 120;
-
-fn coordinate(axis: &Axis, size: f64, rng: &mut ChaCha8Rng) -> f64 {
-    match (axis.motion, axis.range) {
-        (AxisMotion::Fixed, _) => 0.0,
-        (_, Some((lo, hi))) => rng.random_range(lo..hi),
-        (AxisMotion::Revolute { .. }, None) => rng.random_range(-TAU..TAU),
-        (AxisMotion::Prismatic { .. }, None) => size * rng.random_range(-1.5..1.5),
-    }
-}
 
 /// How often what happened.
 #[derive(Default, Debug)]
@@ -169,17 +158,11 @@ fn try_mechanism(m: &Mechanism) -> Tally {
     };
     let size = trial.oracle.size();
     let mut rng = ChaCha8Rng::seed_from_u64(41);
-    let somewhere = |rng: &mut ChaCha8Rng| {
-        (
-            coordinate(&m.fixed_axis, size, rng),
-            coordinate(&m.moving_axis, size, rng),
-        )
-    };
     for k in 0..20 * MOTIONS {
         if trial.tally.contacts + trial.tally.free + trial.tally.leaves >= 2 * MOTIONS {
             break;
         }
-        let (from, to) = (somewhere(&mut rng), somewhere(&mut rng));
+        let (from, to) = (m.somewhere(size, &mut rng), m.somewhere(size, &mut rng));
         if trial.space.classify(from.0, from.1) != Some(Classification::Free) {
             continue;
         }
@@ -196,7 +179,7 @@ fn try_mechanism(m: &Mechanism) -> Tally {
             && trial.space.classify(at.0, at.1) == Some(Classification::Contact)
         {
             // On from the contact, any way.
-            let other = somewhere(&mut rng);
+            let other = m.somewhere(size, &mut rng);
             let rates = (share * (other.0 - at.0), share * (other.1 - at.1));
             trial.tally.from_contact += 1;
             trial.follow(at, rates, duration);

@@ -57,16 +57,6 @@ fn relative(m: &Mechanism, u: f64, v: f64) -> Configuration {
     Configuration::new(back.x, back.y, b.turn - a.turn)
 }
 
-/// A coordinate at random: within the range, a turn, or as far as parts of this size may meet.
-fn coordinate(axis: &Axis, size: f64, rng: &mut ChaCha8Rng) -> f64 {
-    match (axis.motion, axis.range) {
-        (AxisMotion::Fixed, _) => 0.0,
-        (_, Some((lo, hi))) => rng.random_range(lo..hi),
-        (AxisMotion::Revolute { .. }, None) => rng.random_range(-TAU..TAU),
-        (AxisMotion::Prismatic { .. }, None) => size * rng.random_range(-1.5..1.5),
-    }
-}
-
 #[derive(Default)]
 struct Tally {
     certain: usize,
@@ -114,23 +104,16 @@ fn try_mechanism(m: &Mechanism) -> (Tally, String) {
     let oracle = Oracle::new(&m.fixed, &m.moving);
     let mut rng = ChaCha8Rng::seed_from_u64(11);
     let mut tally = Tally::default();
-    let somewhere = |rng: &mut ChaCha8Rng| {
-        let size = oracle.size();
-        (
-            coordinate(&m.fixed_axis, size, rng),
-            coordinate(&m.moving_axis, size, rng),
-        )
-    };
     for _ in 0..FAR {
-        let at = somewhere(&mut rng);
+        let at = m.somewhere(oracle.size(), &mut rng);
         ask(m, &space, &oracle, at, false, &mut tally);
     }
     let overlaps = |(u, v): (f64, f64)| oracle.judge(relative(m, u, v)).overlap;
     for _ in 0..SEARCHES {
-        let from = somewhere(&mut rng);
+        let from = m.somewhere(oracle.size(), &mut rng);
         // A move along u, v, or both.
         let way = 10f64.powf(rng.random_range(-2.0..0.0));
-        let other = somewhere(&mut rng);
+        let other = m.somewhere(oracle.size(), &mut rng);
         let (mut du, mut dv) = (way * (other.0 - from.0), way * (other.1 - from.1));
         match rng.random_range(0..3) {
             0 => du = 0.0,

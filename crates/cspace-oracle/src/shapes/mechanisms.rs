@@ -2,7 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::{Axis, Part, Point, Vector};
+use cspace::{Axis, AxisMotion, Part, Point, Vector};
+use rand::Rng;
 
 use super::basic::{circle, rectangle, regular_polygon, square};
 use super::fits::{peg, slotted_block};
@@ -23,6 +24,19 @@ pub struct Mechanism {
     pub moving: Part,
     /// Its axis.
     pub moving_axis: Axis,
+}
+
+impl Mechanism {
+    /// Coordinates (u, v) at random: within their ranges, a turn either way, or as far as parts of this size may meet.
+    pub fn somewhere(&self, size: f64, rng: &mut impl Rng) -> (f64, f64) {
+        let mut coordinate = |axis: &Axis| match (axis.motion, axis.range) {
+            (AxisMotion::Fixed, _) => 0.0,
+            (_, Some((lo, hi))) => rng.random_range(lo..hi),
+            (AxisMotion::Revolute { .. }, None) => rng.random_range(-TAU..TAU),
+            (AxisMotion::Prismatic { .. }, None) => size * rng.random_range(-1.5..1.5),
+        };
+        (coordinate(&self.fixed_axis), coordinate(&self.moving_axis))
+    }
 }
 
 const O: Point = Point::ORIGIN;

@@ -1,7 +1,7 @@
 //! Which sheets can cross, and when.
 //!
-//! Orientations are cut into slots of equal width, more of them the more sheets there are. In every slot each sheet has boxes in the plane of positions;
-//! sheets whose boxes do not meet do not cross. Where inscribed discs of the parts overlap, positions are blocked for
+//! Orientations are cut into slots of equal width, more of them the more sheets there are. In every slot each sheet has
+//! boxes in the plane of positions; sheets whose boxes do not meet do not cross. Where inscribed discs of the parts overlap, positions are blocked for
 //! certain, and pieces of a sheet's curves that lie there are left out: crossings in blocked space change nothing about
 //! what is free. They only divide gaps that are blocked on both sides of them.
 
@@ -108,7 +108,9 @@ impl Candidates {
             alive.extend(a.iter().map(|b| u64::from(b.sheet) << SLOT_BITS | slot));
             by_slot.push(a);
         }
+        // Sheets of several pieces come several times.
         pairs.par_sort_unstable();
+        pairs.dedup();
         alive.par_sort_unstable();
         alive.dedup();
         let clip = |lo: f64, hi: f64, sheet: &Sheet| (lo.max(sheet.lo), hi.min(sheet.hi));
@@ -251,8 +253,6 @@ fn look_at_slot(
             }
         }
     }
-    pairs.sort_unstable();
-    pairs.dedup();
     (pairs, boxes)
 }
 
