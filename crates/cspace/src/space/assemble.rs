@@ -1,5 +1,7 @@
 //! From free cells to the contact graph: chains of cells become patches, and patches are copied from slab to slab.
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 
 use crate::contact::{ContactFunction, Twist};
@@ -85,9 +87,7 @@ impl Assembler<'_> {
         space.computed_bands = lifts.computed_bands(&chains.chains, space.bands().len()) as u32;
         let copying = if steps.slabs == 1 {
             Copying::None {
-                shells: (chains.chains.iter())
-                    .map(|c| self.shells.shell[c.first as usize])
-                    .collect(),
+                shells: self.shells_of_patches(&chains, &lifts),
             }
         } else if self.window.full_turn {
             Copying::Slabs(steps)
@@ -96,6 +96,25 @@ impl Assembler<'_> {
         };
         find_regions(&mut space, &copying);
         space
+    }
+
+    /// The shell of each patch, unless an end of the window cuts it: what hangs together beyond does not count.
+    fn shells_of_patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Option<u32>> {
+        let shell = |c: &Chain| self.shells.shell[c.first as usize];
+        let cut: BTreeSet<u32> = ((0u32..).zip(&chains.chains))
+            .filter(|&(i, c)| {
+                let mut copies = lifts.patches(i).peekable();
+                copies.peek().is_none() || copies.any(|(slabs, _)| !lifts.is_whole(c, slabs))
+            })
+            .map(|(_, c)| shell(c))
+            .collect();
+        let mut shells = vec![None; lifts.len()];
+        for (i, c) in (0u32..).zip(&chains.chains) {
+            for (_, number) in lifts.patches(i) {
+                shells[number as usize] = Some(shell(c)).filter(|s| !cut.contains(s));
+            }
+        }
+        shells
     }
 
     /// Every copy of every chain.

@@ -29,7 +29,7 @@ pub(super) struct Lifts<'a> {
 }
 
 impl<'a> Lifts<'a> {
-    /// `repeats` tells that the chains are those of a full turn or a slab of it, not those of the window itself.
+    /// `repeats` tells that the chains are those of a full turn or a slab of it, not those of a window and a little more.
     pub(super) fn new(
         chains: &[Chain],
         window: Window,
@@ -46,9 +46,7 @@ impl<'a> Lifts<'a> {
         };
         let mut base = 0;
         for chain in chains {
-            let (first, count) = if !repeats {
-                (0, 1)
-            } else if window.full_turn || chain.closed {
+            let (first, count) = if window.full_turn || chain.closed {
                 (0, steps.slabs)
             } else {
                 this.within(chain.lo, chain.hi)
@@ -71,23 +69,22 @@ impl<'a> Lifts<'a> {
             .map_or(0, |c| (c.base + c.count) as usize)
     }
 
-    pub(super) fn window(&self) -> Window {
-        self.window
-    }
-
     /// The shifts, in slabs, with which an interval has more than the narrowest band in the window: first and number.
     fn within(&self, lo: f64, hi: f64) -> (i64, u32) {
+        let least = NARROWEST_BAND.min(0.5 * (self.window.hi - self.window.lo));
+        if !self.repeats {
+            let overlap = hi.min(self.window.hi) - lo.max(self.window.lo);
+            return (0, u32::from(overlap > least));
+        }
         let period = self.steps.period(1);
-        let first = ((self.window.lo + NARROWEST_BAND - hi) / period).ceil();
-        let last = ((self.window.hi - NARROWEST_BAND - lo) / period).floor();
+        let first = ((self.window.lo + least - hi) / period).ceil();
+        let last = ((self.window.hi - least - lo) / period).floor();
         (first as i64, (last - first + 1.0).max(0.0) as u32)
     }
 
     /// The shifts with which an interval of the slab is to be looked at.
     pub(super) fn shifts(&self, lo: f64, hi: f64) -> impl Iterator<Item = i64> + use<> {
-        let (first, count) = if !self.repeats {
-            (0, 1)
-        } else if self.window.full_turn {
+        let (first, count) = if self.window.full_turn {
             (0, self.steps.slabs)
         } else {
             self.within(lo, hi)
@@ -171,13 +168,37 @@ impl<'a> Lifts<'a> {
         self.clipped(self.orientation(lo, slabs), self.orientation(hi, slabs))
     }
 
-    /// The part of an interval that is in the window, if the window is not the turn.
+    /// The part of an interval that is in the window, if the window is not the turn; what ends within the narrowest band
+    /// of the window's end ends there.
     pub(super) fn clipped(&self, lo: f64, hi: f64) -> (f64, f64) {
-        if self.window.full_turn || !self.repeats {
-            (lo, hi)
-        } else {
-            (lo.max(self.window.lo), hi.min(self.window.hi))
+        if self.window.full_turn {
+            return (lo, hi);
         }
+        let Window {
+            lo: first,
+            hi: last,
+            ..
+        } = self.window;
+        (
+            if lo > first + NARROWEST_BAND {
+                lo
+            } else {
+                first
+            },
+            if hi < last - NARROWEST_BAND { hi } else { last },
+        )
+    }
+
+    /// Whether something happens at an orientation of the window, and not at its end.
+    pub(super) fn is_inside(&self, theta: f64) -> bool {
+        let Window { lo, hi, full_turn } = self.window;
+        full_turn || (lo + NARROWEST_BAND < theta && theta < hi - NARROWEST_BAND)
+    }
+
+    /// Whether the window holds a chain as a whole.
+    pub(super) fn is_whole(&self, chain: &Chain, slabs: i64) -> bool {
+        let inside = |place| self.is_inside(self.orientation(place, slabs));
+        self.window.full_turn || (!chain.closed && inside(chain.from) && inside(chain.to))
     }
 
     /// An orientation brought by whole turns to where it is expected.
@@ -197,9 +218,7 @@ impl<'a> Lifts<'a> {
                 all.extend([chain.from, chain.to].map(|p| self.orientation(p, slabs)));
             }
         }
-        if !self.window.full_turn {
-            all.retain(|&t| t > self.window.lo && t < self.window.hi);
-        }
+        all.retain(|&t| self.is_inside(t));
         all.sort_by(f64::total_cmp);
         all.dedup_by(|b, a| *b - *a <= SAME_ORIENTATION);
         all

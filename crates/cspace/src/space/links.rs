@@ -8,7 +8,7 @@ use crate::slice::CurveGeometry;
 
 use super::cells::VerticalContact;
 use super::chains::{Chains, Linker, Member, Place};
-use super::graph::{SideLink, VerticalLink, Window};
+use super::graph::{SideLink, VerticalLink};
 use super::lifts::Lifts;
 use super::patch::Patch;
 use super::shells::Shells;
@@ -145,12 +145,11 @@ impl Links<'_> {
 
     /// Neighbours across critical orientations.
     pub(super) fn vertical(&self) -> Vec<VerticalLink> {
-        let window = self.lifts.window();
         let mut links: Vec<VerticalLink> = (self.shells.vertical.par_chunks(CHUNK))
             .flat_map_iter(|contacts| {
                 let mut links = Vec::new();
                 for v in contacts {
-                    self.lifted(v, window, &mut links);
+                    self.lifted(v, &mut links);
                 }
                 links
             })
@@ -164,7 +163,7 @@ impl Links<'_> {
     }
 
     /// The links that a contact of two cells makes in all slabs.
-    fn lifted(&self, v: &VerticalContact, window: Window, links: &mut Vec<VerticalLink>) {
+    fn lifted(&self, v: &VerticalContact, links: &mut Vec<VerticalLink>) {
         let (Some(lower), Some(upper)) = (self.member(v.lower), self.member(v.upper)) else {
             return;
         };
@@ -180,8 +179,7 @@ impl Links<'_> {
         // A little more than there are: rounding is not to lose one.
         for slabs in self.lifts.shifts(theta - 0.1, theta + 0.1) {
             let at = self.lifts.orientation(place, slabs);
-            let inside = window.full_turn || (window.lo < at && at < window.hi);
-            if !inside {
+            if !self.lifts.is_inside(at) {
                 continue;
             }
             let below = self.lifts.patch(lower.chain, slabs - lower.slabs);

@@ -16,8 +16,8 @@ use super::lifts::normalized;
 
 /// How the patches of a space are copies of each other.
 pub(super) enum Copying {
-    /// They are not; but those of one shell hang together, and this is each patch's shell.
-    None { shells: Vec<u32> },
+    /// They are not; but those of one shell hang together, and this is each patch's shell where that is known.
+    None { shells: Vec<Option<u32>> },
     /// Every patch is there once in every slab, and the copies of one patch are numbered on.
     Slabs(Steps),
     /// Some copies are cut off.
@@ -71,8 +71,10 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
     if let Copying::None { shells } = copying {
         let mut first_of_shell = BTreeMap::new();
         for (i, &shell) in (0u32..).zip(shells) {
-            let &mut first = first_of_shell.entry(shell).or_insert(i);
-            sets.union(first, i);
+            if let Some(shell) = shell {
+                let &mut first = first_of_shell.entry(shell).or_insert(i);
+                sets.union(first, i);
+            }
         }
     }
     // One slice through each shell, at the middle of its longest-lived patch; shells that are copies have copies of one.

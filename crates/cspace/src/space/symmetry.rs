@@ -81,6 +81,10 @@ pub(super) struct Names {
     moving: Option<Symmetrized>,
 }
 
+/// How far beyond the ends of a window is looked, radians: more than the width of what is known worst of events, so
+/// that no event of the window lies in one cluster with the end of what was looked at.
+const BEYOND_WINDOW: f64 = 1.0 / 65536.0;
+
 impl Plan {
     /// Prepares a pair by the method that the options and the parts ask for.
     pub(super) fn new(
@@ -89,8 +93,11 @@ impl Plan {
         window: Option<(f64, f64)>,
         method: Method,
     ) -> Self {
+        // What happens at the very end of the window is seen whole from a little beyond it.
+        let wider = (window.map(|(lo, hi)| (lo - BEYOND_WINDOW, hi + BEYOND_WINDOW)))
+            .filter(|(lo, hi)| hi - lo < TAU);
         let general = |symmetry| Self {
-            geometry: Geometry::new(fixed, moving, window),
+            geometry: Geometry::new(fixed, moving, wider),
             symmetry,
             names: Names::default(),
         };
