@@ -57,7 +57,7 @@ impl Contacts {
     /// It turns by less than half a turn, so that the lines cross beyond its ends, by ρ tan(φ/2): the curves do not cross.
     /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
     /// second order, so that computing would tell little.
-    pub(crate) fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
+    fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
         let lines = !f.is_circle() && !g.is_circle() && f.kind != g.kind;
         let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
         let bridge = |before: &Sheet, after: &Sheet| {
@@ -70,6 +70,11 @@ impl Contacts {
             })
         };
         lines && (bridge(f, g) || bridge(g, f))
+    }
+
+    /// Whether the curves of two sheets are to be looked at for crossings: they are not tangent or one by their making.
+    pub(crate) fn may_cross(&self, f: &Sheet, g: &Sheet) -> bool {
+        !f.shared_ends(g, self.first_vertex_name).tangent && !self.bridged(f, g)
     }
 
     /// Finds every sheet of the pair in the window.

@@ -18,27 +18,26 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, 
     if edges.len() > 4000 {
         return (Point::ORIGIN, 0.0);
     }
-    let depth = |p: Point| {
-        let distance = edges
-            .iter()
-            .map(|e| distance(e, p))
-            .fold(f64::INFINITY, f64::min);
-        let outer = center + (p - Point::ORIGIN) * (1.0 / scale);
-        if part.contains(outer) {
-            distance
-        } else {
-            -distance
+    // How deep inside a point is, if that is more than some depth; most points are near to some edge.
+    let deeper = |p: Point, than: f64| {
+        let mut least = f64::INFINITY;
+        for e in &edges {
+            least = least.min(distance(e, p));
+            if least <= than {
+                return None;
+            }
         }
+        let outer = center + (p - Point::ORIGIN) * (1.0 / scale);
+        part.contains(outer).then_some(least)
     };
     let (mut lo, mut hi) = (Point::ORIGIN, Point::ORIGIN);
     for e in &edges {
         lo = Point::new(lo.x.min(e.start.x), lo.y.min(e.start.y));
         hi = Point::new(hi.x.max(e.start.x), hi.y.max(e.start.y));
     }
-    let mut best = (Point::ORIGIN, depth(Point::ORIGIN));
+    let mut best = (Point::ORIGIN, deeper(Point::ORIGIN, 0.0).unwrap_or(0.0));
     let consider = |p: Point, best: &mut (Point, f64)| {
-        let d = depth(p);
-        if d > best.1 + 1e-9 {
+        if let Some(d) = deeper(p, best.1 + 1e-9) {
             *best = (p, d);
         }
     };
@@ -99,6 +98,7 @@ pub(crate) fn inscribed_discs(
             .map(|e| distance(e, p))
             .fold(f64::INFINITY, f64::min)
     };
+    let clear = |p: Point, by: f64| edges.iter().all(|e| distance(e, p) >= by);
     let step = TAU / f64::from(fold);
     let in_sector = |p: Point| {
         let angle = p.to_vector().angle() / step;
@@ -111,7 +111,7 @@ pub(crate) fn inscribed_discs(
         for _ in 0..STEPS {
             let r = 0.5 * (lo + hi);
             // A disc of this radius that touches at p, give or take.
-            if clearance(p + inward * r) >= 0.99 * r {
+            if clear(p + inward * r, 0.99 * r) {
                 lo = r;
             } else {
                 hi = r;

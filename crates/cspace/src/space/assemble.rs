@@ -121,7 +121,12 @@ impl Assembler<'_> {
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
         let geometry = self.linker.geometry;
         let carried = &geometry.contacts.carried;
-        let firsts: Vec<Patch> = chains.chains.par_iter().map(|c| self.patch(c)).collect();
+        let firsts: Vec<Patch> = chains
+            .chains
+            .par_iter()
+            .with_min_len(256)
+            .map(|c| self.patch(c))
+            .collect();
         let Some(&any) = firsts.first() else {
             return Vec::new();
         };

@@ -42,6 +42,7 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> Vec<Vec<Eve
     let contacts = &geometry.contacts;
     pairs
         .par_iter()
+        .with_min_len(256)
         .map(|run| {
             let (f, g) = (
                 &contacts.sheets[run.first as usize],

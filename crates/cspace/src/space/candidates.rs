@@ -15,12 +15,13 @@ use crate::geometry::{Point, Rotation, Vector};
 use super::core::{Cores, Layout};
 use super::uncovered::Uncovered;
 
-/// How many slots a turn has, per square root of the number of sheets in a turn: more leave fewer crossings, and each
-/// costs as much as a small pair.
-const SLOTS_PER_ROOT: f64 = 3.0;
+/// A turn with n sheets has `SLOTS_SCALE` n ^ `SLOTS_POWER` slots: more leave fewer crossings, and each costs as much as a
+/// small pair.
+const SLOTS_SCALE: f64 = 0.35;
+const SLOTS_POWER: f64 = 0.75;
 
 /// The fewest and the most slots of a turn.
-const SLOTS: (f64, f64) = (24.0, 300.0);
+const SLOTS: (f64, f64) = (8.0, 300.0);
 
 /// Slots looked at together first, for the sheets that are blocked in all of them.
 const TOGETHER: usize = 4;
@@ -70,7 +71,7 @@ impl Candidates {
         let span = geometry.contacts.span;
         let sheets = &geometry.contacts.sheets;
         let turns = (span.hi - span.lo) / TAU;
-        let in_turn = SLOTS_PER_ROOT * (sheets.len() as f64 / turns).sqrt();
+        let in_turn = SLOTS_SCALE * (sheets.len() as f64 / turns).powf(SLOTS_POWER);
         let count = (turns * in_turn.clamp(SLOTS.0, SLOTS.1)).ceil().max(1.0) as usize;
         let width = (span.hi - span.lo) / count as f64;
         let mut slots: Vec<f64> = (0..count).map(|i| span.lo + width * i as f64).collect();
@@ -118,9 +119,10 @@ impl Candidates {
             .filter_map(|(key, first_slot, last_slot)| {
                 let (first, second) = ((key >> SHEET_BITS) as u32, (key & SHEET_MASK) as u32);
                 let (lo, hi) = (slots[first_slot], slots[last_slot + 1]);
-                let (lo, hi) = clip(lo, hi, &sheets[first as usize]);
-                let (lo, hi) = clip(lo, hi, &sheets[second as usize]);
-                (lo < hi).then_some(PairRun {
+                let (f, g) = (&sheets[first as usize], &sheets[second as usize]);
+                let (lo, hi) = clip(lo, hi, f);
+                let (lo, hi) = clip(lo, hi, g);
+                (lo < hi && geometry.contacts.may_cross(f, g)).then_some(PairRun {
                     first,
                     second,
                     lo,
@@ -240,12 +242,7 @@ fn look_at_slot(
             if c.lo.y <= b.hi.y && b.lo.y <= c.hi.y {
                 let (f, g) = (b.sheet.min(c.sheet), b.sheet.max(c.sheet));
                 let (fs, gs) = (&contacts.sheets[f as usize], &contacts.sheets[g as usize]);
-                if f != g
-                    && fs.lo < gs.hi
-                    && gs.lo < fs.hi
-                    && !fs.shared_ends(gs, contacts.first_vertex_name).tangent
-                    && !contacts.bridged(fs, gs)
-                {
+                if f != g && fs.lo < gs.hi && gs.lo < fs.hi {
                     pairs.push(
                         (u64::from(f) << SHEET_BITS | u64::from(g)) << SLOT_BITS | slot as u64,
                     );

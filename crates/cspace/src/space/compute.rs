@@ -141,7 +141,9 @@ impl ContactSpace {
         progress: &dyn Progress,
     ) -> Result<Self, ComputeError> {
         let window = checked_window(options.window)?;
-        Self::compute_by(fixed, moving, window, options.symmetry.into(), progress)
+        let method = options.symmetry.into();
+        // All within the thread pool: its doors are not passed again at every stage.
+        rayon::scope(|_| Self::compute_by(fixed, moving, window, method, progress))
     }
 
     fn compute_by(

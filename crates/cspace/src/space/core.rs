@@ -49,6 +49,7 @@ impl Cores {
         }
         pairs.retain(|p| p.reach > 0.0);
         pairs.sort_by(|a, b| b.reach.total_cmp(&a.reach));
+        pairs.truncate(1 + geometry.contacts.sheets.len() / SHEETS_PER_DISC);
         Self { pairs }
     }
 
@@ -68,7 +69,7 @@ impl Cores {
             .collect();
         Layout {
             largest,
-            grid: Grid::new(others.iter().map(|o| o.1), LONG),
+            grid: (others.len() > FEW).then(|| Grid::new(others.iter().map(|o| o.1), LONG)),
             others,
         }
     }
@@ -84,6 +85,12 @@ impl DiscPair {
     }
 }
 
+/// One more disc for so many sheets: asking more costs small pairs more than they save.
+const SHEETS_PER_DISC: usize = 64;
+
+/// So many discs are asked one by one faster than they are put into a grid.
+const FEW: usize = 16;
+
 /// The discs in a grid, as they are about some orientation: it tells which of them are worth a look.
 #[derive(Debug)]
 pub(super) struct Layout {
@@ -91,7 +98,8 @@ pub(super) struct Layout {
     largest: Option<DiscPair>,
     /// The others, each with a disc about what it has outside the largest.
     others: Vec<(DiscPair, (Point, f64))>,
-    grid: Grid,
+    /// Unless they are few.
+    grid: Option<Grid>,
 }
 
 impl Layout {
@@ -102,8 +110,11 @@ impl Layout {
             let sum = radius + reach;
             (middle - center).length_squared() < sum * sum
         };
-        let near = self.grid.near(middle).iter();
-        near.map(|&i| i as usize).filter(close)
+        let (few, near) = match &self.grid {
+            None => (0..self.others.len(), [].as_slice()),
+            Some(grid) => (0..0, grid.near(middle)),
+        };
+        few.chain(near.iter().map(|&i| i as usize)).filter(close)
     }
 
     /// The discs as they are at an orientation, for orientations within `half` of it.

@@ -105,6 +105,7 @@ impl Levels<'_> {
     pub(super) fn connect(&self, groups: &[(u32, Vec<u32>)], out: &mut Vec<VerticalContact>) {
         let found: Vec<Vec<VerticalContact>> = groups
             .par_iter()
+            .with_min_len(16)
             .map(|(at, sheets)| self.connect_group(*at, sheets))
             .collect();
         out.extend(found.into_iter().flatten());

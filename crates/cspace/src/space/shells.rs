@@ -163,6 +163,7 @@ impl ShellFinder<'_> {
             .chunk_by(|a, b| a.0 == b.0)
             .collect::<Vec<_>>()
             .par_iter()
+            .with_min_len(4)
             .map(|shell| self.judge_shell(cells, shell, blocked[shell[0].0 as usize]))
             .collect();
         shells.free = vec![false; cells.len()];

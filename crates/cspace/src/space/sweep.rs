@@ -53,7 +53,11 @@ impl Cells {
 
 impl Sweep<'_> {
     pub(super) fn run(&self, runs: &[SheetRun]) -> Cells {
-        let parts: Vec<Cells> = runs.par_iter().map(|run| self.sheet(run)).collect();
+        let parts: Vec<Cells> = runs
+            .par_iter()
+            .with_min_len(32)
+            .map(|run| self.sheet(run))
+            .collect();
         let mut all = Cells::default();
         for part in parts {
             let offset = all.cells.len() as u32;

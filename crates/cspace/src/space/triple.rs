@@ -63,6 +63,7 @@ pub(super) fn triple_events(
     let meetings = Meetings::new(geometry, encounters);
     let found: Vec<Triples> = (0..geometry.contacts.sheets.len() as u32)
         .into_par_iter()
+        .with_min_len(32)
         .fold(Triples::default, |mut all, sheet| {
             let mut search = Search {
                 geometry,
