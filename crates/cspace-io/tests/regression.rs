@@ -83,3 +83,32 @@ fn windows_that_end_at_a_critical_orientation() {
     let slice = Slicer::new(&fixed, &moving).slice(hi);
     assert_eq!(space.slice(hi).loops.len(), slice.loops.len());
 }
+
+/// No disc is found in so thin a ring; the disc that goes into it has one all the same.
+#[test]
+fn thin_ring() {
+    let [ring, disc] = parts("tests/regression/thin_ring.toml");
+    for (fixed, moving) in [(&ring, &disc), (&disc, &ring)] {
+        let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
+        let slicer = Slicer::new(fixed, moving);
+        for k in 0..40 {
+            let x = 0.05 * f64::from(k);
+            let expected = if x < 0.25 || x > 1.2504 {
+                Classification::Free
+            } else {
+                Classification::Blocked
+            };
+            if (x - 0.25).abs() < 1e-9 {
+                continue;
+            }
+            let at = Configuration {
+                x,
+                y: 0.0,
+                theta: 0.3,
+            };
+            assert_eq!(space.classify(at), Some(expected), "{at:?}");
+            let free = slicer.slice(at.theta).is_free(at.position());
+            assert_eq!(free, expected == Classification::Free, "{at:?}");
+        }
+    }
+}

@@ -10,7 +10,7 @@ use super::space::FixedAxesSpace;
 /// Slots of x in which the free boundary's cells are looked up.
 const SLOTS: usize = 1024;
 /// How far a contact within the resolution may lie outside a cell's box (radians or length of the frame).
-const NEAR: f64 = 1e-9;
+pub(super) const NEAR: f64 = 1e-9;
 
 impl FixedAxesSpace {
     /// Classifies a configuration: contact if a contact function of the boundary there is within the

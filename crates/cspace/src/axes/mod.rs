@@ -83,6 +83,7 @@ mod first;
 mod judge;
 mod motion;
 mod names;
+mod nearest;
 mod nodes;
 mod partition;
 mod patch;
@@ -106,6 +107,7 @@ mod verticals;
 mod visits;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
+pub use nearest::NearestOnAxes;
 pub use patch::{AxesBranch, AxesPatch, BranchForm};
 pub use region::AxesRegion;
 pub use saved::{SAVED_AXES_VERSION, SavedAxesError, SavedAxesSpace};

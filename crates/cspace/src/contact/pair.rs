@@ -108,10 +108,11 @@ impl Geometry {
         overlap(&self.fixed_body, &self.moving_body, p, theta)
     }
 
-    /// Where the centre of the moving part's inscribed disc meets that of the fixed part, and how near is blocked.
-    pub(crate) fn core(&self, turn: Rotation) -> (Point, f64) {
-        let ((a, ra), (b, rb)) = (self.fixed.disc, self.moving.disc);
-        (a + (-(turn * b.to_vector())), ra + rb)
+    /// Where the centre of the moving part's inscribed disc meets that of the fixed part, and how near is blocked, if both
+    /// have one.
+    pub(crate) fn core(&self, turn: Rotation) -> Option<(Point, f64)> {
+        let ((a, ra), (b, rb)) = (self.fixed.disc?, self.moving.disc?);
+        Some((a + (-(turn * b.to_vector())), ra + rb))
     }
 }
 

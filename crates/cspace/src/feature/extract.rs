@@ -40,7 +40,7 @@ impl Outline {
             features: Vec::new(),
             joints: Vec::new(),
             feature_count: 0,
-            disc: (Point::ORIGIN, 0.0),
+            disc: None,
         };
         for (loop_index, boundary) in part.loops().iter().enumerate() {
             let mut pieces: Vec<Piece> = boundary

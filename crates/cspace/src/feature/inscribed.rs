@@ -7,16 +7,18 @@ use crate::part::{Edge, Part};
 
 /// Points tried along each side of the bounding box.
 const GRID: usize = 12;
+/// Of parts with more edges no disc is sought.
+const MOST_SEARCHED: usize = 4000;
 /// Rounds of halving the step around the best point.
 const ROUNDS: usize = 8;
 
-/// A large disc inside the material, in the pair's frame: centre and radius, 0 if none was found.
+/// A large disc inside the material, in the pair's frame: centre and radius; none is found in parts that are thin.
 ///
 /// Where the discs of two parts meet, the parts overlap for certain, and nothing there needs to be looked at.
-pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, f64) {
+pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(Point, f64)> {
     let edges = in_frame(part, center, scale);
-    if edges.len() > 4000 {
-        return (Point::ORIGIN, 0.0);
+    if edges.len() > MOST_SEARCHED {
+        return None;
     }
     // How deep inside a point is, if that is more than some depth; most points are near to some edge.
     let deeper = |p: Point, than: f64| {
@@ -30,11 +32,8 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, 
         let outer = center + (p - Point::ORIGIN) * (1.0 / scale);
         part.contains(outer).then_some(least)
     };
-    let (mut lo, mut hi) = (Point::ORIGIN, Point::ORIGIN);
-    for e in &edges {
-        lo = Point::new(lo.x.min(e.start.x), lo.y.min(e.start.y));
-        hi = Point::new(hi.x.max(e.start.x), hi.y.max(e.start.y));
-    }
+    let bounds = part.bounds();
+    let [lo, hi] = [bounds.min, bounds.max].map(|p| Point::ORIGIN + (p - center) * scale);
     let mut best = (Point::ORIGIN, deeper(Point::ORIGIN, 0.0).unwrap_or(0.0));
     let consider = |p: Point, best: &mut (Point, f64)| {
         if let Some(d) = deeper(p, best.1 + 1e-9) {
@@ -62,11 +61,7 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> (Point, 
     }
     // Rounding is far below this allowance.
     let radius = best.1 - 1e-9;
-    if radius > 0.0 {
-        (best.0, radius)
-    } else {
-        (Point::ORIGIN, 0.0)
-    }
+    (radius > 0.0).then_some((best.0, radius))
 }
 
 /// Discs inside the material, the largest first: one that touches the boundary at the middle of each edge, without
@@ -78,7 +73,7 @@ pub(crate) fn inscribed_discs(
     part: &Part,
     center: Point,
     scale: f64,
-    largest: (Point, f64),
+    largest: Option<(Point, f64)>,
     fold: u32,
 ) -> Vec<(Point, f64)> {
     /// More discs than this cost more than they save.
@@ -88,7 +83,7 @@ pub(crate) fn inscribed_discs(
     /// Halvings of the radius's interval.
     const STEPS: usize = 14;
     let edges = in_frame(part, center, scale);
-    let mut discs = vec![largest];
+    let mut discs: Vec<(Point, f64)> = largest.into_iter().collect();
     if edges.len() > MOST_EDGES {
         return discs;
     }

@@ -67,8 +67,8 @@ pub(crate) struct Outline {
     pub(crate) joints: Vec<Joint>,
     /// Number of lines, arcs and vertices that are not smooth joints.
     pub(crate) feature_count: usize,
-    /// A disc inside the material: centre and radius (0 if none was found).
-    pub(crate) disc: (Point, f64),
+    /// A disc inside the material: centre and radius, if one was found.
+    pub(crate) disc: Option<(Point, f64)>,
 }
 
 impl Feature {

@@ -14,7 +14,7 @@ mod saved;
 mod space;
 
 pub use lower::{Joint, LowerPair, PermanentContact, PermanentKind};
-pub use query::{Neighbours, PairContact, PairMotion, QueryError};
+pub use query::{Neighbours, PairContact, PairMotion, PairNearest, QueryError};
 pub use relation::{Coordinates, PairClass, Relation};
 pub use saved::{SavedLower, SavedPair};
 pub use space::{PairError, PairSpace};

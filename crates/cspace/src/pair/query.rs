@@ -17,6 +17,17 @@ pub struct PairContact {
     pub patch: u32,
 }
 
+/// The contact nearest to a configuration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairNearest {
+    /// The patch it is on.
+    pub patch: u32,
+    /// The configuration in contact.
+    pub at: Coordinates,
+    /// How far the moving part moves to it: a length, or radians of a part that turns on its axis.
+    pub distance: f64,
+}
+
 /// What becomes of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PairMotion {
@@ -70,7 +81,9 @@ pub enum QueryError {
         last: u32,
     },
     /// The parts never part.
-    #[error("the parts of a lower pair are in contact for ever: there is no first contact")]
+    #[error(
+        "the parts of a lower pair are in contact for ever: there is no first or nearest contact"
+    )]
     Permanent,
     /// A motion cannot be followed.
     #[error(transparent)]
@@ -120,6 +133,39 @@ impl PairSpace {
             }
             (Self::FixedAxes(space), Coordinates::Axes { u, v }) => space.contacts(u, v, tolerance),
             (Self::Planar(space), Coordinates::Planar(c)) => space.contacts(c, tolerance),
+            _ => return Err(self.wrong(at)),
+        })
+    }
+
+    /// The contact nearest to a configuration: of a planar pair by translation alone, of a pair with fixed axes by the
+    /// motion of the moving part alone ([`FixedAxesSpace::nearest_contact`]). `None` if nothing touches that way.
+    ///
+    /// # Errors
+    /// If it is in the coordinates of another class, not finite, or outside the window or the ranges of motion, or the parts
+    /// are a lower pair, which is in contact for ever.
+    ///
+    /// [`FixedAxesSpace::nearest_contact`]: crate::FixedAxesSpace::nearest_contact
+    pub fn nearest_contact(&self, at: Coordinates) -> Result<Option<PairNearest>, QueryError> {
+        self.classify(at)?;
+        Ok(match (self, at) {
+            (Self::Lower(_), _) => return Err(QueryError::Permanent),
+            (Self::FixedAxes(space), Coordinates::Axes { u, v }) => {
+                space.nearest_contact(u, v).map(|n| PairNearest {
+                    patch: n.patch,
+                    at: Coordinates::Axes {
+                        u: n.at.0,
+                        v: n.at.1,
+                    },
+                    distance: n.distance,
+                })
+            }
+            (Self::Planar(space), Coordinates::Planar(c)) => {
+                space.nearest_contact(c).map(|n| PairNearest {
+                    patch: n.patch,
+                    at: Coordinates::Planar(n.configuration),
+                    distance: n.distance,
+                })
+            }
             _ => return Err(self.wrong(at)),
         })
     }

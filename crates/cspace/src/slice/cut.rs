@@ -65,7 +65,7 @@ pub(super) fn live_curves(
     theta: f64,
     turn: Rotation,
 ) -> (Vec<Live>, Vec<u32>, bool) {
-    let (core, reach) = geometry.core(turn);
+    let core = geometry.core(turn);
     let mut live = Vec::new();
     let mut live_of_sheet = vec![u32::MAX; geometry.contacts.sheets.len()];
     let mut seams = false;
@@ -83,11 +83,11 @@ pub(super) fn live_curves(
         }
         let curve = sheet.curve(theta, turn);
         let (lo, hi) = curve.bounds();
-        let far = (core.x - lo.x)
-            .abs()
-            .max((core.x - hi.x).abs())
-            .hypot((core.y - lo.y).abs().max((core.y - hi.y).abs()));
-        if far < reach {
+        let far = |core: Point| {
+            let off = |c: f64, lo: f64, hi: f64| (c - lo).abs().max((c - hi).abs());
+            off(core.x, lo.x, hi.x).hypot(off(core.y, lo.y, hi.y))
+        };
+        if core.is_some_and(|(center, reach)| far(center) < reach) {
             continue;
         }
         live_of_sheet[i as usize] = live.len() as u32;

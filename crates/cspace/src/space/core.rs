@@ -1,5 +1,7 @@
 //! Where positions are blocked for certain: discs inside the two parts overlap.
 
+use core::f64::consts::TAU;
+
 use crate::contact::Geometry;
 use crate::feature::inscribed_discs;
 use crate::geometry::{Point, Rotation, Vector};
@@ -49,7 +51,10 @@ impl Cores {
         }
         pairs.retain(|p| p.reach > 0.0);
         pairs.sort_by(|a, b| b.reach.total_cmp(&a.reach));
-        pairs.truncate(1 + geometry.contacts.sheets.len() / SHEETS_PER_DISC);
+        let contacts = &geometry.contacts;
+        let turns = (contacts.span.hi - contacts.span.lo) / TAU;
+        let in_turn = contacts.sheets.len() as f64 / turns;
+        pairs.truncate(1 + (in_turn / SHEETS_PER_DISC) as usize);
         Self { pairs }
     }
 
@@ -85,8 +90,8 @@ impl DiscPair {
     }
 }
 
-/// One more disc for so many sheets: asking more costs small pairs more than they save.
-const SHEETS_PER_DISC: usize = 64;
+/// One more disc for so many sheets in a turn: asking more costs small pairs more than they save.
+const SHEETS_PER_DISC: f64 = 64.0;
 
 /// So many discs are asked one by one faster than they are put into a grid.
 const FEW: usize = 16;
