@@ -15,8 +15,12 @@ pub(crate) fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
+    printed(std::io::stdout().write_all(bytes))
+}
+
+/// What has been printed to standard output, once all of it is there.
+pub(crate) fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
+    match result.and_then(|()| std::io::stdout().flush()) {
         Ok(()) => Ok(()),
         // The reader has what it wanted, as `head` does.
         Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),

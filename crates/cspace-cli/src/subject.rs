@@ -7,10 +7,10 @@ use cspace::{
     AxesError, Axis, AxisMotion, ComputeError, ContactSpace, Options, PairClass, PairError,
     PairSpace, Part, Relation, Slice, Symmetry,
 };
-use cspace_io::{Document, Model, Pair};
+use cspace_io::{Document, Model, Pair, SavedFile, shown};
 
 use crate::args::Common;
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use crate::output;
 use crate::progress::{Bar, catch_interrupts};
 
@@ -24,7 +24,7 @@ pub(crate) enum Subject {
         model: Box<Model>,
     },
     /// A configuration space that was computed before.
-    Saved(Box<PairSpace>),
+    Saved(Box<SavedFile>),
 }
 
 /// A pair of a subject.
@@ -49,19 +49,37 @@ pub(crate) fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
 }
 
 impl Subject {
+    /// What the model is called.
+    pub(crate) fn name(&self) -> Option<&str> {
+        match self {
+            Self::Model { model, .. } => Some(&model.name),
+            Self::Saved(file) => file.name.as_deref(),
+        }
+    }
+
+    /// The model's label of the unit of length.
+    pub(crate) fn unit(&self) -> Option<&str> {
+        match self {
+            Self::Model { model, .. } => model.unit.as_deref(),
+            Self::Saved(file) => file.unit.as_deref(),
+        }
+    }
+
     /// Reads the file, and sets up what all commands need.
     pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
-        output::check(common.output.as_deref())?;
+        output::check(common.result.output.as_deref())?;
         catch_interrupts();
-        set_threads(common.threads)?;
+        set_threads(common.result.threads)?;
         let path = common.file.clone();
         Ok(match cspace_io::read(&path)? {
             Document::Model(model) => Self::Model { path, model },
-            Document::Space(space) => Self::Saved(space),
+            Document::Space(file) => Self::Saved(file),
         })
     }
 
     /// The pairs asked for: the one that was named, or all of the file, of which there must be one.
+    ///
+    /// A window is for those that have orientations. It is an error only of a pair that was named to have none.
     pub(crate) fn pairs(
         &self,
         common: &Common,
@@ -69,24 +87,58 @@ impl Subject {
     ) -> Result<Vec<Chosen<'_>>, Failure> {
         let pairs = self.pairs_if_any(common, window)?;
         if pairs.is_empty() {
-            return Err(Failure::input(format_args!(
-                "{}: the model has one part, and a contact space is of two",
-                common.file.display()
-            ))
-            .help("add a second [[part]]; `cspace info` shows a part alone"));
+            return Err(self.one_part(common));
         }
         Ok(pairs)
     }
 
-    /// The pairs asked for; none if the model has one part.
+    fn one_part(&self, common: &Common) -> Failure {
+        Failure::input(format_args!(
+            "{}: the model has one part, and a contact space is of two",
+            common.file.display()
+        ))
+        .help("add a second [[part]]; `cspace info` shows a part alone")
+    }
+
+    /// As [`pairs`](Self::pairs); none if the model has one part, of which no window may be asked for.
     pub(crate) fn pairs_if_any(
         &self,
         common: &Common,
         window: Option<(f64, f64)>,
     ) -> Result<Vec<Chosen<'_>>, Failure> {
+        let mut pairs = self.all(common, window)?;
+        if window.is_none() || common.pair.is_some() {
+            return Ok(pairs);
+        }
+        if pairs.is_empty() {
+            return Err(self.one_part(common).help(
+                "leave out --theta, or add a second [[part]]: orientations are those of a pair",
+            ));
+        }
+        let mut without = Vec::new();
+        for chosen in pairs.iter_mut().filter(|c| !c.is_planar()) {
+            without.push(format!("{} ({})", chosen.names(), chosen.class()));
+            if let (Self::Model { model, .. }, Some(pair)) = (self, &mut chosen.pair) {
+                // What the file itself says of it remains, and is refused.
+                let same = |p: &&Pair| (p.fixed, p.moving) == (pair.fixed, pair.moving);
+                pair.window = model.pairs.iter().find(same).and_then(|p| p.window);
+            }
+        }
+        if !without.is_empty() {
+            note(format_args!(
+                "--theta is not used for pairs without orientations: {}",
+                without.join("; ")
+            ));
+        }
+        Ok(pairs)
+    }
+
+    /// The pair that was named, or all of the file, in the window if there is one.
+    fn all(&self, common: &Common, window: Option<(f64, f64)>) -> Result<Vec<Chosen<'_>>, Failure> {
         let (path, model) = match self {
             Self::Model { path, model } => (path, model),
-            Self::Saved(space) => {
+            Self::Saved(file) => {
+                let space = &file.space;
                 if window.is_some() {
                     return Err(Failure::input(format_args!(
                         "{}: the file is a saved contact space, its orientations are given",
@@ -146,8 +198,9 @@ impl Subject {
         common: &Common,
         window: Option<(f64, f64)>,
     ) -> Result<Chosen<'_>, Failure> {
-        let mut pairs = self.pairs(common, window)?;
+        let mut pairs = self.all(common, window)?;
         match (pairs.pop(), pairs.len()) {
+            (None, _) => Err(self.one_part(common)),
             (Some(pair), 0) => Ok(pair),
             (last, _) => {
                 let names: Vec<String> = pairs.iter().chain(&last).map(Chosen::names).collect();
@@ -173,7 +226,7 @@ impl Chosen<'_> {
     fn part(&self, of: impl Fn(&Pair) -> usize, saved: impl Fn(&PairSpace) -> &Part) -> &Part {
         match (self.subject, &self.pair) {
             (Subject::Model { model, .. }, Some(pair)) => &model.parts[of(pair)].part,
-            (Subject::Saved(space), _) => saved(space),
+            (Subject::Saved(file), _) => saved(&file.space),
             (Subject::Model { model, .. }, None) => &model.parts[0].part,
         }
     }
@@ -193,13 +246,36 @@ impl Chosen<'_> {
 
     /// The label of the unit of length, with a space before it; empty if the model has none.
     pub(crate) fn unit(&self) -> String {
-        match self.subject {
-            Subject::Model { model, .. } => model
-                .unit
-                .as_ref()
-                .map_or(String::new(), |u| format!(" {u}")),
-            Subject::Saved(_) => String::new(),
-        }
+        let unit = self.subject.unit();
+        unit.map_or(String::new(), |u| format!(" {u}"))
+    }
+
+    /// The same without the space, if the model has one.
+    pub(crate) fn unit_label(&self) -> Option<&str> {
+        self.subject.unit()
+    }
+
+    /// What the model is called, if that is known.
+    pub(crate) fn model_name(&self) -> Option<&str> {
+        self.subject.name()
+    }
+
+    /// What a picture is called: the model, its parts, the unit of lengths.
+    pub(crate) fn title(&self) -> String {
+        let model = (self.model_name()).map_or(String::new(), |name| format!("{name}: "));
+        let unit = (self.subject.unit()).map_or(String::new(), |u| format!(", lengths in {u}"));
+        format!(
+            "{model}{} in {}{unit}",
+            self.moving().name(),
+            self.fixed().name()
+        )
+    }
+
+    /// The configuration space as a file that every command reads in place of the model.
+    pub(crate) fn as_file(&self) -> Result<String, Failure> {
+        let space = self.space()?;
+        let (name, unit) = (self.subject.name(), self.subject.unit());
+        Ok(cspace_io::saved::with_labels(&space, name, unit))
     }
 
     /// How the parts are related in their model.
@@ -214,7 +290,7 @@ impl Chosen<'_> {
     pub(crate) fn class(&self) -> PairClass {
         match (self.subject, &self.pair) {
             (Subject::Model { model, .. }, Some(pair)) => model.pair_class(pair),
-            (Subject::Saved(space), _) => space.class(),
+            (Subject::Saved(file), _) => file.space.class(),
             _ => PairClass::General,
         }
     }
@@ -240,7 +316,7 @@ impl Chosen<'_> {
     pub(crate) fn window(&self) -> Option<(f64, f64)> {
         match self.subject {
             Subject::Model { .. } => self.pair.and_then(|p| p.window),
-            Subject::Saved(space) => match &**space {
+            Subject::Saved(file) => match &file.space {
                 PairSpace::Planar(space) => {
                     let w = space.window();
                     (!w.full_turn).then_some((w.lo, w.hi))
@@ -270,7 +346,7 @@ impl Chosen<'_> {
     pub(crate) fn axes(&self) -> Option<(Axis, Axis)> {
         match (self.relation(), self.subject) {
             (Some(Relation::Axes { fixed, moving }), _) => Some((fixed, moving)),
-            (None, Subject::Saved(space)) => match &**space {
+            (None, Subject::Saved(file)) => match &file.space {
                 PairSpace::FixedAxes(space) => Some(space.axes()),
                 _ => None,
             },
@@ -284,14 +360,17 @@ impl Chosen<'_> {
             let turned = theta + TAU * ((lo - theta) / TAU).ceil();
             if turned > hi {
                 return Err(Failure::input(format_args!(
-                    "--theta {theta}: outside the orientations from {lo} to {hi} of the pair {}",
+                    "--theta {}: outside the orientations from {} to {} of the pair {}",
+                    shown::number(theta),
+                    shown::number(lo),
+                    shown::number(hi),
                     self.names()
                 ))
                 .help("choose an orientation inside"));
             }
         }
         Ok(match self.subject {
-            Subject::Saved(space) => match &**space {
+            Subject::Saved(file) => match &file.space {
                 PairSpace::Planar(space) => space.slice(theta),
                 _ => return Err(self.no_orientation("a slice")),
             },
@@ -327,8 +406,8 @@ impl Chosen<'_> {
 
     /// The configuration space.
     pub(crate) fn space(&self) -> Result<Space<'_>, Failure> {
-        if let Subject::Saved(space) = self.subject {
-            return Ok(Space::Saved(space));
+        if let Subject::Saved(file) = self.subject {
+            return Ok(Space::Saved(&file.space));
         }
         let relation = match self.relation() {
             Some(relation) if !self.general => relation,

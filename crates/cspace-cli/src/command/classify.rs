@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 use std::io::Read;
 
 use cspace::{Classification, Configuration, Coordinates, PairClass, PairSpace, QueryError};
+use cspace_io::shown;
 use rayon::prelude::*;
 
 use crate::angle;
@@ -41,11 +42,11 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let rows = read(&bytes, &pair)?;
     let space = pair.space()?;
     let classes = classify(&pair, &space, &rows)?;
-    let bytes = match common.format {
+    let bytes = match common.result.format {
         Format::Text => as_csv(&rows, &classes)?,
         Format::Json => as_json(&rows, &classes)?,
     };
-    output::write(common.output.as_deref(), &bytes)
+    output::write(common.result.output.as_deref(), &bytes)
 }
 
 /// Classifies all rows; orientations, which were checked, are brought into the window by turns.
@@ -106,6 +107,7 @@ fn beyond_range(pair: &Chosen<'_>, at: Coordinates) -> Option<String> {
         let beyond = !(lo..=hi).contains(&t);
         beyond.then(|| {
             let part = part.name();
+            let [t, lo, hi] = [t, lo, hi].map(shown::number);
             format!("{name} {t} is outside the range from {lo} to {hi} of the motion of {part}")
         })
     })
@@ -119,6 +121,7 @@ fn read(bytes: &[u8], pair: &Chosen<'_>) -> Result<Rows, Failure> {
         .trim(csv::Trim::All)
         .from_reader(bytes);
     let header = reader.headers().map_err(|e| unreadable(&e))?.clone();
+    no_answers(&header)?;
     let columns = columns(&header, pair)?;
     let window = pair.window();
     let turns = pair.turns();
@@ -130,16 +133,17 @@ fn read(bytes: &[u8], pair: &Chosen<'_>) -> Result<Rows, Failure> {
         let number = |at: usize, is_angle: bool| {
             let text = record.get(at).unwrap_or_default();
             let value = if is_angle {
-                angle::parse(text).ok()
+                angle::parse(text)
             } else {
-                text.parse::<f64>().ok().filter(|x| x.is_finite())
+                let number = text.parse::<f64>().ok().filter(|x| x.is_finite());
+                number.ok_or_else(|| format!("{text:?} is no number"))
             };
-            value.ok_or_else(|| {
+            value.map_err(|why| {
                 Failure::input(format_args!(
-                    "standard input, line {line}, column {}: {text:?} is no number",
+                    "standard input, line {line}, column {}: {why}",
                     header.get(at).unwrap_or_default()
                 ))
-                .help("give a finite number; angles are in radians")
+                .help("give a finite number; angles are in radians, or have a unit such as 18deg")
             })
         };
         let c = match columns {
@@ -157,8 +161,10 @@ fn read(bytes: &[u8], pair: &Chosen<'_>) -> Result<Rows, Failure> {
             let turned = c.theta + TAU * ((lo - c.theta) / TAU).ceil();
             if turned > hi {
                 return Err(Failure::input(format_args!(
-                    "standard input, line {line}: theta {} is outside the orientations from {lo} to {hi} of the pair {}",
-                    c.theta,
+                    "standard input, line {line}: theta {} is outside the orientations from {} to {} of the pair {}",
+                    shown::number(c.theta),
+                    shown::number(lo),
+                    shown::number(hi),
                     pair.names()
                 ))
                 .help("leave the row out, or choose other orientations with --theta LO,HI"));
@@ -187,6 +193,20 @@ fn unreadable(error: &csv::Error) -> Failure {
         .help("give one configuration in each row, values separated by commas")
 }
 
+/// The column that the answer adds.
+const ANSWER: &str = "class";
+
+/// The answer would have the column twice, and nobody could tell which is which.
+fn no_answers(header: &csv::StringRecord) -> Result<(), Failure> {
+    if header.iter().any(|name| name == ANSWER) {
+        return Err(Failure::input(format_args!(
+            "standard input, line 1: there is a column `{ANSWER}`, which the answer adds"
+        ))
+        .help("leave the column out, or give it another name"));
+    }
+    Ok(())
+}
+
 fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Failure> {
     let find = |name: &str| {
         let mut places = header.iter().enumerate().filter(|(_, h)| *h == name);
@@ -208,19 +228,25 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
         _ => {
             let found: Vec<&str> = header.iter().collect();
             let wanted = if by_axes { "u and v" } else { "x, y and theta" };
-            let class = if pair.is_planar() {
-                String::new()
+            let class = pair.class();
+            let has_axes = class == PairClass::FixedAxes;
+            let method = if has_axes && !by_axes {
+                " by the general method"
             } else {
-                format!("{} ", pair.class())
+                ""
             };
             let failure = Failure::input(format_args!(
-                "standard input, line 1: the columns are {:?}, and a configuration of the {class}pair {} is {wanted}",
+                "standard input, line 1: the columns are {:?}, and a configuration of the {class} pair {}{method} is {wanted}",
                 found.join(","),
                 pair.names()
             ));
             Err(if by_axes {
                 failure.help(
                     "let the first row name the columns u and v, the motions of both parts; or use --general for x, y and theta",
+                )
+            } else if has_axes {
+                failure.help(
+                    "let the first row name the columns x, y and theta; or leave out --general for u and v",
                 )
             } else {
                 failure.help(
@@ -238,7 +264,7 @@ fn as_csv(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> {
         record.push_field(last);
         writer.write_record(&record)
     };
-    write(&rows.header, "class").map_err(Failure::work)?;
+    write(&rows.header, ANSWER).map_err(Failure::work)?;
     for (record, class) in rows.records.iter().zip(classes) {
         let word = match class {
             Classification::Free => "free",
@@ -269,7 +295,7 @@ fn as_json(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> 
                 .map(str::to_owned)
                 .zip(record.iter().map(value))
                 .collect();
-            object.insert("class".to_owned(), serde_json::json!(class));
+            object.insert(ANSWER.to_owned(), serde_json::json!(class));
             object
         })
         .collect();

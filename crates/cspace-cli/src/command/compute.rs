@@ -6,19 +6,25 @@ use std::time::Instant;
 use cspace::axes::{AxesRegion, AxesStatistics};
 use cspace::pair::{Joint, PermanentContact, PermanentKind};
 use cspace::{
-    Axis, AxisMotion, Decisions, FreeRegion, PairClass, PairSpace, StageSeconds, Statistics, Window,
+    Axis, AxisMotion, Decisions, FreeRegion, PairClass, PairSpace, Part, StageSeconds, Statistics,
+    Window,
 };
+use cspace_io::shown;
 use serde::Serialize;
 
 use crate::args::{ComputeArgs, Format};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
-use crate::wording::{angle, count};
+use crate::wording::{angle, count, length, symmetry};
 
 /// The summary of a configuration space.
 #[derive(Serialize)]
 struct Summary<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    model: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<&'a str>,
     fixed: &'a str,
     moving: &'a str,
     class: &'static str,
@@ -153,7 +159,7 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
         .zip(&spaces)
         .map(|(pair, (space, seconds))| summary(pair, space, *seconds))
         .collect();
-    let bytes = match args.common.format {
+    let bytes = match args.common.result.format {
         Format::Json => super::json(&summaries)?,
         Format::Text => {
             let mut text = String::new();
@@ -166,12 +172,14 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
             text.into_bytes()
         }
     };
-    output::write(args.common.output.as_deref(), &bytes)
+    output::write(args.common.result.output.as_deref(), &bytes)
 }
 
 fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summary<'a> {
     let features = space.features();
     let mut summary = Summary {
+        model: pair.model_name(),
+        unit: pair.unit_label(),
         fixed: pair.fixed().name(),
         moving: pair.moving().name(),
         class: space.class().name(),
@@ -240,6 +248,9 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
 fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Result {
     let unit = pair.unit();
     writeln!(text, "{} (fixed), {} (moving)", s.fixed, s.moving)?;
+    if let Some(model) = s.model {
+        writeln!(text, "  model          {model}")?;
+    }
     let class = pair.class();
     if pair.is_general() && class != PairClass::General {
         writeln!(
@@ -258,8 +269,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
     if (s.symmetry.fixed, s.symmetry.moving) != (1, 1) {
         writeln!(
             text,
-            "  symmetry       {}-fold, {}-fold",
-            s.symmetry.fixed, s.symmetry.moving
+            "  symmetry       {}, {}",
+            used_symmetry(pair.fixed(), s.symmetry.fixed),
+            used_symmetry(pair.moving(), s.symmetry.moving)
         )?;
     }
     match &s.motion {
@@ -288,6 +300,11 @@ fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Resul
     )
 }
 
+/// The symmetry of a part, of which a fold of 1 says that none was found or none looked for.
+fn used_symmetry(part: &Part, fold: u32) -> String {
+    symmetry(fold, fold > 1 && part.symmetry().is_round())
+}
+
 fn describe_joint(
     text: &mut String,
     joint: &Joint,
@@ -296,9 +313,9 @@ fn describe_joint(
     unit: &str,
 ) -> fmt::Result {
     let (what, turns) = match joint {
-        Joint::Revolute { at } => (format!("revolute about ({:.6}, {:.6})", at.x, at.y), true),
+        Joint::Revolute { at } => (format!("revolute about {}", place((at.x, at.y))), true),
         Joint::Prismatic { direction, .. } => (
-            format!("prismatic along ({:.6}, {:.6})", direction.x, direction.y),
+            format!("prismatic along {}", place((direction.x, direction.y))),
             false,
         ),
         Joint::Rigid => ("rigid".to_owned(), false),
@@ -306,7 +323,7 @@ fn describe_joint(
     write!(text, "  joint          {what}")?;
     match limits {
         Some((lo, hi)) if turns => write!(text, ", from {} to {}", angle(lo), angle(hi))?,
-        Some((lo, hi)) => write!(text, ", from {lo:.6} to {hi:.6}{unit}")?,
+        Some((lo, hi)) => write!(text, ", from {} to {}{unit}", length(lo), length(hi))?,
         None => {}
     }
     writeln!(text)?;
@@ -320,15 +337,19 @@ fn describe_joint(
     writeln!(text, "  contact        permanent: {}", kinds.join(", "))
 }
 
+fn place((x, y): (f64, f64)) -> String {
+    format!("({}, {})", length(x), length(y))
+}
+
 fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fmt::Result {
     for (name, axis) in [("u", axes.0), ("v", axes.1)] {
         let what = match axis.motion {
             AxisMotion::Fixed => "does not move".to_owned(),
             AxisMotion::Revolute { center } => {
-                format!("turns about ({:.6}, {:.6})", center.x, center.y)
+                format!("turns about {}", place((center.x, center.y)))
             }
             AxisMotion::Prismatic { direction } => {
-                format!("slides along ({:.6}, {:.6})", direction.x, direction.y)
+                format!("slides along {}", place((direction.x, direction.y)))
             }
         };
         write!(text, "  {name}              {what}")?;
@@ -336,7 +357,7 @@ fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fm
             (Some((lo, hi)), AxisMotion::Revolute { .. }) => {
                 write!(text, ", from {} to {}", angle(lo), angle(hi))?;
             }
-            (Some((lo, hi)), _) => write!(text, ", from {lo:.6} to {hi:.6}")?,
+            (Some((lo, hi)), _) => write!(text, ", from {} to {}", length(lo), length(hi))?,
             _ => {}
         }
         writeln!(text)?;
@@ -367,18 +388,17 @@ fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fm
                 if open {
                     "no limit".to_owned()
                 } else {
-                    format!("{t:.6}")
+                    length(t)
                 }
             };
             format!("from {} to {}", end(lo, open.0), end(hi, open.1))
         };
         writeln!(
             text,
-            "    region {i}     u {}, v {}{around}, e.g. ({:.6}, {:.6})",
+            "    region {i}     u {}, v {}{around}, e.g. {}",
             range(r.u, r.open_u),
             range(r.v, r.open_v),
-            r.sample.0,
-            r.sample.1
+            place(r.sample)
         )?;
     }
     Ok(())
@@ -429,12 +449,12 @@ fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
     for (i, r) in regions.iter().enumerate() {
         writeln!(
             text,
-            "    region {i}     {}, {} on its boundary, e.g. ({:.6}, {:.6}, {:.6} rad)",
+            "    region {i}     {}, {} on its boundary, e.g. ({}, {}, {:.6} rad)",
             if r.unbounded { "open" } else { "caged" },
             count(r.patches as usize, "patch", "patches"),
-            r.sample.x,
-            r.sample.y,
-            r.sample.theta
+            length(r.sample.x),
+            length(r.sample.y),
+            shown::number(r.sample.theta)
         )?;
     }
     Ok(())

@@ -5,14 +5,14 @@ use std::fmt::{self, Write};
 use core::f64::consts::{PI, TAU};
 
 use cspace::{AxisMotion, Edge, PairSpace, Part};
-use cspace_io::{JointKind, Motion, PairClass};
+use cspace_io::{JointKind, Motion, PairClass, shown};
 use serde::Serialize;
 
 use crate::args::{Format, InfoArgs};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
-use crate::wording::{angle, count};
+use crate::wording::{angle, count, length, symmetry};
 
 #[derive(Serialize)]
 struct Info {
@@ -92,7 +92,7 @@ pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
         pair.check_window()?;
     }
     let info = gather(&subject, &pairs);
-    let bytes = match args.common.format {
+    let bytes = match args.common.result.format {
         Format::Json => super::json(&info)?,
         Format::Text => {
             let mut text = String::new();
@@ -100,7 +100,7 @@ pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
             text.into_bytes()
         }
     };
-    output::write(args.common.output.as_deref(), &bytes)
+    output::write(args.common.result.output.as_deref(), &bytes)
 }
 
 fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
@@ -120,16 +120,20 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
                 .collect(),
             pairs,
         },
-        Subject::Saved(space) => Info {
-            name: format!("{} and {}", space.fixed().name(), space.moving().name()),
-            unit: None,
-            parts: saved_parts(space),
-            joints: match &**space {
-                PairSpace::Lower(pair) => vec![saved_joint(pair)],
-                _ => Vec::new(),
-            },
-            pairs,
-        },
+        Subject::Saved(file) => {
+            let space = &file.space;
+            let parts = || format!("{} and {}", space.fixed().name(), space.moving().name());
+            Info {
+                name: file.name.clone().unwrap_or_else(parts),
+                unit: file.unit.clone(),
+                parts: saved_parts(space),
+                joints: match space {
+                    PairSpace::Lower(pair) => vec![saved_joint(pair)],
+                    _ => Vec::new(),
+                },
+                pairs,
+            }
+        }
     }
 }
 
@@ -282,13 +286,11 @@ fn describe(text: &mut String, info: &Info) -> fmt::Result {
             count(p.features.arcs, "arc", "arcs"),
             count(p.features.vertices, "vertex", "vertices"),
         )?;
-        writeln!(text, "    size       {:.6}{unit}", p.size)?;
+        writeln!(text, "    size       {}{unit}", length(p.size))?;
         write!(text, "    motion     ")?;
         describe_motion(text, &p.motion, &unit)?;
-        if p.round {
-            writeln!(text, "    symmetry   round")?;
-        } else if p.symmetry > 1 {
-            writeln!(text, "    symmetry   {}-fold", p.symmetry)?;
+        if p.round || p.symmetry > 1 {
+            writeln!(text, "    symmetry   {}", symmetry(p.symmetry, p.round))?;
         }
     }
     if !info.joints.is_empty() {
@@ -296,11 +298,11 @@ fn describe(text: &mut String, info: &Info) -> fmt::Result {
     }
     for j in &info.joints {
         write!(text, "  {} of {} and {}", j.kind, j.parts[0], j.parts[1])?;
-        if let Some([x, y]) = j.at {
-            write!(text, " at ({x}, {y})")?;
+        if let Some(at) = j.at {
+            write!(text, " at {}", place(at))?;
         }
-        if let Some([x, y]) = j.direction {
-            write!(text, " along ({x}, {y})")?;
+        if let Some(direction) = j.direction {
+            write!(text, " along {}", place(direction))?;
         }
         writeln!(text)?;
     }
@@ -325,27 +327,29 @@ fn describe(text: &mut String, info: &Info) -> fmt::Result {
     Ok(())
 }
 
+/// A point or direction as given.
+fn place([x, y]: [f64; 2]) -> String {
+    format!("({}, {})", shown::number(x), shown::number(y))
+}
+
 fn describe_motion(text: &mut String, motion: &MotionInfo, unit: &str) -> fmt::Result {
     match motion {
         MotionInfo::Fixed => writeln!(text, "fixed"),
         MotionInfo::Planar => writeln!(text, "planar"),
-        MotionInfo::Revolute {
-            center: [x, y],
-            range,
-        } => {
-            write!(text, "revolute about ({x}, {y})")?;
+        MotionInfo::Revolute { center, range } => {
+            write!(text, "revolute about {}", place(*center))?;
             match range {
                 Some((lo, hi)) => writeln!(text, ", from {} to {}", angle(*lo), angle(*hi)),
                 None => writeln!(text),
             }
         }
-        MotionInfo::Prismatic {
-            direction: [x, y],
-            range,
-        } => {
-            write!(text, "prismatic along ({x}, {y})")?;
+        MotionInfo::Prismatic { direction, range } => {
+            write!(text, "prismatic along {}", place(*direction))?;
             match range {
-                Some((lo, hi)) => writeln!(text, ", from {lo} to {hi}{unit}"),
+                Some((lo, hi)) => {
+                    let (lo, hi) = (shown::number(*lo), shown::number(*hi));
+                    writeln!(text, ", from {lo} to {hi}{unit}")
+                }
                 None => writeln!(text),
             }
         }

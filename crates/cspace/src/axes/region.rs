@@ -7,7 +7,7 @@ use super::space::FixedAxesSpace;
 /// A connected component of free space.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxesRegion {
-    /// A configuration (u, v) within it.
+    /// A configuration (u, v) within it, between the least and greatest u and v below.
     pub sample: (f64, f64),
     /// Least and largest u, in radians or the model's unit of length; unrolled where it goes on past a turn.
     pub u: (f64, f64),

@@ -2,10 +2,14 @@
 //!
 //! A saved space is JSON. Its format is called `contact-space`, `fixed-axes-space` or `lower-pair`, its version is
 //! [`SAVED_VERSION`]; schemas of the same names in the folder `docs` of the project's repository describe every field and
-//! its unit. Numbers are read back as the very numbers that were written.
+//! its unit. Numbers are read back as the very numbers that were written. Two optional keys, `name` and `unit`, repeat what
+//! the model said of itself.
+
+mod check;
 
 use std::path::Path;
 
+use cspace::pair::SavedPair;
 use cspace::space::{SAVED_VERSION, SavedError};
 use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
 use serde::de::IgnoredAny;
@@ -14,6 +18,8 @@ use serde_json::Value;
 use crate::file::{extension, read_text, without_mark};
 use crate::model::no_json;
 use crate::{Model, ModelError};
+
+use check::{check_angles, check_names, is_plain};
 
 /// The largest file read, in bytes.
 const LARGEST: u64 = 4 << 30;
@@ -27,7 +33,73 @@ pub enum Document {
     /// Parts, motions, joints and pairs.
     Model(Box<Model>),
     /// The configuration space of a pair that was computed before.
-    Space(Box<PairSpace>),
+    Space(Box<SavedFile>),
+}
+
+/// A saved configuration space, and what its file repeats of the model it was computed from.
+///
+/// ```
+/// use cspace::pair::Joint;
+/// use cspace::{LowerPair, PairSpace, Part, Vertex};
+/// use cspace_io::SavedFile;
+/// let disc = |name: &str, r: f64| Part::new(name, vec![vec![Vertex::new(-r, 0.0, 1.0), Vertex::new(r, 0.0, 1.0)]]);
+/// let pair = LowerPair::new(&disc("wheel", 2.0)?, &disc("hub", 1.0)?, Joint::Rigid, None);
+/// let file = SavedFile {
+///     space: PairSpace::Lower(Box::new(pair)),
+///     name: Some("wheel and hub".into()),
+///     unit: Some("mm".into()),
+/// };
+/// let again = SavedFile::from_json(&file.to_json(), "hub.json")?;
+/// assert_eq!(again.name, file.name);
+/// assert_eq!(again.unit, file.unit);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct SavedFile {
+    /// The space.
+    pub space: PairSpace,
+    /// What the model is called; `None` in files of earlier versions.
+    pub name: Option<String>,
+    /// The model's label for the unit of length, if it has one.
+    pub unit: Option<String>,
+}
+
+impl SavedFile {
+    /// The space and its labels as indented JSON text, with a line break at the end.
+    pub fn to_json(&self) -> String {
+        with_labels(&self.space, self.name.as_deref(), self.unit.as_deref())
+    }
+
+    /// What [`to_json`](Self::to_json) has written; `file` is what errors call it.
+    ///
+    /// # Errors
+    /// If the text is no JSON, of another format or version, or damaged; or if a name or the unit has control characters,
+    /// or an orientation is beyond [`LARGEST_ANGLE`](crate::LARGEST_ANGLE).
+    pub fn from_json(text: &str, file: &str) -> Result<Self, ModelError> {
+        let text = without_mark(text);
+        let (format, head) = head(text, file, &[CONTACT_SPACE, FIXED_AXES, LOWER_PAIR])?;
+        let space = match format.as_str() {
+            FIXED_AXES => FixedAxesSpace::from_saved(data(text, file)?)
+                .map(|space| PairSpace::FixedAxes(Box::new(space)))
+                .map_err(|e| wrong(&e.to_string(), file))?,
+            LOWER_PAIR => LowerPair::from_saved(data(text, file)?)
+                .map(|pair| PairSpace::Lower(Box::new(pair)))
+                .map_err(|e| wrong(&e.to_string(), file))?,
+            _ => PairSpace::Planar(Box::new(contact_space(text, file)?)),
+        };
+        check_names(&space, file)?;
+        check_angles(&space, file)?;
+        let label = |key: &str, value: Option<Value>| match value {
+            None => Ok(None),
+            Some(Value::String(text)) => is_plain(key, &text, file).map(|()| Some(text)),
+            Some(_) => Err(wrong(&format!("the key {key:?} is no text"), file)),
+        };
+        Ok(Self {
+            space,
+            name: label("name", head.name)?,
+            unit: label("unit", head.unit)?,
+        })
+    }
 }
 
 /// Reads a model, or a saved contact space: a JSON object with the key `format`.
@@ -51,8 +123,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
     if extension(path) == "json" {
         let text = read_text(path, LARGEST)?;
         if is_saved(&text) {
-            let space = pair_from_json(&text, &path.display().to_string())?;
-            return Ok(Document::Space(Box::new(space)));
+            let file = SavedFile::from_json(&text, &path.display().to_string())?;
+            return Ok(Document::Space(Box::new(file)));
         }
         return Model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
     }
@@ -82,7 +154,10 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
 pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
     let text = without_mark(text);
     head(text, file, &[CONTACT_SPACE])?;
-    contact_space(text, file)
+    match SavedFile::from_json(text, file)?.space {
+        PairSpace::Planar(space) => Ok(*space),
+        _ => Err(wrong("it is no contact space", file)),
+    }
 }
 
 /// The configuration space, of a pair of any class, in JSON text; `file` is what errors call it.
@@ -90,16 +165,7 @@ pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
 /// # Errors
 /// If the text is no JSON, of another format or version, or damaged.
 pub fn pair_from_json(text: &str, file: &str) -> Result<PairSpace, ModelError> {
-    let text = without_mark(text);
-    match head(text, file, &[CONTACT_SPACE, FIXED_AXES, LOWER_PAIR])?.as_str() {
-        FIXED_AXES => FixedAxesSpace::from_saved(data(text, file)?)
-            .map(|space| PairSpace::FixedAxes(Box::new(space)))
-            .map_err(|e| wrong(&e.to_string(), file)),
-        LOWER_PAIR => LowerPair::from_saved(data(text, file)?)
-            .map(|pair| PairSpace::Lower(Box::new(pair)))
-            .map_err(|e| wrong(&e.to_string(), file)),
-        _ => contact_space(text, file).map(|space| PairSpace::Planar(Box::new(space))),
-    }
+    SavedFile::from_json(text, file).map(|f| f.space)
 }
 
 const CONTACT_SPACE: &str = "contact-space";
@@ -121,15 +187,15 @@ fn data<T: serde::de::DeserializeOwned>(text: &str, file: &str) -> Result<T, Mod
 }
 
 /// The format of the text, if it is one of those wanted, in the version that is read.
-fn head(text: &str, file: &str, wanted: &[&'static str]) -> Result<String, ModelError> {
+fn head(text: &str, file: &str, wanted: &[&'static str]) -> Result<(String, Head), ModelError> {
     let wrong = |message: String| wrong(&message, file);
     if !is_object(text) {
         // Text that is no JSON at all is told apart.
         serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
         return Err(wrong("it is no contact space: not an object".into()));
     }
-    let head: Head = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    let format = match head.format {
+    let mut head: Head = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
+    let format = match head.format.take() {
         Some(Value::String(f)) if wanted.contains(&f.as_str()) => f,
         Some(Value::String(found)) => {
             let wanted = wanted[0];
@@ -148,7 +214,7 @@ fn head(text: &str, file: &str, wanted: &[&'static str]) -> Result<String, Model
     };
     // Data of another version need not have the same fields.
     match &head.version {
-        Some(v) if v.as_u64() == Some(SAVED_VERSION.into()) => Ok(format),
+        Some(v) if v.as_u64() == Some(SAVED_VERSION.into()) => Ok((format, head)),
         Some(found) => Err(wrong(format!(
             "the format's version is {found}, this program reads version {SAVED_VERSION}"
         ))),
@@ -167,10 +233,33 @@ pub fn to_json(space: &ContactSpace) -> String {
 }
 
 /// The configuration space of a pair of any class as indented JSON text, with a line break at the end.
+///
+/// To write what the model is called and its unit as well, see [`with_labels`].
 pub fn pair_to_json(space: &PairSpace) -> String {
-    let mut text = serde_json::to_string_pretty(&space.to_saved()).unwrap_or_default();
+    with_labels(space, None, None)
+}
+
+/// The configuration space of a pair of any class, with what its model is called and the label of its unit of length, as
+/// indented JSON text with a line break at the end. [`SavedFile`] is both together, as they are read.
+pub fn with_labels(space: &PairSpace, name: Option<&str>, unit: Option<&str>) -> String {
+    let labelled = Labelled {
+        name,
+        unit,
+        space: space.to_saved(),
+    };
+    let mut text = serde_json::to_string_pretty(&labelled).unwrap_or_default();
     text.push('\n');
     text
+}
+
+#[derive(serde::Serialize)]
+struct Labelled<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<&'a str>,
+    #[serde(flatten)]
+    space: SavedPair,
 }
 
 /// A structure would be read from a list, too.
@@ -178,11 +267,13 @@ fn is_object(text: &str) -> bool {
     text.trim_start().starts_with('{')
 }
 
-/// What tells a saved contact space, and its version.
+/// What tells a saved contact space, its version, and what it is called.
 #[derive(serde::Deserialize)]
 struct Head {
     format: Option<Value>,
     version: Option<Value>,
+    name: Option<Value>,
+    unit: Option<Value>,
 }
 
 /// Whether the text is meant to be a saved contact space: models have no format.
