@@ -11,6 +11,7 @@ use super::place::Place;
 use super::relations::{read_joints, read_pairs};
 use super::table::{Result, Table};
 use crate::file::{extension, read_text, without_mark};
+use crate::shown;
 
 /// The largest model read, in bytes.
 const LARGEST: u64 = 256 << 20;
@@ -62,7 +63,7 @@ impl Model {
         if model.name.is_empty() {
             model.name = path
                 .file_stem()
-                .map(|s| s.to_string_lossy().into_owned())
+                .map(|s| shown::text(&s.to_string_lossy()).into_owned())
                 .unwrap_or_default();
         }
         Ok(model)

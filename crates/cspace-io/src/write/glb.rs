@@ -16,6 +16,9 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// The first patch of which the number is no `f32`: applications' attributes may not be integers of four bytes.
 const TOO_MANY_PATCHES: u32 = 1 << 24;
 
+/// What the one node is called.
+const NODE: &str = "contact surface";
+
 /// Why a mesh has no GLB file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -157,8 +160,13 @@ impl Arrays {
     fn description(&self, bytes: usize) -> Value {
         let asset = json!({ "version": "2.0", "generator": "cspace" });
         if self.indices.is_empty() {
-            // Accessors and buffers may not be empty.
-            return json!({ "asset": asset, "scene": 0, "scenes": [{}] });
+            // Accessors, buffers and the scene's list of nodes may not be empty.
+            return json!({
+                "asset": asset,
+                "scene": 0,
+                "scenes": [{ "nodes": [0] }],
+                "nodes": [{ "name": NODE }],
+            });
         }
         let (n, indices) = (self.positions.len(), self.indices.len());
         let (lo, hi) = self.box_of_positions();
@@ -166,7 +174,7 @@ impl Arrays {
             "asset": asset,
             "scene": 0,
             "scenes": [{ "nodes": [0] }],
-            "nodes": [{ "mesh": 0, "name": "contact surface" }],
+            "nodes": [{ "mesh": 0, "name": NODE }],
             "meshes": [{
                 "name": "contact surface: x and y in the model's unit, the third coordinate is theta in radians",
                 "primitives": [{
