@@ -439,11 +439,18 @@ fn only_regular_files_are_opened() {
     // Larger than what is read, though it takes no room on the disk.
     let large = folder.path().join("large.toml");
     let file = std::fs::File::create(&large).unwrap();
-    file.set_len((256 << 20) + 1).unwrap();
+    file.set_len((16 << 20) + 1).unwrap();
     says(
         &Model::read(&large).unwrap_err(),
-        &["large.toml", "at most"],
+        &["large.toml", "at most 16777216 bytes", "write it as .json"],
     );
+    let large = folder.path().join("large.json");
+    let file = std::fs::File::create(&large).unwrap();
+    file.set_len((64 << 20) + 1).unwrap();
+    // Read as a model, and by whichever it might be.
+    let words = ["large.json", "at most 67108864 bytes", "several files"];
+    says(&Model::read(&large).unwrap_err(), &words);
+    says(&cspace_io::read(&large).unwrap_err(), &words);
 }
 
 /// Whatever is done to a model's text: a model or an error with a place, and no panic.
@@ -512,15 +519,24 @@ fn joints_have_the_keys_of_their_type() {
     for (keys, words) in [
         (
             "type = \"rigid\"\nat = [0, 0]",
-            ["m.toml:12:1: joint 0: unknown key \"at\"", "a rigid joint has the keys type, parts"],
+            [
+                "m.toml:12:1: joint 0: unknown key \"at\"",
+                "a rigid joint has the keys type, parts",
+            ],
         ),
         (
             "type = \"rigid\"\ndirection = [1, 0]",
-            ["unknown key \"direction\"", "a rigid joint has the keys type, parts"],
+            [
+                "unknown key \"direction\"",
+                "a rigid joint has the keys type, parts",
+            ],
         ),
         (
             "type = \"revolute\"\nat = [0, 0]\ndirection = [1, 0]",
-            ["unknown key \"direction\"", "a revolute joint has the keys type, parts, at"],
+            [
+                "unknown key \"direction\"",
+                "a revolute joint has the keys type, parts, at",
+            ],
         ),
         (
             "type = \"prismatic\"\ndirection = [1, 0]\nangle = 1",
@@ -550,14 +566,39 @@ fn text_has_no_control_characters() {
         let name = format!("p{escape}q");
         let joint = format!("[[joint]]\ntype = \"{name}\"\nparts = [\"a\", \"b\"]");
         for (place, error) in [
-            ("`name`", error(&format!("name = \"{name}\"\n{}", part("a", &square)))),
-            ("`unit`", error(&format!("unit = \"{name}\"\n{}", part("a", &square)))),
+            (
+                "`name`",
+                error(&format!("name = \"{name}\"\n{}", part("a", &square))),
+            ),
+            (
+                "`unit`",
+                error(&format!("unit = \"{name}\"\n{}", part("a", &square))),
+            ),
             ("part 0", error(&part(&name, &square))),
-            ("motion", error(&part("a", &format!("{square}\nmotion = {{ type = \"{name}\" }}")))),
+            (
+                "motion",
+                error(&part(
+                    "a",
+                    &format!("{square}\nmotion = {{ type = \"{name}\" }}"),
+                )),
+            ),
             ("joint 0", with_more(&joint)),
-            ("pair 0", with_more(&format!("[[pair]]\nfixed = \"{name}\"\nmoving = \"b\""))),
-            ("pair 0", with_more(&format!("[[pair]]\nfixed = \"a\"\nmoving = \"b\"\ntheta = [\"{name}\", 1]"))),
-            ("joint 0", with_more(&format!("[[joint]]\ntype = \"rigid\"\nparts = [\"{name}\", \"b\"]"))),
+            (
+                "pair 0",
+                with_more(&format!("[[pair]]\nfixed = \"{name}\"\nmoving = \"b\"")),
+            ),
+            (
+                "pair 0",
+                with_more(&format!(
+                    "[[pair]]\nfixed = \"a\"\nmoving = \"b\"\ntheta = [\"{name}\", 1]"
+                )),
+            ),
+            (
+                "joint 0",
+                with_more(&format!(
+                    "[[joint]]\ntype = \"rigid\"\nparts = [\"{name}\", \"b\"]"
+                )),
+            ),
         ] {
             says(&error, &[place, shown]);
             let all = format!("{error}{}", error.help().unwrap_or_default());
@@ -575,21 +616,42 @@ fn text_has_no_control_characters() {
     // The same in JSON, and in the name of the file itself.
     let json = format!(r#"{{"part": [{{"name": "p\u001b[2Jq", "loops": [{SQUARE}]}}]}}"#);
     let error = Model::from_json(&json, "m\u{1b}[2J\n.json").unwrap_err();
-    says(&error, &[r"m\u{1b}[2J\n.json:1:", "control character", r"p\u{1b}[2Jq"]);
+    says(
+        &error,
+        &[r"m\u{1b}[2J\n.json:1:", "control character", r"p\u{1b}[2Jq"],
+    );
     assert!(!error.to_string().contains(char::is_control));
 }
 
 #[test]
 fn orientations_far_from_0_are_refused() {
-    let pair = |theta: &str| with_more(&format!("[[pair]]\nfixed = \"a\"\nmoving = \"b\"\ntheta = {theta}"));
-    says(&pair("[1e12, 1e12]"), &["pair 0", "`theta`", "1000000000000 rad", "1e6 rad", "whole turns"]);
+    let pair = |theta: &str| {
+        with_more(&format!(
+            "[[pair]]\nfixed = \"a\"\nmoving = \"b\"\ntheta = {theta}"
+        ))
+    };
+    says(
+        &pair("[1e12, 1e12]"),
+        &[
+            "pair 0",
+            "`theta`",
+            "1000000000000 rad",
+            "1e6 rad",
+            "whole turns",
+        ],
+    );
     says(&pair("[-1000001, -1000000]"), &["-1000001 rad"]);
     says(&pair("[0, \"1e300turn\"]"), &["`theta`", "e300 rad"]);
     let range = "motion = { type = \"revolute\", center = [0, 0], range = [0, 1e7] }";
     let turning = error(&part("a", &format!("loops = [{SQUARE}]\n{range}")));
-    says(&turning, &["part 0 \"a\", motion", "`range`", "10000000 rad"]);
+    says(
+        &turning,
+        &["part 0 \"a\", motion", "`range`", "10000000 rad"],
+    );
     // Lengths may be long.
-    let sliding = range.replace("revolute", "prismatic").replace("center = [0, 0]", "direction = [1, 0]");
+    let sliding = range
+        .replace("revolute", "prismatic")
+        .replace("center = [0, 0]", "direction = [1, 0]");
     let text = part("a", &format!("loops = [{SQUARE}]\n{sliding}"));
     assert!(Model::from_toml(&text, "m.toml").is_ok());
 }
@@ -601,14 +663,20 @@ fn long_numbers_are_told_in_short() {
     let bad = [
         error(&part("a", &format!("{square}\n{sliding}"))),
         error(&part("a", &square.replace("[1, 1]", "[1, 1, 1e308]"))),
-        error(&part("a", &square.replace("[1, 1]", "[1, 1e149], [1, 1e148]"))),
+        error(&part(
+            "a",
+            &square.replace("[1, 1]", "[1, 1e149], [1, 1e148]"),
+        )),
         error(&part("a", "loops = 1e301")),
         error(&part("a", &format!("{square}\nsymmetry = 1e305"))),
         with_more("[[pair]]\nfixed = \"a\"\nmoving = \"b\"\ntheta = [0, 1e307]"),
     ];
     for error in bad {
         let said = error.to_string();
-        assert!(said.len() < 250 && said.contains("e1") || said.contains("e3"), "{said}");
+        assert!(
+            said.len() < 250 && said.contains("e1") || said.contains("e3"),
+            "{said}"
+        );
         assert!(!said.contains("00000000"), "{said}");
     }
 }

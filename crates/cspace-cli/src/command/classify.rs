@@ -1,6 +1,7 @@
 //! `cspace classify`.
 
 use core::f64::consts::TAU;
+use std::collections::BTreeSet;
 use std::io::Read;
 
 use cspace::{Classification, Configuration, Coordinates, PairClass, PairSpace, QueryError};
@@ -39,7 +40,7 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         .lock()
         .read_to_end(&mut bytes)
         .map_err(|e| Failure::input(format_args!("standard input: {e}")))?;
-    let rows = read(&bytes, &pair)?;
+    let rows = read(&bytes, &pair, common.result.format)?;
     let space = pair.space()?;
     let classes = classify(&pair, &space, &rows)?;
     let bytes = match common.result.format {
@@ -114,7 +115,7 @@ fn beyond_range(pair: &Chosen<'_>, at: Coordinates) -> Option<String> {
 }
 
 /// Reads all rows; nothing is computed before all of them are understood.
-fn read(bytes: &[u8], pair: &Chosen<'_>) -> Result<Rows, Failure> {
+fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Rows, Failure> {
     // A byte order mark is no part of the first name.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new()
@@ -122,6 +123,9 @@ fn read(bytes: &[u8], pair: &Chosen<'_>) -> Result<Rows, Failure> {
         .from_reader(bytes);
     let header = reader.headers().map_err(|e| unreadable(&e))?.clone();
     no_answers(&header)?;
+    if format == Format::Json {
+        named_once(&header)?;
+    }
     let columns = columns(&header, pair)?;
     let window = pair.window();
     let turns = pair.turns();
@@ -207,16 +211,29 @@ fn no_answers(header: &csv::StringRecord) -> Result<(), Failure> {
     Ok(())
 }
 
+fn named_twice(name: &str) -> Failure {
+    Failure::input(format_args!(
+        "standard input, line 1: the column {name} is named twice"
+    ))
+    .help("name every column once")
+}
+
+/// An object has a key once: of columns of one name all but the last would be lost.
+fn named_once(header: &csv::StringRecord) -> Result<(), Failure> {
+    let mut names = BTreeSet::new();
+    match header.iter().find(|name| !names.insert(*name)) {
+        Some(name) => Err(named_twice(name)),
+        None => Ok(()),
+    }
+}
+
 fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Failure> {
     let find = |name: &str| {
         let mut places = header.iter().enumerate().filter(|(_, h)| *h == name);
         match (places.next(), places.next()) {
             (Some((at, _)), None) => Ok(Some(at)),
             (None, _) => Ok(None),
-            (Some(_), Some(_)) => Err(Failure::input(format_args!(
-                "standard input, line 1: the column {name} is named twice"
-            ))
-            .help("name every column once")),
+            (Some(_), Some(_)) => Err(named_twice(name)),
         }
     };
     let planar = (find("x")?, find("y")?, find("theta")?);

@@ -13,7 +13,7 @@ use cspace::pair::SavedPair;
 use cspace::space::{SAVED_VERSION, SavedError};
 use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
 use serde::de::IgnoredAny;
-use serde_json::Value;
+use serde_json::value::RawValue;
 
 use crate::file::{extension, read_text, without_mark};
 use crate::model::no_json;
@@ -22,7 +22,7 @@ use crate::{Model, ModelError};
 use check::{check_angles, check_names, is_plain};
 
 /// The largest file read, in bytes.
-const LARGEST: u64 = 4 << 30;
+const LARGEST: u64 = 1 << 30;
 
 /// How a damaged or outdated file is replaced.
 const AGAIN: &str = "write the file again with `cspace export MODEL -o OUT.json`";
@@ -89,10 +89,17 @@ impl SavedFile {
         };
         check_names(&space, file)?;
         check_angles(&space, file)?;
-        let label = |key: &str, value: Option<Value>| match value {
-            None => Ok(None),
-            Some(Value::String(text)) => is_plain(key, &text, file).map(|()| Some(text)),
-            Some(_) => Err(wrong(&format!("the key {key:?} is no text"), file)),
+        let label = |key: &str, value: Option<&RawValue>| {
+            let Some(value) = value else {
+                return Ok(None);
+            };
+            let text = as_text(value).ok_or_else(|| {
+                wrong(
+                    &format!("the key {key:?} is no text but {}", cut(value)),
+                    file,
+                )
+            })?;
+            is_plain(key, &text, file).map(|()| Some(text))
         };
         Ok(Self {
             space,
@@ -187,38 +194,59 @@ fn data<T: serde::de::DeserializeOwned>(text: &str, file: &str) -> Result<T, Mod
 }
 
 /// The format of the text, if it is one of those wanted, in the version that is read.
-fn head(text: &str, file: &str, wanted: &[&'static str]) -> Result<(String, Head), ModelError> {
+fn head<'t>(
+    text: &'t str,
+    file: &str,
+    wanted: &[&'static str],
+) -> Result<(String, Head<'t>), ModelError> {
     let wrong = |message: String| wrong(&message, file);
     if !is_object(text) {
         // Text that is no JSON at all is told apart.
         serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
         return Err(wrong("it is no contact space: not an object".into()));
     }
-    let mut head: Head = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    let format = match head.format.take() {
-        Some(Value::String(f)) if wanted.contains(&f.as_str()) => f,
-        Some(Value::String(found)) => {
+    let head: Head<'_> = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
+    let format = match (head.format, head.format.and_then(as_text)) {
+        (_, Some(f)) if wanted.contains(&f.as_str()) => f,
+        (_, Some(found)) => {
             let wanted = wanted[0];
             return Err(wrong(SavedError::Format { found, wanted }.to_string()));
         }
-        Some(found) => {
+        (Some(found), None) => {
             return Err(wrong(format!(
-                "the format is {found}, not \"contact-space\""
+                "the format is {}, not \"contact-space\"",
+                cut(found)
             )));
         }
-        None => {
+        (None, None) => {
             return Err(wrong(
                 "it is no contact space: the key \"format\" is missing".into(),
             ));
         }
     };
     // Data of another version need not have the same fields.
-    match &head.version {
-        Some(v) if v.as_u64() == Some(SAVED_VERSION.into()) => Ok((format, head)),
+    match head.version {
+        Some(v) if v.get() == SAVED_VERSION.to_string() => Ok((format, head)),
         Some(found) => Err(wrong(format!(
-            "the format's version is {found}, this program reads version {SAVED_VERSION}"
+            "the format's version is {}, this program reads version {SAVED_VERSION}",
+            cut(found)
         ))),
         None => Err(wrong("the format's version is missing".into())),
+    }
+}
+
+/// The value as text, if it is text.
+fn as_text(value: &RawValue) -> Option<String> {
+    serde_json::from_str(value.get()).ok()
+}
+
+/// A value as it stands in the file, its beginning if it is long.
+fn cut(value: &RawValue) -> String {
+    const LONGEST: usize = 60;
+    let text = value.get();
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
     }
 }
 
@@ -267,17 +295,22 @@ fn is_object(text: &str) -> bool {
     text.trim_start().starts_with('{')
 }
 
-/// What tells a saved contact space, its version, and what it is called.
+/// What tells a saved contact space, its version, and what it is called; not looked into, for it may be anything.
 #[derive(serde::Deserialize)]
-struct Head {
-    format: Option<Value>,
-    version: Option<Value>,
-    name: Option<Value>,
-    unit: Option<Value>,
+struct Head<'t> {
+    #[serde(borrow)]
+    format: Option<&'t RawValue>,
+    #[serde(borrow)]
+    version: Option<&'t RawValue>,
+    #[serde(borrow)]
+    name: Option<&'t RawValue>,
+    #[serde(borrow)]
+    unit: Option<&'t RawValue>,
 }
 
 /// Whether the text is meant to be a saved contact space: models have no format.
 fn is_saved(text: &str) -> bool {
     let text = without_mark(text);
-    is_object(text) && serde_json::from_str::<Head>(text).is_ok_and(|head| head.format.is_some())
+    is_object(text)
+        && serde_json::from_str::<Head<'_>>(text).is_ok_and(|head| head.format.is_some())
 }
