@@ -158,12 +158,12 @@ fn numbers_have_limits() {
     );
 }
 
-/// Files as long as are read.
+/// Files about half as long as are read.
 #[test]
 fn long_lists_take_bounded_time_and_memory() {
     let folder = Folder::new();
     let many = |item: &str, bytes: usize| item.repeat(bytes / item.len() - 20);
-    let (toml, json) = (15 << 20, 60 << 20);
+    let (toml, json) = (8 << 20, 30 << 20);
     for (name, text, words) in [
         (
             "a.toml",
@@ -272,7 +272,7 @@ fn only_regular_files_are_read() {
         );
     }
     fails(&["info", "/dev/zero"], 2, &["/dev/zero", "extension"]);
-    fails(&["info", ""], 2, &["  help: "]);
+    fails(&["info", ""], 2, &["FILE"]);
     // A link to a model is a model.
     let good = link(&model("knee"), "knee.toml");
     assert!(
