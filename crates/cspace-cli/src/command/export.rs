@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use cspace::{ContactSpace, PairClass, PairSpace, Slice};
+use cspace_io::shown;
 use cspace_io::write::glb::{GlbError, glb};
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_io::write::obj::obj;
@@ -127,7 +128,7 @@ fn report(mesh: &Mesh, path: &Path) {
     let _ = writeln!(
         std::io::stderr(),
         "{}: {}, {}, at most {:.2e} from the surface, {}",
-        path.display(),
+        shown::text(&path.to_string_lossy()),
         count(mesh.vertices.len(), "vertex", "vertices"),
         count(mesh.triangles.len(), "triangle", "triangles"),
         mesh.deviation,

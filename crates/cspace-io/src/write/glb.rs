@@ -200,13 +200,9 @@ impl Arrays {
     }
 
     fn box_of_positions(&self) -> ([f32; 3], [f32; 3]) {
-        let mut corners = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-        for p in &self.positions {
-            for k in 0..3 {
-                corners.0[k] = corners.0[k].min(p[k]);
-                corners.1[k] = corners.1[k].max(p[k]);
-            }
-        }
-        corners
+        let along = |k: usize| self.positions.iter().map(move |p| p[k]);
+        let least = |k| along(k).fold(f32::INFINITY, f32::min);
+        let greatest = |k| along(k).fold(f32::NEG_INFINITY, f32::max);
+        ([0, 1, 2].map(least), [0, 1, 2].map(greatest))
     }
 }

@@ -1,21 +1,17 @@
-//! `cspace classify`.
+//! Rows of configurations as they are given.
 
 use core::f64::consts::TAU;
 use std::collections::BTreeSet;
-use std::io::Read;
 
-use cspace::{Classification, Configuration, Coordinates, PairClass, PairSpace, QueryError};
+use cspace::{Configuration, Coordinates, PairClass};
 use cspace_io::shown;
-use rayon::prelude::*;
 
 use crate::angle;
-use crate::args::{ClassifyArgs, Format};
+use crate::args::Format;
 use crate::failure::Failure;
-use crate::output;
-use crate::subject::{Chosen, Subject};
+use crate::subject::Chosen;
 
-/// From so many rows on it pays to prepare the space for them: that takes about as long as so many rows without.
-const MANY: usize = 4096;
+use super::ANSWER;
 
 /// Where the coordinates of a row stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,97 +21,13 @@ enum Columns {
 }
 
 /// The rows as given, and the configurations they mean.
-struct Rows {
-    header: csv::StringRecord,
-    records: Vec<csv::StringRecord>,
-    configurations: Vec<Coordinates>,
+pub(super) struct Rows {
+    pub(super) header: csv::StringRecord,
+    pub(super) records: Vec<csv::StringRecord>,
+    pub(super) configurations: Vec<Coordinates>,
 }
-
-pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
-    let common = &args.common;
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.theta)?;
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .lock()
-        .read_to_end(&mut bytes)
-        .map_err(|e| Failure::input(format_args!("standard input: {e}")))?;
-    let rows = read(&bytes, &pair, common.result.format)?;
-    let space = pair.space()?;
-    let classes = classify(&pair, &space, &rows)?;
-    let bytes = match common.result.format {
-        Format::Text => as_csv(&rows, &classes)?,
-        Format::Json => as_json(&rows, &classes)?,
-    };
-    output::write(common.result.output.as_deref(), &bytes)
-}
-
-/// Classifies all rows; orientations, which were checked, are brought into the window by turns.
-fn classify(
-    pair: &Chosen<'_>,
-    space: &PairSpace,
-    rows: &Rows,
-) -> Result<Vec<Classification>, Failure> {
-    let all = rows.configurations.par_iter();
-    let classifier = match space {
-        PairSpace::Planar(space) if rows.configurations.len() >= MANY => Some(space.classifier()),
-        _ => None,
-    };
-    let window = match space {
-        PairSpace::Planar(space) => Some(space.window()).filter(|w| !w.full_turn),
-        _ => None,
-    };
-    let turned = |c: Configuration| match window {
-        Some(w) => {
-            let turned = c.theta + TAU * ((w.lo - c.theta) / TAU).ceil();
-            // Rounding may leave it just below.
-            Configuration::new(c.x, c.y, turned.clamp(w.lo, w.hi))
-        }
-        None => c,
-    };
-    let one = |at: &Coordinates| match (*at, &classifier) {
-        (Coordinates::Planar(c), Some(classifier)) => {
-            classifier.classify(turned(c)).ok_or(QueryError::Outside)
-        }
-        (Coordinates::Planar(c), None) => space.classify(Coordinates::Planar(turned(c))),
-        (axes, _) => space.classify(axes),
-    };
-    let found: Vec<Result<Classification, QueryError>> = all.map(one).collect();
-    (found.into_iter().enumerate())
-        .map(|(i, class)| {
-            class.map_err(|e| {
-                let line = rows.records[i].position().map_or(0, csv::Position::line);
-                let why = beyond_range(pair, rows.configurations[i]).unwrap_or(e.to_string());
-                Failure::input(format_args!("standard input, line {line}: {why}"))
-                    .help("leave the row out, or widen the `range` of the motion in the model")
-            })
-        })
-        .collect()
-}
-
-/// Which coordinate is beyond the range of its motion, if one is.
-fn beyond_range(pair: &Chosen<'_>, at: Coordinates) -> Option<String> {
-    let (Some(axes), Coordinates::Axes { u, v }) = (pair.axes(), at) else {
-        return None;
-    };
-    [
-        ("u", u, axes.0, pair.fixed()),
-        ("v", v, axes.1, pair.moving()),
-    ]
-    .into_iter()
-    .find_map(|(name, t, axis, part)| {
-        let (lo, hi) = axis.range?;
-        let beyond = !(lo..=hi).contains(&t);
-        beyond.then(|| {
-            let part = part.name();
-            let [t, lo, hi] = [t, lo, hi].map(shown::number);
-            format!("{name} {t} is outside the range from {lo} to {hi} of the motion of {part}")
-        })
-    })
-}
-
 /// Reads all rows; nothing is computed before all of them are understood.
-fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Rows, Failure> {
+pub(super) fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Rows, Failure> {
     // A byte order mark is no part of the first name.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new()
@@ -197,9 +109,6 @@ fn unreadable(error: &csv::Error) -> Failure {
         .help("give one configuration in each row, values separated by commas")
 }
 
-/// The column that the answer adds.
-const ANSWER: &str = "class";
-
 /// The answer would have the column twice, and nobody could tell which is which.
 fn no_answers(header: &csv::StringRecord) -> Result<(), Failure> {
     if header.iter().any(|name| name == ANSWER) {
@@ -272,49 +181,4 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
             })
         }
     }
-}
-
-fn as_csv(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut write = |record: &csv::StringRecord, last: &str| {
-        let mut record = record.clone();
-        record.push_field(last);
-        writer.write_record(&record)
-    };
-    write(&rows.header, ANSWER).map_err(Failure::work)?;
-    for (record, class) in rows.records.iter().zip(classes) {
-        let word = match class {
-            Classification::Free => "free",
-            Classification::Blocked => "blocked",
-            Classification::Contact => "contact",
-        };
-        write(record, word).map_err(Failure::work)?;
-    }
-    writer.into_inner().map_err(Failure::work)
-}
-
-/// An array of objects: the columns as given, numbers where they are numbers, and `class`.
-fn as_json(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> {
-    let objects: Vec<serde_json::Map<String, serde_json::Value>> = rows
-        .records
-        .iter()
-        .zip(classes)
-        .map(|(record, class)| {
-            let value = |text: &str| {
-                text.parse::<f64>()
-                    .ok()
-                    .and_then(serde_json::Number::from_f64)
-                    .map_or_else(|| text.into(), serde_json::Value::Number)
-            };
-            let mut object: serde_json::Map<_, _> = rows
-                .header
-                .iter()
-                .map(str::to_owned)
-                .zip(record.iter().map(value))
-                .collect();
-            object.insert(ANSWER.to_owned(), serde_json::json!(class));
-            object
-        })
-        .collect();
-    super::json(&objects)
 }
