@@ -75,6 +75,11 @@ fn info_counts_features_as_the_computation_does() {
             continue;
         }
         let result = &json(&["compute", &file, "--format", "json"])[0];
+        assert_eq!(result["class"], info["pairs"][0]["class"], "{name}");
+        for (of, i) in [("fixed", 0), ("moving", 1)] {
+            let fold = &info["parts"][i]["symmetry"];
+            assert_eq!(&result["symmetry"][of], fold, "{name}");
+        }
         assert_eq!(result["features"]["fixed"], part(0), "{name}");
         assert_eq!(result["features"]["moving"], part(1), "{name}");
         assert_eq!(

@@ -1,18 +1,17 @@
 //! Configuration spaces in files.
 //!
 //! A saved space is JSON. Its format is called `contact-space`, `fixed-axes-space` or `lower-pair`, its version is
-//! [`SAVED_VERSION`]; schemas of the same names in the folder `docs` of the project's repository describe every field and
+//! [`SAVED_VERSION`](cspace::space::SAVED_VERSION); schemas of the same names in the folder `docs` of the project's repository describe every field and
 //! its unit. Numbers are read back as the very numbers that were written. Two optional keys, `name` and `unit`, repeat what
 //! the model said of itself.
 
 mod check;
+mod head;
 
 use std::path::Path;
 
 use cspace::pair::SavedPair;
-use cspace::space::{SAVED_VERSION, SavedError};
 use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
-use serde::de::IgnoredAny;
 use serde_json::value::RawValue;
 
 use crate::file::{extension, read_text, without_mark};
@@ -20,8 +19,9 @@ use crate::model::no_json;
 use crate::{Model, ModelError};
 
 use check::{check_angles, check_names, is_plain};
+use head::{as_text, cut, head, is_saved};
 
-/// The largest file read, in bytes.
+/// The largest file read, in bytes: that many take some gigabytes of memory, whatever they say.
 const LARGEST: u64 = 1 << 30;
 
 /// How a damaged or outdated file is replaced.
@@ -193,63 +193,6 @@ fn data<T: serde::de::DeserializeOwned>(text: &str, file: &str) -> Result<T, Mod
     serde_json::from_str(text).map_err(|e| no_json(&e).with_help(AGAIN).in_file(file))
 }
 
-/// The format of the text, if it is one of those wanted, in the version that is read.
-fn head<'t>(
-    text: &'t str,
-    file: &str,
-    wanted: &[&'static str],
-) -> Result<(String, Head<'t>), ModelError> {
-    let wrong = |message: String| wrong(&message, file);
-    if !is_object(text) {
-        // Text that is no JSON at all is told apart.
-        serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
-        return Err(wrong("it is no contact space: not an object".into()));
-    }
-    let head: Head<'_> = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    let format = match (head.format, head.format.and_then(as_text)) {
-        (_, Some(f)) if wanted.contains(&f.as_str()) => f,
-        (_, Some(found)) => {
-            let wanted = wanted[0];
-            return Err(wrong(SavedError::Format { found, wanted }.to_string()));
-        }
-        (Some(found), None) => {
-            return Err(wrong(format!(
-                "the format is {}, not \"contact-space\"",
-                cut(found)
-            )));
-        }
-        (None, None) => {
-            return Err(wrong(
-                "it is no contact space: the key \"format\" is missing".into(),
-            ));
-        }
-    };
-    // Data of another version need not have the same fields.
-    match head.version {
-        Some(v) if v.get() == SAVED_VERSION.to_string() => Ok((format, head)),
-        Some(found) => Err(wrong(format!(
-            "the format's version is {}, this program reads version {SAVED_VERSION}",
-            cut(found)
-        ))),
-        None => Err(wrong("the format's version is missing".into())),
-    }
-}
-
-/// The value as text, if it is text.
-fn as_text(value: &RawValue) -> Option<String> {
-    serde_json::from_str(value.get()).ok()
-}
-
-/// A value as it stands in the file, its beginning if it is long.
-fn cut(value: &RawValue) -> String {
-    const LONGEST: usize = 60;
-    let text = value.get();
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
-}
-
 /// The contact space as indented JSON text, with a line break at the end.
 ///
 /// For an example see [`from_json`].
@@ -288,29 +231,4 @@ struct Labelled<'a> {
     unit: Option<&'a str>,
     #[serde(flatten)]
     space: SavedPair,
-}
-
-/// A structure would be read from a list, too.
-fn is_object(text: &str) -> bool {
-    text.trim_start().starts_with('{')
-}
-
-/// What tells a saved contact space, its version, and what it is called; not looked into, for it may be anything.
-#[derive(serde::Deserialize)]
-struct Head<'t> {
-    #[serde(borrow)]
-    format: Option<&'t RawValue>,
-    #[serde(borrow)]
-    version: Option<&'t RawValue>,
-    #[serde(borrow)]
-    name: Option<&'t RawValue>,
-    #[serde(borrow)]
-    unit: Option<&'t RawValue>,
-}
-
-/// Whether the text is meant to be a saved contact space: models have no format.
-fn is_saved(text: &str) -> bool {
-    let text = without_mark(text);
-    is_object(text)
-        && serde_json::from_str::<Head<'_>>(text).is_ok_and(|head| head.format.is_some())
 }
