@@ -33,14 +33,14 @@ struct Evaluation {
 }
 
 pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
-    output::check(args.output.as_deref())?;
+    output::check(args.result.output.as_deref())?;
     let chosen = chosen(&args.pairs)?;
     // What is wrong with the separation is told before anything is measured.
     cspace_baseline::evenly(args.separation).map_err(|e| {
         Failure::input(format_args!("--separation: {e}")).help("give an angle such as 0.005")
     })?;
     catch_interrupts();
-    set_threads(args.threads)?;
+    set_threads(args.result.threads)?;
     let steps = Steps::new(chosen.len() + 1);
     let pairs = (chosen.iter())
         .map(|pair| steps.step(pair.name, || measure(pair, args.separation, args.repeat)))
@@ -55,7 +55,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
         pairs,
         survey,
     };
-    let bytes = match args.format {
+    let bytes = match args.result.format {
         Format::Json => super::json(&evaluation)?,
         Format::Text => {
             let mut text = String::new();
@@ -63,7 +63,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
             text.into_bytes()
         }
     };
-    output::write(args.output.as_deref(), &bytes)
+    output::write(args.result.output.as_deref(), &bytes)
 }
 
 /// The pairs of these names, in Figure 5's order; all if none is named.
