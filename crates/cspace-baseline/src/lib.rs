@@ -15,6 +15,7 @@
 pub mod compare;
 pub mod critical;
 mod join;
+pub mod kinds;
 mod orientations;
 pub mod paper;
 mod stack;

@@ -35,7 +35,7 @@ use search::Search;
 /// What the search of critical orientations found, and did.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Criticalities {
-    /// The realisable critical orientations, radians in [−π, π), increasing; those within 1e-7 rad of each other are one.
+    /// The realisable critical orientations, radians in [−π, π), increasing; those within 4e-6 rad of each other are one.
     pub orientations: Vec<f64>,
     /// Contacts: pairs of features that can touch.
     pub contacts: usize,

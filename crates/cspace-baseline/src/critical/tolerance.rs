@@ -6,9 +6,9 @@
 /// Edges that meet at less than this angle (radians) are joined smoothly: as the library has it.
 pub(super) const SMOOTH: f64 = 1.5e-8;
 
-/// Orientations nearer than this (radians) are the same. Where two contacts become tangent, an orientation is known to the square
-/// root of the rounding only.
-pub(super) const SAME: f64 = 1e-7;
+/// Orientations nearer than this (radians) are the same. Where two contacts become tangent, or a feature ends just beyond, an
+/// orientation is known to some of [`BEYOND`] only, and to the square root of the rounding.
+pub(super) const SAME: f64 = 4e-6;
 
 /// How far beyond its ends (a length, or radians of normals and orientations) a contact is still a contact.
 pub(super) const BEYOND: f64 = 1e-6;
