@@ -5,34 +5,56 @@ use std::time::Instant;
 use cavalier_contours::polyline::{
     PlineContainsOptions, PlineContainsResult, PlineSource, PlineSourceMut, Polyline,
 };
-use cspace::{Configuration, Part, Point};
+use cspace::{Configuration, Edge, Part, Point, Rotation};
 
 use super::Checker;
 use crate::models::Pair;
 
-/// Loops with places given to `place`; bulges mean the same there.
-fn polylines(part: &Part, place: impl Fn(Point) -> Point) -> Vec<Polyline<f64>> {
-    let polyline = |l: &cspace::Loop| {
+/// A part's loops by corners and bulges, which mean the same there; arcs of more than half a turn, which it takes wrongly, in two.
+fn corners(part: &Part) -> Vec<Vec<(Point, f64)>> {
+    let add = |e: Edge, corners: &mut Vec<(Point, f64)>| {
+        if e.bulge.abs() > 1.0 {
+            let (sweep, center) = (e.sweep(), e.center());
+            let half = (0.125 * sweep).tan();
+            let middle = center + Rotation::by(0.5 * sweep) * (e.start - center);
+            corners.extend([(e.start, half), (middle, half)]);
+        } else {
+            corners.push((e.start, e.bulge));
+        }
+    };
+    let corners = |l: &cspace::Loop| {
+        let mut corners = Vec::new();
+        for e in l.edges() {
+            add(e, &mut corners);
+        }
+        corners
+    };
+    part.loops().iter().map(corners).collect()
+}
+
+fn polylines(loops: &[Vec<(Point, f64)>], place: impl Fn(Point) -> Point) -> Vec<Polyline<f64>> {
+    let polyline = |l: &Vec<(Point, f64)>| {
         let mut polyline = Polyline::new_closed();
-        for v in l.vertices() {
-            let p = place(v.point());
-            polyline.add(p.x, p.y, v.bulge);
+        for &(p, bulge) in l {
+            let p = place(p);
+            polyline.add(p.x, p.y, bulge);
         }
         polyline
     };
-    part.loops().iter().map(polyline).collect()
+    loops.iter().map(polyline).collect()
 }
 
-pub(super) fn checker(pair: &Pair) -> Checker<'_> {
+pub(super) fn checker(pair: &Pair) -> Checker<'static> {
     /// Positions nearer than this share of the size are equal to it: as near as lets it see the smallest distances asked for.
     const EQUAL: f64 = 1e-11;
     let begin = Instant::now();
-    let fixed = polylines(&pair.fixed, |p| p);
+    let fixed = polylines(&corners(&pair.fixed), |p| p);
+    let drawn = corners(&pair.moving);
     let indices: Vec<_> = fixed.iter().map(|l| l.create_approx_aabb_index()).collect();
     let equal = EQUAL * pair.fixed.size().max(pair.moving.size());
     let prepared_seconds = begin.elapsed().as_secs_f64();
     let overlaps = move |c: Configuration| {
-        let moving = polylines(&pair.moving, |p| c.fixed_from_moving(p));
+        let moving = polylines(&drawn, |p| c.fixed_from_moving(p));
         // Of loops that do not meet: how many of one part are around each of the other.
         let mut around_moving = vec![0; moving.len()];
         for (f, index) in fixed.iter().zip(&indices) {
