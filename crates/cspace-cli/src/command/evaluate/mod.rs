@@ -1,6 +1,7 @@
 //! `cspace evaluate`: section 4 of Sacks (1999), measured here.
 
 mod averages;
+mod critical;
 mod measure;
 mod special;
 mod text;
@@ -26,6 +27,8 @@ struct Evaluation {
     separation: f64,
     /// Of how many runs seconds are the median.
     repeat: u16,
+    /// Under which the search of critical orientations had to end, seconds.
+    criticality_limit: f64,
     threads: usize,
     pairs: Vec<Measured>,
     averages: Averages,
@@ -43,13 +46,14 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
     set_threads(args.result.threads)?;
     let steps = Steps::new(chosen.len() + 1);
     let pairs = (chosen.iter())
-        .map(|pair| steps.step(pair.name, || measure(pair, args.separation, args.repeat)))
+        .map(|pair| steps.step(pair.name, || measure(pair, args)))
         .collect::<Result<Vec<_>, _>>()?;
     let survey = steps.step("special pairs", || special::survey(args.repeat))?;
     drop(steps);
     let evaluation = Evaluation {
         separation: args.separation,
         repeat: args.repeat,
+        criticality_limit: args.criticality_limit,
         threads: rayon::current_num_threads(),
         averages: Averages::of(&pairs),
         pairs,
