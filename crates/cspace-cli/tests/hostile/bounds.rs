@@ -24,6 +24,8 @@ pub(crate) fn run_to(out: impl Into<Stdio>, args: &[&str]) -> Output {
     let child = Command::new("sh")
         .args(["-c", &script, PROGRAM])
         .args(args)
+        // Every thread has address space of its own, and some machines have many.
+        .env("RAYON_NUM_THREADS", "2")
         .stdin(Stdio::null())
         .stdout(out)
         .stderr(Stdio::piped())
