@@ -9,7 +9,7 @@ use cspace_io::shown;
 use crate::subject::Chosen;
 use crate::wording::{angle, count, length, symmetry};
 
-use super::{MotionSpace, Regions, Seconds, Summary};
+use super::{Counts, MotionSpace, Regions, Seconds, Statistic, Summary};
 
 pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Result {
     let unit = pair.unit();
@@ -134,6 +134,15 @@ fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fm
         count(s.patches, "contact curve", "contact curves"),
         count(s.links.side, "link", "links")
     )?;
+    if let Some(Statistic::Axes(counts)) = &s.statistics {
+        writeln!(
+            text,
+            "  certainty      {}, {}, {}",
+            count(counts.crossings, "crossing", "crossings"),
+            count(counts.tests, "test of overlap", "tests of overlap"),
+            count(counts.conflicts, "conflict", "conflicts")
+        )?;
+    }
     writeln!(
         text,
         "  free space     {}",
@@ -170,6 +179,21 @@ fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fm
     Ok(())
 }
 
+/// How many decisions were certain at once, and what became of the others.
+fn describe_certainty(text: &mut String, counts: &Counts) -> fmt::Result {
+    let d = &counts.decisions;
+    let at_once = (d.passings - d.passings_by_places)
+        + (d.orientations - d.orientations_rough)
+        + (d.overlaps - d.overlaps_uncertain);
+    writeln!(
+        text,
+        "  certainty      {at_once} decisions at once, {} by enclosures, {} left to the resolution, {}",
+        d.passings_by_places,
+        d.orientations_rough + d.overlaps_uncertain,
+        count(counts.conflicts as usize, "conflict", "conflicts")
+    )
+}
+
 fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
     match s.window {
         Some(w) if !w.full_turn => writeln!(
@@ -202,6 +226,9 @@ fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
         count(s.links.side, "side link", "side links"),
         count(s.links.vertical, "vertical link", "vertical links")
     )?;
+    if let Some(Statistic::General(counts)) = &s.statistics {
+        describe_certainty(text, counts)?;
+    }
     let Regions::Planar(regions) = s.regions else {
         return Ok(());
     };
