@@ -50,6 +50,10 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..))]
     pub(crate) thorough: u64,
 
+    /// Before a pair is written into the folder of findings, leave out what its fault does not need.
+    #[arg(long, requires = "findings")]
+    pub(crate) shrink: bool,
+
     /// Only the pair of this number.
     #[arg(long, value_name = "NUMBER")]
     pub(crate) only: Option<u64>,

@@ -8,9 +8,11 @@
 pub mod check;
 pub mod draw;
 pub mod outline;
+pub mod shrink;
 pub mod tally;
 mod trial;
 
 pub use check::{Effort, Fault, Report, check};
 pub use draw::{Drawn, Source};
+pub use shrink::shrink;
 pub use tally::Tally;

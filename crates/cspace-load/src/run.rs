@@ -6,8 +6,11 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use cspace::ComputeError;
-use cspace_load::{Drawn, Effort, Fault, Source, Tally, check};
+use cspace::{ComputeError, PartError};
+use cspace_load::{Drawn, Effort, Fault, Report, Source, Tally, check, shrink};
+use cspace_oracle::Case;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
 
 use crate::args::Args;
 use crate::findings;
@@ -145,8 +148,13 @@ fn one(args: &Args, number: u64, mut drawn: Drawn) -> Option<Tally> {
         Ok(Ok(report)) => {
             tally.count(&report);
             if !report.faults.is_empty() {
+                let kind = kind(&report.faults);
+                let mut report = report;
+                if args.shrink {
+                    (drawn.case, report) = shrunk(case, effort, kind, report);
+                }
                 let said: Vec<String> = report.faults.iter().map(describe).collect();
-                tell(args, number, &drawn, kind(&report.faults), &said);
+                tell(args, number, &drawn, kind, &said);
             } else if report.conflicts > 0 {
                 let said = [format!("{} conflicts", report.conflicts)];
                 tell(args, number, &drawn, "conflict", &said);
@@ -169,6 +177,28 @@ fn one(args: &Args, number: u64, mut drawn: Drawn) -> Option<Tally> {
     tally.slow = u64::from(took > PATIENCE);
     tally.seconds = took.as_secs_f64();
     Some(tally)
+}
+
+/// A smaller pair whose worst fault is of the same kind, and what was found of it.
+fn shrunk(
+    case: &Case,
+    effort: Effort,
+    wanted: &str,
+    report: Report,
+) -> (Result<Case, PartError>, Report) {
+    let again = |case: &Case| -> Option<Report> {
+        let mut rng = ChaCha8Rng::seed_from_u64(0);
+        let deadline = Deadline::new(stopped);
+        catch_unwind(AssertUnwindSafe(|| {
+            check(case, effort, &mut rng, &deadline).ok()
+        }))
+        .ok()
+        .flatten()
+    };
+    let same = |r: &Report| !r.faults.is_empty() && kind(&r.faults) == wanted;
+    let small = shrink(case, &|case| again(case).is_some_and(|r| same(&r)));
+    let found = again(&small).filter(same).unwrap_or(report);
+    (Ok(small), found)
 }
 
 /// The worst of what was found, as the end of a file's name.

@@ -14,7 +14,7 @@ pub(super) fn add(all: &mut Vec<Family>) {
         &[1, 2, 3, 4, 5],
         |n| {
             let holes = grid(n as usize, |x, y| disc_at(x, y, 0.3));
-            Ok(Case::new(plate(n + 1.0, holes), rounded(0.4, 0.2, 0.1))?.about(&[(0.0, 0.0, 0.3)]))
+            Ok(Case::new(plate(n + 1.0, holes), rounded(0.5, 0.3, 0.1))?.about(&[(0.0, 0.0, 0.3)]))
         },
     ));
     all.push(counting(

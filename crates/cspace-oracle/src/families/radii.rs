@@ -38,8 +38,8 @@ pub(super) fn add(all: &mut Vec<Family>) {
         "rounded corner in a fillet, difference of radii",
         differences(),
         |d| {
-            Ok(Case::new(filleted(0.5), rounded(1.0, 1.0, 0.5 - 0.4 * d))?
-                .about(&[(0.5, 0.5, 0.0)]))
+            Ok(Case::new(filleted(0.5), rounded(1.4, 1.4, 0.5 - 0.4 * d))?
+                .about(&[(0.7, 0.7, 0.0)]))
         },
     ));
     all.push(family(
