@@ -7,11 +7,13 @@
 // The shapes are constants of the tests: one that is no part is a mistake in this crate, to be heard at once.
 #![allow(clippy::panic)]
 
+pub mod families;
 pub mod judge;
 pub mod near;
 pub mod pairs;
 pub mod shapes;
 
+pub use families::{Case, Family, families};
 pub use judge::{Oracle, Verdict, judge};
 pub use near::{NearContact, near_contact, near_contact_about};
 pub use pairs::{Pair, pair, pairs};

@@ -1,0 +1,212 @@
+//! One pair, computed and judged.
+
+use std::time::Instant;
+
+use cspace::{ComputeError, Configuration, ContactSpace, Options, Progress, Slicer, StageSeconds};
+use cspace_oracle::{Case, Oracle, Verdict};
+use rand_chacha::ChaCha8Rng;
+
+use crate::trial::Trial;
+
+/// How hard to look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Effort {
+    /// Configurations to ask.
+    pub configurations: usize,
+    /// Bands to compare with slices from scratch, at most.
+    pub bands: usize,
+    /// Also compute with two threads and the other way round, and try the classifier.
+    pub thorough: bool,
+}
+
+/// Something that must not be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fault {
+    /// The contact space says otherwise than brute force.
+    Wrong {
+        /// Where.
+        at: Configuration,
+        /// What brute force says.
+        verdict: Verdict,
+        /// Whether the slice from scratch is wrong too.
+        slice_too: bool,
+    },
+    /// In the middle of a band the slice of the space and that from scratch have different numbers of loops.
+    Loops {
+        /// The orientation.
+        theta: f64,
+        /// Loops of the space's slice.
+        space: usize,
+        /// Loops of the slice from scratch.
+        scratch: usize,
+        /// The width of the band.
+        width: f64,
+    },
+    /// A curve of a slice of the space does not begin where the one before it ends.
+    Open {
+        /// The orientation.
+        theta: f64,
+        /// How far apart, as a share of the size.
+        gap: f64,
+    },
+    /// One thread and two give different contact spaces.
+    Threads,
+    /// The inverse pair says otherwise than brute force.
+    Inverse {
+        /// Where, as a configuration of the pair itself.
+        at: Configuration,
+        /// What brute force says.
+        verdict: Verdict,
+    },
+    /// The classifier says otherwise than the slice.
+    Classifier {
+        /// Where.
+        at: Configuration,
+    },
+}
+
+/// What came of one pair.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Report {
+    /// Configurations asked.
+    pub asked: u64,
+    /// Those whose verdict counts.
+    pub certain: u64,
+    /// Those of them beside contact.
+    pub near: u64,
+    /// Those of the certain ones that are free.
+    pub free: u64,
+    /// Otherwise than the oracle says, but nearer to contact than [`ContactSpace::resolution`].
+    pub within_resolution: u64,
+    /// Bands compared.
+    pub bands: u64,
+    /// Shells decided cell by cell.
+    pub conflicts: u64,
+    /// Whether the thorough checks were done.
+    pub thorough: bool,
+    /// Bytes of patches and links.
+    pub bytes: u64,
+    /// Features of one part times those of the other.
+    pub feature_pairs: u64,
+    /// Seconds the contact space took.
+    pub computed: f64,
+    /// What must not be.
+    pub faults: Vec<Fault>,
+}
+
+/// Computes the contact space of a pair, and judges it.
+///
+/// # Errors
+/// Why it could not be computed; or `progress` ended it.
+pub fn check(
+    case: &Case,
+    effort: Effort,
+    rng: &mut ChaCha8Rng,
+    progress: &dyn Progress,
+) -> Result<Report, ComputeError> {
+    let options = Options {
+        window: case.window,
+        ..Options::default()
+    };
+    let begin = Instant::now();
+    let space = ContactSpace::compute_with(&case.fixed, &case.moving, &options, progress)?;
+    let features = space.features();
+    let mut report = Report {
+        conflicts: space.statistics().conflicts,
+        computed: begin.elapsed().as_secs_f64(),
+        bytes: bytes(&space),
+        feature_pairs: u64::from(features.fixed) * u64::from(features.moving),
+        ..Report::default()
+    };
+    let slicer = Slicer::new(&case.fixed, &case.moving);
+    let mut trial = Trial {
+        case,
+        space: &space,
+        slicer: &slicer,
+        oracle: Oracle::new(&case.fixed, &case.moving),
+        rng,
+        report: &mut report,
+        kept: Vec::new(),
+    };
+    trial.configurations(effort.configurations);
+    trial.bands(effort.bands);
+    if effort.thorough {
+        let kept = core::mem::take(&mut trial.kept);
+        let oracle = trial.oracle;
+        report.thorough = true;
+        report
+            .faults
+            .extend(inverse(case, &kept, &oracle, progress)?);
+        report.faults.extend(classifier(&space, &kept));
+        if !same_with_two_threads(case, &options, &space, progress)? {
+            report.faults.push(Fault::Threads);
+        }
+    }
+    Ok(report)
+}
+
+/// Where the inverse pair says otherwise than the oracle: of a window, it covers the negative orientations.
+fn inverse(
+    case: &Case,
+    kept: &[(Configuration, Verdict)],
+    oracle: &Oracle,
+    progress: &dyn Progress,
+) -> Result<Vec<Fault>, ComputeError> {
+    let options = Options {
+        window: case.window.map(|(lo, hi)| (-hi, -lo)),
+        ..Options::default()
+    };
+    let back = ContactSpace::compute_with(&case.moving, &case.fixed, &options, progress)?;
+    let wrong = kept.iter().filter(|(c, verdict)| {
+        let there = c.inverse();
+        // The inverse is rounded.
+        let rounding = 16.0 * f64::EPSILON * (c.x.abs() + c.y.abs() + there.x.abs());
+        let least = (back.resolution()).max(crate::trial::CERTAIN * oracle.size());
+        verdict.margin > least + rounding
+            && back.slice(there.theta).is_free(there.position()) == verdict.overlap
+    });
+    Ok(wrong
+        .map(|&(at, verdict)| Fault::Inverse { at, verdict })
+        .collect())
+}
+
+/// Where the classifier says otherwise than the space it was made from.
+fn classifier(space: &ContactSpace, kept: &[(Configuration, Verdict)]) -> Vec<Fault> {
+    let classifier = space.classifier();
+    kept.iter()
+        .filter(|(c, _)| classifier.classify(*c) != space.classify(*c))
+        .map(|&(at, _)| Fault::Classifier { at })
+        .collect()
+}
+
+/// Whether two threads give what this thread's pool gave.
+fn same_with_two_threads(
+    case: &Case,
+    options: &Options,
+    space: &ContactSpace,
+    progress: &dyn Progress,
+) -> Result<bool, ComputeError> {
+    let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(2).build() else {
+        // No more threads are to be had: nothing is found out about them.
+        return Ok(true);
+    };
+    let other =
+        pool.install(|| ContactSpace::compute_with(&case.fixed, &case.moving, options, progress))?;
+    let saved = |space: &ContactSpace| {
+        let mut saved = space.to_saved();
+        saved.statistics.seconds = StageSeconds::default();
+        saved
+    };
+    Ok(saved(&other) == saved(space))
+}
+
+/// Bytes of what grows with a contact space.
+fn bytes(space: &ContactSpace) -> u64 {
+    let saved = [
+        size_of_val(space.patches()),
+        size_of_val(space.side_links()),
+        size_of_val(space.vertical_links()),
+        size_of_val(space.critical_orientations()),
+    ];
+    saved.iter().sum::<usize>() as u64
+}

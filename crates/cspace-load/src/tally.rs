@@ -1,0 +1,204 @@
+//! What was done and what was found.
+
+use core::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::check::{Fault, Report};
+
+/// Counts over all pairs so far.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Tally {
+    /// Pairs drawn.
+    pub pairs: u64,
+    /// Of these, one of the outlines was refused as a part.
+    pub refused: u64,
+    /// Given up after the time limit.
+    pub given_up: u64,
+    /// Configurations asked.
+    pub asked: u64,
+    /// Of these, the oracle's verdict counts.
+    pub certain: u64,
+    /// Of these, beside contact.
+    pub near: u64,
+    /// Of the certain ones, free.
+    pub free: u64,
+    /// Of the certain ones, the contact space says otherwise.
+    pub wrong: u64,
+    /// Pairs with a wrong configuration.
+    pub wrong_pairs: u64,
+    /// Certain beyond the margin, but nearer to contact than the resolution that the space itself reports: the space says
+    /// otherwise, as it may.
+    pub within_resolution: u64,
+    /// Bands compared with slices from scratch.
+    pub bands: u64,
+    /// Of these, the numbers of loops differ.
+    pub loops_differ: u64,
+    /// Slices in which a curve does not begin where the one before it ends.
+    pub open: u64,
+    /// Pairs with shells that were decided cell by cell.
+    pub conflict_pairs: u64,
+    /// Such shells.
+    pub conflicts: u64,
+    /// Pairs looked at thoroughly: by one thread and two, the other way round, and with a classifier.
+    pub thorough: u64,
+    /// Of these, one thread and two give different results.
+    pub threads_differ: u64,
+    /// Configurations at which the inverse pair says otherwise than the oracle.
+    pub inverse_wrong: u64,
+    /// Configurations at which the classifier says otherwise than the slice.
+    pub classifier_differs: u64,
+    /// Pairs at which the library panicked.
+    pub panics: u64,
+    /// Pairs that took longer than the watchdog's patience.
+    pub slow: u64,
+    /// The longest a contact space took, seconds.
+    pub slowest: f64,
+    /// The largest contact space, bytes of its patches and links.
+    pub largest_bytes: u64,
+    /// The largest number of feature pairs (product of the numbers of features).
+    pub largest_pair: u64,
+    /// Processor seconds, all pairs together.
+    pub seconds: f64,
+}
+
+impl Tally {
+    /// Counts one more pair.
+    pub fn count(&mut self, report: &Report) {
+        self.asked += report.asked;
+        self.certain += report.certain;
+        self.near += report.near;
+        self.free += report.free;
+        self.within_resolution += report.within_resolution;
+        self.bands += report.bands;
+        self.conflicts += report.conflicts;
+        self.conflict_pairs += u64::from(report.conflicts > 0);
+        self.thorough += u64::from(report.thorough);
+        self.slowest = self.slowest.max(report.computed);
+        self.largest_bytes = self.largest_bytes.max(report.bytes);
+        self.largest_pair = self.largest_pair.max(report.feature_pairs);
+        let mut wrong = false;
+        for fault in &report.faults {
+            match fault {
+                Fault::Wrong { .. } => {
+                    self.wrong += 1;
+                    wrong = true;
+                }
+                Fault::Loops { .. } => self.loops_differ += 1,
+                Fault::Open { .. } => self.open += 1,
+                Fault::Threads => self.threads_differ += 1,
+                Fault::Inverse { .. } => self.inverse_wrong += 1,
+                Fault::Classifier { .. } => self.classifier_differs += 1,
+            }
+        }
+        self.wrong_pairs += u64::from(wrong);
+    }
+
+    /// Adds the counts of another.
+    pub fn add(&mut self, other: &Self) {
+        let sums: [(&mut u64, u64); 20] = [
+            (&mut self.pairs, other.pairs),
+            (&mut self.refused, other.refused),
+            (&mut self.given_up, other.given_up),
+            (&mut self.asked, other.asked),
+            (&mut self.certain, other.certain),
+            (&mut self.near, other.near),
+            (&mut self.free, other.free),
+            (&mut self.wrong, other.wrong),
+            (&mut self.wrong_pairs, other.wrong_pairs),
+            (&mut self.within_resolution, other.within_resolution),
+            (&mut self.bands, other.bands),
+            (&mut self.loops_differ, other.loops_differ),
+            (&mut self.open, other.open),
+            (&mut self.conflict_pairs, other.conflict_pairs),
+            (&mut self.conflicts, other.conflicts),
+            (&mut self.thorough, other.thorough),
+            (&mut self.threads_differ, other.threads_differ),
+            (&mut self.inverse_wrong, other.inverse_wrong),
+            (&mut self.classifier_differs, other.classifier_differs),
+            (&mut self.panics, other.panics),
+        ];
+        for (sum, more) in sums {
+            *sum += more;
+        }
+        self.slow += other.slow;
+        self.slowest = self.slowest.max(other.slowest);
+        self.largest_bytes = self.largest_bytes.max(other.largest_bytes);
+        self.largest_pair = self.largest_pair.max(other.largest_pair);
+        self.seconds += other.seconds;
+    }
+
+    /// Whether something was found that must not be. Conflicts are decided in another way, and slow pairs are slow.
+    pub fn is_clean(&self) -> bool {
+        [
+            self.wrong,
+            self.loops_differ,
+            self.open,
+            self.threads_differ,
+            self.inverse_wrong,
+            self.classifier_differs,
+            self.panics,
+            self.given_up,
+        ]
+        .iter()
+        .all(|&n| n == 0)
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows: [(&str, String); 16] = [
+            (
+                "pairs",
+                format!("{} ({} refused as parts)", self.pairs, self.refused),
+            ),
+            ("configurations asked", self.asked.to_string()),
+            (
+                "certain",
+                format!(
+                    "{} ({} near contact, {} free)",
+                    self.certain, self.near, self.free
+                ),
+            ),
+            (
+                "wrong",
+                format!("{} in {} pairs", self.wrong, self.wrong_pairs),
+            ),
+            ("within the resolution", self.within_resolution.to_string()),
+            ("bands sliced from scratch", self.bands.to_string()),
+            ("other number of loops", self.loops_differ.to_string()),
+            ("loops not closed", self.open.to_string()),
+            (
+                "conflicts",
+                format!("{} in {} pairs", self.conflicts, self.conflict_pairs),
+            ),
+            ("pairs looked at thoroughly", self.thorough.to_string()),
+            (
+                "threads, inverse, classifier",
+                format!(
+                    "{} differ, {} wrong, {} differ",
+                    self.threads_differ, self.inverse_wrong, self.classifier_differs
+                ),
+            ),
+            ("panics", self.panics.to_string()),
+            (
+                "slow, given up",
+                format!("{}, {}", self.slow, self.given_up),
+            ),
+            ("slowest contact space", format!("{:.2} s", self.slowest)),
+            (
+                "largest contact space",
+                format!(
+                    "{:.1} MB; most feature pairs {}",
+                    self.largest_bytes as f64 * 1e-6,
+                    self.largest_pair
+                ),
+            ),
+            ("processor time", format!("{:.0} s", self.seconds)),
+        ];
+        for (name, value) in rows {
+            writeln!(f, "{name:<30}{value}")?;
+        }
+        Ok(())
+    }
+}

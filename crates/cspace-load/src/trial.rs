@@ -1,0 +1,261 @@
+//! The questions put to one contact space.
+
+use core::f64::consts::{PI, TAU};
+
+use cspace::{Configuration, ContactSpace, Edge, Part, Point, Slice, Slicer, Vector};
+use cspace_oracle::{Case, Oracle, Verdict, near_contact_about};
+use rand::Rng;
+use rand_chacha::ChaCha8Rng;
+
+use crate::check::{Fault, Report};
+
+/// What the margin of a verdict must exceed to count, as a share of the pair's size.
+pub(crate) const CERTAIN: f64 = 1e-10;
+
+/// Roundings of a configuration and of where the parts are drawn that may add up, as a share of their coordinates.
+const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+
+/// Distances from contact, as shares of the size.
+const STEPS: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
+
+/// Positions asked at each orientation.
+const POSITIONS: usize = 20;
+
+/// Of all configurations, this share is searched for along random motions, so that the space is not asked where contact is.
+const SEARCHED: f64 = 0.1;
+
+/// Bands narrower than this (radians) are not sliced from scratch: slices see ties within their own rounding, and take the
+/// slice a little above.
+const NARROW: f64 = 1e-7;
+
+/// How far apart the curves of a loop may be, as a share of the size: curves that all but touch cross at a place known only
+/// to the square root of the rounding.
+const CLOSED: f64 = 1e-7;
+
+/// Configurations kept for further checks.
+const KEPT: usize = 200;
+
+/// One contact space being asked.
+pub(crate) struct Trial<'a> {
+    pub(crate) case: &'a Case,
+    pub(crate) space: &'a ContactSpace,
+    pub(crate) slicer: &'a Slicer,
+    pub(crate) oracle: Oracle,
+    pub(crate) rng: &'a mut ChaCha8Rng,
+    pub(crate) report: &'a mut Report,
+    pub(crate) kept: Vec<(Configuration, Verdict)>,
+}
+
+impl Trial<'_> {
+    /// Asks about `n` configurations.
+    pub(crate) fn configurations(&mut self, n: usize) {
+        let searched = (n as f64 * SEARCHED) as usize;
+        let about = &self.case.notable;
+        for near in near_contact_about(&self.oracle, about, self.rng, searched) {
+            let c = near.configuration;
+            let window = self.space.window();
+            if window.full_turn || (window.lo..=window.hi).contains(&c.theta) {
+                self.judged(&self.space.slice(c.theta), c, near.verdict, true);
+            }
+        }
+        for i in 0..(n - searched).div_ceil(POSITIONS) {
+            let theta = self.orientation(i);
+            let slice = self.space.slice(theta);
+            self.closed(&slice);
+            for k in 0..POSITIONS {
+                match k % 5 {
+                    0 | 1 => self.beside_a_curve(&slice),
+                    2 | 3 => self.beside_a_contact(&slice),
+                    _ => self.anywhere(&slice),
+                }
+            }
+        }
+    }
+
+    /// Compares the loops in the middle of bands with those of slices from scratch.
+    pub(crate) fn bands(&mut self, most: usize) {
+        let bands = self.space.bands();
+        let step = bands.len().div_ceil(most.max(1)).max(1);
+        for band in bands
+            .iter()
+            .skip(self.rng.random_range(0..step))
+            .step_by(step)
+        {
+            let (theta, width) = (0.5 * (band.lo + band.hi), band.hi - band.lo);
+            if width < NARROW {
+                continue;
+            }
+            self.report.bands += 1;
+            let slice = self.space.slice(theta);
+            self.closed(&slice);
+            let (space, scratch) = (slice.loops.len(), self.slicer.slice(theta).loops.len());
+            if space != scratch {
+                self.report.faults.push(Fault::Loops {
+                    theta,
+                    space,
+                    scratch,
+                    width,
+                });
+            }
+        }
+    }
+
+    fn closed(&mut self, slice: &Slice) {
+        let gap = |c: &cspace::SliceCurve| {
+            let next = slice.curves.get(c.next as usize);
+            next.map_or(f64::INFINITY, |n| {
+                c.geometry.point(1.0).distance(n.geometry.point(0.0))
+            })
+        };
+        let gap = slice.curves.iter().map(gap).fold(0.0, f64::max) / self.oracle.size();
+        let drawn = self.drawn() / self.oracle.size();
+        if gap > CLOSED + ROUNDINGS * drawn {
+            let theta = slice.theta;
+            self.report.faults.push(Fault::Open { theta, gap });
+        }
+    }
+
+    /// How far from their origins the parts are drawn.
+    fn drawn(&self) -> f64 {
+        let (f, m) = (self.oracle.fixed_center(), self.oracle.moving_center());
+        f.to_vector().length() + m.to_vector().length()
+    }
+
+    fn ask(&mut self, slice: &Slice, p: Point, near: bool) {
+        let c = Configuration::new(p.x, p.y, slice.theta);
+        if p.is_finite() {
+            self.judged(slice, c, self.oracle.judge(c), near);
+        }
+    }
+
+    fn judged(&mut self, slice: &Slice, c: Configuration, verdict: Verdict, near: bool) {
+        self.report.asked += 1;
+        let size = self.oracle.size();
+        let rounding = ROUNDINGS * (c.x.abs() + c.y.abs() + self.drawn());
+        if verdict.margin <= CERTAIN * size + rounding {
+            return;
+        }
+        self.report.certain += 1;
+        self.report.near += u64::from(near);
+        self.report.free += u64::from(!verdict.overlap);
+        if self.kept.len() < KEPT && self.rng.random_bool(0.5) {
+            self.kept.push((c, verdict));
+        }
+        if slice.is_free(c.position()) != verdict.overlap {
+            return;
+        }
+        if verdict.margin <= self.space.resolution() {
+            self.report.within_resolution += 1;
+            return;
+        }
+        let scratch = self.slicer.slice(c.theta);
+        self.report.faults.push(Fault::Wrong {
+            at: c,
+            verdict,
+            slice_too: scratch.is_free(c.position()) == verdict.overlap,
+        });
+    }
+
+    /// Anywhere, near critical orientations, at multiples of 15°, and near what is worth a look.
+    fn orientation(&mut self, i: usize) -> f64 {
+        let window = self.space.window();
+        let criticals = self.space.critical_orientations();
+        let theta = match i % 4 {
+            1 if !criticals.is_empty() => {
+                let about = criticals[self.rng.random_range(0..criticals.len())];
+                about + 10f64.powf(self.rng.random_range(-9.0..-3.0)) * self.sign()
+            }
+            2 => {
+                let tie = f64::from(self.rng.random_range(-12..=12)) * (PI / 12.0);
+                let off = self.rng.random_bool(0.7);
+                let by = 10f64.powf(self.rng.random_range(-9.0..-1.0)) * self.sign();
+                tie + if off { by } else { 0.0 }
+            }
+            3 if !self.case.notable.is_empty() => {
+                let n = self.rng.random_range(0..self.case.notable.len());
+                let by = 10f64.powf(self.rng.random_range(-9.0..0.0)) * self.sign();
+                self.case.notable[n].theta + by
+            }
+            _ => self.rng.random_range(window.lo..window.hi),
+        };
+        if window.full_turn || (window.lo..=window.hi).contains(&theta) {
+            return theta;
+        }
+        let turned = window.lo + (theta - window.lo).rem_euclid(TAU);
+        if turned <= window.hi {
+            turned
+        } else {
+            self.rng.random_range(window.lo..window.hi)
+        }
+    }
+
+    fn sign(&mut self) -> f64 {
+        if self.rng.random_bool(0.5) { 1.0 } else { -1.0 }
+    }
+
+    fn step(&mut self) -> f64 {
+        STEPS[self.rng.random_range(0..STEPS.len())] * self.sign() * self.oracle.size()
+    }
+
+    fn beside_a_curve(&mut self, slice: &Slice) {
+        if slice.curves.is_empty() {
+            return self.beside_a_contact(slice);
+        }
+        let curve = slice.curves[self.rng.random_range(0..slice.curves.len())].geometry;
+        let s = self.rng.random_range(0.0..1.0);
+        let p = curve.point(s) + curve.free_normal(s) * self.step();
+        self.ask(slice, p, true);
+    }
+
+    /// A corner of one part beside an edge of the other: the space is not asked where that is.
+    fn beside_a_contact(&mut self, slice: &Slice) {
+        let on_fixed = self.rng.random_bool(0.5);
+        let s = self.rng.random_range(0.0..1.0);
+        let (u, v) = if on_fixed { (s, 0.0) } else { (0.0, s) };
+        let Some(e) = some_edge(&self.case.fixed, self.rng) else {
+            return;
+        };
+        let Some(f) = some_edge(&self.case.moving, self.rng) else {
+            return;
+        };
+        let touching = carrying(f.at(v), e.at(u), slice.theta);
+        let normal = if on_fixed {
+            e.direction_at(u).right()
+        } else {
+            cspace::Rotation::by(slice.theta) * f.direction_at(v).left()
+        };
+        let p = touching + normal * self.step();
+        self.ask(slice, p, true);
+    }
+
+    fn anywhere(&mut self, slice: &Slice) {
+        let size = self.oracle.size();
+        let notable = &self.case.notable;
+        let (about, reach) = if !notable.is_empty() && self.rng.random_bool(0.5) {
+            let n = self.rng.random_range(0..notable.len());
+            let reach = 10f64.powf(self.rng.random_range(-6.0..0.0));
+            (notable[n].position(), reach)
+        } else {
+            let middle = carrying(
+                self.oracle.moving_center(),
+                self.oracle.fixed_center(),
+                slice.theta,
+            );
+            (middle, 1.0)
+        };
+        let mut share = || reach * size * self.rng.random_range(-1.0..1.0);
+        let p = about + Vector::new(share(), share());
+        self.ask(slice, p, false);
+    }
+}
+
+fn some_edge(part: &Part, rng: &mut ChaCha8Rng) -> Option<Edge> {
+    let n = part.edges().count();
+    part.edges().nth(rng.random_range(0..n))
+}
+
+/// The position that takes a point of the moving part to one of the fixed part.
+fn carrying(q: Point, to: Point, theta: f64) -> Point {
+    let turned = Configuration::new(0.0, 0.0, theta).fixed_from_moving(q);
+    Point::ORIGIN + (to - turned)
+}

@@ -1,0 +1,104 @@
+//! Pairs that take too long.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use cspace::{ComputeError, Progress, Stage};
+
+/// A pair that takes longer is reported.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
+
+/// A pair that takes longer is given up when its next stage begins.
+const LIMIT: Duration = Duration::from_secs(300);
+
+/// How often the watchdog looks.
+const TICK: Duration = Duration::from_millis(200);
+
+/// What each worker is at.
+pub(crate) struct Watch {
+    at: Vec<Mutex<Option<At>>>,
+    over: AtomicBool,
+}
+
+#[derive(Clone)]
+struct At {
+    number: u64,
+    name: String,
+    since: Instant,
+    told: bool,
+}
+
+impl Watch {
+    pub(crate) fn new(workers: usize) -> Self {
+        Self {
+            at: (0..workers).map(|_| Mutex::new(None)).collect(),
+            over: AtomicBool::new(false),
+        }
+    }
+
+    pub(crate) fn begin(&self, worker: usize, number: u64, name: &str) {
+        let at = At {
+            number,
+            name: name.to_owned(),
+            since: Instant::now(),
+            told: false,
+        };
+        *self.at[worker]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = Some(at);
+    }
+
+    pub(crate) fn end(&self, worker: usize) {
+        *self.at[worker]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = None;
+    }
+
+    /// Tells of every pair that takes too long, until [`finish`](Self::finish). What is told of here may never end, so
+    /// it is also handed on at once.
+    pub(crate) fn look(&self, slow: &(dyn Fn(u64) + Sync)) {
+        while !self.over.load(Ordering::Relaxed) {
+            for at in &self.at {
+                let mut at = at.lock().unwrap_or_else(PoisonError::into_inner);
+                if let Some(at) = at.as_mut()
+                    && !at.told
+                    && at.since.elapsed() > PATIENCE
+                {
+                    at.told = true;
+                    eprintln!("pair {} ({}) takes over {PATIENCE:?}", at.number, at.name);
+                    slow(at.number);
+                }
+            }
+            std::thread::sleep(TICK);
+        }
+    }
+
+    pub(crate) fn finish(&self) {
+        self.over.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Ends a computation that has taken too long, or is no longer wanted.
+pub(crate) struct Deadline {
+    begin: Instant,
+    stopped: fn() -> bool,
+}
+
+impl Deadline {
+    pub(crate) fn new(stopped: fn() -> bool) -> Self {
+        Self {
+            begin: Instant::now(),
+            stopped,
+        }
+    }
+}
+
+impl Progress for Deadline {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        if (self.stopped)() || self.begin.elapsed() > LIMIT {
+            return Err(ComputeError::Interrupted);
+        }
+        Ok(())
+    }
+}

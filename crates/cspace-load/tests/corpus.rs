@@ -1,0 +1,206 @@
+//! The families, all values of each: no answer is wrong beyond 1e-10 of the size, nothing panics, and what is no part is
+//! refused.
+#![allow(clippy::unwrap_used)]
+
+use std::collections::HashSet;
+
+use cspace::{ComputeError, PartError, Progress, Stage};
+use cspace_load::{Effort, Report, check};
+use cspace_oracle::families;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+/// Configurations asked at each pair: enough to see a region or an arc that is missing, not to find a corner of 1e-8.
+const CONFIGURATIONS: usize = 60;
+const BANDS: usize = 6;
+/// Every so many pairs are also computed the other way round, with two threads, and tried with a classifier.
+const THOROUGH: usize = 5;
+
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}
+
+/// One value of one family.
+struct Outcome {
+    family: &'static str,
+    value: f64,
+    came: Result<Report, PartError>,
+}
+
+fn outcomes() -> Vec<Outcome> {
+    let all: Vec<_> = families()
+        .into_iter()
+        .flat_map(|f| f.values.clone().into_iter().map(move |v| (f.clone(), v)))
+        .collect();
+    all.par_iter()
+        .enumerate()
+        .map(|(i, (family, value))| {
+            let effort = Effort {
+                configurations: CONFIGURATIONS,
+                bands: BANDS,
+                thorough: i % THOROUGH == 0,
+            };
+            let mut rng = ChaCha8Rng::seed_from_u64(i as u64);
+            let came = family
+                .build(*value)
+                .map(|case| check(&case, effort, &mut rng, &Silent).unwrap());
+            Outcome {
+                family: family.name,
+                value: *value,
+                came,
+            }
+        })
+        .collect()
+}
+
+#[test]
+fn families_have_names_of_their_own() {
+    let all = families();
+    let names: HashSet<_> = all.iter().map(|f| f.name).collect();
+    assert_eq!(names.len(), all.len());
+    let values: usize = all.iter().map(|f| f.values.len()).sum();
+    assert!(values >= 300, "{values}");
+}
+
+/// What is known to be wrong, by family and by the magnitude of its number, from the first to the last.
+///
+/// An entry allows faults, it does not demand them. `tests/regression.rs` of `cspace-io` has the smallest pair of each sort.
+const KNOWN: [(&str, f64, f64, &str); 15] = [
+    (
+        "sides bulging, radius",
+        1e4,
+        1e9,
+        "places on an arc are as exact as its radius times the rounding",
+    ),
+    ("sides hollow, radius", 1e4, 1e9, "as above"),
+    (
+        "side bulging into a hollow of its radius",
+        1e4,
+        1e9,
+        "as above",
+    ),
+    (
+        "star with itself, points",
+        7.0,
+        7.0,
+        "a patch of the outermost loop is missing where three sheets meet under the symmetry",
+    ),
+    (
+        "disc in a socket, difference of radii",
+        1e-12,
+        1e-10,
+        "a contact circle of about the resolution",
+    ),
+    (
+        "arc bulging past its lines, turn",
+        1e-8,
+        1e-6,
+        "joints about the limit of smooth ones",
+    ),
+    (
+        "arc all but tangent to lines, turn",
+        1e-8,
+        1e-6,
+        "joints about the limit of smooth ones",
+    ),
+    (
+        "rounded peg between two bars, clearance",
+        1e-10,
+        1e-5,
+        "critical orientations as near as the clearance, known to its root",
+    ),
+    (
+        "teeth under a bar, step between their tips",
+        1e-9,
+        1e-5,
+        "critical orientations as near as the step",
+    ),
+    ("step in a side, height", 1e-9, 1e-5, "as above"),
+    (
+        "three pegs in three holes, clearance",
+        1e-9,
+        1e-2,
+        "critical orientations as near as the clearance, known to its root",
+    ),
+    (
+        "combs, teeth",
+        8.0,
+        12.0,
+        "all teeth meet all gaps at one orientation",
+    ),
+    (
+        "plate with a hole and a smaller part, ratio",
+        0.0,
+        1e-7,
+        "the small part is not much larger than the resolution",
+    ),
+    (
+        "small part and a larger one around it, ratio",
+        1e3,
+        1e9,
+        "the small part is not much larger than the resolution; its contacts are within that of each other",
+    ),
+    (
+        "rounded peg and hole, both drawn far away",
+        1e8,
+        1e9,
+        "coordinates are rounded to more than 1e-10 of the size",
+    ),
+];
+
+/// The values of a family that are no parts, and what is said of them.
+const REFUSED: [(&str, &[f64], fn(&PartError) -> bool); 1] = [(
+    // Details below 2⁻³⁶ of the part's size are taken for one place.
+    "step in a side, height",
+    &[1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 0.0],
+    |e| matches!(e, PartError::CoincidentVertices { .. }),
+)];
+
+#[test]
+fn families_agree_with_brute_force() {
+    let mut unexpected = Vec::new();
+    let (mut certain, mut allowed, mut conflicts) = (0, 0, 0);
+    for Outcome {
+        family,
+        value,
+        came,
+    } in outcomes()
+    {
+        let refused = REFUSED
+            .iter()
+            .find(|(name, values, _)| *name == family && values.contains(&value));
+        let report = match (&came, refused) {
+            (Err(e), Some((_, _, right))) if right(e) => continue,
+            (Err(e), _) => {
+                unexpected.push(format!("{family} {value:e}: refused: {e}"));
+                continue;
+            }
+            (Ok(_), Some(_)) => {
+                unexpected.push(format!("{family} {value:e}: not refused"));
+                continue;
+            }
+            (Ok(report), None) => report,
+        };
+        certain += report.certain;
+        conflicts += report.conflicts;
+        let known = KNOWN
+            .iter()
+            .any(|&(name, from, to, _)| name == family && (from..=to).contains(&value.abs()));
+        if known {
+            allowed += report.faults.len();
+        } else if let Some(fault) = report.faults.first() {
+            let n = report.faults.len();
+            unexpected.push(format!(
+                "{family} {value:e}: {n} faults, the first {fault:?}"
+            ));
+        }
+    }
+    println!("{certain} certain, {conflicts} conflicts, {allowed} faults of known sorts");
+    assert!(unexpected.is_empty(), "{unexpected:#?}");
+    assert!(certain > 20_000, "{certain} certain");
+}
