@@ -84,7 +84,7 @@ impl Basis {
         }
         let entry = |n: usize, i: usize, j: usize| {
             let terms = (0..=i.min(j)).filter(|k| i - k <= n - j).map(|k| {
-                let sign = if (i - k) % 2 == 0 { 1.0 } else { -1.0 };
+                let sign = if (i - k).is_multiple_of(2) { 1.0 } else { -1.0 };
                 sign * choose[j][k] * choose[n - j][i - k]
             });
             terms.sum::<f64>() / choose[n][i]
