@@ -93,8 +93,8 @@ fn slices(text: &mut String, rows: &[stack::Row]) -> fmt::Result {
             1e3 * row.old_slice_seconds
         )?;
         for tool in &row.tools {
-            if let Some(t) = tool.finest {
-                write!(text, " {} {:.2}", tool.tool, 1e3 * t.slice_seconds)?;
+            if let Some(seconds) = tool.slice_seconds {
+                write!(text, " {} {:.2}", tool.tool, 1e3 * seconds)?;
             }
         }
         writeln!(text)?;

@@ -20,6 +20,9 @@ pub(crate) const CHORD: f64 = 1e-4;
 /// The coarsest stack that is tried.
 const FEWEST: usize = 16;
 
+/// Seconds in which two slices are made by whatever there is.
+const PATIENCE: f64 = 600.0;
+
 /// What a stack of so many slices says.
 struct Outcome {
     /// Connected regions of free space.
@@ -101,6 +104,8 @@ pub(crate) struct Tool {
     pub(crate) right: Option<Tried>,
     /// The finest stack within the limit; `None` if there is none.
     pub(crate) finest: Option<Tried>,
+    /// Of one slice: in the finest stack, or in one of two slices if the limit allows none.
+    pub(crate) slice_seconds: Option<f64>,
     /// Whether a stack of twice as many slices as the right one was tried, and agreed.
     pub(crate) confirmed: bool,
 }
@@ -251,8 +256,13 @@ fn refine(
     }
     let wrong = tried.iter().rposition(|t| (t.regions, t.working) != right);
     let right = tried.get(wrong.map_or(0, |i| i + 1)).copied();
+    let slice_seconds = match tried.last() {
+        Some(t) => Some(t.slice_seconds),
+        None => (stacker.run(2, PATIENCE, working)?).map(|o| o.slice_seconds),
+    };
     Ok(Tool {
         tool: stacker.name(),
+        slice_seconds,
         confirmed: right.is_some_and(|r| tried.iter().any(|t| t.slices > r.slices)),
         right,
         finest: tried.last().copied(),
