@@ -112,3 +112,38 @@ fn thin_ring() {
         }
     }
 }
+
+#[test]
+fn disc_on_steps() {
+    let [steps, disc] = parts("tests/regression/disc_on_steps.toml");
+    for (fixed, moving) in [(&steps, &disc), (&disc, &steps)] {
+        let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
+        assert_eq!(space.statistics().conflicts, 0);
+        let slicer = Slicer::new(fixed, moving);
+        for band in space.bands() {
+            let theta = 0.5 * (band.lo + band.hi);
+            let (read, made) = (space.slice(theta), slicer.slice(theta));
+            assert_eq!(read.loops.len(), 1, "{theta}");
+            assert!(read.curves.iter().all(|c| c.next != u32::MAX), "{theta}");
+            assert_eq!(read.curves.len(), made.curves.len(), "{theta}");
+        }
+    }
+}
+
+#[test]
+fn pieces_in_line() {
+    let [fixed, moving] = parts("tests/regression/pieces_in_line.toml");
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let classifier = space.classifier();
+    // At -30 deg itself, where the order of the curves is not known.
+    let theta = -core::f64::consts::FRAC_PI_6;
+    for (x, y) in [
+        (0.843_607_230_109_343_5, 1.874_950_606_564_892_2),
+        (0.624_506_065_648_925_6, 1.922_356_679_531_538_3),
+    ] {
+        let at = Configuration { x, y, theta };
+        assert_eq!(space.classify(at), Some(Classification::Blocked), "{at:?}");
+        let blocked = classifier.classify(at);
+        assert_eq!(blocked, Some(Classification::Blocked), "{at:?}");
+    }
+}
