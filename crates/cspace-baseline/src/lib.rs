@@ -6,14 +6,16 @@
 //!
 //! | step of the general algorithm | here |
 //! |---|---|
-//! | critical orientations | given for nothing, as [`bands`](cspace::ContactSpace::bands); [`with_bands`] spaces slices within them |
+//! | critical orientations | [`critical::search`], timed on its own; for the other steps given for nothing, as [`bands`](cspace::ContactSpace::bands); [`with_bands`] spaces slices within them |
 //! | slices at closely spaced orientations | [`Stack`], by the product's own kernel, [`cspace::Slicer`] |
 //! | polyhedral approximation from the contours | [`Surface`] |
 //!
 //! [`paper`] has the pairs of Figure 5 and their published numbers, [`survey`] the shares of section 4.
 
 pub mod compare;
+pub mod critical;
 mod join;
+pub mod kinds;
 mod orientations;
 pub mod paper;
 mod stack;

@@ -1,4 +1,6 @@
 //! The pairs of Figure 5 of Sacks (1999): what it says of them, and models of them.
+//!
+//! The models are links to the repository's `models/`, so that they are packed with this crate.
 
 /// A row of Figure 5.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +49,7 @@ macro_rules! pair {
             new_slices: $new,
             new_slices_without_symmetry: $without,
             group: Group::$group,
-            model: include_str!(concat!("../../../models/paper/", $file, ".toml")),
+            model: include_str!(concat!("../models/paper/", $file, ".toml")),
         }
     };
 }

@@ -39,6 +39,26 @@ pub const SURVEY: Survey = Survey {
     paper_saving: 10.0,
 };
 
+macro_rules! model {
+    ($name:literal) => {
+        (
+            $name,
+            include_str!(concat!("../models/special/", $name, ".toml")),
+        )
+    };
+}
+
+/// Models whose pairs are special, by name, as `models` in the repository has them: they tell what special methods save.
+pub const MODELS: [(&str, &str); 7] = [
+    model!("cam_plate"),
+    model!("cam_tappet"),
+    model!("escapement"),
+    model!("gears_on_shafts"),
+    model!("geneva"),
+    model!("rack_pinion"),
+    model!("ratchet_mechanism"),
+];
+
 impl Survey {
     /// The share of planar pairs that need no general method.
     ///

@@ -1,15 +1,25 @@
 //! Angles on the command line: radians, or a number with a unit.
 
-/// An angle in radians from text such as `0.3`, `18deg`, `-10°`, `0.5turn`; finite.
+use cspace_io::{LARGEST_ANGLE, shown};
+
+/// An angle in radians from text such as `0.3`, `18deg`, `-10°`, `0.5turn`; finite, and at most [`LARGEST_ANGLE`] from 0.
 pub(crate) fn parse(text: &str) -> Result<f64, String> {
     let text = text.trim();
-    text.parse::<f64>()
+    let angle = text
+        .parse::<f64>()
         .ok()
         .or_else(|| cspace_io::parse_angle(text))
         .filter(|a| a.is_finite())
         .ok_or_else(|| {
             format!("{text:?} is no angle: give radians, or a number with a unit such as 18deg")
-        })
+        })?;
+    if angle.abs() > LARGEST_ANGLE {
+        return Err(format!(
+            "the angle {} rad is more than {LARGEST_ANGLE:e} rad from 0, too far to tell where it is on the circle: take off whole turns",
+            shown::number(angle)
+        ));
+    }
+    Ok(angle)
 }
 
 /// A window of orientations from text such as `-10deg,10deg`.
@@ -50,6 +60,19 @@ mod tests {
         for text in ["", "deg", "x", "nan", "inf", "1,5"] {
             assert!(parse(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn angles_far_from_0_are_refused() {
+        for text in ["1e6", "-1e6", "159154turn", "5.7e7deg"] {
+            assert!(parse(text).is_ok(), "{text}");
+        }
+        for text in ["1000000.1", "-1e9", "1e300", "1e300turn", "159155turn"] {
+            let error = parse(text).unwrap_err();
+            assert!(error.len() < 200, "{error}");
+        }
+        assert!(parse("1e15").unwrap_err().contains("angle 1e15 rad"));
+        assert!(parse_window("1e6,1000001").is_err());
     }
 
     #[test]

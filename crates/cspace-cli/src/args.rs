@@ -63,6 +63,13 @@ pub(crate) struct Common {
     #[arg(long)]
     pub(crate) general: bool,
 
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+}
+
+/// Where the result goes, and what makes it.
+#[derive(Debug, Args)]
+pub(crate) struct ResultArgs {
     /// How to print the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
@@ -79,7 +86,7 @@ pub(crate) struct Common {
 /// The window of orientations.
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct WindowArg {
-    /// Compute only these orientations: two angles, in radians or such as 18deg
+    /// Compute only these orientations: two angles, in radians or such as 18deg, at most 1e6 rad from 0
     #[arg(long, value_name = "LO,HI", value_parser = angle::parse_window, allow_hyphen_values = true)]
     pub(crate) theta: Option<(f64, f64)>,
 }
@@ -104,7 +111,8 @@ pub(crate) struct ComputeArgs {
 pub(crate) struct SliceArgs {
     #[command(flatten)]
     pub(crate) common: Common,
-    /// The orientation of the moving part, in radians or such as 18deg; a pair with fixed axes has none
+    /// The orientation of the moving part, in radians or such as 18deg, at most 1e6 rad from 0; a pair with fixed axes
+    /// has none
     #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
     pub(crate) theta: Option<f64>,
 }
@@ -148,17 +156,22 @@ pub(crate) struct EvaluateArgs {
     #[arg(long, value_name = "ANGLE", default_value_t = cspace_baseline::SEPARATION, value_parser = angle::parse, allow_negative_numbers = true)]
     pub(crate) separation: f64,
 
-    /// How to print the result
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    /// How long the general algorithm may search critical orientations, for each pair and way; 0 for not at all
+    #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) criticality_limit: f64,
 
-    /// Write the result to this file instead of standard output; whole or not at all
-    #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+}
 
-    /// Number of threads; 0 or none for one per processor
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=1024), allow_negative_numbers = true)]
-    pub(crate) threads: Option<u16>,
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse::<f64>().map_err(|e| e.to_string())?;
+    // A week is more than anybody waits for, and none that a clock cannot count.
+    if (0.0..=604_800.0).contains(&seconds) {
+        Ok(seconds)
+    } else {
+        Err("give a number of seconds, 0 or more".into())
+    }
 }
 
 #[derive(Debug, Args)]
@@ -196,7 +209,8 @@ A model of one part is shown as well; the other commands need two.
 
 The class is what the motions and joints of the model make of a pair: lower, fixed-axes or general;
 symmetric is a general pair of which a part is mapped to itself by a rotation about its centre.
-Symmetry is found from the outlines.
+Symmetry is found from the outlines. With --theta the window is shown that would be computed, and the
+class that the pair has in it; pairs without orientations are shown as they are.
 Features are lines, arcs and vertices that are not smooth joints.";
 
 const COMPUTE: &str = "\
@@ -211,6 +225,9 @@ method that was used: `lower` for two parts that a joint connects, whose patches
 contacts; `fixed-axes` for two of which each turns, slides or stands still, in (u, v); `symmetric` if
 one slab of orientations was computed and the others are copies; else `general`. `slices` are the
 bands that were computed. `cspace info` tells the class of the pair itself.
+
+--theta is for the pairs that have orientations; the others are computed as if it were not given, and a
+note on standard error says so. It is an error if --pair names one of them.
 
 A clearance below the resolution counts as none: such a channel is blocked, and the summary says so.";
 
@@ -231,9 +248,11 @@ const CLASSIFY: &str = "\
 Example:
   printf 'x,y,theta\\n42,56,0\\n0,0,0\\n' | cspace classify models/ratchet_pawl.toml
 
-The first row names the columns x, y and theta, in any order; for a pair of which each part has one
-degree of freedom or none also u and v, the motions of the fixed and of the moving part. Angles are
-radians. The answer repeats the columns and adds `class`:
+The first row names the columns, in any order: x, y and theta, or, for a pair with fixed axes, u and v,
+the motions of the fixed and of the moving part. With --general such a pair too is asked by x, y and
+theta, not by u and v. Other columns are repeated and not looked at. Angles are radians, or have a unit
+such as 18deg, and are at most 1e6 rad from 0. The answer repeats the columns and adds `class`, which
+the input may not have:
 
   free      the interiors of the parts do not meet
   blocked   they do
@@ -247,18 +266,21 @@ Examples:
   cspace export models/ratchet_pawl.toml -o pawl.svg --slices 20
   cspace export models/snap_fastener.toml -o snap.ply --tolerance 1e-4
   cspace export models/ball_in_c.toml -o ball.stl
+  cspace export models/knee.toml -o knee.glb
   cspace export pawl.json -o pawl.obj
 
 Formats, by the extension of OUT:
   .json   the whole configuration space; every command reads it in place of a model. The schemas are
           docs/contact-space.schema.json, docs/fixed-axes-space.schema.json and
-          docs/lower-pair.schema.json
+          docs/lower-pair.schema.json. The model's `name` and `unit` are written with it
   .svg    slices at even steps of orientation: free space white, blocked space grey; of a pair with
           fixed axes the plane of its two motions
   .ply    the contact surface as triangles: vertices (x, y, theta) on the exact surface, in double
           precision; triangles are counter-clockwise seen from free space and carry their `patch`
   .obj    the same as text, the triangles of a patch in a group, such as patch_7
-  .stl    the same as loose triangles, in single precision, which is all the format has";
+  .stl    the same as loose triangles, in single precision, which is all the format has
+  .glb    binary glTF 2.0: positions (x, y, theta) in single precision, which is all the format has; the
+          attribute `_PATCH` of a triangle's vertices is its patch";
 
 const EVALUATE: &str = "\
 Examples:
@@ -273,7 +295,12 @@ reconstructions and part of the program; Figure 5's numbers are shown beside tho
 
 The old seconds are slices and surface alone: critical orientations are given to the old algorithm for
 nothing. Both use all threads, and the same code for a slice. The search of critical orientations over
-all combinations of features is not timed.
+all combinations of features is timed on its own, once, under a limit: with orientations already known
+skipped (section 3.3), and with all examined.
+
+A critical orientation is `aligned` where the parts' normals oppose each other at the ends of features
+(sides are parallel), `end` where a feature ends at another contact, `tangent` where two contact curves
+are, `triple` where three contacts meet; it can be several. Counted are those of the slices computed.
 
 The errors of the old algorithm: `gap` is the largest distance between its straight boundary lines and
 the exact boundary curves, half way between two slices. The others are of slices without critical

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
-use cspace_io::ModelError;
+use cspace_io::{ModelError, shown};
 
 /// What went wrong, and what to do about it.
 #[derive(Debug)]
@@ -54,14 +54,20 @@ impl Failure {
         ExitCode::from(self.code)
     }
 
-    /// Prints to stderr. Where nobody listens nothing can be done.
+    /// Prints to stderr, control characters escaped. Where nobody listens nothing can be done.
     pub(crate) fn print(&self) {
         let mut err = std::io::stderr().lock();
-        let _ = writeln!(err, "error: {}", self.message);
+        let _ = writeln!(err, "error: {}", shown::text(&self.message));
         if let Some(help) = &self.help {
-            let _ = writeln!(err, "  help: {help}");
+            let _ = writeln!(err, "  help: {}", shown::text(help));
         }
     }
+}
+
+/// Says on stderr what a user should know of work that is done all the same.
+pub(crate) fn note(message: impl Display) {
+    let message = message.to_string();
+    let _ = writeln!(std::io::stderr(), "note: {}", shown::text(&message));
 }
 
 impl From<ModelError> for Failure {

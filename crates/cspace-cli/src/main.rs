@@ -9,9 +9,11 @@ mod progress;
 mod subject;
 mod wording;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
+use cspace_io::shown;
 
 use args::{Cli, Command};
 use failure::Failure;
@@ -19,16 +21,35 @@ use failure::Failure;
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        // Help and version are data; clap prints them to stdout and leaves with 0, all else to stderr with 2.
-        Err(error) => error.exit(),
+        Err(error) => return usage(&error),
     };
-    match run(cli) {
+    finish(run(cli))
+}
+
+fn finish(result: Result<(), Failure>) -> ExitCode {
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure.print();
             failure.exit_code()
         }
     }
+}
+
+/// Help and version are data for stdout; what is wrong with the command line goes to stderr, with code 2.
+fn usage(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        return finish(output::printed(error.print()));
+    }
+    // The message repeats arguments as they are, and a terminal obeys what is in them: it is made again of harmless ones.
+    let plain = |argument: OsString| shown::text(&argument.to_string_lossy()).into_owned();
+    let again = std::env::args_os()
+        .any(|a| a.to_string_lossy().contains(char::is_control))
+        .then(|| Cli::try_parse_from(std::env::args_os().map(plain)).err())
+        .flatten();
+    // Where nobody listens nothing can be done.
+    let _ = again.as_ref().unwrap_or(error).print();
+    ExitCode::from(2)
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {

@@ -15,8 +15,12 @@ pub(crate) fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
+    printed(std::io::stdout().write_all(bytes))
+}
+
+/// What has been printed to standard output, once all of it is there.
+pub(crate) fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
+    match result.and_then(|()| std::io::stdout().flush()) {
         Ok(()) => Ok(()),
         // The reader has what it wanted, as `head` does.
         Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -35,12 +39,17 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".cspace-");
     permissions(&mut builder, &path);
-    let mut file = builder.tempfile_in(directory(&path)).map_err(failed)?;
-    let pending = |path| *PENDING.lock().unwrap_or_else(PoisonError::into_inner) = path;
-    pending(Some(file.path().to_owned()));
+    let pending = || PENDING.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut file = {
+        // Whoever ends the process waits until it is known what is to be removed.
+        let mut known = pending();
+        let file = builder.tempfile_in(directory(&path)).map_err(failed)?;
+        *known = Some(file.path().to_owned());
+        file
+    };
     let written = (file.write_all(bytes)).and_then(|()| file.as_file().sync_all());
     let result = written.and_then(|()| file.persist(&path).map(|_| ()).map_err(|e| e.error));
-    pending(None);
+    *pending() = None;
     result.map_err(failed)
 }
 

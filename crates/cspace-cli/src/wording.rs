@@ -1,6 +1,7 @@
 //! Words for features, angles and counts.
 
 use cspace::{FeatureKind, FeatureName};
+use cspace_io::shown;
 
 /// `line 3 of loop 0`.
 pub(crate) fn feature(name: FeatureName) -> String {
@@ -20,5 +21,24 @@ pub(crate) fn count(n: usize, one: &str, many: &str) -> String {
 
 /// An angle in radians with degrees after it.
 pub(crate) fn angle(radians: f64) -> String {
-    format!("{radians:.6} rad ({:.4} deg)", radians.to_degrees())
+    format!(
+        "{:.6} rad ({:.4} deg)",
+        shown::number(radians),
+        shown::number(radians.to_degrees())
+    )
+}
+
+/// A length, or a coordinate, to six digits after the point.
+pub(crate) fn length(x: f64) -> String {
+    format!("{:.6}", shown::number(x))
+}
+
+/// The rotational symmetry of a part, by its fold about its own centre, and whether every rotation maps it to itself.
+pub(crate) fn symmetry(fold: u32, is_round: bool) -> String {
+    match fold {
+        // Its fold is that of the arcs it is drawn with, and says nothing.
+        _ if is_round => "round".to_owned(),
+        0 | 1 => "none".to_owned(),
+        fold => format!("{fold}-fold"),
+    }
 }

@@ -75,6 +75,11 @@ fn info_counts_features_as_the_computation_does() {
             continue;
         }
         let result = &json(&["compute", &file, "--format", "json"])[0];
+        assert_eq!(result["class"], info["pairs"][0]["class"], "{name}");
+        for (of, i) in [("fixed", 0), ("moving", 1)] {
+            let fold = &info["parts"][i]["symmetry"];
+            assert_eq!(&result["symmetry"][of], fold, "{name}");
+        }
         assert_eq!(result["features"]["fixed"], part(0), "{name}");
         assert_eq!(result["features"]["moving"], part(1), "{name}");
         assert_eq!(
@@ -150,7 +155,7 @@ fn the_general_method_can_be_asked_for() {
         assert_eq!(s[key], g[key], "{key}");
     }
     let text = printed(&["compute", &file]);
-    assert!(text.contains("symmetry       20-fold, 1-fold"), "{text}");
+    assert!(text.contains("symmetry       20-fold, none"), "{text}");
     assert!(text.contains("were computed"), "{text}");
     let text = printed(&["info", &file]);
     assert!(text.contains("symmetry   20-fold"), "{text}");
@@ -467,15 +472,43 @@ fn usage_and_input_errors_leave_with_2() {
 }
 
 #[test]
-fn formats_of_later_versions_are_refused() {
+fn formats_that_are_not_written_are_refused() {
     let dir = tempfile::tempdir().unwrap();
-    let out = dir.path().join("a.glb");
-    fails(
-        cspace(&["export", &model("knee"), "-o", out.to_str().unwrap()]),
-        1,
-        &["a.glb", ".glb is not supported yet", ".ply"],
+    for name in ["a.gltf", "a.dxf", "a.", "glb", "a.ply.gz"] {
+        let out = dir.path().join(name);
+        fails(
+            cspace(&["export", &model("knee"), "-o", out.to_str().unwrap()]),
+            2,
+            &[name, "the extension", ".ply", ".glb"],
+        );
+        assert!(!out.exists());
+    }
+}
+
+#[test]
+fn glb_has_the_triangles_of_the_stl() {
+    let dir = tempfile::tempdir().unwrap();
+    let export = |name: &str| {
+        let out = dir.path().join(name);
+        let args = ["export", &model("ball_in_c"), "-o", out.to_str().unwrap()];
+        let output = cspace(&args)
+            .assert()
+            .success()
+            .stdout("")
+            .get_output()
+            .clone();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains("closed"), "{said}");
+        std::fs::read(out).unwrap()
+    };
+    let (glb, stl) = (export("a.GLB"), export("a.stl"));
+    let word = |bytes: &[u8], at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert_eq!(
+        (&glb[..4], word(&glb, 8) as usize),
+        (&b"glTF"[..], glb.len())
     );
-    assert!(!out.exists());
+    let json: Value = serde_json::from_slice(&glb[20..20 + word(&glb, 12) as usize]).unwrap();
+    assert_eq!(json["accessors"][2]["count"], 3 * word(&stl, 80));
 }
 
 #[test]

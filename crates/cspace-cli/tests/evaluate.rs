@@ -40,8 +40,18 @@ fn json_has_the_fields_of_the_contract() {
         assert!(pair["links"]["side"].as_u64().unwrap() > 0);
         assert!(pair["links"]["vertical"].as_u64().unwrap() > 0);
         assert_eq!(pair["features"], pair["paper"]["features"]);
-        // Not timed, and said to be so.
-        assert!(pair["criticality_seconds"].is_null());
+        for field in [
+            "criticality_seconds",
+            "criticality_seconds_without_skipping",
+        ] {
+            assert!(pair[field].as_f64().unwrap() > 0.0, "{field}");
+        }
+        // Each critical orientation of the slices computed has a kind.
+        let critical = &pair["critical"];
+        let count = |field: &str| critical[field].as_u64().unwrap();
+        assert_eq!(count("orientations"), pair["new_slices"].as_u64().unwrap());
+        let kinds = ["aligned", "end", "tangent", "triple"].map(count);
+        assert!(kinds[0] > 0 && kinds.iter().sum::<u64>() >= count("orientations"));
         // Each layer has a change or none; each missed band shares its layer with another.
         let [joined, missed] =
             ["wrongly_joined", "missed_bands"].map(|f| pair[f].as_u64().unwrap());
@@ -83,6 +93,31 @@ fn json_has_the_fields_of_the_contract() {
 }
 
 #[test]
+fn a_search_that_does_not_end_in_time_has_no_seconds() {
+    let args = [
+        "--pairs",
+        "ratchet/pawl",
+        "--repeat",
+        "1",
+        "--separation",
+        "1deg",
+    ];
+    let limited = [args.as_slice(), &["--criticality-limit", "0.01"]].concat();
+    let pair = &json(&limited)["pairs"][0];
+    for field in [
+        "criticality_seconds",
+        "criticality_seconds_without_skipping",
+    ] {
+        assert!(pair[field].is_null(), "{field}");
+    }
+    // Of one tooth, as many as slices are computed.
+    assert_eq!(pair["critical"]["orientations"], pair["new_slices"]);
+    let text = cspace(&limited).output().unwrap();
+    let text = String::from_utf8(text.stdout).unwrap();
+    assert!(text.contains("> 0.01 s"), "{text}");
+}
+
+#[test]
 fn a_group_without_pairs_has_no_average() {
     let answer = json(&["--pairs", "cam", "--repeat", "1", "--separation", "1deg"]);
     assert!(answer["averages"]["knee"].is_null());
@@ -115,6 +150,10 @@ fn wrong_usage_is_told() {
         (["--separation", "0"], ["0 rad apart", "0.005"]),
         (["--separation", "1e-9"], ["rad apart", "0.005"]),
         (["--repeat", "0"], ["--repeat", "0"]),
+        (
+            ["--criticality-limit", "-1"],
+            ["--criticality-limit", "seconds"],
+        ),
     ] {
         let output = cspace(&args).output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{args:?}");

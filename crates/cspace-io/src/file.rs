@@ -15,12 +15,7 @@ pub(crate) fn read_text(path: &Path, limit: u64) -> Result<String, ModelError> {
             .in_file(&path.display().to_string())
     };
     let unreadable = |e: &std::io::Error, help| error(format!("it cannot be read: {e}"), help);
-    let too_large = |size: u64| {
-        error(
-            format!("it has {size} bytes or more; at most {limit} are read"),
-            "split it into several files",
-        )
-    };
+    let too_large = || too_large(path, limit);
     let meta = std::fs::metadata(path).map_err(|e| unreadable(&e, "check the path"))?;
     if meta.is_dir() {
         return Err(error("it is a folder".into(), "give a file"));
@@ -32,7 +27,7 @@ pub(crate) fn read_text(path: &Path, limit: u64) -> Result<String, ModelError> {
         ));
     }
     if meta.len() > limit {
-        return Err(too_large(meta.len()));
+        return Err(too_large());
     }
     let mut bytes = Vec::with_capacity(usize::try_from(meta.len()).unwrap_or(0));
     // The file may grow while it is read.
@@ -41,7 +36,7 @@ pub(crate) fn read_text(path: &Path, limit: u64) -> Result<String, ModelError> {
     (file.take(limit + 1).read_to_end(&mut bytes))
         .map_err(|e| unreadable(&e, "check the disk, or copy the file"))?;
     if bytes.len() as u64 > limit {
-        return Err(too_large(bytes.len() as u64));
+        return Err(too_large());
     }
     String::from_utf8(bytes).map_err(|e| {
         error(
@@ -52,6 +47,18 @@ pub(crate) fn read_text(path: &Path, limit: u64) -> Result<String, ModelError> {
             "the text must be UTF-8: save it again in that encoding",
         )
     })
+}
+
+/// That a file has more than so many bytes.
+pub(crate) fn too_large(path: &Path, limit: u64) -> ModelError {
+    let help = if extension(path) == "toml" {
+        "write it as .json, of which more is read, or split it into several files"
+    } else {
+        "split it into several files"
+    };
+    ModelError::of_file(format!("it is too large: at most {limit} bytes are read"))
+        .with_help(help)
+        .in_file(&path.display().to_string())
 }
 
 /// The text without a byte order mark, which some editors put first.

@@ -10,8 +10,9 @@ mod angle;
 mod file;
 pub mod model;
 pub mod saved;
+pub mod shown;
 pub mod write;
 
-pub use angle::parse_angle;
+pub use angle::{LARGEST_ANGLE, parse_angle};
 pub use model::{Joint, JointKind, Model, ModelError, Motion, Pair, PairClass, PartEntry};
-pub use saved::{Document, read};
+pub use saved::{Document, SavedFile, read};

@@ -30,7 +30,7 @@ fn entry(name: &str, x: f64, motion: Motion) -> PartEntry {
 fn every_motion_joint_and_window() {
     let third = 1.0 / 3.0;
     let parts = vec![
-        entry("a \"quoted\" \\ name\n", 0.0, Motion::Fixed),
+        entry("a \"quoted\" \\ name", 0.0, Motion::Fixed),
         PartEntry {
             part: Part::new(
                 "räder",
@@ -78,7 +78,7 @@ fn every_motion_joint_and_window() {
     .zip([(2, 1), (3, 1), (3, 0), (3, 2)])
     .map(|(kind, parts)| Joint { kind, parts });
     round_trip(&Model {
-        name: "all\tof it".into(),
+        name: "all of it".into(),
         unit: Some("mm".into()),
         parts,
         joints: joints.collect(),

@@ -130,10 +130,10 @@ fn thin_ring() {
         let slicer = Slicer::new(fixed, moving);
         for k in 0..40 {
             let x = 0.05 * f64::from(k);
-            let expected = if x < 0.25 || x > 1.2504 {
-                Classification::Free
-            } else {
+            let expected = if (0.25..1.2504).contains(&x) {
                 Classification::Blocked
+            } else {
+                Classification::Free
             };
             if (x - 0.25).abs() < 1e-9 {
                 continue;

@@ -270,3 +270,33 @@ fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
         assert!(regions.iter().all(|r| r.around_u && r.around_v));
     }
 }
+
+/// A region's sample is a configuration of it as any other: within the region's ranges and those of the motions, in the
+/// region by all queries, and free by the oracle.
+#[test]
+fn samples_lie_in_their_regions() {
+    let (mut samples, mut unrolled) = (0, 0);
+    for m in mechanisms().into_iter().chain([gears(10, 9), gears(6, 12)]) {
+        let space =
+            FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap();
+        let oracle = Oracle::new(&m.fixed, &m.moving);
+        for (i, r) in space.regions().iter().enumerate() {
+            let (u, v) = r.sample;
+            let name = format!("{}: region {i}, ({u}, {v})", m.name);
+            let within = |t: f64, (lo, hi): (f64, f64)| (lo..=hi).contains(&t);
+            assert!(within(u, r.u) && within(v, r.v), "{name}: {r:?}");
+            for (t, axis) in [(u, m.fixed_axis), (v, m.moving_axis)] {
+                assert!(axis.range.is_none_or(|range| within(t, range)), "{name}");
+            }
+            assert_eq!(space.region_at(u, v), Some(i as u32), "{name}");
+            let verdict = oracle.judge(space.configuration(u, v));
+            assert!(
+                !verdict.overlap || verdict.margin <= CERTAIN * oracle.size(),
+                "{name}"
+            );
+            samples += 1;
+            unrolled += usize::from(r.u.1 - r.u.0 > TAU || r.v.1 - r.v.0 > TAU);
+        }
+    }
+    assert!(samples > 50 && unrolled > 10, "{samples} {unrolled}");
+}

@@ -4,7 +4,8 @@ use std::io::Write;
 use std::path::Path;
 
 use cspace::{ContactSpace, PairClass, PairSpace, Slice};
-use cspace_io::saved;
+use cspace_io::shown;
+use cspace_io::write::glb::{GlbError, glb};
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_io::write::obj::obj;
 use cspace_io::write::ply::{Encoding, ply};
@@ -25,28 +26,34 @@ enum Kind {
     Ply,
     Obj,
     Stl,
+    Glb,
 }
+
+const EXTENSIONS: &str = ".json, .svg, .ply, .obj, .stl or .glb";
 
 pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let common = &args.common;
-    let Some(path) = common.output.as_deref() else {
+    let Some(path) = common.result.output.as_deref() else {
         return Err(Failure::input("export needs a file to write")
-            .help("give -o OUT with an extension: .json, .svg, .ply, .obj or .stl"));
+            .help(format_args!("give -o OUT with an extension: {EXTENSIONS}")));
     };
     let kind = kind(path)?;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
     let bytes = match kind {
-        Kind::Json => saved::pair_to_json(&*pair.space()?).into_bytes(),
+        Kind::Json => pair.as_file()?.into_bytes(),
         Kind::Svg if pair.class() == PairClass::FixedAxes && !pair.is_planar() => {
-            let title = format!("{} in {}", pair.moving().name(), pair.fixed().name());
+            let title = pair.title();
             match &*pair.space()? {
                 PairSpace::FixedAxes(space) => svg_axes::plane(&title, space).into_bytes(),
                 _ => return Err(pair.no_orientation("a picture")),
             }
         }
-        Kind::Svg => pictures(&pair.contact_space("a picture")?, args.slices).into_bytes(),
-        Kind::Ply | Kind::Obj | Kind::Stl => {
+        Kind::Svg => {
+            let space = pair.contact_space("a picture")?;
+            pictures(pair.title(), &space, args.slices).into_bytes()
+        }
+        Kind::Ply | Kind::Obj | Kind::Stl | Kind::Glb => {
             let options = MeshOptions {
                 tolerance: args.tolerance,
             };
@@ -57,15 +64,25 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
             } else {
                 Encoding::Binary
             };
+            if kind == Kind::Stl && !mesh.fits_single_precision() {
+                return Err(single(path, &GlbError::Coordinate));
+            }
             report(&mesh, path);
             match kind {
                 Kind::Obj => obj(&mesh).into_bytes(),
                 Kind::Stl => stl(&mesh, encoding),
+                Kind::Glb => glb(&mesh).map_err(|e| single(path, &e))?,
                 _ => ply(&mesh, encoding),
             }
         }
     };
     output::write(Some(path), &bytes)
+}
+
+/// That a mesh does not fit the format.
+fn single(path: &Path, error: &GlbError) -> Failure {
+    Failure::work(format_args!("{}: {error}", path.display()))
+        .help("write .ply, which has double precision and is as long as need be")
 }
 
 fn kind(path: &Path) -> Result<Kind, Failure> {
@@ -78,21 +95,17 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         Some("ply") => Ok(Kind::Ply),
         Some("obj") => Ok(Kind::Obj),
         Some("stl") => Ok(Kind::Stl),
-        Some("glb") => Err(Failure::work(format_args!(
-            "{}: .glb is not supported yet",
-            path.display()
-        ))
-        .help("write .ply, .obj or .stl, which other programs convert")),
+        Some("glb") => Ok(Kind::Glb),
         _ => Err(Failure::input(format_args!(
             "{}: the extension does not tell what to write",
             path.display()
         ))
-        .help("let the name end in .json, .svg, .ply, .obj or .stl")),
+        .help(format_args!("let the name end in {EXTENSIONS}"))),
     }
 }
 
 /// Slices at even steps, in the middle of the bands they fall into.
-fn pictures(space: &ContactSpace, limit: u32) -> String {
+fn pictures(title: String, space: &ContactSpace, limit: u32) -> String {
     let bands = space.bands();
     let n = bands.len().min(limit as usize);
     let slices: Vec<Slice> = (0..n)
@@ -102,7 +115,7 @@ fn pictures(space: &ContactSpace, limit: u32) -> String {
         })
         .collect();
     svg::slices(&svg::Page {
-        title: format!("{} in {}", space.moving().name(), space.fixed().name()),
+        title,
         size: space.fixed().size().max(space.moving().size()),
         slices: &slices,
     })
@@ -115,7 +128,7 @@ fn report(mesh: &Mesh, path: &Path) {
     let _ = writeln!(
         std::io::stderr(),
         "{}: {}, {}, at most {:.2e} from the surface, {}",
-        path.display(),
+        shown::text(&path.to_string_lossy()),
         count(mesh.vertices.len(), "vertex", "vertices"),
         count(mesh.triangles.len(), "triangle", "triangles"),
         mesh.deviation,

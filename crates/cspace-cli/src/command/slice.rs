@@ -9,13 +9,13 @@ use crate::args::{Format, SliceArgs};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
-use crate::wording::{angle, count, feature};
+use crate::wording::{angle, count, feature, length};
 
 pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, None)?;
-    let is_picture = (common.output.as_deref())
+    let is_picture = (common.result.output.as_deref())
         .and_then(|o| o.extension())
         .is_some_and(|e| e.eq_ignore_ascii_case("svg"));
     if !pair.is_planar() {
@@ -28,13 +28,13 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let slice = pair.slice(theta)?;
     let bytes = if is_picture {
         svg::slices(&svg::Page {
-            title: title(&pair),
+            title: pair.title(),
             size: pair.fixed().size().max(pair.moving().size()),
             slices: std::slice::from_ref(&slice),
         })
         .into_bytes()
     } else {
-        match common.format {
+        match common.result.format {
             Format::Json => super::json(&slice)?,
             Format::Text => {
                 let mut text = String::new();
@@ -43,7 +43,7 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
             }
         }
     };
-    output::write(common.output.as_deref(), &bytes)
+    output::write(common.result.output.as_deref(), &bytes)
 }
 
 /// A pair with fixed axes has one plane, that of its motions.
@@ -65,9 +65,9 @@ fn plane(args: &SliceArgs, pair: &Chosen<'_>, is_picture: bool) -> Result<(), Fa
         return Err(pair.no_orientation("a slice"));
     };
     let bytes = if is_picture {
-        svg_axes::plane(&title(pair), space).into_bytes()
+        svg_axes::plane(&pair.title(), space).into_bytes()
     } else {
-        match args.common.format {
+        match args.common.result.format {
             Format::Json => super::json(&space.to_saved())?,
             Format::Text => {
                 let mut text = String::new();
@@ -76,7 +76,7 @@ fn plane(args: &SliceArgs, pair: &Chosen<'_>, is_picture: bool) -> Result<(), Fa
             }
         }
     };
-    output::write(args.common.output.as_deref(), &bytes)
+    output::write(args.common.result.output.as_deref(), &bytes)
 }
 
 fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) -> fmt::Result {
@@ -101,16 +101,15 @@ fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) 
         for b in &space.branches()[from..to] {
             writeln!(
                 text,
-                "  ({:.6}, {:.6}) to ({:.6}, {:.6})",
-                b.start.0, b.start.1, b.end.0, b.end.1
+                "  ({}, {}) to ({}, {})",
+                length(b.start.0),
+                length(b.start.1),
+                length(b.end.0),
+                length(b.end.1)
             )?;
         }
     }
     Ok(())
-}
-
-fn title(pair: &Chosen<'_>) -> String {
-    format!("{} in {}", pair.moving().name(), pair.fixed().name())
 }
 
 fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result {
@@ -130,8 +129,11 @@ fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result 
             let (start, end) = (curve.geometry.point(0.0), curve.geometry.point(1.0));
             write!(
                 text,
-                "  ({:.6}, {:.6}) to ({:.6}, {:.6})",
-                start.x, start.y, end.x, end.y
+                "  ({}, {}) to ({}, {})",
+                length(start.x),
+                length(start.y),
+                length(end.x),
+                length(end.y)
             )?;
             if let CurveGeometry::Arc {
                 center,
@@ -142,9 +144,10 @@ fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result 
             {
                 write!(
                     text,
-                    ", arc about ({:.6}, {:.6}) of radius {radius:.6} by {:.4} deg",
-                    center.x,
-                    center.y,
+                    ", arc about ({}, {}) of radius {} by {:.4} deg",
+                    length(center.x),
+                    length(center.y),
+                    length(radius),
                     sweep.to_degrees()
                 )?;
             }

@@ -59,6 +59,36 @@ fn wrong_columns_and_rows_beyond_the_range_are_told() {
         2,
         &["line 3", "v -70.5", "from -70 to 70", "rack"],
     );
+    // With --general it is asked by orientations, and the message says why.
+    let general = ask("driver,link", &["--general"], "u,v\n0,0\n");
+    fails(
+        general,
+        2,
+        &[
+            "fixed-axes pair",
+            "by the general method is x, y and theta",
+            "leave out --general",
+        ],
+    );
+    let help = printed(&["classify", "--help"]);
+    for words in [
+        "With --general such a pair too is asked by x, y and",
+        "theta, not by u and v",
+    ] {
+        assert!(help.contains(words), "{help}");
+    }
+    // The answer's own column.
+    for (pair, rows) in [
+        ("driver,link", "u,v,class\n0,0,free\n"),
+        ("ratchet,pawl", "class,x,y,theta\n1,0,0,0\n"),
+    ] {
+        for format in ["text", "json"] {
+            let command = ask(pair, &["--format", format], rows);
+            fails(command, 2, &["line 1", "`class`", "another name"]);
+        }
+    }
+    let command = ask("driver,link", &["--format", "json"], "u,v,n,n\n0,0,1,2\n");
+    fails(command, 2, &["line 1", "column n", "twice"]);
     // Angles may have a unit, lengths may not.
     let angles = ask("driver,link", &[], "u,v\n0.1turn,-30deg\n");
     fails(angles, 2, &["line 2", "v -0.52"]);
@@ -87,12 +117,11 @@ fn orientations_are_refused_where_they_are_no_coordinate() {
             &["--theta", pair, class, "--general"],
         );
     }
-    // With all pairs the window fits some only.
-    fails(
-        cspace(&["compute", &file, "--theta", "0,1"]),
-        2,
-        &["frame,driver", "--pair"],
-    );
+    // The commands for one pair refuse it also where the file has no other.
+    let alone = model("geneva");
+    let mut classify = cspace(&["classify", &alone, "--theta", "0,1"]);
+    classify.write_stdin("u,v\n0,0\n");
+    fails(classify, 2, &["fixed-axes", "window"]);
     fails(
         cspace(&["slice", &file, "--pair", "frame,link"]),
         1,
@@ -117,7 +146,7 @@ fn surfaces_are_refused_where_there_are_none() {
     for (pair, class) in [("frame,link", "lower"), ("driver,link", "fixed-axes")] {
         let saved = path("saved.json");
         printed(&["export", &file, "--pair", pair, "-o", &saved]);
-        for name in ["out.ply", "out.obj", "out.stl"] {
+        for name in ["out.ply", "out.obj", "out.stl", "out.glb"] {
             let out = path(name);
             let words = [pair, class, "surface", "--general"];
             fails(

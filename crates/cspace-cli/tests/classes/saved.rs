@@ -33,7 +33,7 @@ fn slices_and_pictures_of_fixed_axes_show_the_plane_of_the_motions() {
         picture.starts_with("<svg") || picture.starts_with("<?xml"),
         "{picture}"
     );
-    assert!(picture.contains("link in driver"));
+    assert!(picture.contains(">ratchet mechanism: link in driver, lengths in mm<"));
     assert_eq!(picture, by("export", "b.svg"));
 }
 
@@ -62,6 +62,15 @@ fn saved_spaces_of_every_class_answer_as_their_models_do() {
 
         let info = json(&["info", saved]);
         assert_eq!(info["pairs"][0]["class"], class, "{pair}");
+        // What the model says of itself is there again.
+        assert_eq!(info["name"], "ratchet mechanism");
+        assert_eq!(info["unit"], "mm");
+        let text = printed(&["compute", saved]);
+        assert!(
+            text.contains("  model          ratchet mechanism\n"),
+            "{text}"
+        );
+        assert!(text.contains(" mm: a clearance below it"), "{text}");
         let summary = |args: &[&str]| timeless(json(&[&["compute"], args].concat()));
         assert_eq!(summary(&[saved]), summary(&model), "{pair}");
 
@@ -115,6 +124,16 @@ fn saved_spaces_of_every_class_answer_as_their_models_do() {
         );
         fails(cspace(&["compute", saved, "--pair", "a,b"]), 2, &[pair]);
     }
+    // Files of earlier versions have neither name nor unit.
+    let saved = dir.path().join("lower.json");
+    let mut old: Value = serde_json::from_slice(&std::fs::read(&saved).unwrap()).unwrap();
+    for key in ["name", "unit"] {
+        assert!(old.as_object_mut().unwrap().remove(key).is_some());
+    }
+    std::fs::write(&saved, old.to_string()).unwrap();
+    let info = json(&["info", saved.to_str().unwrap()]);
+    assert_eq!(info["name"], "link and pawl");
+    assert_eq!(info.get("unit"), None);
     // What the general method made stays general.
     let saved = dir.path().join("general.json");
     let saved = saved.to_str().unwrap();

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json as value};
 
-use crate::helpers::{PAIRS, json, mechanism, model, printed};
+use crate::helpers::{PAIRS, cspace, json, mechanism, model, printed};
 
 #[test]
 fn every_pair_of_the_mechanism_has_its_class() {
@@ -126,5 +126,122 @@ fn the_models_on_fixed_axes_have_the_regions_that_their_readme_tells() {
         let list = pair["regions"].as_array().unwrap();
         assert_eq!(list.len(), regions, "{name}");
         assert!(list.iter().all(|r| r["around_u"] == around), "{name}");
+    }
+}
+
+/// A window is for the pairs that have orientations; the others are as they are, and a note tells it.
+#[test]
+fn a_window_passes_over_pairs_without_orientations() {
+    let file = mechanism();
+    let run = |args: &[&str]| {
+        let args = [args, &["--format", "json"]].concat();
+        let output = cspace(&args).assert().success().get_output().clone();
+        let said = String::from_utf8(output.stderr).unwrap();
+        (
+            serde_json::from_slice::<Value>(&output.stdout).unwrap(),
+            said,
+        )
+    };
+    let (all, said) = run(&["compute", &file, "--theta=-0.1,0.1"]);
+    assert_eq!(said.lines().count(), 1, "{said}");
+    for (pair, class) in &PAIRS[..5] {
+        assert!(said.contains(&format!("{pair} ({class})")), "{said}");
+    }
+    assert!(said.starts_with("note: --theta is not used") && !said.contains("ratchet,pawl"));
+    let plain = json(&["compute", &file]);
+    for i in 0..6 {
+        let timeless = |value: &Value| {
+            let mut pair = value[i].clone();
+            pair["seconds"] = Value::Null;
+            pair
+        };
+        assert_eq!(timeless(&all) == timeless(&plain), i < 5, "{i}");
+    }
+    assert_eq!(all[5]["window"]["lo"], -0.1);
+    // `info` shows the window that would be used, and where.
+    let (info, told) = run(&["info", &file, "--theta=-0.1,0.1"]);
+    assert_eq!(told, said);
+    for i in 0..6 {
+        let theta = &info["pairs"][i]["theta"];
+        let expected = if i < 5 {
+            Value::Null
+        } else {
+            value!([-0.1, 0.1])
+        };
+        assert_eq!(theta, &expected, "{i}");
+    }
+    // All have orientations by the general method.
+    let (general, told) = run(&["info", &file, "--theta=-0.1,0.1", "--general"]);
+    assert_eq!(
+        (told.as_str(), &general["pairs"][0]["theta"]),
+        ("", &value!([-0.1, 0.1]))
+    );
+    let text = printed(&["info", &model("ratchet_pawl"), "--theta=-0.1,0.1"]);
+    assert!(
+        text.contains("theta from -0.100000 rad (-5.7296 deg) to 0.100000 rad"),
+        "{text}"
+    );
+}
+
+/// `info` and `compute` say the same of a part's symmetry.
+#[test]
+fn symmetry_is_told_in_the_same_words() {
+    let mut round = 0;
+    for (name, pair) in [
+        ("ball_in_c", 0),
+        ("gears_on_shafts", 0),
+        ("geneva", 0),
+        ("ratchet_mechanism", 4),
+        ("ratchet_mechanism", 5),
+        ("ratchet_pawl", 0),
+    ] {
+        let file = model(name);
+        let pair = &json(&["info", &file])["pairs"][pair];
+        let (fixed, moving) = (
+            pair["fixed"].as_str().unwrap(),
+            pair["moving"].as_str().unwrap(),
+        );
+        let info = printed(&["info", &file]);
+        let told = |part: &str| {
+            let from = info.find(&format!("\n  {part}\n")).unwrap();
+            let lines = info[from..]
+                .lines()
+                .skip(2)
+                .take_while(|l| l.starts_with("    "));
+            let words = lines.filter_map(|l| l.strip_prefix("    symmetry   "));
+            words.last().unwrap_or("none").to_owned()
+        };
+        let expected = format!("  symmetry       {}, {}\n", told(fixed), told(moving));
+        let text = printed(&["compute", &file, "--pair", &format!("{fixed},{moving}")]);
+        assert!(
+            text.contains(&expected),
+            "{name}: no {expected:?} in {text}"
+        );
+        round += expected.matches("round").count();
+    }
+    assert_eq!(round, 2);
+}
+
+/// What is not there is null or left out, never the number by which programs mark that in memory.
+#[test]
+fn no_output_has_a_mark_for_none() {
+    for (name, pair, theta) in [
+        ("ratchet_mechanism", "ratchet,pawl", true),
+        ("ratchet_mechanism", "driver,link", false),
+        ("cam_plate", "plate,pin", false),
+        ("peg_hole", "block,peg", true),
+    ] {
+        let pair = [model(name), "--pair".to_owned(), pair.to_owned()];
+        let [file, flag, names] = pair.each_ref().map(String::as_str);
+        let slice = ["slice", file, flag, names, "--theta", "0.3"];
+        let slice = if theta { &slice[..] } else { &slice[..4] };
+        for args in [
+            &["info", file, flag, names][..],
+            &["compute", file, flag, names],
+            slice,
+        ] {
+            let text = json(args).to_string();
+            assert!(!text.contains("4294967295") && !text.contains("18446744073709551615"));
+        }
     }
 }

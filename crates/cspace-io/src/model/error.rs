@@ -3,8 +3,11 @@
 use core::fmt;
 
 use super::place::Place;
+use crate::shown;
 
 /// Something wrong in a file: where it is, what it is, and what to do about it.
+///
+/// Displayed, it is one line without control characters, whatever the file is called and says.
 ///
 /// ```
 /// let text = "[[part]]\nname = \"pin\"\nloops = [[[0, 0], [1]]]\n";
@@ -98,7 +101,7 @@ impl ModelError {
 
 impl fmt::Display for ModelError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0.file)?;
+        f.write_str(&shown::text(&self.0.file))?;
         if let Some((line, column)) = self.0.position {
             write!(f, ":{line}:{column}")?;
         }
@@ -106,7 +109,7 @@ impl fmt::Display for ModelError {
         if !self.0.place.words().is_empty() {
             write!(f, "{}: ", self.0.place.words())?;
         }
-        f.write_str(&self.0.message)
+        f.write_str(&shown::text(&self.0.message))
     }
 }
 

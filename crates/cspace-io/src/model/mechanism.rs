@@ -27,7 +27,8 @@ use cspace::{Part, Point, Vector};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
-    /// What the mechanism is called; the file's name without extension when the file does not say.
+    /// What the mechanism is called; the file's name without extension when the file does not say, its control characters
+    /// escaped.
     pub name: String,
     /// A label for the unit of length.
     pub unit: Option<String>,

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, btree_map::Entry};
 use std::fmt;
 
+use crate::shown;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 /// The key under which the TOML reader hands over a date.
@@ -30,7 +31,7 @@ impl Node {
             Self::Null => "null".into(),
             Self::Bool(b) => format!("`{b}`"),
             Self::Integer(i) => format!("the number {i}"),
-            Self::Number(x) => format!("the number {x}"),
+            Self::Number(x) => format!("the number {}", shown::number(*x)),
             Self::Text(t) => format!("the text {}", quoted(t)),
             Self::Date => "a date".into(),
             Self::List(list) => match list.len() {

@@ -10,16 +10,28 @@ use super::parts::read_parts;
 use super::place::Place;
 use super::relations::{read_joints, read_pairs};
 use super::table::{Result, Table};
-use crate::file::{extension, read_text, without_mark};
+use crate::file::{extension, read_text, too_large, without_mark};
+use crate::shown;
 
-/// The largest model read, in bytes.
-const LARGEST: u64 = 256 << 20;
+/// The largest models read, in bytes: either takes some 2 GB of memory and ten seconds to tell what is in it. A part may have
+/// a million vertices, which JSON has room for.
+const LARGEST_TOML: u64 = 16 << 20;
+const LARGEST_JSON: u64 = 64 << 20;
 
 /// The most parts of a model: a file that lists no pairs stands for every two.
 const MOST_PARTS: usize = 1000;
 
 /// Keys of the file itself.
 const KEYS: [&str; 5] = ["name", "unit", "part", "joint", "pair"];
+
+/// How many bytes are read of a model of this name.
+fn largest(path: &Path) -> u64 {
+    if extension(path) == "json" {
+        LARGEST_JSON
+    } else {
+        LARGEST_TOML
+    }
+}
 
 impl Model {
     /// Reads a model file: `.toml`, or the same structure as `.json`.
@@ -48,12 +60,17 @@ impl Model {
                 .with_help("model files end in .toml or .json")
                 .in_file(&path.display().to_string()));
         }
-        Self::from_text(path, &read_text(path, LARGEST)?)
+        Self::from_text(path, &read_text(path, largest(path))?)
     }
 
     /// The model in the text of a file, whose extension tells whether it is JSON.
     pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Self, ModelError> {
         let file = path.display().to_string();
+        // It may have been read as a saved space, which may be longer.
+        let limit = largest(path);
+        if text.len() as u64 > limit {
+            return Err(too_large(path, limit));
+        }
         let mut model = if extension(path) == "json" {
             Self::from_json(text, &file)
         } else {
@@ -62,7 +79,7 @@ impl Model {
         if model.name.is_empty() {
             model.name = path
                 .file_stem()
-                .map(|s| s.to_string_lossy().into_owned())
+                .map(|s| shown::text(&s.to_string_lossy()).into_owned())
                 .unwrap_or_default();
         }
         Ok(model)

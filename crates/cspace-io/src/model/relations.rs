@@ -85,7 +85,7 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
     const HELP: &str =
         "a joint is a table with type = \"revolute\", parts = [\"link\", \"pawl\"] and at = [x, y]";
     const PARTS: &str = "a joint connects two parts: parts = [\"link\", \"pawl\"]";
-    let table = Table::new(node, place, &KEYS, HELP)?;
+    let table = Table::new(node, place.clone(), &KEYS, HELP)?;
     let names = table
         .list("parts", PARTS)?
         .ok_or_else(|| table.missing("parts", "parts = [\"link\", \"pawl\"]"))?;
@@ -102,19 +102,33 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
         let error = table.error("parts", format!("it joins {} to itself", quoted(first)));
         return Err(error.with_help("a joint connects two different parts"));
     }
-    let at = table.point("at")?.map(|(x, y)| Point::new(x, y));
-    let kind = match table
+    let kind = table
         .text("type")?
-        .ok_or_else(|| table.missing("type", "type = \"revolute\""))?
-    {
-        "revolute" => JointKind::Revolute {
-            at: at.ok_or_else(|| table.missing("at", "at = [x, y]"))?,
-        },
-        "prismatic" => JointKind::Prismatic {
-            direction: direction(&table)?,
-            at,
-        },
-        "rigid" => JointKind::Rigid,
+        .ok_or_else(|| table.missing("type", "type = \"revolute\""))?;
+    // What a joint of this type has no use for would be taken for a statement about it.
+    let only = |keys: &[&str]| {
+        let help = format!("a {kind} joint has the keys {}", keys.join(", "));
+        Table::new(node, place.clone(), keys, &help).map_err(|e| e.with_help(help.as_str()))
+    };
+    let at = |table: &Table<'_>| {
+        let point = table.point("at")?;
+        Ok(point.map(|(x, y)| Point::new(x, y)))
+    };
+    let kind = match kind {
+        "revolute" => {
+            let table = only(&["type", "parts", "at"])?;
+            JointKind::Revolute {
+                at: at(&table)?.ok_or_else(|| table.missing("at", "at = [x, y]"))?,
+            }
+        }
+        "prismatic" => {
+            let table = only(&["type", "parts", "direction", "at"])?;
+            JointKind::Prismatic {
+                direction: direction(&table)?,
+                at: at(&table)?,
+            }
+        }
+        "rigid" => only(&["type", "parts"]).map(|_| JointKind::Rigid)?,
         other => {
             let error = table.error("type", format!("unknown type of joint {}", quoted(other)));
             return Err(error.with_help(match nearest(other, KINDS) {

@@ -6,7 +6,8 @@ use super::error::ModelError;
 use super::node::{Node, quoted};
 use super::place::Place;
 use super::suggest::nearest;
-use crate::angle::parse_angle;
+use crate::angle::{LARGEST_ANGLE, parse_angle};
+use crate::shown;
 
 /// A table of the file, with its place.
 pub(super) struct Table<'a> {
@@ -62,6 +63,13 @@ impl<'a> Table<'a> {
     pub(super) fn text(&self, key: &str) -> Result<Option<&'a str>> {
         match self.get(key) {
             None => Ok(None),
+            // A terminal obeys control characters, and XML has no place for them.
+            Some(Node::Text(t)) if t.contains(char::is_control) => Err(self
+                .error(
+                    key,
+                    format!("`{key}` has a control character: {}", quoted(t)),
+                )
+                .with_help("leave out line breaks, tabs and escape characters")),
             Some(Node::Text(t)) => Ok(Some(t)),
             Some(other) => {
                 let help = format!("write text in quotes: {key} = \"...\"");
@@ -108,7 +116,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Two finite numbers or angles, the first smaller.
+    /// Two finite numbers or angles, the first smaller; angles are at most [`LARGEST_ANGLE`].
     pub(super) fn interval(&self, key: &str, angles: bool) -> Result<Option<(f64, f64)>> {
         let Some(node) = self.get(key) else {
             return Ok(None);
@@ -131,7 +139,16 @@ impl<'a> Table<'a> {
             return Err(self.wrong(key, node, what, &help));
         };
         let bound = |i: usize, bound: &Node| {
-            read(bound).filter(|x| x.is_finite()).ok_or_else(|| {
+            let value = read(bound).filter(|x| x.is_finite());
+            if let Some(x) = value.filter(|x| angles && x.abs() > LARGEST_ANGLE) {
+                let message = format!(
+                    "`{key}` has the angle {} rad, more than {LARGEST_ANGLE:e} rad from 0",
+                    shown::number(x)
+                );
+                return Err(ModelError::new(&self.place.key(key).item(i), message)
+                    .with_help("take off whole turns: angles a turn apart are the same position"));
+            }
+            value.ok_or_else(|| {
                 let one = if angles {
                     "an angle"
                 } else {
@@ -148,7 +165,11 @@ impl<'a> Table<'a> {
         Err(self
             .error(
                 key,
-                format!("`{key}` goes from {lo} to {hi}: it is empty or reversed"),
+                format!(
+                    "`{key}` goes from {} to {}: it is empty or reversed",
+                    shown::number(lo),
+                    shown::number(hi)
+                ),
             )
             .with_help("give the smaller bound first"))
     }

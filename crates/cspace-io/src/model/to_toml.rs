@@ -12,8 +12,9 @@ impl Model {
     /// with as many digits as that takes, angles in radians.
     ///
     /// Pairs are left out when they are what a file without pairs stands for. A model that breaks
-    /// the reader's rules, say by an index that is no part's (whose name is written as empty) or a
-    /// number that is not finite, is written all the same, and refused when read.
+    /// the reader's rules, say by an index that is no part's (whose name is written as empty), a
+    /// number that is not finite or a control character in a name, is written all the same, and
+    /// refused when read.
     ///
     /// ```
     /// use cspace::{Part, Vertex};

@@ -1,5 +1,6 @@
 //! Writers for contact spaces and slices.
 
+pub mod glb;
 pub mod mesh;
 pub mod obj;
 pub mod ply;

@@ -218,10 +218,24 @@ fn legend(out: &mut String, top: f64) {
     }
 }
 
+/// The text as XML takes it. Control characters, and the two that are no characters, have no place in XML, not even as
+/// references: they are shown as Rust writes them.
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {
+                out.extend(c.escape_unicode());
+            }
+            c => out.push(c),
+        }
+    }
+    out
 }
 
 #[cfg(test)]
@@ -234,6 +248,25 @@ mod tests {
         (text.split(before).skip(1))
             .filter_map(|rest| rest[..rest.find('"').unwrap()].parse().ok())
             .collect()
+    }
+
+    #[test]
+    fn titles_are_text_whatever_they_say() {
+        let page = |title: &str| Page {
+            title: title.into(),
+            size: 4.0,
+            slices: &[],
+        };
+        let picture = slices(&page("</text><script>\u{1b}[2J\u{0}\n\u{9b}\u{ffff}&\"'"));
+        let plain = slices(&page("plain"));
+        // Lines and tags are those of a harmless title.
+        assert_eq!(picture.lines().count(), plain.lines().count());
+        assert_eq!(picture.matches('<').count(), plain.matches('<').count());
+        assert!(picture.contains(
+            "&lt;/text&gt;&lt;script&gt;\\u{1b}[2J\\u{0}\\u{a}\\u{9b}\\u{ffff}&amp;&quot;&#39;</text>"
+        ));
+        let control = |c: char| c.is_control() && c != '\n';
+        assert!(!picture.contains(control) && !picture.contains('\u{ffff}'));
     }
 
     #[test]

@@ -103,7 +103,7 @@ pub enum AxesError {
         part: Role,
     },
     /// A range's limits are in the wrong order or equal.
-    #[error("the {part} part's range from {lo} to {hi} is empty; give the lower limit first")]
+    #[error("the {part} part's range from {lo:?} to {hi:?} is empty; give the lower limit first")]
     EmptyRange {
         /// Whose axis it is.
         part: Role,
@@ -125,7 +125,7 @@ pub enum AxesError {
         limit: f64,
     },
     /// A range of a turning part has too many turns.
-    #[error("the {part} part's range is {turns:.0} turns long (at most {limit})")]
+    #[error("the {part} part's range is {turns:.1e} turns long (at most {limit})")]
     TooManyTurns {
         /// Whose axis it is.
         part: Role,

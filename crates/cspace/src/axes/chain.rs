@@ -153,7 +153,11 @@ pub(super) fn chains(
         let (Some(&from), Some(&to)) = (chain.cells.first(), chain.cells.last()) else {
             continue;
         };
-        let of = |i: u32| (i != NONE).then(|| of_cell[i as usize]);
+        // No neighbour is told by `None`, never by the mark of this function.
+        let of = |i: u32| {
+            let chain = of_cell.get(i as usize).copied();
+            chain.filter(|&c| c != NONE)
+        };
         chain.previous = of(previous[from as usize]);
         chain.next = of(next[to as usize]);
     }

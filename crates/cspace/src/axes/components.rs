@@ -61,13 +61,14 @@ pub(super) fn regions(swept: Swept, y: &Extent) -> Bands {
             }
             let middle = 0.5 * (band.lo + band.hi);
             let size = |(p, q): (f64, f64)| q - p;
+            let (dx, dy) = (TAU * f64::from(tx), TAU * f64::from(ty));
             let at = spans[g as usize][1];
             let measure = size(at).min(band.hi - band.lo);
             if measure > largest {
                 largest = measure;
-                region.sample = (middle, 0.5 * (at.0 + at.1));
+                // In the turn in which the walk came to it, as the region's ranges are.
+                region.sample = (middle + dx, 0.5 * (at.0 + at.1) + dy);
             }
-            let (dx, dy) = (TAU * f64::from(tx), TAU * f64::from(ty));
             region.x.0 = region.x.0.min(band.lo + dx);
             region.x.1 = region.x.1.max(band.hi + dx);
             for (p, q) in spans[g as usize] {

@@ -3,6 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::contact::{Body, Permutation};
+use crate::feature::tolerance::GROWTH;
 use crate::feature::{Feature, FeatureName, Outline, PairFrame};
 use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
@@ -101,7 +102,8 @@ impl Setting {
         };
         // The fixed part is the one that is grown.
         let drawn = |part: &Part, center: Point, grown| {
-            let outline = Outline::new(part, center, frame.scale, grown);
+            let growth = if grown { GROWTH } else { 0.0 };
+            let outline = Outline::new(part, center, frame.scale, growth);
             let body = Body::new(&outline, part, center, frame.scale);
             (outline, body)
         };

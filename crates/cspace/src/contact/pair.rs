@@ -1,5 +1,6 @@
 //! Everything about a pair of parts that does not depend on the orientation.
 
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Outline, PairFrame};
 use crate::geometry::{Point, Rotation};
 use crate::part::{LoopImage, Part};
@@ -130,8 +131,8 @@ struct Outlines {
 impl Outlines {
     fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
-        let outline = |p: Placed<'_>, grown| Outline::new(p.part, p.center, scale, grown);
-        let (a, b) = (outline(fixed, true), outline(moving, false));
+        let outline = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
+        let (a, b) = (outline(fixed, GROWTH), outline(moving, MOVING_GROWTH));
         Self {
             frame: PairFrame {
                 fixed_center: fixed.drawn_center,

@@ -33,9 +33,8 @@ struct End {
 }
 
 impl Outline {
-    /// Features of a part, about `center` and scaled; grown by [`GROWTH`] when `grown`.
-    pub(crate) fn new(part: &Part, center: Point, scale: f64, grown: bool) -> Self {
-        let growth = if grown { GROWTH } else { 0.0 };
+    /// Features of a part, about `center` and scaled, then grown.
+    pub(crate) fn new(part: &Part, center: Point, scale: f64, growth: f64) -> Self {
         let mut outline = Self {
             features: Vec::new(),
             joints: Vec::new(),

@@ -50,9 +50,9 @@ impl PairFrame {
     }
 
     /// How far from the origin of this frame the moving part can be in contact with the fixed part: no farther than
-    /// their radii together, and what the fixed part is grown by.
+    /// their radii together, and what they are grown by.
     pub(crate) fn reach(&self, fixed: &Part, moving: &Part) -> f64 {
-        let grown = super::tolerance::MITRE * super::tolerance::GROWTH;
+        let grown = 2.0 * super::tolerance::MITRE * super::tolerance::GROWTH;
         let radii =
             radius_about(fixed, self.fixed_center) + radius_about(moving, self.moving_center);
         radii * self.scale + grown

@@ -11,6 +11,13 @@
 /// that exactly fills another) into a definite overlap some thousand times larger than the rounding of f64.
 pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 
+/// By how much the moving part is grown (length, about 5.6e-13).
+///
+/// Where lengths of the fixed part alone equal one of the moving part, as a step as high as the radius of a disc that rolls
+/// over it, growth of the fixed part changes nothing: both ends of the length are moved. Growth of the other part does. The
+/// ratio is the golden section's, so that no small multiples are equal.
+pub(crate) const MOVING_GROWTH: f64 = 0.618_033_988_749_894_9 * GROWTH;
+
 /// Two edges that meet at an angle below this are smoothly joined (radians, about 1.5e-8).
 ///
 /// The error made on the boundary is of second order: radius × SMOOTH² / 2, below the rounding of f64.

@@ -66,7 +66,7 @@ pub enum PartError {
 
     /// A bulge is not a finite number or gives no arc.
     #[error(
-        "loop {loop_index}, vertex {vertex_index}: the bulge {bulge} gives no arc: give tan(sweep / 4), of magnitude at most {FULL_BULGE:e}; draw a full circle as two half circles of bulge 1"
+        "loop {loop_index}, vertex {vertex_index}: the bulge {bulge:?} gives no arc: give tan(sweep / 4), of magnitude at most {FULL_BULGE:e}; draw a full circle as two half circles of bulge 1"
     )]
     BadBulge {
         /// The loop.
@@ -121,7 +121,7 @@ pub enum PartError {
 
     /// Two edges cross.
     #[error(
-        "loop {loop_index}, edge {edge_index} crosses loop {other_loop}, edge {other_edge} near ({}, {}): move the vertices so that the edges stay apart",
+        "loop {loop_index}, edge {edge_index} crosses loop {other_loop}, edge {other_edge} near ({:?}, {:?}): move the vertices so that the edges stay apart",
         at.x, at.y
     )]
     Crossing {
@@ -139,7 +139,7 @@ pub enum PartError {
 
     /// Two edges touch, or overlap, elsewhere than at the vertex they share.
     #[error(
-        "loop {loop_index}, edge {edge_index} touches loop {other_loop}, edge {other_edge} near ({}, {}): move them apart, or merge the loops there",
+        "loop {loop_index}, edge {edge_index} touches loop {other_loop}, edge {other_edge} near ({:?}, {:?}): move them apart, or merge the loops there",
         at.x, at.y
     )]
     Touching {

@@ -5,11 +5,15 @@ use std::time::Instant;
 
 use cspace::{ContactSpace, Options, Part, Slicer, Symmetry};
 use cspace_baseline::compare::{errors, missed_bands};
+use cspace_baseline::critical::Known;
 use cspace_baseline::paper::{Group, PaperPair};
 use cspace_baseline::{Stack, Surface, evenly, with_bands};
 use serde::Serialize;
 
+use crate::args::EvaluateArgs;
 use crate::failure::Failure;
+
+use super::critical::{Kinds, criticality_seconds};
 
 /// How far the surface's straight pieces may be from arcs, as a share of both parts' size: the paper's 1 % accuracy.
 const ACCURACY: f64 = 0.01;
@@ -39,8 +43,13 @@ pub(super) struct Measured {
     pub(super) seconds_per_slice: PerSlice,
     /// Old seconds by new ones.
     pub(super) ratio: f64,
-    /// The general algorithm's search of critical orientations over all combinations of features: not measured.
+    /// The general algorithm's search of critical orientations over all combinations of features, those known skipped; `None`
+    /// if it did not end within the limit.
     pub(super) criticality_seconds: Option<f64>,
+    /// The same with every criticality examined.
+    pub(super) criticality_seconds_without_skipping: Option<f64>,
+    /// What makes the critical orientations of the slices computed.
+    pub(super) critical: Kinds,
     pub(super) patches: usize,
     pub(super) links: Links,
     /// Of the old surface.
@@ -111,7 +120,8 @@ fn space(fixed: &Part, moving: &Part, symmetry: Symmetry) -> Result<ContactSpace
     ContactSpace::compute(fixed, moving, &options).map_err(Failure::work)
 }
 
-pub(super) fn measure(pair: &PaperPair, separation: f64, repeat: u16) -> Result<Measured, Failure> {
+pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured, Failure> {
+    let (separation, repeat) = (args.separation, args.repeat);
     let model = super::embedded(pair.model, pair.name)?;
     let part = |index: usize| &model.parts[index].part;
     let (fixed, moving) = (part(model.pairs[0].fixed), part(model.pairs[0].moving));
@@ -168,6 +178,8 @@ pub(super) fn measure(pair: &PaperPair, separation: f64, repeat: u16) -> Result<
         &general,
     );
     let features = exact.features();
+    let [skipped, examined] = [Known::Skipped, Known::Examined]
+        .map(|known| criticality_seconds(fixed, moving, known, args.criticality_limit));
     Ok(Measured {
         pair: pair.name,
         group: pair.group,
@@ -190,7 +202,9 @@ pub(super) fn measure(pair: &PaperPair, separation: f64, repeat: u16) -> Result<
             product: median(alone) / count,
         },
         ratio: old_seconds / new_seconds,
-        criticality_seconds: None,
+        criticality_seconds: skipped,
+        criticality_seconds_without_skipping: examined,
+        critical: Kinds::new(&general, exact.symmetry().slabs),
         patches: exact.patches().len(),
         links: Links {
             side: exact.side_links().len(),

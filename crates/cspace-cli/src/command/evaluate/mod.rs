@@ -1,6 +1,7 @@
 //! `cspace evaluate`: section 4 of Sacks (1999), measured here.
 
 mod averages;
+mod critical;
 mod measure;
 mod special;
 mod text;
@@ -26,6 +27,8 @@ struct Evaluation {
     separation: f64,
     /// Of how many runs seconds are the median.
     repeat: u16,
+    /// Under which the search of critical orientations had to end, seconds.
+    criticality_limit: f64,
     threads: usize,
     pairs: Vec<Measured>,
     averages: Averages,
@@ -33,29 +36,30 @@ struct Evaluation {
 }
 
 pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
-    output::check(args.output.as_deref())?;
+    output::check(args.result.output.as_deref())?;
     let chosen = chosen(&args.pairs)?;
     // What is wrong with the separation is told before anything is measured.
     cspace_baseline::evenly(args.separation).map_err(|e| {
         Failure::input(format_args!("--separation: {e}")).help("give an angle such as 0.005")
     })?;
     catch_interrupts();
-    set_threads(args.threads)?;
+    set_threads(args.result.threads)?;
     let steps = Steps::new(chosen.len() + 1);
     let pairs = (chosen.iter())
-        .map(|pair| steps.step(pair.name, || measure(pair, args.separation, args.repeat)))
+        .map(|pair| steps.step(pair.name, || measure(pair, args)))
         .collect::<Result<Vec<_>, _>>()?;
     let survey = steps.step("special pairs", || special::survey(args.repeat))?;
     drop(steps);
     let evaluation = Evaluation {
         separation: args.separation,
         repeat: args.repeat,
+        criticality_limit: args.criticality_limit,
         threads: rayon::current_num_threads(),
         averages: Averages::of(&pairs),
         pairs,
         survey,
     };
-    let bytes = match args.format {
+    let bytes = match args.result.format {
         Format::Json => super::json(&evaluation)?,
         Format::Text => {
             let mut text = String::new();
@@ -63,7 +67,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
             text.into_bytes()
         }
     };
-    output::write(args.output.as_deref(), &bytes)
+    output::write(args.result.output.as_deref(), &bytes)
 }
 
 /// The pairs of these names, in Figure 5's order; all if none is named.

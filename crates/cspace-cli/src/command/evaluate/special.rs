@@ -1,32 +1,12 @@
 //! What the special methods save: the survey's shares with times measured here.
 
 use cspace::{PairClass, PairSpace, Relation};
-use cspace_baseline::survey::{SURVEY, saving};
+use cspace_baseline::survey::{MODELS, SURVEY, saving};
 use serde::Serialize;
 
 use crate::failure::Failure;
 
 use super::measure::{median, timed};
-
-macro_rules! model {
-    ($name:literal) => {
-        (
-            $name,
-            include_str!(concat!("../../../../../models/", $name, ".toml")),
-        )
-    };
-}
-
-/// Models whose pairs are special.
-const MODELS: [(&str, &str); 7] = [
-    model!("cam_plate"),
-    model!("cam_tappet"),
-    model!("escapement"),
-    model!("gears_on_shafts"),
-    model!("geneva"),
-    model!("rack_pinion"),
-    model!("ratchet_mechanism"),
-];
 
 #[derive(Serialize)]
 pub(super) struct Survey {

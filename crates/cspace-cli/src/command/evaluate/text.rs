@@ -10,6 +10,7 @@ use super::special::Survey;
 pub(super) fn describe(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
     slices(text, evaluation)?;
     times(text, evaluation)?;
+    criticalities(text, evaluation)?;
     errors(text, evaluation)?;
     let averages = &evaluation.averages;
     average(text, "engineering pairs", averages.engineering.as_ref())?;
@@ -85,6 +86,48 @@ fn times(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
             m.links.side + m.links.vertical,
             1e3 * m.seconds_per_slice.old,
             1e3 * m.seconds_per_slice.product
+        )?;
+    }
+    Ok(())
+}
+
+fn criticalities(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
+    writeln!(
+        text,
+        "\nCritical orientations: the general algorithm's search over all combinations of features, milliseconds; and\n\
+         the product's in the slices computed, by what happens there (several can at once)\n"
+    )?;
+    writeln!(
+        text,
+        "{:14}{:>14}{:>14}{:>14}{:>10}{:>10}{:>10}{:>10}",
+        "pair",
+        "known skipped",
+        "all examined",
+        "orientations",
+        "aligned",
+        "end",
+        "tangent",
+        "triple"
+    )?;
+    let limit = evaluation.criticality_limit;
+    let seconds = |s: Option<f64>| match s {
+        Some(s) => format!("{:.1}", 1e3 * s),
+        None if limit == 0.0 => "-".into(),
+        None => format!("> {limit} s"),
+    };
+    for m in &evaluation.pairs {
+        let k = &m.critical;
+        writeln!(
+            text,
+            "{:14}{:>14}{:>14}{:>14}{:>10}{:>10}{:>10}{:>10}",
+            m.pair,
+            seconds(m.criticality_seconds),
+            seconds(m.criticality_seconds_without_skipping),
+            k.orientations,
+            k.aligned,
+            k.end,
+            k.tangent,
+            k.triple
         )?;
     }
     Ok(())

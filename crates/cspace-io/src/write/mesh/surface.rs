@@ -107,6 +107,14 @@ impl Mesh {
         mesher.mesh
     }
 
+    /// Whether every coordinate is finite in single precision, which is all that some formats have.
+    pub fn fits_single_precision(&self) -> bool {
+        let fits = |x: f64| (x as f32).is_finite();
+        self.vertices
+            .iter()
+            .all(|v| fits(v.x) && fits(v.y) && fits(v.theta))
+    }
+
     /// Counts the edges that are open.
     pub fn openings(&self) -> Openings {
         let mut edges: BTreeMap<(u32, u32), (i32, u32)> = BTreeMap::new();

@@ -1,6 +1,6 @@
 //! `cspace info`.
 
-use std::fmt::{self, Write};
+mod text;
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,7 +12,6 @@ use crate::args::{Format, InfoArgs};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
-use crate::wording::{angle, count};
 
 #[derive(Serialize)]
 struct Info {
@@ -92,15 +91,15 @@ pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
         pair.check_window()?;
     }
     let info = gather(&subject, &pairs);
-    let bytes = match args.common.format {
+    let bytes = match args.common.result.format {
         Format::Json => super::json(&info)?,
         Format::Text => {
             let mut text = String::new();
-            describe(&mut text, &info).map_err(Failure::work)?;
+            text::describe(&mut text, &info).map_err(Failure::work)?;
             text.into_bytes()
         }
     };
-    output::write(args.common.output.as_deref(), &bytes)
+    output::write(args.common.result.output.as_deref(), &bytes)
 }
 
 fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
@@ -120,16 +119,20 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
                 .collect(),
             pairs,
         },
-        Subject::Saved(space) => Info {
-            name: format!("{} and {}", space.fixed().name(), space.moving().name()),
-            unit: None,
-            parts: saved_parts(space),
-            joints: match &**space {
-                PairSpace::Lower(pair) => vec![saved_joint(pair)],
-                _ => Vec::new(),
-            },
-            pairs,
-        },
+        Subject::Saved(file) => {
+            let space = &file.space;
+            let parts = || format!("{} and {}", space.fixed().name(), space.moving().name());
+            Info {
+                name: file.name.clone().unwrap_or_else(parts),
+                unit: file.unit.clone(),
+                parts: saved_parts(space),
+                joints: match space {
+                    PairSpace::Lower(pair) => vec![saved_joint(pair)],
+                    _ => Vec::new(),
+                },
+                pairs,
+            }
+        }
     }
 }
 
@@ -262,92 +265,4 @@ fn features(part: &Part) -> FeatureCount {
     }
     count.total = count.lines + count.arcs + count.vertices;
     count
-}
-
-fn describe(text: &mut String, info: &Info) -> fmt::Result {
-    let unit = info
-        .unit
-        .as_ref()
-        .map_or(String::new(), |u| format!(" {u}"));
-    writeln!(text, "{}", info.name)?;
-    writeln!(text, "\nparts")?;
-    for p in &info.parts {
-        writeln!(text, "  {}", p.name)?;
-        writeln!(
-            text,
-            "    outline    {}, {}: {}, {}, {}",
-            count(p.loops, "loop", "loops"),
-            count(p.features.total, "feature", "features"),
-            count(p.features.lines, "line", "lines"),
-            count(p.features.arcs, "arc", "arcs"),
-            count(p.features.vertices, "vertex", "vertices"),
-        )?;
-        writeln!(text, "    size       {:.6}{unit}", p.size)?;
-        write!(text, "    motion     ")?;
-        describe_motion(text, &p.motion, &unit)?;
-        if p.round {
-            writeln!(text, "    symmetry   round")?;
-        } else if p.symmetry > 1 {
-            writeln!(text, "    symmetry   {}-fold", p.symmetry)?;
-        }
-    }
-    if !info.joints.is_empty() {
-        writeln!(text, "\njoints")?;
-    }
-    for j in &info.joints {
-        write!(text, "  {} of {} and {}", j.kind, j.parts[0], j.parts[1])?;
-        if let Some([x, y]) = j.at {
-            write!(text, " at ({x}, {y})")?;
-        }
-        if let Some([x, y]) = j.direction {
-            write!(text, " along ({x}, {y})")?;
-        }
-        writeln!(text)?;
-    }
-    writeln!(text, "\npairs")?;
-    if info.pairs.is_empty() {
-        writeln!(text, "  none: a pair takes two parts")?;
-    }
-    for p in &info.pairs {
-        write!(
-            text,
-            "  {} (fixed), {} (moving): {}, {}",
-            p.fixed,
-            p.moving,
-            p.class,
-            count(p.features, "feature", "features")
-        )?;
-        match p.theta {
-            Some((lo, hi)) => writeln!(text, ", theta from {} to {}", angle(lo), angle(hi))?,
-            None => writeln!(text)?,
-        }
-    }
-    Ok(())
-}
-
-fn describe_motion(text: &mut String, motion: &MotionInfo, unit: &str) -> fmt::Result {
-    match motion {
-        MotionInfo::Fixed => writeln!(text, "fixed"),
-        MotionInfo::Planar => writeln!(text, "planar"),
-        MotionInfo::Revolute {
-            center: [x, y],
-            range,
-        } => {
-            write!(text, "revolute about ({x}, {y})")?;
-            match range {
-                Some((lo, hi)) => writeln!(text, ", from {} to {}", angle(*lo), angle(*hi)),
-                None => writeln!(text),
-            }
-        }
-        MotionInfo::Prismatic {
-            direction: [x, y],
-            range,
-        } => {
-            write!(text, "prismatic along ({x}, {y})")?;
-            match range {
-                Some((lo, hi)) => writeln!(text, ", from {lo} to {hi}{unit}"),
-                None => writeln!(text),
-            }
-        }
-    }
 }

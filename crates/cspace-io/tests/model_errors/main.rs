@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod limits;
+
 use cspace_io::{Model, ModelError, PairClass};
 
 const SQUARE: &str = "[[0, 0], [1, 0], [1, 1], [0, 1]]";
@@ -439,11 +441,18 @@ fn only_regular_files_are_opened() {
     // Larger than what is read, though it takes no room on the disk.
     let large = folder.path().join("large.toml");
     let file = std::fs::File::create(&large).unwrap();
-    file.set_len((256 << 20) + 1).unwrap();
+    file.set_len((16 << 20) + 1).unwrap();
     says(
         &Model::read(&large).unwrap_err(),
-        &["large.toml", "at most"],
+        &["large.toml", "at most 16777216 bytes", "write it as .json"],
     );
+    let large = folder.path().join("large.json");
+    let file = std::fs::File::create(&large).unwrap();
+    file.set_len((64 << 20) + 1).unwrap();
+    // Read as a model, and by whichever it might be.
+    let words = ["large.json", "at most 67108864 bytes", "several files"];
+    says(&Model::read(&large).unwrap_err(), &words);
+    says(&cspace_io::read(&large).unwrap_err(), &words);
 }
 
 /// Whatever is done to a model's text: a model or an error with a place, and no panic.

@@ -1,25 +1,13 @@
-//! The published schema, held against what is written.
-
-#![allow(clippy::unwrap_used)]
+//! Contact spaces.
 
 use cspace::space::SAVED_VERSION;
 use cspace::{ContactSpace, Options};
 use cspace_io::{Model, saved};
-use jsonschema::Validator;
 use serde_json::{Value, json};
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+use crate::helpers::{ROOT, errors, has_no_mark, objects, schema, validator};
 
-fn schema() -> Value {
-    let text = std::fs::read_to_string(format!("{ROOT}/docs/contact-space.schema.json")).unwrap();
-    serde_json::from_str(&text).unwrap()
-}
-
-fn validator() -> Validator {
-    let schema = schema();
-    jsonschema::draft202012::meta::validate(&schema).unwrap();
-    jsonschema::draft202012::new(&schema).unwrap()
-}
+const SCHEMA: &str = "contact-space";
 
 fn space(model: &str, window: Option<(f64, f64)>) -> ContactSpace {
     let model = Model::read(format!("{ROOT}/models/{model}.toml")).unwrap();
@@ -43,7 +31,7 @@ fn as_json(space: &ContactSpace) -> Value {
 
 #[test]
 fn the_schema_names_format_and_version() {
-    let schema = schema();
+    let schema = schema(SCHEMA);
     assert_eq!(
         schema["properties"]["version"],
         json!({
@@ -59,13 +47,11 @@ fn the_schema_names_format_and_version() {
 
 #[test]
 fn exports_of_shipped_models_and_of_hard_pairs_follow_the_schema() {
-    let validator = validator();
+    let validator = validator(SCHEMA);
     let check = |name: &str, space: &ContactSpace| {
         let value = as_json(space);
-        let errors: Vec<String> = (validator.iter_errors(&value).take(3))
-            .map(|e| format!("{}: {e}", e.instance_path()))
-            .collect();
-        assert!(errors.is_empty(), "{name}: {errors:?}");
+        assert_eq!(errors(&validator, &value), "", "{name}");
+        has_no_mark(&value, name);
         // And they are read, as the same.
         let again = saved::from_json(&value.to_string(), name).unwrap();
         assert_eq!(again.to_saved(), space.to_saved(), "{name}");
@@ -108,7 +94,7 @@ fn exports_of_shipped_models_and_of_hard_pairs_follow_the_schema() {
 
 #[test]
 fn the_schema_refuses_what_is_damaged() {
-    let validator = validator();
+    let validator = validator(SCHEMA);
     let good = as_json(&space("ball_in_c", None));
     assert!(validator.is_valid(&good));
     let set = |pointer: &str, to: Value| {
@@ -140,20 +126,7 @@ fn the_schema_refuses_what_is_damaged() {
     // Every key is needed but those that files of earlier versions lack, and there are no others, except among the
     // statistics.
     const LATER: [&str; 3] = ["/symmetry", "/computed_bands", "/statistics/decisions"];
-    fn objects(value: &Value, at: &str, all: &mut Vec<String>) {
-        match value {
-            Value::Object(map) => {
-                all.push(at.to_owned());
-                map.iter()
-                    .for_each(|(k, v)| objects(v, &format!("{at}/{k}"), all));
-            }
-            Value::Array(list) => (list.iter().take(2).enumerate())
-                .for_each(|(i, v)| objects(v, &format!("{at}/{i}"), all)),
-            _ => {}
-        }
-    }
-    let mut all = Vec::new();
-    objects(&good, "", &mut all);
+    let all = objects(&good);
     assert!(all.len() > 30);
     for at in all {
         let map = |value: &mut Value, f: &dyn Fn(&mut serde_json::Map<String, Value>)| {

@@ -1,6 +1,4 @@
-//! The published schemas of lower pairs and of pairs with fixed axes, held against what is written.
-
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+//! Lower pairs and pairs with fixed axes.
 
 use std::collections::BTreeSet;
 
@@ -14,27 +12,14 @@ use cspace_oracle::shapes::{rectangle, square};
 use jsonschema::Validator;
 use serde_json::{Value, json};
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-
-fn schema(name: &str) -> Value {
-    let text = std::fs::read_to_string(format!("{ROOT}/docs/{name}.schema.json")).unwrap();
-    serde_json::from_str(&text).unwrap()
-}
-
-fn validator(name: &str) -> Validator {
-    let schema = schema(name);
-    jsonschema::draft202012::meta::validate(&schema).unwrap();
-    jsonschema::draft202012::new(&schema).unwrap()
-}
+use crate::helpers::{ROOT, errors, has_no_mark, objects, schema, validator};
 
 /// The saved form follows the schema, and is read again as the same.
 fn follows(validator: &Validator, name: &str, space: &PairSpace) -> Value {
     let text = saved::pair_to_json(space);
     let value: Value = serde_json::from_str(&text).unwrap();
-    let errors: Vec<String> = (validator.iter_errors(&value).take(3))
-        .map(|e| format!("{}: {e}", e.instance_path()))
-        .collect();
-    assert!(errors.is_empty(), "{name}: {errors:?}");
+    assert_eq!(errors(validator, &value), "", "{name}");
+    has_no_mark(&value, name);
     let again = saved::pair_from_json(&value.to_string(), name).unwrap();
     assert_eq!(saved::pair_to_json(&again), text, "{name}");
     value
@@ -183,21 +168,7 @@ fn refuses(validator: &Validator, good: &Value, changes: &[(&str, Value)]) {
 
 /// Every key is needed, and there are no others except among the statistics.
 fn wants_every_key(validator: &Validator, good: &Value) {
-    fn objects(value: &Value, at: &str, all: &mut Vec<String>) {
-        match value {
-            Value::Object(map) => {
-                all.push(at.to_owned());
-                map.iter()
-                    .for_each(|(k, v)| objects(v, &format!("{at}/{k}"), all));
-            }
-            Value::Array(list) => (list.iter().take(3).enumerate())
-                .for_each(|(i, v)| objects(v, &format!("{at}/{i}"), all)),
-            _ => {}
-        }
-    }
-    let mut all = Vec::new();
-    objects(good, "", &mut all);
-    for at in all {
+    for at in objects(good) {
         let object = |value: &mut Value| -> serde_json::Map<String, Value> {
             value.pointer(&at).unwrap().as_object().unwrap().clone()
         };

@@ -1,0 +1,90 @@
+//! The first step of the general algorithm: critical orientations from all combinations of contacts.
+//!
+//! Sacks (1999), section 2: "formulating and solving algebraic equations for all combinations of feature contacts"; section 3.3:
+//! each criticality is pruned if it cannot be realised, which takes most of the time, and the rest are grouped by orientation.
+//!
+//! | contacts | critical where | equation |
+//! |---|---|---|
+//! | one | a normal that ends a feature opposes one of the other part | α = β + θ + π |
+//! | two | the end of one contact curve is on the other's carrier, or both carriers are tangent | polynomial of degree 4 in tan(θ/2) |
+//! | three | all carriers meet in one point | of degree 6 for three lines, 10 with circles |
+//!
+//! A line or circle of positions is k |p|² + a x + b y + c = 0 with a, b, c of the form c₀ + c₁ cos θ + c₂ sin θ
+//! (equations 1 and 3). Differences of circles are lines, so three carriers are three lines, or two lines and a circle, and p is
+//! eliminated by Cramer's rule. Roots are isolated by Descartes' rule of signs in Bernstein's basis (`bernstein`).
+//!
+//! A criticality is realisable if each contact is between the features themselves, and the parts do not overlap: tested by
+//! brute force, every edge with every edge. Nothing is shared with the product's kernel but the outlines' edges.
+
+mod bernstein;
+mod body;
+mod contact;
+mod grouped;
+mod outline;
+mod search;
+mod single;
+mod span;
+mod tolerance;
+mod triple;
+mod twofold;
+
+use cspace::Part;
+
+use search::Search;
+
+/// What the search of critical orientations found, and did.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Criticalities {
+    /// The realisable critical orientations, radians in [−π, π), increasing; those within 4e-6 rad of each other are one.
+    pub orientations: Vec<f64>,
+    /// Contacts: pairs of features that can touch.
+    pub contacts: usize,
+    /// Solutions of the equations.
+    pub candidates: u64,
+    /// Those not examined because their orientation was known.
+    pub skipped: u64,
+    /// Configurations tested for overlap of the parts.
+    pub overlap_tests: u64,
+}
+
+/// Whether an orientation that is known to be critical is examined again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Known {
+    /// Every criticality is examined, as the general algorithm does (section 2).
+    Examined,
+    /// Those at a known orientation are not (section 3.3).
+    Skipped,
+}
+
+/// Searches the critical orientations of a pair over the whole turn, on all threads, as long as `go_on` says so; `None` if it
+/// says no before the end.
+///
+/// The orientations are a superset of those at which the contact space changes, but for the tolerances: an overlap shallower than
+/// 1e-6 of the size counts as contact, and so does a gap of that size at the end of a feature.
+///
+/// ```
+/// use cspace::{Part, Vertex};
+/// use cspace_baseline::critical::{Known, search};
+/// let square = |name: &str, r: f64| {
+///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+/// };
+/// let (table, block) = (square("table", 2.0)?, square("block", 1.0)?);
+/// let found = search(&table, &block, Known::Skipped, &|| true).ok_or("stopped")?;
+/// // Sides are parallel four times a turn.
+/// assert_eq!(found.orientations.len(), 4);
+/// assert!(search(&table, &block, Known::Skipped, &|| false).is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn search(
+    fixed: &Part,
+    moving: &Part,
+    known: Known,
+    go_on: &(dyn Fn() -> bool + Sync),
+) -> Option<Criticalities> {
+    let mut search = Search::new(fixed, moving, known, go_on);
+    single::search(&mut search)?;
+    twofold::search(&mut search)?;
+    triple::search(&mut search)?;
+    Some(search.finish())
+}

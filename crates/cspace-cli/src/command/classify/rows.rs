@@ -1,0 +1,184 @@
+//! Rows of configurations as they are given.
+
+use core::f64::consts::TAU;
+use std::collections::BTreeSet;
+
+use cspace::{Configuration, Coordinates, PairClass};
+use cspace_io::shown;
+
+use crate::angle;
+use crate::args::Format;
+use crate::failure::Failure;
+use crate::subject::Chosen;
+
+use super::ANSWER;
+
+/// Where the coordinates of a row stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Columns {
+    Planar([usize; 3]),
+    Axes([usize; 2]),
+}
+
+/// The rows as given, and the configurations they mean.
+pub(super) struct Rows {
+    pub(super) header: csv::StringRecord,
+    pub(super) records: Vec<csv::StringRecord>,
+    pub(super) configurations: Vec<Coordinates>,
+}
+/// Reads all rows; nothing is computed before all of them are understood.
+pub(super) fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Rows, Failure> {
+    // A byte order mark is no part of the first name.
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(bytes);
+    let header = reader.headers().map_err(|e| unreadable(&e))?.clone();
+    no_answers(&header)?;
+    if format == Format::Json {
+        named_once(&header)?;
+    }
+    let columns = columns(&header, pair)?;
+    let window = pair.window();
+    let turns = pair.turns();
+    let mut records = Vec::new();
+    let mut configurations = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| unreadable(&e))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let number = |at: usize, is_angle: bool| {
+            let text = record.get(at).unwrap_or_default();
+            let value = if is_angle {
+                angle::parse(text)
+            } else {
+                let number = text.parse::<f64>().ok().filter(|x| x.is_finite());
+                number.ok_or_else(|| format!("{text:?} is no number"))
+            };
+            value.map_err(|why| {
+                Failure::input(format_args!(
+                    "standard input, line {line}, column {}: {why}",
+                    header.get(at).unwrap_or_default()
+                ))
+                .help("give a finite number; angles are in radians, or have a unit such as 18deg")
+            })
+        };
+        let c = match columns {
+            Columns::Planar([x, y, theta]) => Coordinates::Planar(Configuration::new(
+                number(x, false)?,
+                number(y, false)?,
+                number(theta, true)?,
+            )),
+            Columns::Axes([u, v]) => Coordinates::Axes {
+                u: number(u, turns.0)?,
+                v: number(v, turns.1)?,
+            },
+        };
+        if let (Some((lo, hi)), Coordinates::Planar(c)) = (window, c) {
+            let turned = c.theta + TAU * ((lo - c.theta) / TAU).ceil();
+            if turned > hi {
+                return Err(Failure::input(format_args!(
+                    "standard input, line {line}: theta {} is outside the orientations from {} to {} of the pair {}",
+                    shown::number(c.theta),
+                    shown::number(lo),
+                    shown::number(hi),
+                    pair.names()
+                ))
+                .help("leave the row out, or choose other orientations with --theta LO,HI"));
+            }
+        }
+        configurations.push(c);
+        records.push(record);
+    }
+    Ok(Rows {
+        header,
+        records,
+        configurations,
+    })
+}
+
+fn unreadable(error: &csv::Error) -> Failure {
+    let line = error.position().map_or(0, csv::Position::line);
+    let message = match error.kind() {
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => format!("{len} values, where the first row names {expected_len} columns"),
+        csv::ErrorKind::Utf8 { .. } => "the text is not UTF-8".to_owned(),
+        _ => error.to_string(),
+    };
+    Failure::input(format_args!("standard input, line {line}: {message}"))
+        .help("give one configuration in each row, values separated by commas")
+}
+
+/// The answer would have the column twice, and nobody could tell which is which.
+fn no_answers(header: &csv::StringRecord) -> Result<(), Failure> {
+    if header.iter().any(|name| name == ANSWER) {
+        return Err(Failure::input(format_args!(
+            "standard input, line 1: there is a column `{ANSWER}`, which the answer adds"
+        ))
+        .help("leave the column out, or give it another name"));
+    }
+    Ok(())
+}
+
+fn named_twice(name: &str) -> Failure {
+    Failure::input(format_args!(
+        "standard input, line 1: the column {name} is named twice"
+    ))
+    .help("name every column once")
+}
+
+/// An object has a key once: of columns of one name all but the last would be lost.
+fn named_once(header: &csv::StringRecord) -> Result<(), Failure> {
+    let mut names = BTreeSet::new();
+    match header.iter().find(|name| !names.insert(*name)) {
+        Some(name) => Err(named_twice(name)),
+        None => Ok(()),
+    }
+}
+
+fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Failure> {
+    let find = |name: &str| {
+        let mut places = header.iter().enumerate().filter(|(_, h)| *h == name);
+        match (places.next(), places.next()) {
+            (Some((at, _)), None) => Ok(Some(at)),
+            (None, _) => Ok(None),
+            (Some(_), Some(_)) => Err(named_twice(name)),
+        }
+    };
+    let planar = (find("x")?, find("y")?, find("theta")?);
+    let axes = (find("u")?, find("v")?);
+    let by_axes = !pair.is_planar() && pair.class() == PairClass::FixedAxes;
+    match (planar, axes) {
+        ((Some(x), Some(y), Some(theta)), _) if !by_axes => Ok(Columns::Planar([x, y, theta])),
+        (_, (Some(u), Some(v))) if by_axes => Ok(Columns::Axes([u, v])),
+        _ => {
+            let found: Vec<&str> = header.iter().collect();
+            let wanted = if by_axes { "u and v" } else { "x, y and theta" };
+            let class = pair.class();
+            let has_axes = class == PairClass::FixedAxes;
+            let method = if has_axes && !by_axes {
+                " by the general method"
+            } else {
+                ""
+            };
+            let failure = Failure::input(format_args!(
+                "standard input, line 1: the columns are {:?}, and a configuration of the {class} pair {}{method} is {wanted}",
+                found.join(","),
+                pair.names()
+            ));
+            Err(if by_axes {
+                failure.help(
+                    "let the first row name the columns u and v, the motions of both parts; or use --general for x, y and theta",
+                )
+            } else if has_axes {
+                failure.help(
+                    "let the first row name the columns x, y and theta; or leave out --general for u and v",
+                )
+            } else {
+                failure.help(
+                    "let the first row name the columns x, y and theta; u and v are for pairs with fixed axes",
+                )
+            })
+        }
+    }
+}

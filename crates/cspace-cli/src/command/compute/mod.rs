@@ -1,0 +1,242 @@
+//! `cspace compute`.
+
+mod text;
+
+use std::time::Instant;
+
+use cspace::axes::{AxesRegion, AxesStatistics};
+use cspace::pair::{Joint, PermanentContact};
+use cspace::{Axis, Decisions, FreeRegion, PairSpace, StageSeconds, Statistics, Window};
+use serde::Serialize;
+
+use crate::args::{ComputeArgs, Format};
+use crate::failure::Failure;
+use crate::output;
+use crate::subject::{Chosen, Subject};
+
+/// The summary of a configuration space.
+#[derive(Serialize)]
+struct Summary<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    model: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<&'a str>,
+    fixed: &'a str,
+    moving: &'a str,
+    class: &'static str,
+    features: Features,
+    symmetry: PerPart,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    window: Option<Window>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motion: Option<MotionSpace<'a>>,
+    critical_orientations: &'a [f64],
+    bands: usize,
+    slices: usize,
+    patches: usize,
+    links: Links,
+    free_regions: usize,
+    regions: Regions<'a>,
+    resolution: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    statistics: Option<Statistic>,
+    seconds: Seconds,
+}
+
+/// What moves in a pair without orientations.
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case", tag = "type")]
+enum MotionSpace<'a> {
+    Axes {
+        fixed: Axis,
+        moving: Axis,
+    },
+    Joint {
+        joint: Joint,
+        limits: Option<(f64, f64)>,
+        permanent: &'a [PermanentContact],
+    },
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Regions<'a> {
+    Planar(&'a [FreeRegion]),
+    Axes(Vec<AxesRegion>),
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Statistic {
+    General(Counts),
+    Axes(AxesStatistics),
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Seconds {
+    Stages(StageSeconds),
+    Total { total: f64 },
+}
+
+impl Seconds {
+    fn total(&self) -> f64 {
+        match self {
+            Self::Stages(s) => s.total,
+            Self::Total { total } => *total,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Features {
+    fixed: u32,
+    moving: u32,
+    total: u32,
+}
+
+#[derive(Serialize)]
+struct PerPart {
+    fixed: u32,
+    moving: u32,
+}
+
+#[derive(Serialize)]
+struct Links {
+    side: usize,
+    vertical: usize,
+}
+
+/// The statistics without the seconds, which stand beside them.
+#[derive(Serialize)]
+struct Counts {
+    sheets: u64,
+    pairs: u64,
+    pair_events: u64,
+    triple_events: u64,
+    clusters: u64,
+    branches: u64,
+    cells: u64,
+    overlap_tests: u64,
+    conflicts: u64,
+    decisions: Decisions,
+}
+
+impl From<&Statistics> for Counts {
+    fn from(s: &Statistics) -> Self {
+        Self {
+            sheets: s.sheets,
+            pairs: s.pairs,
+            pair_events: s.pair_events,
+            triple_events: s.triple_events,
+            clusters: s.clusters,
+            branches: s.branches,
+            cells: s.cells,
+            overlap_tests: s.overlap_tests,
+            conflicts: s.conflicts,
+            decisions: s.decisions,
+        }
+    }
+}
+
+pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
+    let subject = Subject::open(&args.common)?;
+    let pairs = subject.pairs(&args.common, args.window.theta)?;
+    let spaces = pairs
+        .iter()
+        .map(|pair| {
+            let begin = Instant::now();
+            let space = pair.space()?;
+            Ok((space, begin.elapsed().as_secs_f64()))
+        })
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let summaries: Vec<Summary<'_>> = pairs
+        .iter()
+        .zip(&spaces)
+        .map(|(pair, (space, seconds))| summary(pair, space, *seconds))
+        .collect();
+    let bytes = match args.common.result.format {
+        Format::Json => super::json(&summaries)?,
+        Format::Text => {
+            let mut text = String::new();
+            for (i, (pair, summary)) in pairs.iter().zip(&summaries).enumerate() {
+                if i > 0 {
+                    text.push('\n');
+                }
+                text::describe(&mut text, pair, summary).map_err(Failure::work)?;
+            }
+            text.into_bytes()
+        }
+    };
+    output::write(args.common.result.output.as_deref(), &bytes)
+}
+
+fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summary<'a> {
+    let features = space.features();
+    let mut summary = Summary {
+        model: pair.model_name(),
+        unit: pair.unit_label(),
+        fixed: pair.fixed().name(),
+        moving: pair.moving().name(),
+        class: space.class().name(),
+        features: Features {
+            fixed: features.fixed,
+            moving: features.moving,
+            total: features.fixed + features.moving,
+        },
+        symmetry: PerPart {
+            fixed: pair.fixed().symmetry().fold(),
+            moving: pair.moving().symmetry().fold(),
+        },
+        window: None,
+        motion: None,
+        critical_orientations: &[],
+        bands: space.bands(),
+        slices: space.bands(),
+        patches: space.patches(),
+        links: Links {
+            side: 0,
+            vertical: 0,
+        },
+        free_regions: space.free_regions(),
+        regions: Regions::Planar(&[]),
+        resolution: space.resolution(),
+        statistics: None,
+        seconds: Seconds::Total { total: seconds },
+    };
+    match space {
+        PairSpace::Lower(lower) => {
+            summary.slices = 0;
+            summary.motion = Some(MotionSpace::Joint {
+                joint: lower.joint(),
+                limits: lower.limits(),
+                permanent: lower.contacts(),
+            });
+        }
+        PairSpace::FixedAxes(space) => {
+            let (fixed, moving) = space.axes();
+            summary.motion = Some(MotionSpace::Axes { fixed, moving });
+            summary.links.side = space.patches().iter().filter(|p| p.next.is_some()).count();
+            summary.regions = Regions::Axes(space.regions());
+            summary.statistics = Some(Statistic::Axes(space.statistics()));
+        }
+        PairSpace::Planar(space) => {
+            let symmetry = space.symmetry();
+            summary.symmetry = PerPart {
+                fixed: symmetry.fixed,
+                moving: symmetry.moving,
+            };
+            summary.window = Some(space.window());
+            summary.critical_orientations = space.critical_orientations();
+            summary.slices = space.computed_bands();
+            summary.links = Links {
+                side: space.side_links().len(),
+                vertical: space.vertical_links().len(),
+            };
+            summary.regions = Regions::Planar(space.free_regions());
+            summary.statistics = Some(Statistic::General(space.statistics().into()));
+            summary.seconds = Seconds::Stages(space.statistics().seconds);
+        }
+    }
+    summary
+}

@@ -1,0 +1,254 @@
+//! The summary for people.
+
+use std::fmt::{self, Write};
+
+use cspace::pair::{Joint, PermanentContact, PermanentKind};
+use cspace::{Axis, AxisMotion, PairClass, Part};
+use cspace_io::shown;
+
+use crate::subject::Chosen;
+use crate::wording::{angle, count, length, symmetry};
+
+use super::{Counts, MotionSpace, Regions, Seconds, Statistic, Summary};
+
+pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Result {
+    let unit = pair.unit();
+    writeln!(text, "{} (fixed), {} (moving)", s.fixed, s.moving)?;
+    if let Some(model) = s.model {
+        writeln!(text, "  model          {model}")?;
+    }
+    let class = pair.class();
+    if pair.is_general() && class != PairClass::General {
+        writeln!(
+            text,
+            "  method         {}: all of (x, y, theta), though the pair's class is {class}",
+            s.class
+        )?;
+    } else {
+        writeln!(text, "  method         {}", s.class)?;
+    }
+    writeln!(
+        text,
+        "  features       {} + {} = {}",
+        s.features.fixed, s.features.moving, s.features.total
+    )?;
+    if (s.symmetry.fixed, s.symmetry.moving) != (1, 1) {
+        writeln!(
+            text,
+            "  symmetry       {}, {}",
+            used_symmetry(pair.fixed(), s.symmetry.fixed),
+            used_symmetry(pair.moving(), s.symmetry.moving)
+        )?;
+    }
+    match &s.motion {
+        Some(MotionSpace::Joint {
+            joint,
+            limits,
+            permanent,
+        }) => describe_joint(text, joint, *limits, permanent, &unit)?,
+        Some(MotionSpace::Axes { fixed, moving }) => describe_axes(text, s, (fixed, moving))?,
+        None => describe_planar(text, s)?,
+    }
+    writeln!(
+        text,
+        "  resolution     {:.1e}{unit}: a clearance below it counts as none",
+        s.resolution
+    )?;
+    let computed = match (pair.is_saved(), &s.seconds) {
+        (true, Seconds::Stages(_)) => " when it was computed",
+        (true, Seconds::Total { .. }) => " to look at it",
+        _ => "",
+    };
+    writeln!(
+        text,
+        "  time           {:.6} s{computed}",
+        s.seconds.total()
+    )
+}
+
+/// The symmetry of a part, of which a fold of 1 says that none was found or none looked for.
+fn used_symmetry(part: &Part, fold: u32) -> String {
+    symmetry(fold, fold > 1 && part.symmetry().is_round())
+}
+
+fn describe_joint(
+    text: &mut String,
+    joint: &Joint,
+    limits: Option<(f64, f64)>,
+    permanent: &[PermanentContact],
+    unit: &str,
+) -> fmt::Result {
+    let (what, turns) = match joint {
+        Joint::Revolute { at } => (format!("revolute about {}", place((at.x, at.y))), true),
+        Joint::Prismatic { direction, .. } => (
+            format!("prismatic along {}", place((direction.x, direction.y))),
+            false,
+        ),
+        Joint::Rigid => ("rigid".to_owned(), false),
+    };
+    write!(text, "  joint          {what}")?;
+    match limits {
+        Some((lo, hi)) if turns => write!(text, ", from {} to {}", angle(lo), angle(hi))?,
+        Some((lo, hi)) => write!(text, ", from {} to {}{unit}", length(lo), length(hi))?,
+        None => {}
+    }
+    writeln!(text)?;
+    let kinds: Vec<&str> = permanent
+        .iter()
+        .map(|p| match p.kind {
+            PermanentKind::PointLine => "point/line",
+            PermanentKind::PointArc => "point/arc",
+        })
+        .collect();
+    writeln!(text, "  contact        permanent: {}", kinds.join(", "))
+}
+
+fn place((x, y): (f64, f64)) -> String {
+    format!("({}, {})", length(x), length(y))
+}
+
+fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fmt::Result {
+    for (name, axis) in [("u", axes.0), ("v", axes.1)] {
+        let what = match axis.motion {
+            AxisMotion::Fixed => "does not move".to_owned(),
+            AxisMotion::Revolute { center } => {
+                format!("turns about {}", place((center.x, center.y)))
+            }
+            AxisMotion::Prismatic { direction } => {
+                format!("slides along {}", place((direction.x, direction.y)))
+            }
+        };
+        write!(text, "  {name}              {what}")?;
+        match (axis.range, axis.motion) {
+            (Some((lo, hi)), AxisMotion::Revolute { .. }) => {
+                write!(text, ", from {} to {}", angle(lo), angle(hi))?;
+            }
+            (Some((lo, hi)), _) => write!(text, ", from {} to {}", length(lo), length(hi))?,
+            _ => {}
+        }
+        writeln!(text)?;
+    }
+    writeln!(
+        text,
+        "  contact        {}, {}",
+        count(s.patches, "contact curve", "contact curves"),
+        count(s.links.side, "link", "links")
+    )?;
+    if let Some(Statistic::Axes(counts)) = &s.statistics {
+        writeln!(
+            text,
+            "  certainty      {}, {}, {}",
+            count(counts.crossings, "crossing", "crossings"),
+            count(counts.tests, "test of overlap", "tests of overlap"),
+            count(counts.conflicts, "conflict", "conflicts")
+        )?;
+    }
+    writeln!(
+        text,
+        "  free space     {}",
+        count(s.free_regions, "connected region", "connected regions")
+    )?;
+    let Regions::Axes(regions) = &s.regions else {
+        return Ok(());
+    };
+    for (i, r) in regions.iter().enumerate() {
+        let around = match (r.around_u, r.around_v) {
+            (true, true) => ", around u and v",
+            (true, false) => ", around u",
+            (false, true) => ", around v",
+            _ => "",
+        };
+        let range = |(lo, hi): (f64, f64), open: (bool, bool)| {
+            let end = |t: f64, open: bool| {
+                if open {
+                    "no limit".to_owned()
+                } else {
+                    length(t)
+                }
+            };
+            format!("from {} to {}", end(lo, open.0), end(hi, open.1))
+        };
+        writeln!(
+            text,
+            "    region {i}     u {}, v {}{around}, e.g. {}",
+            range(r.u, r.open_u),
+            range(r.v, r.open_v),
+            place(r.sample)
+        )?;
+    }
+    Ok(())
+}
+
+/// How many decisions were certain at once, and what became of the others.
+fn describe_certainty(text: &mut String, counts: &Counts) -> fmt::Result {
+    let d = &counts.decisions;
+    let at_once = (d.passings - d.passings_by_places)
+        + (d.orientations - d.orientations_rough)
+        + (d.overlaps - d.overlaps_uncertain);
+    writeln!(
+        text,
+        "  certainty      {at_once} decisions at once, {} by enclosures, {} left to the resolution, {}",
+        d.passings_by_places,
+        d.orientations_rough + d.overlaps_uncertain,
+        count(counts.conflicts as usize, "conflict", "conflicts")
+    )
+}
+
+fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
+    match s.window {
+        Some(w) if !w.full_turn => writeln!(
+            text,
+            "  orientations   from {} to {}",
+            angle(w.lo),
+            angle(w.hi)
+        )?,
+        _ => writeln!(text, "  orientations   all")?,
+    }
+    writeln!(
+        text,
+        "  structure      {}, {}{}",
+        count(
+            s.critical_orientations.len(),
+            "critical orientation",
+            "critical orientations"
+        ),
+        count(s.bands, "band", "bands"),
+        if s.slices < s.bands {
+            format!(" of which {} were computed", s.slices)
+        } else {
+            String::new()
+        }
+    )?;
+    writeln!(
+        text,
+        "  contact        {}, {}, {}",
+        count(s.patches, "patch", "patches"),
+        count(s.links.side, "side link", "side links"),
+        count(s.links.vertical, "vertical link", "vertical links")
+    )?;
+    if let Some(Statistic::General(counts)) = &s.statistics {
+        describe_certainty(text, counts)?;
+    }
+    let Regions::Planar(regions) = s.regions else {
+        return Ok(());
+    };
+    let caged = regions.iter().filter(|r| !r.unbounded).count();
+    writeln!(
+        text,
+        "  free space     {}, {} caged",
+        count(s.free_regions, "connected region", "connected regions"),
+        caged
+    )?;
+    for (i, r) in regions.iter().enumerate() {
+        writeln!(
+            text,
+            "    region {i}     {}, {} on its boundary, e.g. ({}, {}, {:.6} rad)",
+            if r.unbounded { "open" } else { "caged" },
+            count(r.patches as usize, "patch", "patches"),
+            length(r.sample.x),
+            length(r.sample.y),
+            shown::number(r.sample.theta)
+        )?;
+    }
+    Ok(())
+}

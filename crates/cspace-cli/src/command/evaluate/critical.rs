@@ -1,0 +1,53 @@
+//! Critical orientations: how long the general algorithm searches them, and what makes the product's.
+
+use core::f64::consts::{PI, TAU};
+use std::time::{Duration, Instant};
+
+use cspace::{ContactSpace, Part};
+use cspace_baseline::critical::{Known, search};
+use cspace_baseline::kinds;
+use serde::Serialize;
+
+use super::measure::timed;
+
+/// How many critical orientations have events of each kind, in one of the slabs that symmetry makes.
+#[derive(Serialize, Default)]
+pub(super) struct Kinds {
+    /// All of them; several kinds may be at one.
+    pub(super) orientations: usize,
+    pub(super) aligned: usize,
+    pub(super) end: usize,
+    pub(super) tangent: usize,
+    pub(super) triple: usize,
+}
+
+impl Kinds {
+    /// Of a space of the whole turn.
+    pub(super) fn new(space: &ContactSpace, slabs: u32) -> Self {
+        let all = kinds::of(space);
+        // From one critical orientation on, so that rounding puts none of a slab's two ends in it twice.
+        let first = all.first().map_or(-PI, |k| k.0);
+        let end = first + TAU / f64::from(slabs) - 1e-9;
+        let mut counts = Self::default();
+        for (_, kinds) in all.into_iter().take_while(|k| k.0 < end) {
+            counts.orientations += 1;
+            counts.aligned += usize::from(kinds.aligned);
+            counts.end += usize::from(kinds.end);
+            counts.tangent += usize::from(kinds.tangent);
+            counts.triple += usize::from(kinds.triple);
+        }
+        counts
+    }
+}
+
+/// The seconds that the search takes, if it ends within the limit.
+pub(super) fn criticality_seconds(
+    fixed: &Part,
+    moving: &Part,
+    known: Known,
+    limit: f64,
+) -> Option<f64> {
+    let until = Instant::now() + Duration::from_secs_f64(limit);
+    let (seconds, found) = timed(|| search(fixed, moving, known, &|| Instant::now() < until));
+    found.map(|_| seconds)
+}

@@ -1,0 +1,97 @@
+//! The same for people.
+
+use std::fmt::{self, Write};
+
+use cspace_io::shown;
+
+use crate::wording::{angle, count, length, symmetry};
+
+use super::{Info, MotionInfo};
+
+pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
+    let unit = info
+        .unit
+        .as_ref()
+        .map_or(String::new(), |u| format!(" {u}"));
+    writeln!(text, "{}", info.name)?;
+    writeln!(text, "\nparts")?;
+    for p in &info.parts {
+        writeln!(text, "  {}", p.name)?;
+        writeln!(
+            text,
+            "    outline    {}, {}: {}, {}, {}",
+            count(p.loops, "loop", "loops"),
+            count(p.features.total, "feature", "features"),
+            count(p.features.lines, "line", "lines"),
+            count(p.features.arcs, "arc", "arcs"),
+            count(p.features.vertices, "vertex", "vertices"),
+        )?;
+        writeln!(text, "    size       {}{unit}", length(p.size))?;
+        write!(text, "    motion     ")?;
+        describe_motion(text, &p.motion, &unit)?;
+        if p.round || p.symmetry > 1 {
+            writeln!(text, "    symmetry   {}", symmetry(p.symmetry, p.round))?;
+        }
+    }
+    if !info.joints.is_empty() {
+        writeln!(text, "\njoints")?;
+    }
+    for j in &info.joints {
+        write!(text, "  {} of {} and {}", j.kind, j.parts[0], j.parts[1])?;
+        if let Some(at) = j.at {
+            write!(text, " at {}", place(at))?;
+        }
+        if let Some(direction) = j.direction {
+            write!(text, " along {}", place(direction))?;
+        }
+        writeln!(text)?;
+    }
+    writeln!(text, "\npairs")?;
+    if info.pairs.is_empty() {
+        writeln!(text, "  none: a pair takes two parts")?;
+    }
+    for p in &info.pairs {
+        write!(
+            text,
+            "  {} (fixed), {} (moving): {}, {}",
+            p.fixed,
+            p.moving,
+            p.class,
+            count(p.features, "feature", "features")
+        )?;
+        match p.theta {
+            Some((lo, hi)) => writeln!(text, ", theta from {} to {}", angle(lo), angle(hi))?,
+            None => writeln!(text)?,
+        }
+    }
+    Ok(())
+}
+
+/// A point or direction as given.
+fn place([x, y]: [f64; 2]) -> String {
+    format!("({}, {})", shown::number(x), shown::number(y))
+}
+
+fn describe_motion(text: &mut String, motion: &MotionInfo, unit: &str) -> fmt::Result {
+    match motion {
+        MotionInfo::Fixed => writeln!(text, "fixed"),
+        MotionInfo::Planar => writeln!(text, "planar"),
+        MotionInfo::Revolute { center, range } => {
+            write!(text, "revolute about {}", place(*center))?;
+            match range {
+                Some((lo, hi)) => writeln!(text, ", from {} to {}", angle(*lo), angle(*hi)),
+                None => writeln!(text),
+            }
+        }
+        MotionInfo::Prismatic { direction, range } => {
+            write!(text, "prismatic along {}", place(*direction))?;
+            match range {
+                Some((lo, hi)) => {
+                    let (lo, hi) = (shown::number(*lo), shown::number(*hi));
+                    writeln!(text, ", from {lo} to {hi}{unit}")
+                }
+                None => writeln!(text),
+            }
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! What a command works on: a model file or a saved contact space, and the pairs in it.
+
+mod chosen;
+mod named;
+mod space;
+
+use std::path::PathBuf;
+
+use cspace::PairClass;
+use cspace_io::{Document, Model, Pair, SavedFile};
+
+use crate::args::Common;
+use crate::failure::{Failure, note};
+use crate::output;
+use crate::progress::catch_interrupts;
+
+use named::named_pair;
+
+/// The file a command was given.
+pub(crate) enum Subject {
+    /// A model, of which pairs are computed.
+    Model {
+        /// Where it was read from.
+        path: PathBuf,
+        /// What it says.
+        model: Box<Model>,
+    },
+    /// A configuration space that was computed before.
+    Saved(Box<SavedFile>),
+}
+
+/// A pair of a subject.
+pub(crate) struct Chosen<'a> {
+    subject: &'a Subject,
+    pair: Option<Pair>,
+    /// Whether symmetry is to be ignored.
+    general: bool,
+}
+
+/// Sets the number of threads of all computations; 0 or none for one per processor.
+pub(crate) fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(usize::from(threads))
+        .build_global()
+        .map_err(|e| {
+            Failure::work(format_args!("--threads {threads}: {e}")).help("give a smaller number")
+        })
+}
+
+impl Subject {
+    /// What the model is called.
+    pub(crate) fn name(&self) -> Option<&str> {
+        match self {
+            Self::Model { model, .. } => Some(&model.name),
+            Self::Saved(file) => file.name.as_deref(),
+        }
+    }
+
+    /// The model's label of the unit of length.
+    pub(crate) fn unit(&self) -> Option<&str> {
+        match self {
+            Self::Model { model, .. } => model.unit.as_deref(),
+            Self::Saved(file) => file.unit.as_deref(),
+        }
+    }
+
+    /// Reads the file, and sets up what all commands need.
+    pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
+        output::check(common.result.output.as_deref())?;
+        catch_interrupts();
+        set_threads(common.result.threads)?;
+        let path = common.file.clone();
+        Ok(match cspace_io::read(&path)? {
+            Document::Model(model) => Self::Model { path, model },
+            Document::Space(file) => Self::Saved(file),
+        })
+    }
+
+    /// The pairs asked for: the one that was named, or all of the file, of which there must be one.
+    ///
+    /// A window is for those that have orientations. It is an error only of a pair that was named to have none.
+    pub(crate) fn pairs(
+        &self,
+        common: &Common,
+        window: Option<(f64, f64)>,
+    ) -> Result<Vec<Chosen<'_>>, Failure> {
+        let pairs = self.pairs_if_any(common, window)?;
+        if pairs.is_empty() {
+            return Err(self.one_part(common));
+        }
+        Ok(pairs)
+    }
+
+    fn one_part(&self, common: &Common) -> Failure {
+        Failure::input(format_args!(
+            "{}: the model has one part, and a contact space is of two",
+            common.file.display()
+        ))
+        .help("add a second [[part]]; `cspace info` shows a part alone")
+    }
+
+    /// As [`pairs`](Self::pairs); none if the model has one part, of which no window may be asked for.
+    pub(crate) fn pairs_if_any(
+        &self,
+        common: &Common,
+        window: Option<(f64, f64)>,
+    ) -> Result<Vec<Chosen<'_>>, Failure> {
+        let mut pairs = self.all(common, window)?;
+        if window.is_none() || common.pair.is_some() {
+            return Ok(pairs);
+        }
+        if pairs.is_empty() {
+            return Err(self.one_part(common).help(
+                "leave out --theta, or add a second [[part]]: orientations are those of a pair",
+            ));
+        }
+        let mut without = Vec::new();
+        for chosen in pairs.iter_mut().filter(|c| !c.is_planar()) {
+            without.push(format!("{} ({})", chosen.names(), chosen.class()));
+            if let (Self::Model { model, .. }, Some(pair)) = (self, &mut chosen.pair) {
+                // What the file itself says of it remains, and is refused.
+                let same = |p: &&Pair| (p.fixed, p.moving) == (pair.fixed, pair.moving);
+                pair.window = model.pairs.iter().find(same).and_then(|p| p.window);
+            }
+        }
+        if !without.is_empty() {
+            note(format_args!(
+                "--theta is not used for pairs without orientations: {}",
+                without.join("; ")
+            ));
+        }
+        Ok(pairs)
+    }
+
+    /// The pair that was named, or all of the file, in the window if there is one.
+    fn all(&self, common: &Common, window: Option<(f64, f64)>) -> Result<Vec<Chosen<'_>>, Failure> {
+        let (path, model) = match self {
+            Self::Model { path, model } => (path, model),
+            Self::Saved(file) => {
+                let space = &file.space;
+                if window.is_some() {
+                    return Err(Failure::input(format_args!(
+                        "{}: the file is a saved contact space, its orientations are given",
+                        common.file.display()
+                    ))
+                    .help("leave out --theta, or give the model file"));
+                }
+                let (fixed, moving) = (space.fixed().name(), space.moving().name());
+                let name = format!("{fixed},{moving}");
+                let is_it = |names: &String| {
+                    names.match_indices(',').any(|(at, _)| {
+                        names[..at].trim() == fixed && names[at + 1..].trim() == moving
+                    })
+                };
+                if common.pair.as_ref().is_some_and(|p| !is_it(p)) {
+                    return Err(Failure::input(format_args!(
+                        "{}: the file is the saved contact space of the pair {name}",
+                        common.file.display()
+                    ))
+                    .help("leave out --pair, or give the model file"));
+                }
+                if common.general && space.class() != PairClass::General {
+                    return Err(Failure::input(format_args!(
+                        "{}: the file is the saved configuration space of a {} pair, and nothing is computed again",
+                        common.file.display(),
+                        space.class()
+                    ))
+                    .help("leave out --general, or give the model file"));
+                }
+                return Ok(vec![Chosen {
+                    subject: self,
+                    pair: None,
+                    general: common.general,
+                }]);
+            }
+        };
+        let pairs = match &common.pair {
+            Some(names) => vec![named_pair(path, model, names)?],
+            None => model.pairs.clone(),
+        };
+        Ok(pairs
+            .into_iter()
+            .map(|pair| Chosen {
+                subject: self,
+                general: common.general,
+                pair: Some(Pair {
+                    window: window.or(pair.window),
+                    ..pair
+                }),
+            })
+            .collect())
+    }
+
+    /// The one pair that was named, or that the file has.
+    pub(crate) fn one_pair(
+        &self,
+        common: &Common,
+        window: Option<(f64, f64)>,
+    ) -> Result<Chosen<'_>, Failure> {
+        let mut pairs = self.all(common, window)?;
+        match (pairs.pop(), pairs.len()) {
+            (None, _) => Err(self.one_part(common)),
+            (Some(pair), 0) => Ok(pair),
+            (last, _) => {
+                let names: Vec<String> = pairs.iter().chain(&last).map(Chosen::names).collect();
+                Err(Failure::input(format_args!(
+                    "{}: the file has {} pairs, and this command takes one",
+                    common.file.display(),
+                    names.len()
+                ))
+                .help(format_args!(
+                    "name one of them: {}",
+                    names
+                        .iter()
+                        .map(|n| format!("--pair {n}"))
+                        .collect::<Vec<_>>()
+                        .join(", ")
+                )))
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! What is computed of a pair, or was before.
+
+use core::f64::consts::TAU;
+
+use cspace::{
+    AxesError, ComputeError, ContactSpace, Options, PairError, PairSpace, Relation, Slice, Symmetry,
+};
+use cspace_io::shown;
+
+use super::{Chosen, Subject};
+use crate::failure::Failure;
+use crate::progress::Bar;
+
+impl Chosen<'_> {
+    /// The slice of a planar pair at one orientation; of a model that slice alone is computed.
+    pub(crate) fn slice(&self, theta: f64) -> Result<Slice, Failure> {
+        if let Some((lo, hi)) = self.window() {
+            let turned = theta + TAU * ((lo - theta) / TAU).ceil();
+            if turned > hi {
+                return Err(Failure::input(format_args!(
+                    "--theta {}: outside the orientations from {} to {} of the pair {}",
+                    shown::number(theta),
+                    shown::number(lo),
+                    shown::number(hi),
+                    self.names()
+                ))
+                .help("choose an orientation inside"));
+            }
+        }
+        Ok(match self.subject {
+            Subject::Saved(file) => match &file.space {
+                PairSpace::Planar(space) => space.slice(theta),
+                _ => return Err(self.no_orientation("a slice")),
+            },
+            Subject::Model { .. } => Slice::compute(self.fixed(), self.moving(), theta),
+        })
+    }
+
+    /// That something is made of orientations, and the pair has none.
+    pub(crate) fn no_orientation(&self, what: &str) -> Failure {
+        let class = self.class();
+        let failure = Failure::work(format_args!(
+            "pair {}: {what} needs a pair with orientations, and this is a {class} pair",
+            self.names()
+        ));
+        if self.is_saved() {
+            failure.help("give the model with --general, which computes it in x, y and theta")
+        } else {
+            failure.help("with --general it is computed in x, y and theta")
+        }
+    }
+
+    /// The contact space of a planar pair.
+    pub(crate) fn contact_space(&self, what: &str) -> Result<ContactSpace, Failure> {
+        if !self.is_planar() {
+            return Err(self.no_orientation(what));
+        }
+        match self.space()? {
+            Space::Computed(PairSpace::Planar(space)) => Ok(*space),
+            Space::Saved(PairSpace::Planar(space)) => Ok((**space).clone()),
+            _ => Err(self.no_orientation(what)),
+        }
+    }
+
+    /// The configuration space.
+    pub(crate) fn space(&self) -> Result<Space<'_>, Failure> {
+        if let Subject::Saved(file) = self.subject {
+            return Ok(Space::Saved(&file.space));
+        }
+        let relation = match self.relation() {
+            Some(relation) if !self.general => relation,
+            _ => Relation::Planar,
+        };
+        let options = Options {
+            window: self.pair.and_then(|p| p.window),
+            symmetry: if self.general {
+                Symmetry::Ignore
+            } else {
+                Symmetry::Detect
+            },
+        };
+        let bar = Bar::new(self.names());
+        bar.watch(|bar| {
+            PairSpace::compute_with(self.fixed(), self.moving(), relation, &options, bar)
+        })
+        .map(Space::Computed)
+        .map_err(|e| self.failure(&e))
+    }
+
+    pub(super) fn failure(&self, error: &PairError) -> Failure {
+        let failure = |make: fn(core::fmt::Arguments<'_>) -> Failure| {
+            make(format_args!("pair {}: {error}", self.names()))
+        };
+        let input = || failure(|a| Failure::input(a));
+        let work = || failure(|a| Failure::work(a));
+        match error {
+            PairError::Compute(ComputeError::Window { .. }) => {
+                input().help("give --theta LO,HI with LO < HI, at most a turn apart")
+            }
+            PairError::Compute(ComputeError::TooLarge { .. }) => {
+                work().help("split a part, or replace runs of short lines by arcs")
+            }
+            PairError::Window { .. } => input().help(
+                "leave the window out, or name a pair that has orientations with --pair; limit the motion with `range`, or compute all of x, y and theta with --general",
+            ),
+            PairError::Axes(AxesError::TooFar { .. }) => {
+                input().help("draw the pivot nearer to the parts, or use --general")
+            }
+            PairError::Axes(_) => input().help("change the part's motion in the model"),
+            _ => work(),
+        }
+    }
+}
+
+/// A configuration space that was read, or computed.
+pub(crate) enum Space<'a> {
+    /// Read.
+    Saved(&'a PairSpace),
+    /// Computed.
+    Computed(PairSpace),
+}
+
+impl core::ops::Deref for Space<'_> {
+    type Target = PairSpace;
+
+    fn deref(&self) -> &PairSpace {
+        match self {
+            Self::Saved(space) => space,
+            Self::Computed(space) => space,
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! What tells a saved space from other JSON, before it is looked into.
+
+use cspace::space::{SAVED_VERSION, SavedError};
+use serde::de::IgnoredAny;
+use serde_json::value::RawValue;
+
+use super::wrong;
+use crate::ModelError;
+use crate::file::without_mark;
+use crate::model::no_json;
+
+/// The format of the text, if it is one of those wanted, in the version that is read.
+pub(super) fn head<'t>(
+    text: &'t str,
+    file: &str,
+    wanted: &[&'static str],
+) -> Result<(String, Head<'t>), ModelError> {
+    let wrong = |message: String| wrong(&message, file);
+    if !is_object(text) {
+        // Text that is no JSON at all is told apart.
+        serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
+        return Err(wrong("it is no contact space: not an object".into()));
+    }
+    let head: Head<'_> = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
+    let format = match (head.format, head.format.and_then(as_text)) {
+        (_, Some(f)) if wanted.contains(&f.as_str()) => f,
+        (_, Some(found)) => {
+            let wanted = wanted[0];
+            return Err(wrong(SavedError::Format { found, wanted }.to_string()));
+        }
+        (Some(found), None) => {
+            return Err(wrong(format!(
+                "the format is {}, not \"contact-space\"",
+                cut(found)
+            )));
+        }
+        (None, None) => {
+            return Err(wrong(
+                "it is no contact space: the key \"format\" is missing".into(),
+            ));
+        }
+    };
+    // Data of another version need not have the same fields.
+    match head.version {
+        Some(v) if v.get() == SAVED_VERSION.to_string() => Ok((format, head)),
+        Some(found) => Err(wrong(format!(
+            "the format's version is {}, this program reads version {SAVED_VERSION}",
+            cut(found)
+        ))),
+        None => Err(wrong("the format's version is missing".into())),
+    }
+}
+
+/// The value as text, if it is text.
+pub(super) fn as_text(value: &RawValue) -> Option<String> {
+    serde_json::from_str(value.get()).ok()
+}
+
+/// A value as it stands in the file, its beginning if it is long.
+pub(super) fn cut(value: &RawValue) -> String {
+    const LONGEST: usize = 60;
+    let text = value.get();
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// A structure would be read from a list, too.
+fn is_object(text: &str) -> bool {
+    text.trim_start().starts_with('{')
+}
+
+/// What tells a saved contact space, its version, and what it is called; not looked into, for it may be anything.
+#[derive(serde::Deserialize)]
+pub(super) struct Head<'t> {
+    #[serde(borrow)]
+    format: Option<&'t RawValue>,
+    #[serde(borrow)]
+    version: Option<&'t RawValue>,
+    #[serde(borrow)]
+    pub(super) name: Option<&'t RawValue>,
+    #[serde(borrow)]
+    pub(super) unit: Option<&'t RawValue>,
+}
+
+/// Whether the text is meant to be a saved contact space: models have no format.
+pub(super) fn is_saved(text: &str) -> bool {
+    let text = without_mark(text);
+    is_object(text)
+        && serde_json::from_str::<Head<'_>>(text).is_ok_and(|head| head.format.is_some())
+}
