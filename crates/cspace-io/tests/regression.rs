@@ -152,7 +152,6 @@ fn thin_ring() {
 
 /// Contact curves with the floor, the face and the corner of a step meet in one point at every orientation.
 #[test]
-#[ignore = "known: ties of three curves that last are not parted by growth"]
 fn step_as_high_as_a_radius() {
     for name in ["step_as_high_as_a_radius", "step_as_high_as_a_half_disc"] {
         let parts = parts(&format!("tests/regression/{name}.toml"));
@@ -186,13 +185,11 @@ fn disc_in_a_socket_by_1e_11() {
 }
 
 #[test]
-#[ignore = "known: curves without a successor over a range of orientations"]
 fn corner_in_a_half_ring() {
     assert_closed(&parts("tests/regression/corner_in_a_half_ring.toml"));
 }
 
 #[test]
-#[ignore = "known: curves without a successor where equal radii touch in a point"]
 fn segment_of_a_disc_in_an_arc_of_its_radius() {
     let name = "tests/regression/segment_of_a_disc_in_an_arc_of_its_radius.toml";
     assert_closed(&parts(name));
