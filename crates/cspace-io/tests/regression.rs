@@ -4,12 +4,49 @@
 
 use cspace::{Classification, Configuration, ContactSpace, Options, Part, Slicer};
 use cspace_io::Model;
+use cspace_oracle::{Oracle, near_contact};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
 
 /// The two parts of a file of this project.
 fn parts(file: &str) -> [Part; 2] {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     let model = Model::read(format!("{folder}/{file}")).unwrap();
     [0, 1].map(|i| model.parts[i].part.clone())
+}
+
+/// Configurations near contact that the space and brute force judge differently, of those that are certain by more than
+/// 1e-10 of the size and the resolution.
+fn wrong([fixed, moving]: &[Part; 2]) -> Vec<Configuration> {
+    let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
+    let oracle = Oracle::new(fixed, moving);
+    let least = space.resolution().max(1e-10 * oracle.size());
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    near_contact(&oracle, &mut rng, 1000)
+        .into_iter()
+        .filter(|near| {
+            let c = near.configuration;
+            near.verdict.margin > least && space.slice(c.theta).is_free(c.position()) != near.free
+        })
+        .map(|near| near.configuration)
+        .collect()
+}
+
+/// Slices at evenly spaced orientations are made of closed loops, as many as those from scratch.
+fn assert_closed([fixed, moving]: &[Part; 2]) {
+    let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
+    let slicer = Slicer::new(fixed, moving);
+    for k in 0..360 {
+        let theta = (f64::from(k) + 0.4).to_radians();
+        let slice = space.slice(theta);
+        let open = slice
+            .curves
+            .iter()
+            .find(|c| c.next as usize >= slice.curves.len());
+        assert_eq!(open, None, "at {theta}");
+        let scratch = slicer.slice(theta);
+        assert_eq!(slice.loops.len(), scratch.loops.len(), "at {theta}");
+    }
 }
 
 /// An arc just fits a fillet, and what follows it smoothly does not: the contact curve of the two is a point.
@@ -113,20 +150,12 @@ fn thin_ring() {
     }
 }
 
+/// Contact curves with the floor, the face and the corner of a step meet in one point at every orientation.
 #[test]
-fn disc_on_steps() {
-    let [steps, disc] = parts("tests/regression/disc_on_steps.toml");
-    for (fixed, moving) in [(&steps, &disc), (&disc, &steps)] {
-        let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
-        assert_eq!(space.statistics().conflicts, 0);
-        let slicer = Slicer::new(fixed, moving);
-        for band in space.bands() {
-            let theta = 0.5 * (band.lo + band.hi);
-            let (read, made) = (space.slice(theta), slicer.slice(theta));
-            assert_eq!(read.loops.len(), 1, "{theta}");
-            assert!(read.curves.iter().all(|c| c.next != u32::MAX), "{theta}");
-            assert_eq!(read.curves.len(), made.curves.len(), "{theta}");
-        }
+fn step_as_high_as_a_radius() {
+    for name in ["step_as_high_as_a_radius", "step_as_high_as_a_half_disc"] {
+        let parts = parts(&format!("tests/regression/{name}.toml"));
+        assert_eq!(wrong(&parts), [], "{name}");
     }
 }
 
@@ -145,5 +174,63 @@ fn pieces_in_line() {
         assert_eq!(space.classify(at), Some(Classification::Blocked), "{at:?}");
         let blocked = classifier.classify(at);
         assert_eq!(blocked, Some(Classification::Blocked), "{at:?}");
+    }
+}
+
+/// Cells leak to one shell; what lies furthest out of it is free, so that they are decided one by one.
+#[test]
+fn star_with_itself() {
+    let parts = parts("tests/regression/star_with_itself.toml");
+    let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
+    assert!(!space.patches().is_empty());
+    assert_eq!(wrong(&parts), []);
+}
+
+/// Shells leak where sides become parallel at two orientations less than 1e-10 apart: a conflict, decided cell by cell.
+#[test]
+fn swallowtail_with_itself() {
+    let parts = parts("tests/regression/swallowtail_with_itself.toml");
+    assert_eq!(wrong(&parts), []);
+}
+
+#[test]
+#[ignore = "known: play below the resolution that is not nothing leaves an open boundary"]
+fn disc_in_a_socket_by_1e_11() {
+    let parts = parts("tests/regression/disc_in_a_socket_by_1e-11.toml");
+    assert_eq!(wrong(&parts), []);
+}
+
+#[test]
+fn corner_in_a_half_ring() {
+    assert_closed(&parts("tests/regression/corner_in_a_half_ring.toml"));
+}
+
+#[test]
+fn segment_of_a_disc_in_an_arc_of_its_radius() {
+    let name = "tests/regression/segment_of_a_disc_in_an_arc_of_its_radius.toml";
+    assert_closed(&parts(name));
+}
+
+/// Between two critical orientations so near that the error of one covers both, one slice stands for all.
+#[test]
+#[ignore = "known: within the error of a critical orientation beside a tangency, up to 1e-6 rad, answers are wrong by as much"]
+fn beside_tangencies() {
+    let certain = [
+        (
+            "half_disc_on_a_long_side",
+            Configuration::new(-2.0823690084595325, -3.9999996184396984, 3.1415924981163417),
+        ),
+        (
+            "sides_of_radius_1e5",
+            Configuration::new(0.999988709392276, 0.9974126608344671, -3.141570238975972),
+        ),
+    ];
+    for (name, at) in certain {
+        let [fixed, moving] = parts(&format!("tests/regression/{name}.toml"));
+        let verdict = Oracle::new(&fixed, &moving).judge(at);
+        assert!(verdict.margin > 5e-8, "{name}: {verdict:?}");
+        let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+        let free = space.slice(at.theta).is_free(at.position());
+        assert_eq!(free, !verdict.overlap, "{name}");
     }
 }

@@ -153,8 +153,10 @@ const KNOWN: [(&str, f64, f64, &str); 15] = [
     ),
 ];
 
-/// The values of a family that are no parts, and what is said of them.
-const REFUSED: [(&str, &[f64], fn(&PartError) -> bool); 1] = [(
+/// A family, the values at which it makes no parts, and what is said of them.
+type Refused = (&'static str, &'static [f64], fn(&PartError) -> bool);
+
+const REFUSED: [Refused; 1] = [(
     // Details below 2⁻³⁶ of the part's size are taken for one place.
     "step in a side, height",
     &[1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 0.0],
