@@ -1,6 +1,6 @@
 //! Pairs without end, each contact space judged by brute force.
 //!
-//! [`Source`] draws pairs: from outlines that favour ties, and from the [families](cspace_oracle::families) that run into
+//! [`Source`] draws pairs: from outlines that favour ties, and from the [families](mod@cspace_oracle::families) that run into
 //! the degenerate. [`check`](fn@check) computes the contact space of one and compares it with the oracle, with slices from
 //! scratch and with itself. [`Tally`] counts. The command of this crate does that in a loop; the tests do it once for all
 //! families.
