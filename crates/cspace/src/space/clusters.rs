@@ -18,6 +18,10 @@ pub(super) struct Clusters {
     best: Vec<Event>,
 }
 
+/// How far beside a cluster is just beside it, radians: carriers that were one at the cluster are apart by more than
+/// rounding, and what their motion bends, by its square, is less than that.
+const BESIDE: f64 = 1.0 / (1u64 << 20) as f64;
+
 impl Clusters {
     pub(super) fn new(events: Vec<Event>) -> Self {
         Self::gather(
@@ -99,6 +103,14 @@ impl Clusters {
     /// Half way from one cluster to another.
     pub(super) fn between(&self, i: u32, j: u32) -> f64 {
         0.5 * (self.hi[i as usize] + self.lo[j as usize])
+    }
+
+    /// Orientations just below and above a cluster, where places have hardly moved: at most [`BESIDE`] from its ends.
+    pub(super) fn just_beside(&self, i: u32) -> (f64, f64) {
+        (
+            self.below(i).max(self.lo(i) - BESIDE),
+            self.above(i).min(self.hi(i) + BESIDE),
+        )
     }
 
     /// Half way to the cluster before, or at the cluster if there is none.

@@ -224,7 +224,7 @@ impl Levels<'_> {
             marks.extend([-half_turn, half_turn]);
         }
         marks.sort_by(f64::total_cmp);
-        let (theta_below, theta_above) = (self.clusters.below(at), self.clusters.above(at));
+        let (theta_below, theta_above) = self.clusters.just_beside(at);
         for along in [true, false] {
             // Stretches of the track with the cells that continue each other there; neighbours of one pair are one.
             let mut stretches: Vec<Stretch> = Vec::new();
