@@ -83,6 +83,8 @@ pub(super) struct Traced {
     /// Sorted by their sheets and then by orientation.
     pub(super) branches: Vec<Branch>,
     pub(super) coincidences: Vec<Coincidence>,
+    /// Sheets so short that they pass another within one cluster, and where: what they are does not go on beyond.
+    pub(super) swallowed: Vec<(u32, u32)>,
     /// Sorted like the branches.
     pub(super) encounters: Vec<Encounter>,
 }
@@ -114,6 +116,7 @@ pub(super) fn branches(
     for f in found {
         all.branches.extend(f.branches);
         all.coincidences.extend(f.coincidences);
+        all.swallowed.extend(f.swallowed);
         all.encounters.extend(f.encounters);
     }
     all
@@ -137,6 +140,12 @@ impl Tracer<'_> {
         self.times
             .extend(events.iter().map(|e| clusters.index(e.theta)));
         self.times.sort_unstable();
+        /// A short curve passes another with both its ends at once.
+        const ENDS: usize = 2;
+        let passing: Vec<u32> = (self.times.chunk_by(|a, b| a == b))
+            .filter(|c| c.len() >= ENDS)
+            .map(|c| c[0])
+            .collect();
         // When carriers coincide, both ends of each curve are on the other's carrier: four events at once.
         const EVENTS_AT_ONCE: usize = 3;
         for same in self
@@ -160,8 +169,14 @@ impl Tracer<'_> {
         self.times.sort_unstable();
         self.times.dedup();
         let mut open: [Option<Branch>; 2] = [None; 2];
+        let mut apart = false;
         for w in self.times.windows(2) {
             let now = crossings_between(self.geometry, run, clusters.between(w[0], w[1]));
+            let before = core::mem::replace(&mut apart, now == [None; 2]);
+            if before && apart && passing.binary_search(&w[0]).is_ok() {
+                let short = swallowed(self.geometry, run, clusters.just_beside(w[0]));
+                self.found.swallowed.extend(short.map(|s| (s, w[0])));
+            }
             for (root, enters) in now.into_iter().enumerate() {
                 match (&mut open[root], enters) {
                     (Some(b), Some(enters)) if b.enters == enters => b.to = w[1],
@@ -193,6 +208,29 @@ impl Tracer<'_> {
             });
         }
     }
+}
+
+/// The sheet, of two whose curves do not cross just below and just above a cluster, that is on different sides of the
+/// other then: all of it has passed in between.
+fn swallowed(geometry: &Geometry, run: &PairRun, (below, above): (f64, f64)) -> Option<u32> {
+    let sheets = &geometry.contacts.sheets;
+    let side = |short: u32, long: u32, theta: f64| {
+        let turn = Rotation::by(theta);
+        let p = sheets[short as usize].curve(theta, turn).point(0.0);
+        let long = sheets[long as usize].curve(theta, turn);
+        let off = match long.shape {
+            CurveShape::Line { normal } => normal.dot(p - long.start),
+            CurveShape::Circle { center, radius, .. } => center.distance(p) - radius.abs(),
+        };
+        (long.position(p).abs() < long.half_length()).then_some(off > 0.0)
+    };
+    [(run.first, run.second), (run.second, run.first)]
+        .into_iter()
+        .find(|&(short, long)| {
+            let sides = [below, above].map(|theta| side(short, long, theta));
+            matches!(sides, [Some(a), Some(b)] if a != b)
+        })
+        .map(|pair| pair.0)
 }
 
 /// Whether two sheets have one carrier at an orientation; generous, for what is done then is right anyway.

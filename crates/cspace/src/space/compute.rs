@@ -208,6 +208,7 @@ impl ContactSpace {
         let Traced {
             mut branches,
             mut coincidences,
+            mut swallowed,
             encounters,
         } = branches(&geometry, &candidates.pairs, &pair_events, &clusters);
         lap(&mut seconds.branches);
@@ -223,9 +224,13 @@ impl ContactSpace {
         for c in &mut coincidences {
             c.at = moved[c.at as usize];
         }
+        for (_, at) in &mut swallowed {
+            *at = moved[*at as usize];
+        }
         let mut splits: Vec<(u32, u32)> = coincidences
             .iter()
             .flat_map(|c| [(c.first, c.at), (c.second, c.at)])
+            .chain(swallowed)
             .collect();
         splits.sort_unstable();
         splits.dedup();
