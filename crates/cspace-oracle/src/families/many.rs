@@ -70,9 +70,9 @@ fn comb(teeth: usize) -> Loops {
 fn round_spiral(half_turns: usize) -> Loops {
     // The middle line's radii grow by half the pitch, and centres change sides.
     let place = |k: usize, offset: f64| {
-        let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let side = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let r = 0.5 + 0.5 * k as f64;
-        let center = if k % 2 == 0 { 0.0 } else { 0.5 };
+        let center = if k.is_multiple_of(2) { 0.0 } else { 0.5 };
         (Point::new(center, 0.0), r + offset, side)
     };
     let mut outer = Vec::new();
