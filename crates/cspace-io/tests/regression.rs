@@ -160,6 +160,12 @@ fn step_as_high_as_a_radius() {
 }
 
 #[test]
+#[ignore = "known: a tie of three curves over a range of orientations, where the step's upper end is oblique"]
+fn step_below_a_slope() {
+    assert_closed(&parts("tests/regression/step_below_a_slope.toml"));
+}
+
+#[test]
 #[ignore = "known: cells leak to one shell, whose test says blocked: nothing is left, and nothing is noticed"]
 fn star_with_itself() {
     let parts = parts("tests/regression/star_with_itself.toml");
