@@ -2,8 +2,10 @@
 // convolution with exact arithmetic. Free faces of consecutive slices are taken for connected where they overlap.
 //
 // Input: for A, then for B, the number of pieces; for each the number of rings, the outer one first; for each the number of corners and
-// their coordinates. Arguments: the number of slices over the turn, and seconds after which it gives up and prints nothing.
-// Output: the number of connected regions, seconds, seconds for one slice.
+// their coordinates. Arguments: the number of slices over the turn; seconds after which it gives up and prints nothing; a slice and a
+// position in it; the area below which a face is taken for rounding.
+// Output: the number of connected regions; of the position 0 for blocked, 1 for connected with the outside, 2 for free and not;
+// seconds; seconds for one slice.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -60,13 +62,15 @@ static std::vector<Piece> placed(const Part &part, double cos, double sin) {
 }
 
 // The connected faces of free space.
-static std::vector<Piece> faces(const std::vector<Piece> &a, const std::vector<Piece> &b) {
+static std::vector<Piece> faces(const std::vector<Piece> &a, const std::vector<Piece> &b, double least_area) {
   Set blocked;
   for (const auto &p : a)
     for (const auto &q : b) blocked.join(CGAL::minkowski_sum_by_reduced_convolution_2(p, q));
   blocked.complement();
-  std::vector<Piece> found;
-  blocked.polygons_with_holes(std::back_inserter(found));
+  std::vector<Piece> all, found;
+  blocked.polygons_with_holes(std::back_inserter(all));
+  for (const auto &face : all)
+    if (face.is_unbounded() || CGAL::to_double(face.outer_boundary().area()) > least_area) found.push_back(face);
   return found;
 }
 
@@ -78,15 +82,27 @@ static bool overlap(const Piece &a, const Piece &b) {
   return CGAL::do_intersect(a, b);
 }
 
+static bool contains(const Piece &face, const Kernel::Point_2 &p) {
+  if (!face.is_unbounded() && !face.outer_boundary().has_on_bounded_side(p)) return false;
+  for (auto hole = face.holes_begin(); hole != face.holes_end(); ++hole) {
+    Ring ring = *hole;
+    if (ring.has_on_bounded_side(p)) return false;
+  }
+  return true;
+}
+
 static std::size_t root(const std::vector<std::size_t> &parent, std::size_t i) {
   while (parent[i] != i) i = parent[i];
   return i;
 }
 
 int main(int count, char **arguments) {
-  if (count != 3) return 2;
+  if (count != 7) return 2;
   const int slices = std::atoi(arguments[1]);
   const double limit = std::atof(arguments[2]);
+  const int asked = std::atoi(arguments[3]);
+  const Kernel::Point_2 position(std::atof(arguments[4]), std::atof(arguments[5]));
+  const double least_area = std::atof(arguments[6]);
   const double pi = std::acos(-1.0);
   const Part a = read(), b = read();
   const auto begin = std::chrono::steady_clock::now();
@@ -96,15 +112,19 @@ int main(int count, char **arguments) {
   double of_slices = 0.0;
   const auto slice = [&](int k) {
     const double from = seconds(), theta = -pi + (k + 0.5) * 2.0 * pi / slices;
-    auto found = faces(placed(a, 1.0, 0.0), placed(b, -std::cos(theta), -std::sin(theta)));
+    auto found = faces(placed(a, 1.0, 0.0), placed(b, -std::cos(theta), -std::sin(theta)), least_area);
     of_slices += seconds() - from;
     return found;
   };
 
   std::vector<std::size_t> parent;
-  const auto name = [&](const std::vector<Piece> &found) {
+  const std::size_t nowhere = static_cast<std::size_t>(-1);
+  std::size_t open = nowhere, place = nowhere;
+  const auto name = [&](int k, const std::vector<Piece> &found) {
     std::vector<std::size_t> names;
     for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i].is_unbounded() && open == nowhere) open = parent.size();
+      if (k == asked && contains(found[i], position)) place = parent.size();
       names.push_back(parent.size());
       parent.push_back(parent.size());
     }
@@ -118,13 +138,13 @@ int main(int count, char **arguments) {
           parent[root(parent, m[i])] = root(parent, n[j]);
   };
   const auto first = slice(0);
-  const auto first_names = name(first);
+  const auto first_names = name(0, first);
   auto below = first;
   auto names = first_names;
   for (int k = 1; k < slices; ++k) {
     if (seconds() > limit) return 0;
     auto here = slice(k);
-    auto here_names = name(here);
+    auto here_names = name(k, here);
     join(below, names, here, here_names);
     below = std::move(here);
     names = std::move(here_names);
@@ -133,6 +153,7 @@ int main(int count, char **arguments) {
 
   std::size_t regions = 0;
   for (std::size_t i = 0; i < parent.size(); ++i) regions += parent[i] == i;
-  std::cout << regions << ' ' << seconds() << ' ' << of_slices / slices << '\n';
+  const int said = place == nowhere ? 0 : root(parent, place) == root(parent, open) ? 1 : 2;
+  std::cout << regions << ' ' << said << ' ' << seconds() << ' ' << of_slices / slices << '\n';
   return 0;
 }

@@ -27,20 +27,25 @@ fn stacks(text: &mut String, results: &Results) -> fmt::Result {
     writeln!(
         text,
         "The whole space, one thread: seconds, and a stack of polygon Minkowski sums (arcs are chords within {:e} of the\n\
-         size) refined until its regions are as many as the exact ones and stay so, under a limit of {} s\n",
+         size) refined until its regions are as many as the exact ones, it is right about the configuration in which the parts\n\
+         work, and both stay so, under a limit of {} s\n",
         results.chord, results.limit
     )?;
     writeln!(
         text,
-        "{:20}{:>8}{:>10}   {:10}{:>8}{:>11}{:>9}   finest tried: slices, regions, seconds",
-        "pair", "regions", "cspace", "tool", "slices", "seconds", "ratio"
+        "{:24}{:>8}{:>9}{:>10}   {:10}{:>8}{:>11}{:>9}   finest tried: slices, regions, working, seconds",
+        "pair", "regions", "working", "cspace", "tool", "slices", "seconds", "ratio"
     )?;
     for row in &results.stacks {
         for tool in &row.tools {
             write!(
                 text,
-                "{:20}{:>8}{:>10.4}   {:10}",
-                row.pair, row.regions, row.seconds, tool.tool
+                "{:24}{:>8}{:>9}{:>10.4}   {:10}",
+                row.pair,
+                row.regions,
+                row.working.word(),
+                row.seconds,
+                tool.tool
             )?;
             match tool.right {
                 Some(Tried {
@@ -59,8 +64,11 @@ fn stacks(text: &mut String, results: &Results) -> fmt::Result {
             match tool.finest {
                 Some(t) => writeln!(
                     text,
-                    "   {} {} {:.2}{doubt}",
-                    t.slices, t.regions, t.seconds
+                    "   {} {} {} {:.2}{doubt}",
+                    t.slices,
+                    t.regions,
+                    t.working.word(),
+                    t.seconds
                 )?,
                 None => writeln!(text, "   none")?,
             }
@@ -73,20 +81,20 @@ fn slices(text: &mut String, rows: &[stack::Row]) -> fmt::Result {
     writeln!(text, "One slice, one thread, milliseconds\n")?;
     writeln!(
         text,
-        "{:20}{:>10}{:>24}   polygon kernels",
+        "{:24}{:>10}{:>24}   polygon kernels",
         "pair", "cspace", "general algorithm"
     )?;
     for row in rows {
         write!(
             text,
-            "{:20}{:>10.4}{:>24.4}  ",
+            "{:24}{:>10.4}{:>24.4}  ",
             row.pair,
             1e3 * row.slice_seconds,
             1e3 * row.old_slice_seconds
         )?;
         for tool in &row.tools {
-            if let Some(t) = tool.finest {
-                write!(text, " {} {:.2}", tool.tool, 1e3 * t.slice_seconds)?;
+            if let Some(seconds) = tool.slice_seconds {
+                write!(text, " {} {:.2}", tool.tool, 1e3 * seconds)?;
             }
         }
         writeln!(text)?;
@@ -102,7 +110,7 @@ fn checks(text: &mut String, rows: &[checks::Row]) -> fmt::Result {
     )?;
     write!(
         text,
-        "{:20}{:20}{:>12}{:>10}{:>10} ",
+        "{:24}{:18}{:>12}{:>10}{:>10} ",
         "pair", "checker", "prepared ms", "random", "near"
     )?;
     for wrong in rows.first().map_or(&[][..], |r| &r.near) {
@@ -112,7 +120,7 @@ fn checks(text: &mut String, rows: &[checks::Row]) -> fmt::Result {
     for row in rows {
         write!(
             text,
-            "{:20}{:20}{:>12.2}{:>10.0}{:>10.0} ",
+            "{:24}{:18}{:>12.2}{:>10.0}{:>10.0} ",
             row.pair,
             row.checker,
             1e3 * row.prepared_seconds,

@@ -5,9 +5,9 @@ use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use cspace::Part;
+use cspace::{Configuration, Part};
 
-use super::{Outcome, Stacker};
+use super::{Found, Outcome, Stacker, slot};
 use crate::polygons::{pieces, rings};
 
 const SOURCE: &str = include_str!("../../cgal/stack.cpp");
@@ -21,6 +21,8 @@ pub(super) struct Program {
 pub(super) struct Cgal<'a> {
     program: &'a Program,
     input: String,
+    /// Faces of less area come from rounding.
+    least_area: f64,
 }
 
 impl Program {
@@ -79,6 +81,7 @@ impl Program {
         Cgal {
             program: self,
             input,
+            least_area: chord * chord,
         }
     }
 }
@@ -88,9 +91,16 @@ impl Stacker for Cgal<'_> {
         "CGAL"
     }
 
-    fn run(&self, slices: usize, seconds: f64) -> Result<Option<Outcome>, String> {
+    fn run(
+        &self,
+        slices: usize,
+        seconds: f64,
+        working: Configuration,
+    ) -> Result<Option<Outcome>, String> {
         let mut child = Command::new(&self.program.path)
             .args([slices.to_string(), seconds.to_string()])
+            .arg(slot(working.theta, slices).to_string())
+            .args([working.x, working.y, self.least_area].map(|v| format!("{v:?}")))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
@@ -111,9 +121,14 @@ impl Stacker for Cgal<'_> {
         let Some(regions) = number() else {
             return Ok(None);
         };
-        match (number(), number()) {
-            (Some(seconds), Some(slice_seconds)) => Ok(Some(Outcome {
+        match (number(), number(), number()) {
+            (Some(place), Some(seconds), Some(slice_seconds)) => Ok(Some(Outcome {
                 regions: regions as usize,
+                working: match place {
+                    0.0 => Found::Blocked,
+                    1.0 => Found::Open,
+                    _ => Found::Caged,
+                },
                 seconds,
                 slice_seconds,
             })),

@@ -3,11 +3,11 @@
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
-use clipper2::{Clipper, FillRule, Path, Paths, PointScaler, minkowski_sum};
-use cspace::{Part, Point, Rotation};
+use clipper2::{Clipper, FillRule, Path, Paths, PointInPolygonResult, PointScaler, minkowski_sum};
+use cspace::{Configuration, Part, Point, Rotation};
 
 use super::regions::Regions;
-use super::{Outcome, Stacker};
+use super::{Found, Outcome, Stacker, slot};
 use crate::polygons::{Ring, rings};
 
 /// Clipper2 computes with integers: this many to a unit of length. The default, hundredths, would move corners by more than the chords
@@ -25,6 +25,8 @@ type Loops = Paths<Fine>;
 pub(super) struct Clipped {
     fixed: Vec<Ring>,
     moving: Vec<Ring>,
+    /// Faces of less area come from rounding.
+    least_area: f64,
 }
 
 /// A slice: what is blocked, and the bounded faces of free space, each a hole with the islands in it.
@@ -43,6 +45,7 @@ impl Clipped {
         Self {
             fixed: rings(fixed, chord),
             moving: rings(moving, chord),
+            least_area: chord * chord,
         }
     }
 
@@ -86,7 +89,7 @@ impl Clipped {
         for l in blocked.iter() {
             if l.signed_area() > 0.0 {
                 solid.push(l.clone());
-            } else {
+            } else if l.signed_area() < -self.least_area {
                 holes.push(l.clone());
             }
         }
@@ -105,6 +108,33 @@ impl Clipped {
             outer: Loops::new(outer),
             faces: faces.into_iter().map(Loops::new).collect(),
         })
+    }
+}
+
+/// Where a position is in a slice.
+enum Place {
+    Blocked,
+    /// In the unbounded face.
+    Open,
+    Face(usize),
+}
+
+impl Layer {
+    fn locate(&self, c: Configuration) -> Place {
+        let within = |l: &Path<Fine>| {
+            let place = l.is_point_inside(clipper2::Point::new(c.x, c.y));
+            place == PointInPolygonResult::IsInside
+        };
+        for (i, face) in self.faces.iter().enumerate() {
+            if face.iter().filter(|l| within(l)).count() % 2 == 1 {
+                return Place::Face(i);
+            }
+        }
+        if self.outer.iter().any(within) {
+            Place::Blocked
+        } else {
+            Place::Open
+        }
     }
 }
 
@@ -141,7 +171,12 @@ impl Stacker for Clipped {
         "Clipper2"
     }
 
-    fn run(&self, slices: usize, seconds: f64) -> Result<Option<Outcome>, String> {
+    fn run(
+        &self,
+        slices: usize,
+        seconds: f64,
+        working: Configuration,
+    ) -> Result<Option<Outcome>, String> {
         let begin = Instant::now();
         let late = || begin.elapsed().as_secs_f64() > seconds;
         let mut regions = Regions::default();
@@ -178,8 +213,16 @@ impl Stacker for Clipped {
                 }
             }
         }
+        let (layer, names) = &layers[slot(working.theta, slices)];
+        let place = match layer.locate(working) {
+            Place::Blocked => Found::Blocked,
+            Place::Open => Found::Open,
+            Place::Face(i) if regions.are_joined(names[i], open) => Found::Open,
+            Place::Face(_) => Found::Caged,
+        };
         Ok(Some(Outcome {
             regions: regions.count(),
+            working: place,
             seconds: begin.elapsed().as_secs_f64(),
             slice_seconds: of_slices / slices as f64,
         }))

@@ -4,9 +4,10 @@ mod cgal;
 mod clipper;
 mod regions;
 
+use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
-use cspace::{ContactSpace, Options, Slicer, Symmetry};
+use cspace::{Configuration, ContactSpace, Options, Slicer, Symmetry};
 use cspace_baseline::{SEPARATION, Stack, Surface, evenly};
 use serde::Serialize;
 
@@ -19,21 +20,61 @@ pub(crate) const CHORD: f64 = 1e-4;
 /// The coarsest stack that is tried.
 const FEWEST: usize = 16;
 
+/// Seconds in which two slices are made by whatever there is.
+const PATIENCE: f64 = 600.0;
+
 /// What a stack of so many slices says.
-pub(crate) struct Outcome {
+struct Outcome {
     /// Connected regions of free space.
     regions: usize,
+    /// Where the parts work.
+    working: Found,
     seconds: f64,
     /// Of one slice, without joining its regions to others.
     slice_seconds: f64,
+}
+
+/// What is said of a configuration.
+#[derive(Serialize, Clone, Copy, PartialEq, Eq, Debug)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Found {
+    /// The parts overlap.
+    Blocked,
+    /// Free, and connected with arbitrarily far positions.
+    Open,
+    /// Free, and not connected with them.
+    Caged,
+}
+
+impl Found {
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Blocked => "blocked",
+            Self::Open => "open",
+            Self::Caged => "caged",
+        }
+    }
+}
+
+/// The slice that stands for an orientation, of so many in the middles of equal parts of [−π, π).
+fn slot(theta: f64, slices: usize) -> usize {
+    let part = (theta + PI) / TAU;
+    let at = (part - part.floor()) * slices as f64;
+    (at as usize).min(slices - 1)
 }
 
 /// A tool that makes stacks.
 trait Stacker {
     fn name(&self) -> &'static str;
 
-    /// A stack of so many slices over the turn; `None` if it takes longer than so many seconds.
-    fn run(&self, slices: usize, seconds: f64) -> Result<Option<Outcome>, String>;
+    /// A stack of so many slices over the turn, and what it says of a configuration; `None` if it takes longer than so many
+    /// seconds.
+    fn run(
+        &self,
+        slices: usize,
+        seconds: f64,
+        working: Configuration,
+    ) -> Result<Option<Outcome>, String>;
 }
 
 /// What was measured of a pair.
@@ -42,6 +83,8 @@ pub(crate) struct Row {
     pub(crate) pair: &'static str,
     /// Connected regions of free space, exactly.
     pub(crate) regions: usize,
+    /// Where the parts work, exactly.
+    pub(crate) working: Found,
     /// The product's, on one thread; and without using symmetry.
     pub(crate) seconds: f64,
     pub(crate) seconds_without_symmetry: f64,
@@ -56,11 +99,13 @@ pub(crate) struct Row {
 #[derive(Serialize)]
 pub(crate) struct Tool {
     pub(crate) tool: &'static str,
-    /// The coarsest stack from which on all that were tried, of twice as many slices each, have the right number of regions;
-    /// `None` if the finest has not.
+    /// The coarsest stack from which on all that were tried, of twice as many slices each, have the right number of regions and
+    /// are right about where the parts work; `None` if the finest is not.
     pub(crate) right: Option<Tried>,
     /// The finest stack within the limit; `None` if there is none.
     pub(crate) finest: Option<Tried>,
+    /// Of one slice: in the finest stack, or in one of two slices if the limit allows none.
+    pub(crate) slice_seconds: Option<f64>,
     /// Whether a stack of twice as many slices as the right one was tried, and agreed.
     pub(crate) confirmed: bool,
 }
@@ -69,6 +114,7 @@ pub(crate) struct Tool {
 pub(crate) struct Tried {
     pub(crate) slices: usize,
     pub(crate) regions: usize,
+    pub(crate) working: Found,
     pub(crate) seconds: f64,
     pub(crate) slice_seconds: f64,
 }
@@ -95,7 +141,9 @@ pub(crate) fn measure(pair: &Pair, tools: &Tools, limit: f64) -> Result<Row, Fai
         };
         ContactSpace::compute(fixed, moving, &options)
     };
-    let regions = space(Symmetry::Detect)?.free_regions().len();
+    let exact = space(Symmetry::Detect)?;
+    let right = (exact.free_regions().len(), found(&exact, pair.working)?);
+    drop(exact);
     let mut times = [Vec::new(), Vec::new()];
     for _ in 0..5 {
         for (symmetry, times) in [Symmetry::Detect, Symmetry::Ignore]
@@ -114,19 +162,42 @@ pub(crate) fn measure(pair: &Pair, tools: &Tools, limit: f64) -> Result<Row, Fai
     let chord = CHORD * fixed.size().max(moving.size());
     let clipper = clipper::Clipped::new(fixed, moving, chord);
     let cgal = (tools.cgal.as_ref()).map(|program| program.with(fixed, moving, chord));
-    let mut found = Vec::new();
+    let mut tried = Vec::new();
     if let Some(cgal) = &cgal {
-        found.push(refine(cgal, regions, limit)?);
+        tried.push(refine(cgal, pair.working, right, limit)?);
     }
-    found.push(refine(&clipper, regions, limit)?);
+    tried.push(refine(&clipper, pair.working, right, limit)?);
     Ok(Row {
         pair: pair.name,
-        regions,
+        regions: right.0,
+        working: right.1,
         seconds,
         seconds_without_symmetry,
         slice_seconds,
         old_slice_seconds,
-        tools: found,
+        tools: tried,
+    })
+}
+
+/// What the exact space says of a configuration: the region of a free one is that of the patch next to it in its slice.
+fn found(space: &ContactSpace, c: Configuration) -> Result<Found, Failure> {
+    let slice = space.slice(c.theta);
+    if !slice.is_free(c.position()) {
+        return Ok(Found::Blocked);
+    }
+    let distance = |curve: &cspace::SliceCurve| {
+        let p = c.position();
+        curve.geometry.nearest(p).distance(p)
+    };
+    let nearest = (slice.curves.iter()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let patch = nearest
+        .and_then(|c| c.patch)
+        .ok_or("a slice without curves")?;
+    let region = space.patches()[patch as usize].region;
+    Ok(if space.free_regions()[region as usize].unbounded {
+        Found::Open
+    } else {
+        Found::Caged
     })
 }
 
@@ -155,7 +226,12 @@ fn slices(pair: &Pair) -> Result<(f64, f64), Failure> {
 }
 
 /// Twice as many slices each time, until the next would take too long.
-fn refine(stacker: &dyn Stacker, regions: usize, limit: f64) -> Result<Tool, Failure> {
+fn refine(
+    stacker: &dyn Stacker,
+    working: Configuration,
+    right: (usize, Found),
+    limit: f64,
+) -> Result<Tool, Failure> {
     let begin = Instant::now();
     let mut tried: Vec<Tried> = Vec::new();
     let mut slices = FEWEST;
@@ -166,21 +242,27 @@ fn refine(stacker: &dyn Stacker, regions: usize, limit: f64) -> Result<Tool, Fai
         if left <= next {
             break;
         }
-        let Some(outcome) = stacker.run(slices, left)? else {
+        let Some(outcome) = stacker.run(slices, left, working)? else {
             break;
         };
         tried.push(Tried {
             slices,
             regions: outcome.regions,
+            working: outcome.working,
             seconds: outcome.seconds,
             slice_seconds: outcome.slice_seconds,
         });
         slices *= 2;
     }
-    let wrong = tried.iter().rposition(|t| t.regions != regions);
+    let wrong = tried.iter().rposition(|t| (t.regions, t.working) != right);
     let right = tried.get(wrong.map_or(0, |i| i + 1)).copied();
+    let slice_seconds = match tried.last() {
+        Some(t) => Some(t.slice_seconds),
+        None => (stacker.run(2, PATIENCE, working)?).map(|o| o.slice_seconds),
+    };
     Ok(Tool {
         tool: stacker.name(),
+        slice_seconds,
         confirmed: right.is_some_and(|r| tried.iter().any(|t| t.slices > r.slices)),
         right,
         finest: tried.last().copied(),

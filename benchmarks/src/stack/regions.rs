@@ -25,6 +25,10 @@ impl Regions {
         self.parent[a.max(b)] = a.min(b);
     }
 
+    pub(crate) fn are_joined(&self, a: usize, b: usize) -> bool {
+        self.root(a) == self.root(b)
+    }
+
     /// How many are left.
     pub(crate) fn count(&self) -> usize {
         (0..self.parent.len())

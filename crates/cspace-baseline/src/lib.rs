@@ -10,7 +10,8 @@
 //! | slices at closely spaced orientations | [`Stack`], by the product's own kernel, [`cspace::Slicer`] |
 //! | polyhedral approximation from the contours | [`Surface`] |
 //!
-//! [`paper`] has the pairs of Figure 5 and their published numbers, [`survey`] the shares of section 4.
+//! [`paper`] has the pairs of Figure 5 and their published numbers, [`survey`] the shares of section 4. [`kinds`] tells what makes
+//! the critical orientations of an exact space.
 
 pub mod compare;
 pub mod critical;

@@ -295,7 +295,7 @@ reconstructions and part of the program; Figure 5's numbers are shown beside tho
 
 The old seconds are slices and surface alone: critical orientations are given to the old algorithm for
 nothing. Both use all threads, and the same code for a slice. The search of critical orientations over
-all combinations of features is timed on its own, once, under a limit: with orientations already known
+all combinations of features is timed on its own, under a limit: with orientations already known
 skipped (section 3.3), and with all examined.
 
 A critical orientation is `aligned` where the parts' normals oppose each other at the ends of features

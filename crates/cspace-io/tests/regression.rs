@@ -166,21 +166,37 @@ fn step_below_a_slope() {
 }
 
 #[test]
-#[ignore = "known: cells leak to one shell, whose test says blocked: nothing is left, and nothing is noticed"]
+fn pieces_in_line() {
+    let [fixed, moving] = parts("tests/regression/pieces_in_line.toml");
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let classifier = space.classifier();
+    // At -30 deg itself, where the order of the curves is not known.
+    let theta = -core::f64::consts::FRAC_PI_6;
+    for (x, y) in [
+        (0.843_607_230_109_343_5, 1.874_950_606_564_892_2),
+        (0.624_506_065_648_925_6, 1.922_356_679_531_538_3),
+    ] {
+        let at = Configuration { x, y, theta };
+        assert_eq!(space.classify(at), Some(Classification::Blocked), "{at:?}");
+        let blocked = classifier.classify(at);
+        assert_eq!(blocked, Some(Classification::Blocked), "{at:?}");
+    }
+}
+
+/// Cells leak to one shell; what lies furthest out of it is free, so that they are decided one by one.
+#[test]
 fn star_with_itself() {
     let parts = parts("tests/regression/star_with_itself.toml");
     let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
-    assert!(!space.patches().is_empty() || space.statistics().conflicts > 0);
+    assert!(!space.patches().is_empty());
     assert_eq!(wrong(&parts), []);
 }
 
+/// Shells leak where sides become parallel at two orientations less than 1e-10 apart: a conflict, decided cell by cell.
 #[test]
-#[ignore = "known: shells leak where sides become parallel at two orientations less than 1e-10 apart"]
 fn swallowtail_with_itself() {
     let parts = parts("tests/regression/swallowtail_with_itself.toml");
-    let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
     assert_eq!(wrong(&parts), []);
-    assert_eq!(space.statistics().conflicts, 0);
 }
 
 #[test]

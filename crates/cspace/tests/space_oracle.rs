@@ -16,12 +16,6 @@ use rayon::prelude::*;
 /// Takes half a minute by itself; see `largest_gears_agree_with_brute_force`.
 const LARGEST: &str = "gears 26 and 24";
 
-/// Pairs of which some shells are decided cell by cell, and why that is no fault.
-const CONFLICTS: [(&str, u64); 1] = [
-    // Equal pitches make all flanks meet at once at θ = 0, within less than the narrowest band.
-    ("racks", 1),
-];
-
 /// What the margin of a verdict must exceed to count, as a share of the size.
 const CERTAIN: f64 = 1e-10;
 
@@ -206,12 +200,8 @@ fn try_pair(pair: &Pair, orientations: usize) -> (Tally, String) {
             ));
         }
     }
-    let allowed = CONFLICTS
-        .iter()
-        .find(|a| a.0 == pair.name)
-        .map_or(0, |a| a.1);
     let conflicts = space.statistics().conflicts;
-    if conflicts > allowed {
+    if conflicts > 0 {
         tally
             .wrong
             .push(format!("{}: {conflicts} conflicts", pair.name));

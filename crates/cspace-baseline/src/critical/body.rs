@@ -46,15 +46,10 @@ impl Curve {
     /// Makes the box large enough for an arc.
     fn widen(&mut self) {
         let Some((c, r, _, _)) = self.arc else { return };
-        for (k, (dx, dy)) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)]
-            .into_iter()
-            .enumerate()
-        {
-            if self
-                .place_on_arc(k as f64 * core::f64::consts::FRAC_PI_2)
-                .is_some()
-            {
-                let p = c + Vector::new(dx, dy) * r;
+        let axes = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+        for direction in axes.map(|(x, y)| Vector::new(x, y)) {
+            if self.place_on_arc(direction.angle()).is_some() {
+                let p = c + direction * r;
                 self.low = Point::new(self.low.x.min(p.x), self.low.y.min(p.y));
                 self.high = Point::new(self.high.x.max(p.x), self.high.y.max(p.y));
             }

@@ -1,7 +1,7 @@
 //! The first step of the general algorithm: critical orientations from all combinations of contacts.
 //!
-//! Sacks (1999), section 2: "formulating and solving algebraic equations for all combinations of feature contacts"; section 3.3:
-//! each criticality is pruned if it cannot be realised, which takes most of the time, and the rest are grouped by orientation.
+//! As Sacks (1999) has it: the equations of all combinations of contacts are solved (section 2); each solution that cannot be realised
+//! is pruned, which took most of the time there, and the rest are grouped by orientation (section 3.3).
 //!
 //! | contacts | critical where | equation |
 //! |---|---|---|

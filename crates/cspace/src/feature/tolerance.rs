@@ -11,12 +11,12 @@
 /// that exactly fills another) into a definite overlap some thousand times larger than the rounding of f64.
 pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// By how much the moving part is grown (length, about 5.6e-13).
+/// By how much the moving part is grown (length, about 2.1e-13).
 ///
 /// Where lengths of the fixed part alone equal one of the moving part, as a step as high as the radius of a disc that rolls
-/// over it, growth of the fixed part changes nothing: both ends of the length are moved. Growth of the other part does. The
-/// ratio is the golden section's, so that no small multiples are equal.
-pub(crate) const MOVING_GROWTH: f64 = 0.618_033_988_749_894_9 * GROWTH;
+/// over it, growth of the fixed part changes nothing: both ends of the length are moved. Growth of the other part does. It is
+/// the lesser growth by far, and no simple part of the other.
+pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 
 /// Two edges that meet at an angle below this are smoothly joined (radians, about 1.5e-8).
 ///

@@ -277,14 +277,44 @@ impl Slice {
 
     /// Whether a position of the moving part is free at this orientation: the first contact curve a ray meets is met
     /// from its free side, or none is.
+    ///
+    /// At a critical orientation two curves that face each other may lie on one carrier, as far as it is known, in either
+    /// order: a ray that meets such two is not asked, as long as there is another.
     pub fn is_free(&self, position: Point) -> bool {
-        // Any direction does; this one is no engineer's.
-        let d = Vector::from_angle(1.234_567_89);
-        let first = self
-            .curves
-            .iter()
-            .filter_map(|c| c.geometry.hit(position, d))
-            .min_by(|a, b| a.0.total_cmp(&b.0));
-        first.is_none_or(|(_, towards_free)| towards_free < 0.0)
+        /// The first of the directions; this one is no engineer's.
+        const FIRST: f64 = 1.234_567_89;
+        /// From each to the next, radians: the golden section of a turn.
+        const STEP: f64 = 2.399_963_229_728_653;
+        const DIRECTIONS: u32 = 7;
+        /// Curves that face each other further apart than this, as a share of the way to the first, are in the order met.
+        const APART: f64 = 1e-7;
+        let mut widest = (f64::NEG_INFINITY, true);
+        for k in 0..DIRECTIONS {
+            let d = Vector::from_angle(FIRST + STEP * f64::from(k));
+            // The nearest curve met from its free side, and from its blocked side.
+            let [mut free, mut blocked] = [f64::INFINITY; 2];
+            for c in &self.curves {
+                if let Some((t, towards_free)) = c.geometry.hit(position, d) {
+                    let side = if towards_free < 0.0 {
+                        &mut free
+                    } else {
+                        &mut blocked
+                    };
+                    *side = side.min(t);
+                }
+            }
+            let first = free.min(blocked);
+            if first == f64::INFINITY {
+                return true;
+            }
+            let apart = (free - blocked).abs() / first;
+            if apart > widest.0 {
+                widest = (apart, free < blocked);
+            }
+            if apart > APART {
+                break;
+            }
+        }
+        widest.1
     }
 }

@@ -210,14 +210,34 @@ impl ShellFinder<'_> {
             }
         }
         let free = self.is_free(&cells[largest as usize]);
-        if !blocked || !free {
-            return (vec![free && !blocked; shell.len()], 1, false);
+        if !blocked {
+            return (vec![free; shell.len()], 1, false);
+        }
+        // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
+        let some = (shell.iter().step_by(shell.len().div_ceil(TRIED))).map(|s| s.1);
+        let tried = longest.iter().map(|l| l.1).chain(some);
+        let furthest = tried.max_by(|&a, &b| {
+            let [a, b] = [a, b].map(|c| self.distance(&cells[c as usize]));
+            a.total_cmp(&b)
+        });
+        let leaks = free || furthest.is_some_and(|c| self.is_free(&cells[c as usize]));
+        if !leaks {
+            return (vec![false; shell.len()], 2, false);
         }
         let each = shell
             .iter()
             .map(|&(_, c)| self.is_free(&cells[c as usize]))
             .collect();
-        (each, 1 + shell.len(), true)
+        (each, 2 + shell.len(), true)
+    }
+
+    /// How far out a cell is: the distance of its middle from the origin of the pair's frame.
+    fn distance(&self, cell: &Cell) -> f64 {
+        let theta = self.middle(cell);
+        let (lo, hi) = self.range(cell, theta);
+        let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
+        let curve = sheet.curve(theta, Rotation::by(theta));
+        curve.point(0.5 * (lo + hi)).to_vector().length()
     }
 
     fn middle(&self, cell: &Cell) -> f64 {

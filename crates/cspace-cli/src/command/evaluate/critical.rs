@@ -8,7 +8,7 @@ use cspace_baseline::critical::{Known, search};
 use cspace_baseline::kinds;
 use serde::Serialize;
 
-use super::measure::timed;
+use super::measure::{median, timed};
 
 /// How many critical orientations have events of each kind, in one of the slabs that symmetry makes.
 #[derive(Serialize, Default)]
@@ -40,14 +40,21 @@ impl Kinds {
     }
 }
 
-/// The seconds that the search takes, if it ends within the limit.
+/// The seconds that the search takes: the median of so many runs, or of as many as fit in the limit; `None` if none does.
 pub(super) fn criticality_seconds(
     fixed: &Part,
     moving: &Part,
     known: Known,
-    limit: f64,
+    (limit, repeat): (f64, u16),
 ) -> Option<f64> {
     let until = Instant::now() + Duration::from_secs_f64(limit);
-    let (seconds, found) = timed(|| search(fixed, moving, known, &|| Instant::now() < until));
-    found.map(|_| seconds)
+    let mut runs = Vec::new();
+    for _ in 0..repeat {
+        let (seconds, found) = timed(|| search(fixed, moving, known, &|| Instant::now() < until));
+        if found.is_none() {
+            break;
+        }
+        runs.push(seconds);
+    }
+    (!runs.is_empty()).then(|| median(runs))
 }

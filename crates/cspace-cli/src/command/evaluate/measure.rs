@@ -179,7 +179,7 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
     );
     let features = exact.features();
     let [skipped, examined] = [Known::Skipped, Known::Examined]
-        .map(|known| criticality_seconds(fixed, moving, known, args.criticality_limit));
+        .map(|known| criticality_seconds(fixed, moving, known, (args.criticality_limit, repeat)));
     Ok(Measured {
         pair: pair.name,
         group: pair.group,
