@@ -160,6 +160,12 @@ fn step_as_high_as_a_radius() {
 }
 
 #[test]
+#[ignore = "known: a tie of three curves over a range of orientations, where the step's upper end is oblique"]
+fn step_below_a_slope() {
+    assert_closed(&parts("tests/regression/step_below_a_slope.toml"));
+}
+
+#[test]
 fn pieces_in_line() {
     let [fixed, moving] = parts("tests/regression/pieces_in_line.toml");
     let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
@@ -209,6 +215,20 @@ fn corner_in_a_half_ring() {
 fn segment_of_a_disc_in_an_arc_of_its_radius() {
     let name = "tests/regression/segment_of_a_disc_in_an_arc_of_its_radius.toml";
     assert_closed(&parts(name));
+}
+
+#[test]
+#[ignore = "known: curves without a successor where a gap between pieces is as wide as a sector's radius and mouth"]
+fn sector_between_two_pieces() {
+    assert_closed(&parts("tests/regression/sector_between_two_pieces.toml"));
+}
+
+#[test]
+#[ignore = "known: a free pocket is missing where a disc just fits a gap, and nothing is noticed"]
+fn rectangle_and_disc_with_itself() {
+    assert_closed(&parts(
+        "tests/regression/rectangle_and_disc_with_itself.toml",
+    ));
 }
 
 /// Between two critical orientations so near that the error of one covers both, one slice stands for all.

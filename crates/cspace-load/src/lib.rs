@@ -4,6 +4,24 @@
 //! the degenerate. [`check`](fn@check) computes the contact space of one and compares it with the oracle, with slices from
 //! scratch and with itself. [`Tally`] counts. The command of this crate does that in a loop; the tests do it once for all
 //! families.
+//!
+//! ```
+//! use cspace::{ComputeError, Progress, Stage};
+//! use cspace_load::{Effort, Source, check};
+//!
+//! struct Silent;
+//! impl Progress for Silent {
+//!     fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+//!         Ok(())
+//!     }
+//! }
+//! let source = Source::new(1, Some("corners rounded, radius")).ok_or("no such family")?;
+//! let mut drawn = source.draw(0);
+//! let effort = Effort { configurations: 40, bands: 3, thorough: false };
+//! let report = check(&drawn.case?, effort, &mut drawn.rng, &Silent)?;
+//! assert!(report.certain > 20 && report.faults.is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod check;
 pub mod draw;

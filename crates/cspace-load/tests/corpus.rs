@@ -43,7 +43,7 @@ fn outcomes() -> Vec<Outcome> {
             let effort = Effort {
                 configurations: CONFIGURATIONS,
                 bands: BANDS,
-                thorough: i % THOROUGH == 0,
+                thorough: i.is_multiple_of(THOROUGH),
             };
             let mut rng = ChaCha8Rng::seed_from_u64(i as u64);
             let came = family
@@ -70,7 +70,7 @@ fn families_have_names_of_their_own() {
 /// What is known to be wrong, by family and by the magnitude of its number, from the first to the last.
 ///
 /// An entry allows faults, it does not demand them. `tests/regression.rs` of `cspace-io` has the smallest pair of each sort.
-const KNOWN: [(&str, f64, f64, &str); 15] = [
+const KNOWN: [(&str, f64, f64, &str); 14] = [
     (
         "sides bulging, radius",
         1e4,
@@ -83,12 +83,6 @@ const KNOWN: [(&str, f64, f64, &str); 15] = [
         1e4,
         1e9,
         "as above",
-    ),
-    (
-        "star with itself, points",
-        7.0,
-        7.0,
-        "a patch of the outermost loop is missing where three sheets meet under the symmetry",
     ),
     (
         "disc in a socket, difference of radii",
@@ -125,7 +119,7 @@ const KNOWN: [(&str, f64, f64, &str); 15] = [
         "three pegs in three holes, clearance",
         1e-9,
         1e-2,
-        "critical orientations as near as the clearance, known to its root",
+        "critical orientations as near as the clearance, known to its root; the classifier answers otherwise there",
     ),
     (
         "combs, teeth",
@@ -153,15 +147,19 @@ const KNOWN: [(&str, f64, f64, &str); 15] = [
     ),
 ];
 
-/// A family, the values at which it makes no parts, and what is said of them.
-type Refused = (&'static str, &'static [f64], fn(&PartError) -> bool);
+/// Values of a family that are no parts, and what is said of them.
+struct Refused {
+    family: &'static str,
+    values: &'static [f64],
+    rightly: fn(&PartError) -> bool,
+}
 
-const REFUSED: [Refused; 1] = [(
+const REFUSED: [Refused; 1] = [Refused {
     // Details below 2⁻³⁶ of the part's size are taken for one place.
-    "step in a side, height",
-    &[1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 0.0],
-    |e| matches!(e, PartError::CoincidentVertices { .. }),
-)];
+    family: "step in a side, height",
+    values: &[1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 0.0],
+    rightly: |e| matches!(e, PartError::CoincidentVertices { .. }),
+}];
 
 #[test]
 fn families_agree_with_brute_force() {
@@ -175,9 +173,9 @@ fn families_agree_with_brute_force() {
     {
         let refused = REFUSED
             .iter()
-            .find(|(name, values, _)| *name == family && values.contains(&value));
+            .find(|r| r.family == family && r.values.contains(&value));
         let report = match (&came, refused) {
-            (Err(e), Some((_, _, right))) if right(e) => continue,
+            (Err(e), Some(refused)) if (refused.rightly)(e) => continue,
             (Err(e), _) => {
                 unexpected.push(format!("{family} {value:e}: refused: {e}"));
                 continue;

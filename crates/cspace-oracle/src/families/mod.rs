@@ -104,6 +104,15 @@ impl Family {
 }
 
 /// All families.
+///
+/// ```
+/// for family in cspace_oracle::families() {
+///     match family.build(family.values[0]) {
+///         Ok(case) => assert!(case.fixed.edges().count() > 1),
+///         Err(refused) => println!("{}: {refused}", family.name),
+///     }
+/// }
+/// ```
 pub fn families() -> Vec<Family> {
     let mut all = Vec::new();
     clearance::add(&mut all);

@@ -36,7 +36,10 @@ pub(super) fn polygon(corners: usize, radius: f64) -> Loops {
 pub(super) fn star(points: usize, outer: f64, inner: f64) -> Loops {
     let step = 0.5 * TAU / points as f64;
     vec![around(2 * points, |i| {
-        (if i % 2 == 0 { outer } else { inner }, step * i as f64)
+        (
+            if i.is_multiple_of(2) { outer } else { inner },
+            step * i as f64,
+        )
     })]
 }
 
