@@ -160,7 +160,6 @@ fn step_as_high_as_a_radius() {
 }
 
 #[test]
-#[ignore = "known: a tie of three curves over a range of orientations, where the step's upper end is oblique"]
 fn step_below_a_slope() {
     assert_closed(&parts("tests/regression/step_below_a_slope.toml"));
 }
