@@ -2,10 +2,13 @@
 
 #![allow(clippy::unwrap_used)]
 
-use cspace::{Classification, Configuration, ContactSpace, Options, Part, Slicer};
+use cspace::{
+    Axis, AxisMotion, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
+    Relation, Rotation, Slicer, Vector,
+};
 use cspace_io::Model;
 use cspace_oracle::{Oracle, near_contact};
-use rand::SeedableRng;
+use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// The two parts of a file of this project.
@@ -290,4 +293,128 @@ fn two_pins_of_play_1e_6() {
 #[ignore = "known: outlines with re-entrant corners lose pockets with a play below some 1e-6 of the size"]
 fn l_in_l_of_play_5e_8() {
     pocket_is_free("tests/regression/l_in_l_of_play_5e-8.toml");
+}
+
+/// A pair on fixed axes, and brute force to judge it.
+struct OnAxes {
+    space: FixedAxesSpace,
+    oracle: Oracle,
+}
+
+impl OnAxes {
+    fn read(name: &str) -> Self {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/regression");
+        let model = Model::read(format!("{folder}/{name}")).unwrap();
+        let Relation::Axes {
+            fixed: u,
+            moving: v,
+        } = model.relation(&model.pairs[0])
+        else {
+            panic!("{name} is no pair on fixed axes");
+        };
+        let [fixed, moving] = [0, 1].map(|i| model.parts[i].part.clone());
+        Self {
+            space: FixedAxesSpace::compute(&fixed, u, &moving, v).unwrap(),
+            oracle: Oracle::new(&fixed, &moving),
+        }
+    }
+
+    /// Where the moving part is in the fixed part's frame.
+    fn relative(&self, (u, v): (f64, f64)) -> Configuration {
+        let place = |axis: &Axis, t: f64| match axis.motion {
+            AxisMotion::Fixed => (0.0, Vector::ZERO),
+            AxisMotion::Revolute { center } => {
+                let c = center.to_vector();
+                (t, c - Rotation::by(t) * c)
+            }
+            AxisMotion::Prismatic { direction } => (0.0, direction.unit() * t),
+        };
+        let axes = self.space.axes();
+        let (a, b) = (place(&axes.0, u), place(&axes.1, v));
+        let shift = Rotation::by(-a.0) * (b.1 - a.1);
+        Configuration::new(shift.x, shift.y, b.0 - a.0)
+    }
+
+    /// Fails if an answer is not the one of brute force at one of these positions, or at one of a thousand others.
+    fn assert_right(&self, at: &[(f64, f64)]) {
+        let mut rng = ChaCha8Rng::seed_from_u64(5);
+        let mut anywhere = |axis: &Axis| {
+            let (lo, hi) = axis.range.unwrap_or(match axis.motion {
+                AxisMotion::Prismatic { .. } => (-6.0, 6.0),
+                _ => (-3.2, 3.2),
+            });
+            rng.random_range(lo..hi)
+        };
+        let axes = self.space.axes();
+        let others: Vec<(f64, f64)> = (0..1000)
+            .map(|_| (anywhere(&axes.0), anywhere(&axes.1)))
+            .collect();
+        let mut certain = 0;
+        let wrong: Vec<String> = (at.iter().chain(&others))
+            .filter_map(|&(u, v)| {
+                let verdict = self.oracle.judge(self.relative((u, v)));
+                if verdict.margin < 1e-8 {
+                    return None;
+                }
+                certain += 1;
+                let expected = if verdict.overlap {
+                    Classification::Blocked
+                } else {
+                    Classification::Free
+                };
+                let answer = self.space.classify(u, v).unwrap();
+                (answer != expected).then(|| format!("({u}, {v}) is {expected:?}, not {answer:?}"))
+            })
+            .collect();
+        assert!(certain > 900, "{certain} certain");
+        let statistics = self.space.statistics();
+        assert_eq!(wrong, [""; 0], "{} wrong, {statistics:?}", wrong.len());
+    }
+}
+
+/// A side of the slider, carried on, goes through the pivot of an arc that turns about its own centre.
+#[test]
+fn bar_in_line_with_a_pivot() {
+    let pair = OnAxes::read("bar_in_line_with_a_pivot.toml");
+    pair.assert_right(&[(1.77, 2.65), (-0.186, -1.52)]);
+    assert_eq!(pair.space.regions().len(), 2);
+}
+
+#[test]
+fn tappet_in_line_with_a_pivot() {
+    let pair = OnAxes::read("tappet_in_line_with_a_pivot.toml");
+    pair.assert_right(&[(0.7, -2.24), (-2.92, -1.7)]);
+    assert_eq!(pair.space.regions().len(), 2);
+}
+
+#[test]
+fn gear_under_a_block_in_line_with_its_pivot() {
+    let pair = OnAxes::read("gear_under_a_block_in_line_with_its_pivot.json");
+    pair.assert_right(&[(0.7, -5.0)]);
+}
+
+/// What slides goes with a joint exactly through the pivot, which is on the boundary of what turns.
+#[test]
+fn pivot_on_the_turning_part() {
+    OnAxes::read("pivot_on_the_turning_part.toml").assert_right(&[(-2.49, 2.33)]);
+}
+
+/// The part without a range follows the other as far as that goes.
+#[test]
+fn parallel_slides_one_with_a_range() {
+    let pair = OnAxes::read("parallel_slides_one_with_a_range.toml");
+    pair.assert_right(&[(-2.92, -1.92), (-2.5, -2.0)]);
+}
+
+/// Sides drawn with sines and cosines, parallel to a direction of motion but for the last bit.
+#[test]
+fn upright_to_the_last_bit() {
+    OnAxes::read("upright_to_the_last_bit.json").assert_right(&[(-2.99, 2.23)]);
+}
+
+/// The range of one part ends near the cut of the other's period.
+#[test]
+fn range_that_ends_near_the_cut() {
+    let pair = OnAxes::read("range_that_ends_near_the_cut.toml");
+    pair.assert_right(&[(0.4, 0.05), (0.4, 0.03)]);
 }

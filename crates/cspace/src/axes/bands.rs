@@ -16,6 +16,12 @@ const SHORTEST: f64 = crate::feature::tolerance::SHORTEST_OVERLAP;
 /// between curves that coincide.
 const TOO_NARROW: f64 = 1e-11;
 
+/// A gap at least as wide, in a band at least as wide, is tested for overlap within (radians or length): so far from all
+/// curves the test is certain.
+const CHECKED: f64 = 1e-5;
+/// Where in a gap, as a share of its width, overlap is tested: not in the middle, where a disc may just fill a hole.
+const TRIED_AT: f64 = 0.382;
+
 /// A free interval of y over a band.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Gap {
@@ -74,6 +80,8 @@ pub(super) struct Swept {
     pub(super) spans: Vec<[(f64, f64); 3]>,
     pub(super) links: Vec<Link>,
     pub(super) conflicts: usize,
+    /// Gaps of which a test within tells another thing than the cells beside them.
+    pub(super) contradictions: usize,
     pub(super) tests: usize,
 }
 
@@ -150,7 +158,7 @@ impl Sweep<'_> {
             );
             order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let from = result.gaps.len() as u32;
-            self.gaps(middle, &order, &mut result);
+            self.gaps((lo, hi), &order, &mut result);
             result.bands.push(Band {
                 lo,
                 hi,
@@ -185,66 +193,73 @@ impl Sweep<'_> {
     }
 
     /// The free gaps at the middle of a band, between cells in order of y.
-    fn gaps(&self, middle: f64, order: &[(f64, u32)], result: &mut Swept) {
-        let above = |i: u32| self.graphs.piece(i).root == 0;
-        let n = order.len();
-        let whole = |from: f64, to: f64| ((to - from) / TAU).round() as i32;
-        let mut push = |lower: Option<u32>, upper: Option<(f64, u32)>| {
-            let turns = if self.graphs.y.is_circle() {
-                let of = |y: f64, i: u32| whole(self.graphs.at(i, middle), y);
-                let low = lower.map_or(0, |i| {
-                    of(self.graphs.y.folded(self.graphs.at(i, middle)), i)
-                });
-                (low, upper.map_or(0, |(y, i)| of(y, i)))
-            } else {
-                (0, 0)
-            };
-            result.gaps.push(Gap {
-                lower,
-                upper: upper.map(|u| u.1),
-                turns,
-                region: u32::MAX,
-            });
-        };
-        if n == 0 {
-            result.tests += 1;
-            if !self
-                .bodies
-                .overlap(middle, 0.5 * (self.graphs.y.lo + self.graphs.y.hi))
-            {
-                push(None, None);
+    fn gaps(&self, (lo, hi): (f64, f64), order: &[(f64, u32)], result: &mut Swept) {
+        let middle = 0.5 * (lo + hi);
+        let y = self.graphs.y;
+        let at = |o: Option<(f64, u32)>, limit: f64| o.map_or(limit, |o| o.0);
+        let ends = match (order.first(), order.last()) {
+            (Some(&first), Some(&last)) if y.is_circle() => {
+                vec![(Some(last), Some((first.0 + TAU, first.1)))]
             }
-            return;
-        }
-        let circle = self.graphs.y.is_circle();
-        if !circle && !above(order[0].1) {
-            push(None, Some(order[0]));
-        }
-        for k in 0..n {
-            let (y, i) = order[k];
-            let next = if k + 1 < n {
-                Some(order[k + 1])
-            } else if circle {
-                Some((order[0].0 + TAU, order[0].1))
-            } else {
-                None
-            };
-            let free_below_next = next.map(|(_, j)| !above(j));
-            let free = match free_below_next {
-                None => above(i),
-                Some(next_says) if next_says == above(i) => next_says,
+            (first, last) => {
+                let mut ends = vec![(None, first.copied())];
+                ends.extend(last.map(|&last| (Some(last), None)));
+                ends
+            }
+        };
+        // Of a circle the gap across the cut comes last, of an interval the gap at its lower end first.
+        let (before, after) = ends.split_at(usize::from(!y.is_circle() || order.is_empty()));
+        let between = order.windows(2).map(|w| (Some(w[0]), Some(w[1])));
+        let all = before
+            .iter()
+            .copied()
+            .chain(between)
+            .chain(after.iter().copied());
+        for (lower, upper) in all {
+            let (from, to) = (at(lower, y.lo), at(upper, y.hi));
+            let certain = to - from >= CHECKED && hi - lo >= CHECKED;
+            let said = self.said(lower, upper);
+            let free = match said {
+                Some(free) if !certain => free,
                 // Curves on top of each other, facing the same way.
-                Some(_) if next.is_some_and(|n| n.0 - y < TOO_NARROW) => false,
-                Some(_) => {
-                    result.conflicts += 1;
+                None if lower.is_some() && to - from < TOO_NARROW => false,
+                _ => {
                     result.tests += 1;
-                    let to = next.map_or(self.graphs.y.hi, |n| n.0);
-                    !self.bodies.overlap(middle, 0.5 * (y + to))
+                    let free = !self.bodies.overlap(middle, from + TRIED_AT * (to - from));
+                    let agreed = said == Some(free) || order.is_empty();
+                    result.conflicts += usize::from(!agreed);
+                    result.contradictions += usize::from(!agreed && certain);
+                    free
                 }
             };
             if free {
-                push(Some(i), next);
+                result.gaps.push(self.gap(middle, lower, upper));
             }
+        }
+    }
+
+    /// Whether a gap is free as the cells below and above it say; none if they say different things, or there are none.
+    fn said(&self, lower: Option<(f64, u32)>, upper: Option<(f64, u32)>) -> Option<bool> {
+        let above = |(_, i): (f64, u32)| self.graphs.piece(i).root == 0;
+        match (lower.map(above), upper.map(|u| !above(u))) {
+            (Some(a), Some(b)) => (a == b).then_some(a),
+            (a, b) => a.or(b),
+        }
+    }
+
+    fn gap(&self, middle: f64, lower: Option<(f64, u32)>, upper: Option<(f64, u32)>) -> Gap {
+        // By how many turns a cell has to be moved to be where it is met.
+        let turns = |o: Option<(f64, u32)>| match o {
+            Some((y, i)) if self.graphs.y.is_circle() => {
+                ((y - self.graphs.at(i, middle)) / TAU).round() as i32
+            }
+            _ => 0,
+        };
+        Gap {
+            lower: lower.map(|o| o.1),
+            upper: upper.map(|o| o.1),
+            turns: (turns(lower), turns(upper)),
+            region: u32::MAX,
         }
     }
 

@@ -91,6 +91,22 @@ impl<'a> Judge<'a> {
         verdicts
     }
 
+    /// The verdict on every cell by a test beside it alone, whatever it crosses and follows.
+    pub(super) fn one_by_one(&self, cells: &[Cell]) -> Verdicts {
+        let free: Vec<bool> = cells.par_iter().map(|c| self.tests_free(c)).collect();
+        Verdicts {
+            free,
+            tests: cells.len(),
+            conflicts: 0,
+        }
+    }
+
+    /// Whether the free side of a cell is free.
+    fn tests_free(&self, cell: &Cell) -> bool {
+        self.beside(cell)
+            .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
+    }
+
     /// The free cells of a chain, how many tests that took, and whether they disagreed with what is known of it.
     fn judge_chain(&self, cells: &[Cell], members: &[u32]) -> (Vec<u32>, usize, bool) {
         let blocked = members.iter().any(|&i| cells[i as usize].blocked);
@@ -118,10 +134,7 @@ impl<'a> Judge<'a> {
         let free = open
             .iter()
             .map(|o| o.1)
-            .filter(|&i| {
-                self.beside(&cells[i as usize])
-                    .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
-            })
+            .filter(|&i| self.tests_free(&cells[i as usize]))
             .collect();
         (free, tests + open.len(), true)
     }

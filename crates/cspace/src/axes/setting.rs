@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::contact::{Body, Permutation};
-use crate::feature::tolerance::GROWTH;
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Feature, FeatureName, Outline, PairFrame};
 use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
@@ -100,9 +100,9 @@ impl Setting {
             x_unit: unit(&motions.first),
             y_unit: unit(&motions.second),
         };
-        // The fixed part is the one that is grown.
-        let drawn = |part: &Part, center: Point, grown| {
-            let growth = if grown { GROWTH } else { 0.0 };
+        // The fixed part is the one that is grown more.
+        let drawn = |part: &Part, center: Point, fixed| {
+            let growth = if fixed { GROWTH } else { MOVING_GROWTH };
             let outline = Outline::new(part, center, frame.scale, growth);
             let body = Body::new(&outline, part, center, frame.scale);
             (outline, body)
@@ -122,7 +122,12 @@ impl Setting {
         let deviation = symmetric.as_ref().map_or(0.0, |s| s.deviation);
         let redrawn = symmetric.map(|s| s.redrawn);
         let name = |f: &Feature| as_drawn(&redrawn, f.name);
-        let reach = reach(&first, &second, &motions);
+        let farthest = |axis: &Axis, unit: f64| {
+            let far = |(lo, hi): (f64, f64)| lo.abs().max(hi.abs()) / unit;
+            axis.range.map(far)
+        };
+        let ranges = (farthest(&axes.0, map.x_unit), farthest(&axes.1, map.y_unit));
+        let reach = reach(&first, &second, &motions, ranges);
         Ok(Self {
             map,
             deviation,
@@ -235,8 +240,14 @@ fn motion(axis: &Axis, part: Role, frame: &PairFrame) -> Result<Motion, AxesErro
     }
 }
 
-/// How far sliding parts can be from where they are drawn and still touch, in the frame of the pair.
-fn reach(first: &Outline, second: &Outline, motions: &Motions) -> f64 {
+/// How far sliding parts can be from where they are drawn and still touch, in the frame of the pair, given how far the ranges
+/// of both coordinates let them go.
+fn reach(
+    first: &Outline,
+    second: &Outline,
+    motions: &Motions,
+    ranges: (Option<f64>, Option<f64>),
+) -> f64 {
     let radius = |o: &Outline| {
         o.features
             .iter()
@@ -259,10 +270,16 @@ fn reach(first: &Outline, second: &Outline, motions: &Motions) -> f64 {
     match (motions.first, motions.second) {
         (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
             let cross = d.cross(e).abs();
-            if cross < super::condition::INDEPENDENT {
-                apart
+            // |x d − y e| is `apart` at most: both are bounded if one is, and so they are if the directions differ.
+            let bound = [ranges.0, ranges.1].into_iter().flatten();
+            let bound = bound.fold(f64::INFINITY, f64::min) + apart;
+            if cross >= super::condition::INDEPENDENT {
+                bound.min(apart / cross)
+            } else if bound.is_finite() {
+                bound
             } else {
-                apart / cross
+                // Only the difference of the coordinates matters.
+                apart
             }
         }
         _ => apart,

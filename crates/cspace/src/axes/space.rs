@@ -81,19 +81,31 @@ impl FixedAxesSpace {
         let (pairs, pieces) = build(&scene);
         let arrangement = Arrangement::new(&pairs, &pieces, &scene.y);
         let judge = Judge::new(&pairs, &pieces, &bodies, window, scene.y);
-        let verdicts = judge.verdicts(&arrangement);
-        let swept = Sweep {
-            graphs: Graphs {
-                pairs: &pairs,
-                pieces: &pieces,
-                cells: &arrangement.cells,
-                y: scene.y,
-            },
-            free: &verdicts.free,
-            bodies: &bodies,
-            x: window,
+        let mut verdicts = judge.verdicts(&arrangement);
+        let sweep = |free: &[bool]| {
+            Sweep {
+                graphs: Graphs {
+                    pairs: &pairs,
+                    pieces: &pieces,
+                    cells: &arrangement.cells,
+                    y: scene.y,
+                },
+                free,
+                bodies: &bodies,
+                x: window,
+            }
+            .run()
+        };
+        let mut swept = sweep(&verdicts.free);
+        if swept.contradictions > 0 {
+            // A chain hangs together that should not, or a crossing is missed: what is tested gap by gap tells.
+            let each = judge.one_by_one(&arrangement.cells);
+            let again = sweep(&each.free);
+            verdicts.tests += swept.tests + each.tests;
+            verdicts.conflicts += swept.conflicts;
+            verdicts.free = each.free;
+            swept = again;
         }
-        .run();
         // Each pair of features once, whatever copies of the window it touches in.
         let mut touching: Vec<(u32, u32)> = (pairs.iter())
             .map(|p| (scene.repeats.feature(p.first).of, p.second))
