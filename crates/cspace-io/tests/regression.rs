@@ -1,6 +1,6 @@
 //! Files of `tests/regression`: what went wrong once.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
