@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::feature::FeatureName;
 
 use super::chain::{Chain, end_of, goes_up};
+use super::classify::NEAR;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
 
@@ -213,7 +214,25 @@ impl FixedAxesSpace {
                 *region = chain.cells.iter().find_map(|&i| self.beside_vertical(i));
             }
         }
+        // Of two on one curve, as far as rounding tells, only one bounds a gap.
+        for (chain, region) in chains.iter().zip(&mut regions) {
+            if region.is_none() {
+                *region = chain.cells.iter().find_map(|&i| self.beside_graph(i));
+            }
+        }
         regions
+    }
+
+    /// The region just beside a graph on its free side.
+    fn beside_graph(&self, cell: u32) -> Option<u32> {
+        let (c, p) = self.cell_and_piece(cell);
+        if p.vertical {
+            return None;
+        }
+        let x = 0.5 * (c.from + c.to);
+        let aside = if p.root == 0 { NEAR } else { -NEAR };
+        let gap = self.gap(self.x.folded(x), self.y.folded(p.y(&self.pairs, x) + aside))?;
+        Some(self.bands.gaps.get(gap as usize)?.region)
     }
 
     fn beside_vertical(&self, cell: u32) -> Option<u32> {
