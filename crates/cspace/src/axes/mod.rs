@@ -48,7 +48,8 @@
 //!    counted as a conflict.
 //! 6. *Bands and regions* (`bands`, `components`): between critical values of x the free gaps of y are bounded by an ordered
 //!    list of cells. Gaps join across critical values by overlap; turns are counted on the way, so a region knows what it
-//!    reaches around.
+//!    reaches around. Every gap wide enough to be certain of is tested for overlap; if a test contradicts the cells beside it,
+//!    all cells are decided one by one, and it counts as a conflict.
 //! 7. *Copies* (`partition`, `unroll`): what bounds free space in the window is copied to all periods, with the images of the
 //!    features.
 //! 8. *Patches* (`chain`, `patch`): free cells of one pair of features, in order of travel, with their neighbours.
@@ -58,7 +59,7 @@
 //!
 //! # Ties
 //!
-//! The fixed part is grown as for general pairs (`feature/tolerance.rs`), so a pin exactly as wide as its slot leaves nothing.
+//! Both parts are grown as for general pairs (`feature/tolerance.rs`), so a pin exactly as wide as its slot leaves nothing.
 //! A third curve is on the same side of a node for all pieces that end there, so rounding never makes a curve cross half a
 //! chain. Pieces that coincide and face the same way count as one. Sections too short to have a place are contracted; ends that
 //! rounding keeps from a vertical piece are put on it; normals that oppose each other exactly are ordered by one rule.
