@@ -1,10 +1,10 @@
 //! Loops from which families are drawn: nothing is checked here, since some are no parts.
 
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::TAU;
 
 use cspace::{Part, Point, Rotation, Vector, Vertex};
 
-use crate::shapes::{Pen, bulge_of, circle_loop, polar, rectangle_loop};
+use crate::shapes::{circle_loop, polar, rectangle_loop, rounded_rectangle_loop};
 
 /// Loops that may make a part.
 pub type Loops = Vec<Vec<Vertex>>;
@@ -55,19 +55,7 @@ fn around(corners: usize, at: impl Fn(usize) -> (f64, f64)) -> Vec<Vertex> {
 
 /// A rectangle with quarter circles for corners.
 pub(super) fn rounded(width: f64, height: f64, radius: f64) -> Loops {
-    let (w, h, r) = (0.5 * width, 0.5 * height, radius);
-    let b = bulge_of(FRAC_PI_2);
-    vec![
-        Pen::at(-w + r, -h)
-            .line(w - r, -h)
-            .arc(w, -h + r, b)
-            .line(w, h - r)
-            .arc(w - r, h, b)
-            .line(-w + r, h)
-            .arc(-w, h - r, b)
-            .line(-w, -h + r)
-            .close_arc(b),
-    ]
+    vec![rounded_rectangle_loop(width, height, radius)]
 }
 
 /// A square plate with holes.

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use cspace::{Part, Point};
 
-use super::pen::{Pen, bulge_of, circle_loop, part, polar, rectangle_loop};
+use super::pen::{Pen, bulge_of, circle_loop, part, polar, rectangle_loop, rounded_rectangle_loop};
 
 /// An axis-aligned rectangle about the origin.
 pub fn rectangle(width: f64, height: f64) -> Part {
@@ -74,20 +74,8 @@ pub fn flatted_disc(radius: f64, sweep: f64) -> Part {
 
 /// A rectangle about the origin whose corners are quarter circles.
 pub fn rounded_rectangle(width: f64, height: f64, radius: f64) -> Part {
-    let (w, h, r) = (0.5 * width, 0.5 * height, radius);
-    let b = bulge_of(0.25 * TAU);
     part(
         "rounded rectangle",
-        vec![
-            Pen::at(-w + r, -h)
-                .line(w - r, -h)
-                .arc(w, -h + r, b)
-                .line(w, h - r)
-                .arc(w - r, h, b)
-                .line(-w + r, h)
-                .arc(-w, h - r, b)
-                .line(-w, -h + r)
-                .close_arc(b),
-        ],
+        vec![rounded_rectangle_loop(width, height, radius)],
     )
 }

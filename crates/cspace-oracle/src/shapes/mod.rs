@@ -17,6 +17,8 @@ pub use curved::{c_shape, crescent, lens, ring_sector};
 pub use fits::{peg, plate, rounded_peg, slotted_block, socket, three_holes, three_pegs};
 pub use gear::{gear, pawl, rack, ratchet};
 pub use maze::maze;
-pub use pen::{Pen, bulge_of, bulge_through, circle_loop, part, polar, rectangle_loop};
+pub use pen::{
+    Pen, bulge_of, bulge_through, circle_loop, part, polar, rectangle_loop, rounded_rectangle_loop,
+};
 pub use random::{random_part, random_pieces, random_ring};
 pub use transform::{backwards, mirrored, scaled, shifted, together, turned};

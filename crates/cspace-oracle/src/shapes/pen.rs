@@ -1,5 +1,7 @@
 //! Drawing loops.
 
+use core::f64::consts::FRAC_PI_2;
+
 use cspace::{Part, Point, Vector, Vertex};
 
 /// A loop being drawn.
@@ -90,4 +92,19 @@ pub fn rectangle_loop(low: Point, high: Point) -> Vec<Vertex> {
         .line(high.x, high.y)
         .line(low.x, high.y)
         .close()
+}
+
+/// A rectangle about the origin whose corners are quarter circles, as a loop.
+pub fn rounded_rectangle_loop(width: f64, height: f64, radius: f64) -> Vec<Vertex> {
+    let (w, h, r) = (0.5 * width, 0.5 * height, radius);
+    let b = bulge_of(FRAC_PI_2);
+    Pen::at(-w + r, -h)
+        .line(w - r, -h)
+        .arc(w, -h + r, b)
+        .line(w, h - r)
+        .arc(w - r, h, b)
+        .line(-w + r, h)
+        .arc(-w, h - r, b)
+        .line(-w, -h + r)
+        .close_arc(b)
 }

@@ -150,20 +150,10 @@ impl FixedAxesSpace {
     /// The contact function of a cell at a configuration in its box, or no farther from it than `reach`.
     pub(super) fn near_cell(&self, cell: u32, x: f64, y: f64, reach: f64) -> Option<f64> {
         let (x_range, y_range) = self.cell_box(cell);
-        let near = |t: f64, (lo, hi): (f64, f64), circle: bool| {
-            let t = if circle {
-                let turn = core::f64::consts::TAU;
-                t + turn * ((lo - reach - t) / turn).ceil()
-            } else {
-                t
-            };
-            lo - reach <= t && t <= hi + reach
-        };
-        let inside = near(x, x_range, self.x.is_circle()) && near(y, y_range, self.y.is_circle());
-        inside.then(|| {
-            let (_, p) = self.cell_and_piece(cell);
-            self.pairs[p.pair as usize].condition.value(x, y)
-        })
+        self.x.brought(x, x_range, reach)?;
+        self.y.brought(y, y_range, reach)?;
+        let (_, p) = self.cell_and_piece(cell);
+        Some(self.pairs[p.pair as usize].condition.value(x, y))
     }
 
     fn slot(&self, x: f64) -> usize {

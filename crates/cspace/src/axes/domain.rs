@@ -66,6 +66,17 @@ impl Extent {
         if self.is_circle() { self.reduced(t) } else { t }
     }
 
+    /// A value brought by whole turns into a range, give or take some reach, if it is in it; by none if the ends of the extent
+    /// are not the same place.
+    pub(super) fn brought(&self, t: f64, (lo, hi): (f64, f64), reach: f64) -> Option<f64> {
+        let t = if self.is_circle() {
+            t + TAU * ((lo - reach - t) / TAU).ceil()
+        } else {
+            t
+        };
+        (lo - reach <= t && t <= hi + reach).then_some(t)
+    }
+
     /// How many turns there are, the last perhaps not a whole one.
     pub(super) fn turns(&self) -> i32 {
         match self.kind {

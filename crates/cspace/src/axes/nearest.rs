@@ -84,8 +84,8 @@ impl FixedAxesSpace {
         } else {
             ((y_range, &self.y), (x_range, &self.x))
         };
-        let s = brought(held, across.0, across.1)?;
         let (lo, hi) = across.0;
+        let s = across.1.brought(held, across.0, NEAR)?.clamp(lo, hi);
         if hi - lo <= NEAR {
             // It stays while the other coordinate moves: the nearest of all that it has.
             return Some(nearest_of(along.0, moved, along.1));
@@ -108,16 +108,6 @@ impl FixedAxesSpace {
         }
         Some(0.5 * (from + to))
     }
-}
-
-/// A value brought by whole turns into a range, if it is in it.
-fn brought(t: f64, (lo, hi): (f64, f64), extent: &Extent) -> Option<f64> {
-    let t = if extent.is_circle() {
-        t + TAU * ((lo - NEAR - t) / TAU).ceil()
-    } else {
-        t
-    };
-    (lo - NEAR <= t && t <= hi + NEAR).then(|| t.clamp(lo, hi))
 }
 
 /// a − b; where both ends of the extent are one place, the shorter way around.

@@ -122,7 +122,7 @@ impl FixedAxesSpace {
     }
 
     /// u and v of a point on a curve: 0 of a part that does not move, of which the arrangement has a strip.
-    fn outer(&self, x: f64, y: f64) -> (f64, f64) {
+    pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
         let at = |t: f64, m: Motion| if m == Motion::Still { 0.0 } else { t };
         self.map
             .outer(at(x, self.motions.first), at(y, self.motions.second))

@@ -44,10 +44,7 @@ impl FixedAxesSpace {
                     (r.around_x, r.around_y)
                 };
                 AxesRegion {
-                    sample: self.map.outer(
-                        still(r.sample.0, self.motions.first),
-                        still(r.sample.1, self.motions.second),
-                    ),
+                    sample: self.outer(r.sample.0, r.sample.1),
                     u: (lo.0, hi.0),
                     v: (lo.1, hi.1),
                     open_u: open.0,
@@ -88,11 +85,6 @@ impl FixedAxesSpace {
         let gap = self.gap(into(x, &self.x), into(y, &self.y))?;
         self.bands.gaps.get(gap as usize).map(|g| g.region)
     }
-}
-
-/// The coordinate of a part, which is 0 of one that does not move: the arrangement has a strip of it.
-fn still(t: f64, motion: Motion) -> f64 {
-    if motion == Motion::Still { 0.0 } else { t }
 }
 
 /// The values of a coordinate that a region reaches, and whether it goes on without limit at either end.

@@ -49,7 +49,6 @@ impl Cores {
                 });
             }
         }
-        pairs.retain(|p| p.reach > 0.0);
         pairs.sort_by(|a, b| b.reach.total_cmp(&a.reach));
         let contacts = &geometry.contacts;
         let turns = (contacts.span.hi - contacts.span.lo) / TAU;

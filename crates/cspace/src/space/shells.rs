@@ -216,11 +216,10 @@ impl ShellFinder<'_> {
         // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
         let some = (shell.iter().step_by(shell.len().div_ceil(TRIED))).map(|s| s.1);
         let tried = longest.iter().map(|l| l.1).chain(some);
-        let furthest = tried.max_by(|&a, &b| {
-            let [a, b] = [a, b].map(|c| self.distance(&cells[c as usize]));
-            a.total_cmp(&b)
-        });
-        let leaks = free || furthest.is_some_and(|c| self.is_free(&cells[c as usize]));
+        let furthest = tried
+            .map(|c| (self.distance(&cells[c as usize]), c))
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        let leaks = free || furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
         if !leaks {
             return (vec![false; shell.len()], 2, false);
         }
