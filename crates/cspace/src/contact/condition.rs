@@ -4,8 +4,8 @@
 //! or when they become tangent. Put a spiral u + R w into the equation of a line or of a circle, or a centre into a
 //! condition of tangency: each is α cos θ + β sin θ + γ = 0, with R w = w cos θ + left(w) sin θ.
 
-use crate::geometry::{Point, Vector};
-use crate::number::Trig;
+use crate::geometry::Point;
+use crate::number::{Known, Trig};
 
 use super::function::Spiral;
 use super::sheet::{SharedEnds, Sheet, SheetKind};
@@ -38,11 +38,13 @@ pub(crate) fn conditions(f: &Sheet, g: &Sheet, shared: &SharedEnds, mut take: im
     }
 }
 
+/// Error of a length computed from coordinates, in units of the sizes of these.
+const LENGTH_ERROR: f64 = 4.0 * f64::EPSILON;
+
 /// The spiral on the line or circle.
 fn on_carrier(spiral: &Spiral, sheet: &Sheet) -> Trig {
     if sheet.is_circle() {
-        let c = sheet.center();
-        return apart(spiral.u - c.u, spiral.w - c.w, sheet.radius);
+        return apart(spiral, &sheet.center(), sheet.radius.abs());
     }
     height(spiral, sheet, 0.0)
 }
@@ -52,34 +54,54 @@ fn height(spiral: &Spiral, line: &Sheet, offset: f64) -> Trig {
     let (u, w) = (spiral.u - line.start.u, spiral.w - line.start.w);
     let n = line.normal;
     let scale = size(spiral) + size(&line.start) + offset.abs();
-    if line.kind == SheetKind::RoundLine {
+    let (turns, stays) = if line.kind == SheetKind::RoundLine {
         // R n · (u + R w) = n·w + (R n)·u.
-        Trig {
-            alpha: n.dot(u),
-            beta: n.left().dot(u),
-            gamma: n.dot(w) - offset,
-            scale,
-        }
+        (u, w)
     } else {
-        Trig {
-            alpha: n.dot(w),
-            beta: n.dot(w.left()),
-            gamma: n.dot(u) - offset,
-            scale,
-        }
+        (w, u)
+    };
+    let gamma = n.dot(stays) - offset;
+    let beta = if line.kind == SheetKind::RoundLine {
+        n.left().dot(turns)
+    } else {
+        n.dot(turns.left())
+    };
+    let amplitude = turns.length();
+    let known = |value| Known {
+        value,
+        error: LENGTH_ERROR * scale,
+    };
+    Trig {
+        alpha: n.dot(turns),
+        beta,
+        gamma,
+        scale,
+        most: known(amplitude + gamma),
+        least: known(amplitude - gamma),
     }
 }
 
-/// |u + R w|² − distance².
-fn apart(u: Vector, w: Vector, distance: f64) -> Trig {
-    let (a, b) = (u.length_squared(), w.length_squared());
+/// |u + R w|² − d² for the difference u + R w of two spirals and a distance d.
+///
+/// With a = |u| and b = |w| its largest value is (a + b)² − d² and its least (a − b)² − d², both products of lengths: the
+/// angle of a triangle with the sides a, b and d, by its half.
+fn apart(p: &Spiral, q: &Spiral, distance: f64) -> Trig {
+    let (u, w) = (p.u - q.u, p.w - q.w);
+    let (a, b) = (u.length(), w.length());
     // u and w are differences of vectors of the pair's frame, of length 4 at most.
-    let scale = 4.0 * (a.sqrt() + b.sqrt() + distance.abs());
+    let scale = 4.0 * (a + b + distance);
+    let error = LENGTH_ERROR * (size(p) + size(q) + distance);
+    let product = |x: f64, y: f64| Known {
+        value: x * y,
+        error: error * (x.abs() + y.abs() + error),
+    };
     Trig {
         alpha: 2.0 * u.dot(w),
         beta: 2.0 * u.dot(w.left()),
-        gamma: a + b - distance * distance,
+        gamma: a * a + b * b - distance * distance,
         scale,
+        most: product(a + b - distance, a + b + distance),
+        least: product(distance - (a - b), distance + (a - b)),
     }
 }
 
@@ -89,8 +111,7 @@ fn line_tangent(line: &Sheet, circle: &Sheet, take: &mut impl FnMut(Trig)) {
 }
 
 fn centers_apart(f: &Sheet, g: &Sheet, distance: f64) -> Trig {
-    let (c, d) = (f.center(), g.center());
-    apart(c.u - d.u, c.w - d.w, distance)
+    apart(&f.center(), &g.center(), distance.abs())
 }
 
 fn size(spiral: &Spiral) -> f64 {

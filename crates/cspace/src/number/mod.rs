@@ -10,7 +10,7 @@ pub(crate) use ball::Ball;
 pub(crate) use dual::Dual;
 pub(crate) use jet::Jet;
 pub(crate) use polynomial::TrigPolynomial;
-pub(crate) use trig::{Event, Trig};
+pub(crate) use trig::{Event, Known, Trig};
 
 use core::ops::{Add, Mul, Neg, Sub};
 

@@ -2,7 +2,17 @@
 
 use core::f64::consts::TAU;
 
-/// The function α cos θ + β sin θ + γ, with the size of the terms its coefficients were summed from.
+/// A number and a bound on its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Known {
+    pub(crate) value: f64,
+    pub(crate) error: f64,
+}
+
+/// The function α cos θ + β sin θ + γ, of amplitude A = √(α² + β²).
+///
+/// Where it all but touches zero, A and −γ are equal but for the last digits, and their difference is what the roots
+/// depend on. So it is given too, made from lengths before they are squared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Trig {
     pub(crate) alpha: f64,
@@ -10,6 +20,10 @@ pub(crate) struct Trig {
     pub(crate) gamma: f64,
     /// A bound on the absolute values added up in any coefficient: the coefficients are right to a few ulps of it.
     pub(crate) scale: f64,
+    /// A + γ, its largest value.
+    pub(crate) most: Known,
+    /// A − γ, minus its least value.
+    pub(crate) least: Known,
 }
 
 /// An orientation known up to an error: radians.
@@ -34,9 +48,9 @@ const LARGEST_ERROR: f64 = 1e-6;
 impl Trig {
     /// Calls `found` with every root in the interval (mid − half, mid + half), with its error.
     ///
-    /// With A = √(α² + β²) and x = −γ / A the roots are atan2(β, α) ± acos x. An error e of x moves acos x by at most
-    /// e / √(1 − x²) and, near x = ±1, by √(2 e). A pair of roots that rounding may have removed is reported as one
-    /// event that covers both.
+    /// The roots are atan2(β, α) ± φ with tan²(φ/2) = (A + γ) / (A − γ), which is precise for all φ if the numerator and the
+    /// denominator are. Where one of them is known to less than itself, the roots may be two, one or none: one event
+    /// then covers them.
     pub(crate) fn roots(
         &self,
         mid: f64,
@@ -56,21 +70,19 @@ impl Trig {
         if amplitude <= CONSTANT * self.scale {
             return;
         }
-        let x = -self.gamma / amplitude;
-        let e = 2.0 * slack / amplitude + 2.0 * f64::EPSILON;
-        if x.abs() > 1.0 + e {
+        let (most, least) = (self.most, self.least);
+        let up_to = |k: Known| (k.value + k.error).max(0.0);
+        let down_to = |k: Known| (k.value - k.error).max(0.0);
+        let value = |k: Known| k.value.max(0.0);
+        if up_to(most) == 0.0 || up_to(least) == 0.0 {
             return;
         }
-        let inside = (1.0 - x * x).max(0.0);
-        let spread = (2.0 * e).sqrt();
-        let error = if inside > e {
-            (e / inside.sqrt()).min(spread)
-        } else {
-            2.0 * spread
-        };
-        let error = (error + ANGLE_ERROR).min(LARGEST_ERROR);
+        let angle = |num: f64, den: f64| 2.0 * num.sqrt().atan2(den.sqrt());
+        let aside = angle(value(most), value(least));
+        let error = (angle(up_to(most), down_to(least)) - aside)
+            .max(aside - angle(down_to(most), up_to(least)));
+        let error = (error + slack / amplitude + ANGLE_ERROR).min(LARGEST_ERROR);
         let middle = self.beta.atan2(self.alpha);
-        let aside = x.clamp(-1.0, 1.0).acos();
         let mut report = |theta: f64| {
             let theta = theta - TAU * ((theta - mid) / TAU).round();
             if (theta - mid).abs() <= half + error {
@@ -100,14 +112,25 @@ mod tests {
         all
     }
 
+    /// α cos θ + γ.
+    fn cosine(alpha: f64, gamma: f64, scale: f64) -> Trig {
+        let known = |value| Known {
+            value,
+            error: 4.0 * f64::EPSILON * scale,
+        };
+        Trig {
+            alpha,
+            beta: 0.0,
+            gamma,
+            scale,
+            most: known(alpha + gamma),
+            least: known(alpha - gamma),
+        }
+    }
+
     #[test]
     fn finds_both_roots_of_a_cosine() {
-        let t = Trig {
-            alpha: 2.0,
-            beta: 0.0,
-            gamma: -1.0,
-            scale: 2.0,
-        };
+        let t = cosine(2.0, -1.0, 2.0);
         let mut r: Vec<f64> = roots(t).iter().map(|e| e.theta).collect();
         r.sort_by(f64::total_cmp);
         assert!((r[0] + core::f64::consts::FRAC_PI_3).abs() < 1e-15);
@@ -117,13 +140,7 @@ mod tests {
     #[test]
     fn covers_a_double_root_that_rounding_splits() {
         for nudge in [-2e-16, 0.0, 2e-16] {
-            let t = Trig {
-                alpha: 1.0,
-                beta: 0.0,
-                gamma: -1.0 + nudge,
-                scale: 1.0,
-            };
-            let r = roots(t);
+            let r = roots(cosine(1.0, -1.0 + nudge, 1.0));
             assert!(!r.is_empty());
             assert!(r.iter().all(|e| e.theta.abs() <= e.error + 1e-300));
         }
@@ -131,23 +148,7 @@ mod tests {
 
     #[test]
     fn has_none_when_constant_or_out_of_reach() {
-        assert!(
-            roots(Trig {
-                alpha: 1e-15,
-                beta: 0.0,
-                gamma: 0.0,
-                scale: 1.0
-            })
-            .is_empty()
-        );
-        assert!(
-            roots(Trig {
-                alpha: 1.0,
-                beta: 0.0,
-                gamma: 1.1,
-                scale: 1.0
-            })
-            .is_empty()
-        );
+        assert!(roots(cosine(1e-15, 0.0, 1.0)).is_empty());
+        assert!(roots(cosine(1.0, 1.1, 1.0)).is_empty());
     }
 }
