@@ -32,6 +32,25 @@ pub(super) struct Shells {
     pub(super) conflicts: usize,
 }
 
+/// How many cells of longest duration, or spread over a shell, are looked at for one to test.
+const TRIED: usize = 8;
+
+/// A cell that what bounds it leaves open, in its shell and its ring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Member {
+    shell: u32,
+    ring: u32,
+    cell: u32,
+}
+
+/// What a shell was found to be.
+struct Verdict {
+    /// For each of its members.
+    free: Vec<bool>,
+    tests: usize,
+    conflict: bool,
+}
+
 pub(super) struct ShellFinder<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) clusters: &'a Clusters,
@@ -147,51 +166,104 @@ impl ShellFinder<'_> {
         side
     }
 
-    /// Decides each shell by what bounds its cells and by an honest test.
+    /// Decides each shell by what bounds its cells and by honest tests.
+    ///
+    /// Cells that follow each other are on the boundary of free space together or not at all, so a ring of cells of which
+    /// what bounds them leaves all open is tested for itself: rings are few. That what continues them in orientation has
+    /// blocked cells does not count against it, for with many curves through one point that may be a false link.
     fn judge(&self, cells: &[Cell], shells: &mut Shells) {
-        let mut blocked = vec![false; cells.len()];
-        let mut members: Vec<(u32, u32)> = Vec::new();
-        for (i, (c, &s)) in (0u32..).zip(cells.iter().zip(&shells.shell)) {
+        let mut rings = UnionFind::new(cells.len());
+        for s in &shells.side {
+            rings.union(s.before, s.after);
+        }
+        let ring: Vec<u32> = (0..cells.len() as u32).map(|i| rings.find(i)).collect();
+        let mut blocked_shell = vec![false; cells.len()];
+        let mut blocked_ring = vec![false; cells.len()];
+        let mut members: Vec<Member> = Vec::new();
+        for (cell, c) in (0u32..).zip(cells) {
+            let (shell, ring) = (shells.shell[cell as usize], ring[cell as usize]);
             if c.blocked {
-                blocked[s as usize] = true;
+                blocked_shell[shell as usize] = true;
+                blocked_ring[ring as usize] = true;
             } else {
-                members.push((s, i));
+                members.push(Member { shell, ring, cell });
             }
         }
         members.sort_unstable();
-        let verdicts: Vec<(Vec<bool>, usize, bool)> = members
-            .chunk_by(|a, b| a.0 == b.0)
+        let verdicts: Vec<Verdict> = members
+            .chunk_by(|a, b| a.shell == b.shell)
             .collect::<Vec<_>>()
             .par_iter()
             .with_min_len(4)
-            .map(|shell| self.judge_shell(cells, shell, blocked[shell[0].0 as usize]))
+            .map(|shell| {
+                let blocked = blocked_shell[shell[0].shell as usize];
+                self.judge_shell(cells, shell, blocked, &blocked_ring)
+            })
             .collect();
         shells.free = vec![false; cells.len()];
-        for (shell, (free, tests, conflict)) in members.chunk_by(|a, b| a.0 == b.0).zip(verdicts) {
+        for (shell, verdict) in members.chunk_by(|a, b| a.shell == b.shell).zip(verdicts) {
             shells.judged += 1;
-            shells.tests += tests;
-            shells.conflicts += usize::from(conflict);
-            for (&(_, c), f) in shell.iter().zip(free) {
-                shells.free[c as usize] = f;
+            shells.tests += verdict.tests;
+            shells.conflicts += usize::from(verdict.conflict);
+            for (m, free) in shell.iter().zip(verdict.free) {
+                shells.free[m.cell as usize] = free;
             }
         }
     }
 
-    /// For each cell of a shell, of those not blocked by what bounds them, whether it bounds free space, how many tests
-    /// that took, and whether they disagreed. `blocked` tells whether others of the shell are blocked.
+    /// Judges a shell by its cells, of which what bounds them leaves all open. `blocked` tells whether it has others, which
+    /// are blocked, and `blocked_ring` which rings have.
     fn judge_shell(
         &self,
         cells: &[Cell],
-        shell: &[(u32, u32)],
+        shell: &[Member],
         blocked: bool,
-    ) -> (Vec<bool>, usize, bool) {
-        /// The cell to test is sought among this many of longest duration.
-        const TRIED: usize = 8;
+        blocked_ring: &[bool],
+    ) -> Verdict {
+        let mut verdict = Verdict {
+            free: Vec::with_capacity(shell.len()),
+            tests: 0,
+            conflict: false,
+        };
+        let (mut some_free, mut some_blocked) = (false, blocked);
+        for ring in shell.chunk_by(|a, b| a.ring == b.ring) {
+            let open = !blocked_ring[ring[0].ring as usize];
+            let free = open && {
+                verdict.tests += 1;
+                self.is_free(&cells[self.largest(cells, ring) as usize])
+            };
+            some_free |= free;
+            some_blocked |= !free;
+            verdict.free.resize(verdict.free.len() + ring.len(), free);
+        }
+        if !some_free && blocked {
+            // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
+            let some = shell.iter().step_by(shell.len().div_ceil(TRIED));
+            let furthest = some
+                .map(|m| (self.distance(&cells[m.cell as usize]), m.cell))
+                .max_by(|a, b| a.0.total_cmp(&b.0));
+            verdict.tests += 1;
+            some_free = furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
+        }
+        verdict.conflict = some_free && some_blocked;
+        if verdict.conflict {
+            for (m, free) in shell.iter().zip(&mut verdict.free) {
+                if blocked_ring[m.ring as usize] {
+                    verdict.tests += 1;
+                    *free = self.is_free(&cells[m.cell as usize]);
+                }
+            }
+        }
+        verdict
+    }
+
+    /// The cell that has most room of those of longest duration.
+    fn largest(&self, cells: &[Cell], ring: &[Member]) -> u32 {
         let duration = |c: u32| {
             let cell = &cells[c as usize];
             self.clusters.lo(cell.to) - self.clusters.hi(cell.from)
         };
-        let mut longest: Vec<(f64, u32)> = shell.iter().map(|&(_, c)| (duration(c), c)).collect();
+        let mut longest: Vec<(f64, u32)> = ring.iter().map(|m| (duration(m.cell), m.cell)).collect();
         let by_duration = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
         if longest.len() > TRIED {
             longest.select_nth_unstable_by(TRIED - 1, by_duration);
@@ -209,25 +281,7 @@ impl ShellFinder<'_> {
                 (size, largest) = (duration.min(hi - lo), c);
             }
         }
-        let free = self.is_free(&cells[largest as usize]);
-        if !blocked {
-            return (vec![free; shell.len()], 1, false);
-        }
-        // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
-        let some = (shell.iter().step_by(shell.len().div_ceil(TRIED))).map(|s| s.1);
-        let tried = longest.iter().map(|l| l.1).chain(some);
-        let furthest = tried
-            .map(|c| (self.distance(&cells[c as usize]), c))
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        let leaks = free || furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
-        if !leaks {
-            return (vec![false; shell.len()], 2, false);
-        }
-        let each = shell
-            .iter()
-            .map(|&(_, c)| self.is_free(&cells[c as usize]))
-            .collect();
-        (each, 2 + shell.len(), true)
+        largest
     }
 
     /// How far out a cell is: the distance of its middle from the origin of the pair's frame.
