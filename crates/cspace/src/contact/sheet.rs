@@ -106,6 +106,12 @@ impl Sheet {
             && (self.radius.abs() - other.radius.abs()).abs() <= SAME_CARRIER
     }
 
+    /// Whether both curves are lines that are parallel at every orientation, or opposite.
+    pub(crate) fn is_parallel(&self, other: &Self) -> bool {
+        let lines = !self.is_circle() && self.kind == other.kind;
+        lines && self.normal.cross(other.normal).abs() <= SAME_CARRIER
+    }
+
     /// The ends that two sheets share.
     ///
     /// Where normals agree (every shared end but that of two vertices) the curves are tangent there and have no other

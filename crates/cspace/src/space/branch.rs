@@ -148,20 +148,32 @@ impl Tracer<'_> {
             .collect();
         // When carriers coincide, both ends of each curve are on the other's carrier: four events at once.
         const EVENTS_AT_ONCE: usize = 3;
-        for same in self
-            .times
-            .chunk_by(|a, b| a == b)
+        let at_once = (self.times.chunk_by(|a, b| a == b))
             .filter(|c| c.len() >= EVENTS_AT_ONCE)
-        {
-            let at = same[0];
-            if (from..=to).contains(&at) && coincide(self.geometry, run, clusters.at(at)) {
-                self.found.coincidences.push(Coincidence {
-                    first: run.first,
-                    second: run.second,
-                    at,
-                });
-            }
-        }
+            .map(|c| c[0]);
+        // A curve of a line comes and goes with all its length; some of the four may then be just beyond.
+        let sheets = &self.geometry.contacts.sheets;
+        let (f, g) = (&sheets[run.first as usize], &sheets[run.second as usize]);
+        let begins = run.lo <= f.lo.max(g.lo);
+        let ends = run.hi >= f.hi.min(g.hi);
+        let parallel = f.is_parallel(g);
+        let whole = [begins.then_some(from), ends.then_some(to)]
+            .into_iter()
+            .flatten()
+            .filter(|at| {
+                parallel || !f.is_circle() && !g.is_circle() && self.times.binary_search(at).is_ok()
+            });
+        let mut same: Vec<u32> = (at_once.filter(|at| (from..=to).contains(at)))
+            .chain(whole)
+            .filter(|&at| coincide(self.geometry, run, clusters.at(at)))
+            .collect();
+        same.sort_unstable();
+        same.dedup();
+        (self.found.coincidences).extend(same.into_iter().map(|at| Coincidence {
+            first: run.first,
+            second: run.second,
+            at,
+        }));
         let events = self.times.first().copied().zip(self.times.last().copied());
         let first_branch = self.found.branches.len();
         self.times.retain(|&i| from < i && i < to);
