@@ -216,7 +216,7 @@ impl ContactSpace {
         progress.stage(Stage::TripleEvents)?;
         let on_sheet = OnSheet::new(sheets.len(), &branches);
         let triples = triple_events(&geometry, &branches, &encounters, &on_sheet, &clusters);
-        let (clusters, moved) = clusters.with(triples.events.iter().map(|t| t.1).collect());
+        let (clusters, moved) = clusters.with(triples.events.iter().map(|m| m.event).collect());
         for b in &mut branches {
             b.from = moved[b.from as usize];
             b.to = moved[b.to as usize];
@@ -237,7 +237,7 @@ impl ContactSpace {
         let mut passings: Vec<(u32, u32)> = triples
             .events
             .iter()
-            .map(|(sheet, e)| (*sheet, clusters.index(e.theta)))
+            .map(|m| (m.sheet, clusters.index(m.event.theta)))
             .collect();
         passings.sort_unstable();
         passings.dedup();

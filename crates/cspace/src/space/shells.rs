@@ -263,7 +263,8 @@ impl ShellFinder<'_> {
             let cell = &cells[c as usize];
             self.clusters.lo(cell.to) - self.clusters.hi(cell.from)
         };
-        let mut longest: Vec<(f64, u32)> = ring.iter().map(|m| (duration(m.cell), m.cell)).collect();
+        let mut longest: Vec<(f64, u32)> =
+            ring.iter().map(|m| (duration(m.cell), m.cell)).collect();
         let by_duration = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
         if longest.len() > TRIED {
             longest.select_nth_unstable_by(TRIED - 1, by_duration);

@@ -84,14 +84,23 @@ pub(super) fn triple_events(
     for f in found {
         all.append(f);
     }
+    all.agree();
     all
+}
+
+/// An orientation at which branches pass each other on a sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Meeting {
+    pub(super) sheet: u32,
+    /// The sheets of both branches and this one, in ascending order.
+    three: [u32; 3],
+    pub(super) event: Event,
 }
 
 /// What was found, and how.
 #[derive(Debug, Default)]
 pub(super) struct Triples {
-    /// Sheets, and the orientations at which branches pass each other on them.
-    pub(super) events: Vec<(u32, Event)>,
+    pub(super) events: Vec<Meeting>,
     /// Intervals in which two branches may pass each other.
     pub(super) isolated: u64,
     /// Parts of them in which the polynomial tells nothing.
@@ -103,6 +112,29 @@ impl Triples {
         self.events.extend(other.events);
         self.isolated += other.isolated;
         self.by_places += other.by_places;
+    }
+
+    /// Where three sheets meet, branches pass each other on each of them. That is one event: each is made to cover what was
+    /// found on the others, which differs by more than its own rounding where the sheets are all but tangent.
+    fn agree(&mut self) {
+        /// Meetings of the same three sheets that are nearer than this (radians) are one.
+        const SAME_MEETING: f64 = 1e-8;
+        let order = |a: &Meeting, b: &Meeting| {
+            (a.three.cmp(&b.three))
+                .then(a.event.theta.total_cmp(&b.event.theta))
+                .then(a.sheet.cmp(&b.sheet))
+        };
+        self.events.par_sort_unstable_by(order);
+        let same = |a: &Meeting, b: &Meeting| {
+            a.three == b.three && b.event.theta - a.event.theta <= SAME_MEETING
+        };
+        for one in self.events.chunk_by_mut(same) {
+            let (lo, hi) = (one[0].event.theta, one[one.len() - 1].event.theta);
+            for m in one {
+                let e = &mut m.event;
+                e.error = e.error.max(e.theta - lo).max(hi - e.theta);
+            }
+        }
     }
 }
 
@@ -178,7 +210,7 @@ impl Search<'_> {
                     cuts.extend(
                         self.found.events[from as usize..to as usize]
                             .iter()
-                            .map(|e| e.1)
+                            .map(|m| m.event)
                             .filter(|e| lo < e.theta - e.error && e.theta + e.error < hi),
                     );
                 }
@@ -229,7 +261,16 @@ impl Search<'_> {
         });
         if let Some(f) = known {
             let events = &mut found.events;
-            let vague = pair.isolate(f, window.lo, window.hi, &mut |e| events.push((sheet, e)));
+            let mut three = [sheet, x.other(sheet), y.other(sheet)];
+            three.sort_unstable();
+            let mut take = |event| {
+                events.push(Meeting {
+                    sheet,
+                    three,
+                    event,
+                });
+            };
+            let vague = pair.isolate(f, window.lo, window.hi, &mut take);
             found.isolated += 1;
             found.by_places += vague;
         }
