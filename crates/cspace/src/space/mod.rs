@@ -1,6 +1,7 @@
 //! The contact space of a pair of parts, over all orientations.
 
 mod active;
+mod anchors;
 mod assemble;
 mod branch;
 mod candidates;

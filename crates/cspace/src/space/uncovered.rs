@@ -42,7 +42,26 @@ pub(super) struct BlockedDiscs<'a> {
     pub(super) half: f64,
     pub(super) largest: Option<Disc>,
     pub(super) others: Vec<Disc>,
-    pub(super) layout: &'a Layout,
+    pub(super) layout: &'a Layout<'a>,
+}
+
+/// How often the middles of what is left open are looked up.
+const ROUNDS: usize = 3;
+
+/// What is not covered between two parameters.
+fn left_open(covered: &mut [(f64, f64)], (from, to): (f64, f64), open: &mut Vec<(f64, f64)>) {
+    covered.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    open.clear();
+    let mut at = from;
+    for &(lo, hi) in covered.iter().chain([&(to, f64::INFINITY)]) {
+        if lo > at {
+            open.push((at, lo.min(to)));
+        }
+        at = at.max(hi);
+        if at >= to {
+            break;
+        }
+    }
 }
 
 /// The work of [`BlockedDiscs::uncovered`], kept for the next time.
@@ -99,15 +118,19 @@ impl BlockedDiscs<'_> {
         if near.any(|i| take(&self.others[i])) {
             return;
         }
-        covered.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        let mut at = from;
-        for &(lo, hi) in covered.iter().chain([&(to, f64::INFINITY)]) {
-            if lo > at {
-                open.push((at, lo.min(to)));
-            }
-            at = at.max(hi);
-            if at >= to {
-                break;
+        left_open(covered, (from, to), open);
+        if let Some(anchors) = self.layout.anchors {
+            for _ in 0..ROUNDS {
+                let before = covered.len();
+                for &(lo, hi) in open.iter() {
+                    let middle = path.at(0.5 * (lo + hi));
+                    let discs = anchors.at(middle, self.turn);
+                    covered.extend(discs.filter_map(|d| path.within(&d, self.half)));
+                }
+                if covered.len() == before {
+                    break;
+                }
+                left_open(covered, (from, to), open);
             }
         }
         if sheet.is_circle() {
@@ -177,6 +200,21 @@ impl Path {
                 ends: (sheet.start.w, sheet.end.w),
                 middle: start.midpoint(end),
                 reach: 0.5 * (end - start).length(),
+            }
+        }
+    }
+
+    /// The place at a parameter.
+    fn at(&self, t: f64) -> Point {
+        match self.shape {
+            Shape::Line { start, along } => start + along * t,
+            Shape::Circle {
+                center,
+                radius,
+                mid,
+            } => {
+                let normal = mid * ((1.0 - t) * (1.0 + t)).max(0.0).sqrt() + mid.left() * t;
+                center + normal * radius
             }
         }
     }
