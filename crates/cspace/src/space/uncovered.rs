@@ -311,7 +311,7 @@ mod tests {
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let (mut covered, mut asked) = (0, 0);
         for bulge in [0.3, -0.3] {
-            let geometry = Geometry::new(&wheel(7, bulge), &wheel(5, -bulge), None);
+            let geometry = Geometry::new(&wheel(7, bulge), &wheel(5, -bulge), None, usize::MAX);
             let cores = Cores::new(&geometry);
             let mut work = Uncovered::default();
             for _ in 0..40 {
