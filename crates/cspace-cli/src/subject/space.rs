@@ -100,7 +100,8 @@ impl Chosen<'_> {
             PairError::Compute(
                 ComputeError::TooLarge { .. }
                 | ComputeError::TooManyContacts { .. }
-                | ComputeError::TooManyCrossings { .. },
+                | ComputeError::TooManyCrossings { .. }
+                | ComputeError::TooManyPatches { .. },
             ) => work().help(
                 "replace runs of short lines by arcs, leave out what cannot touch, split a part, or limit the orientations with --theta",
             ),

@@ -130,7 +130,7 @@ pub(crate) fn inscribed_discs(
             }
         }
         let c = p + inward * lo;
-        let radius = material.closest(c, f64::INFINITY)?.1 - 1e-9;
+        let radius = material.closest(c, f64::INFINITY, 1.0)?.1 - 1e-9;
         (radius > 0.0 && material.contains(c)).then_some((c, radius))
     };
     let shares = plenty.shares(material.edges.len());

@@ -41,12 +41,14 @@ impl Material {
         !(self.boxes).any(near, |i| distance(&self.edges[i as usize], p) < by)
     }
 
-    /// The place of the boundary that is nearest to another one, and its distance, if that is less than `within`.
-    pub(crate) fn closest(&self, p: Point, within: f64) -> Option<(Point, f64)> {
+    /// A place of the boundary and its distance, if that is less than `within`; none is nearer than that times `share`.
+    ///
+    /// With a share below 1 the middle of a wheel does not ask for all of its rim.
+    pub(crate) fn closest(&self, p: Point, within: f64, share: f64) -> Option<(Point, f64)> {
         let least = Cell::new(within);
         let mut found = None;
         self.boxes.any(
-            |b| !b.is_apart(Bounds::of(p, p), least.get()),
+            |b| !b.is_apart(Bounds::of(p, p), share * least.get()),
             |i| {
                 let q = closest(&self.edges[i as usize], p);
                 let d = p.distance(q);

@@ -38,6 +38,9 @@ const MOST_SQUARES: usize = 1 << 18;
 /// So many discs are looked up: smaller ones add little.
 const OTHERS: usize = 24;
 
+/// Places of the boundary are nearest but for this share of their distance.
+const NEARLY: f64 = 0.95;
+
 /// Discs of material are made smaller by this: rounding is far below it, in the pair's frame.
 const ALLOWANCE: f64 = 1e-9;
 
@@ -77,18 +80,18 @@ impl Anchors {
                 for p in (0..columns).map(middle) {
                     // The boundary is within the unit disc, and so is the square: nothing is farther than this.
                     const FARTHEST: f64 = 4.0;
-                    let within = nearest.map_or(FARTHEST, |d: f64| d + 2.0 * step);
-                    let closest = material.closest(p, within);
+                    let within = nearest.map_or(FARTHEST, |d: f64| (d + 2.0 * step) / NEARLY);
+                    let closest = material.closest(p, within, NEARLY);
                     nearest = closest.map(|c| c.1);
                     // What is no place overlaps nothing.
                     let nowhere = (Point::new(f64::NAN, f64::NAN), 0.0);
                     let (q, distance) = closest.unwrap_or(nowhere);
-                    if beside <= step + ALLOWANCE {
+                    if beside * NEARLY <= step + ALLOWANCE {
                         inside = material.contains(p);
                     }
                     beside = distance;
-                    line.push(if inside && distance > ALLOWANCE {
-                        (p, distance - ALLOWANCE)
+                    line.push(if inside && distance * NEARLY > ALLOWANCE {
+                        (p, distance * NEARLY - ALLOWANCE)
                     } else {
                         (q, 0.0)
                     });

@@ -14,7 +14,7 @@ use super::chains::Linker;
 use super::clusters::Clusters;
 use super::core::Cores;
 use super::graph::{ContactSpace, Window};
-use super::limits::{MOST_CROSSING, MOST_EDGE_PAIRS, MOST_SHEETS};
+use super::limits::{MOST_CROSSING, MOST_EDGE_PAIRS, MOST_PATCHES, MOST_SHEETS};
 use super::shells::ShellFinder;
 use super::stats::{Decisions, StageSeconds, Statistics};
 use super::sweep::Sweep;
@@ -80,6 +80,18 @@ pub enum ComputeError {
         /// Edges of the moving part.
         moving: usize,
         /// Largest number of pairs of contacts that may cross.
+        limit: usize,
+    },
+    /// The contact space has more patches than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one contact space: more than {limit} patches"
+    )]
+    TooManyPatches {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of patches.
         limit: usize,
     },
     /// The computation was interrupted.
@@ -346,7 +358,13 @@ impl ContactSpace {
             space.statistics.seconds.total = begin.elapsed().as_secs_f64();
             return Ok(space);
         }
-        let mut space = assembler.assemble(fixed, moving);
+        let Some(mut space) = assembler.assemble(fixed, moving) else {
+            return Err(ComputeError::TooManyPatches {
+                fixed: n,
+                moving: m,
+                limit: MOST_PATCHES,
+            });
+        };
         lap(&mut seconds.graph);
         seconds.total = begin.elapsed().as_secs_f64();
         space.statistics = Statistics {

@@ -9,6 +9,10 @@ pub(super) const MOST_EDGE_PAIRS: usize = 1 << 22;
 /// The most sheets. At some 250 bytes each they take half a gigabyte; polygons have up to two for each pair of edges.
 pub(super) const MOST_SHEETS: usize = 1 << 21;
 
+/// The most patches. With their links they take a kilobyte each: 2 gigabytes. Symmetric parts have a patch over and over,
+/// once for every slab of a turn.
+pub(super) const MOST_PATCHES: usize = 1 << 21;
+
 /// The most meetings of two sheets' boxes, counted in every slot of orientations: half a gigabyte, some minutes.
 pub(super) const MOST_MEETINGS: usize = 1 << 26;
 

@@ -310,15 +310,19 @@ mod tests {
     fn covered_curves_are_blocked() {
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let (mut covered, mut asked) = (0, 0);
-        for bulge in [0.3, -0.3] {
-            let geometry = Geometry::new(&wheel(7, bulge), &wheel(5, -bulge), None, usize::MAX);
+        // Few sheets, of each orientation all; and so many that places are looked up.
+        for (teeth, bulge, step) in [((7, 5), 0.3, 1), ((7, 5), -0.3, 1), ((60, 20), 0.3, 97)] {
+            let (a, b) = (wheel(teeth.0, bulge), wheel(teeth.1, -bulge));
+            let geometry = Geometry::new(&a, &b, None, usize::MAX);
             let cores = Cores::new(&geometry);
+            let looked_up = cores.about(0.0).anchors.is_some();
+            assert_eq!(looked_up, step > 1);
             let mut work = Uncovered::default();
             for _ in 0..40 {
                 let (theta, half) = (rng.random_range(-3.0..3.0), rng.random_range(0.001..0.04));
                 let layout = cores.about(theta + rng.random_range(-0.05..0.05));
                 let discs = layout.at(theta, half);
-                for sheet in &geometry.contacts.sheets {
+                for sheet in geometry.contacts.sheets.iter().step_by(step) {
                     let (lo, hi) = (sheet.lo.max(theta - half), sheet.hi.min(theta + half));
                     if lo >= hi {
                         continue;
