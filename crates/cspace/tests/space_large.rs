@@ -117,14 +117,23 @@ fn what_is_too_large_is_refused() {
             limit: 1 << 22
         })
     );
-    let wide = saw("wide", 400_000, 10.0, 1e-4, 5);
-    let few = saw("few", 10, 1.0, 0.1, 5);
+    let wide = saw("wide", 200_000, 10.0, 1e-4, 5);
+    let few = saw("few", 16, 1.0, 0.1, 5);
     assert_eq!(
         compute(&wide, &few),
         Err(ComputeError::TooManyContacts {
-            fixed: 400_000,
-            moving: 10,
+            fixed: 200_000,
+            moving: 16,
             limit: 1 << 21
+        })
+    );
+    let huge = saw("huge", 300_000, 10.0, 1e-4, 5);
+    assert_eq!(
+        compute(&few, &huge),
+        Err(ComputeError::TooManyEdges {
+            part: "huge".into(),
+            edges: 300_000,
+            limit: 1 << 18
         })
     );
 }

@@ -98,7 +98,8 @@ impl Chosen<'_> {
                 input().help("give --theta LO,HI with LO < HI, at most a turn apart")
             }
             PairError::Compute(
-                ComputeError::TooLarge { .. }
+                ComputeError::TooManyEdges { .. }
+                | ComputeError::TooLarge { .. }
                 | ComputeError::TooManyContacts { .. }
                 | ComputeError::TooManyCrossings { .. }
                 | ComputeError::TooManyPatches { .. },

@@ -14,7 +14,7 @@ use super::chains::Linker;
 use super::clusters::Clusters;
 use super::core::Cores;
 use super::graph::{ContactSpace, Window};
-use super::limits::{MOST_CROSSING, MOST_EDGE_PAIRS, MOST_PATCHES, MOST_SHEETS};
+use super::limits::{MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS};
 use super::shells::ShellFinder;
 use super::stats::{Decisions, StageSeconds, Statistics};
 use super::sweep::Sweep;
@@ -47,6 +47,16 @@ pub enum ComputeError {
         lo: f64,
         /// Last orientation given.
         hi: f64,
+    },
+    /// A part has too many edges.
+    #[error("part {part} has {edges} edges, too many for a contact space (at most {limit})")]
+    TooManyEdges {
+        /// The part's name.
+        part: String,
+        /// Its edges.
+        edges: usize,
+        /// Largest number of edges.
+        limit: usize,
     },
     /// There are more pairs of edges than can be numbered.
     #[error("{fixed} × {moving} edges are too many for one contact space (at most {limit} pairs)")]
@@ -189,6 +199,16 @@ impl ContactSpace {
         progress: &dyn Progress,
     ) -> Result<Self, ComputeError> {
         let (n, m) = (fixed.edges().count(), moving.edges().count());
+        if let Some((part, edges)) = [(fixed, n), (moving, m)]
+            .into_iter()
+            .find(|(_, edges)| *edges > MOST_EDGES)
+        {
+            return Err(ComputeError::TooManyEdges {
+                part: part.name().to_owned(),
+                edges,
+                limit: MOST_EDGES,
+            });
+        }
         if n.saturating_mul(m) > MOST_EDGE_PAIRS {
             return Err(ComputeError::TooLarge {
                 fixed: n,

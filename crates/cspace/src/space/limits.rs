@@ -2,6 +2,10 @@
 //!
 //! None of these limits depends on the machine or on the number of threads, so that a pair is refused everywhere or nowhere.
 
+/// The most edges of a part. Whatever is asked of a part place by place, such as its symmetry and where its material is, takes
+/// seconds; and two parts make more contacts than [`MOST_SHEETS`] anyway, but for a few that are almost all symmetry.
+pub(super) const MOST_EDGES: usize = 1 << 18;
+
 /// The largest product of the parts' numbers of edges. Ends of sheets are numbered by features and joints, of which
 /// there are up to two for each edge: 12 names for each pair of edges at most, which 32 bits have room for.
 pub(super) const MOST_EDGE_PAIRS: usize = 1 << 22;
