@@ -1,6 +1,7 @@
 //! Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 
 pub mod axes;
+mod boxes;
 pub(crate) mod contact;
 pub(crate) mod feature;
 pub mod geometry;

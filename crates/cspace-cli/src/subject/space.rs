@@ -97,9 +97,15 @@ impl Chosen<'_> {
             PairError::Compute(ComputeError::Window { .. }) => {
                 input().help("give --theta LO,HI with LO < HI, at most a turn apart")
             }
-            PairError::Compute(ComputeError::TooLarge { .. }) => {
-                work().help("split a part, or replace runs of short lines by arcs")
-            }
+            PairError::Compute(
+                ComputeError::TooManyEdges { .. }
+                | ComputeError::TooLarge { .. }
+                | ComputeError::TooManyContacts { .. }
+                | ComputeError::TooManyCrossings { .. }
+                | ComputeError::TooManyPatches { .. },
+            ) => work().help(
+                "replace runs of short lines by arcs, leave out what cannot touch, split a part, or limit the orientations with --theta",
+            ),
             PairError::Window { .. } => input().help(
                 "leave the window out, or name a pair that has orientations with --pair; limit the motion with `range`, or compute all of x, y and theta with --general",
             ),

@@ -281,3 +281,29 @@ fn only_regular_files_are_read() {
             .success()
     );
 }
+
+/// A loop of more vertices than a contact space has room for is refused, by its name and number.
+#[test]
+fn pairs_that_are_too_large_are_refused() {
+    let folder = Folder::new();
+    let outline: Vec<String> = (0..300_000)
+        .map(|i| {
+            let (sin, cos) = (core::f64::consts::TAU * f64::from(i) / 300_000.0).sin_cos();
+            let r = 10.0 + f64::from(i * 7 % 13) * 1e-5;
+            format!("[{:.9}, {:.9}]", r * cos, r * sin)
+        })
+        .collect();
+    let text = format!(
+        "{{\"part\": [{{\"name\": \"rim\", \"loops\": [[{}]]}}, \
+         {{\"name\": \"wedge\", \"loops\": [[[0, 0], [1, 0], [0.3, 0.9]]]}}]}}",
+        outline.join(", ")
+    );
+    let file = folder.write("rim.json", &text);
+    let words = [
+        "pair rim,wedge",
+        "part rim has 300000 edges",
+        "262144",
+        "help: ",
+    ];
+    fails(&["compute", &file], 1, &words);
+}

@@ -26,6 +26,8 @@ pub(crate) struct Contacts {
     pub(crate) carried: Carried,
     sizes: Sizes,
     points: Points,
+    /// Whether all sheets were made; not if there are more than were asked for.
+    pub(crate) complete: bool,
 }
 
 impl Contacts {
@@ -77,8 +79,14 @@ impl Contacts {
         !f.shared_ends(g, self.first_vertex_name).tangent && !self.bridged(f, g)
     }
 
-    /// Finds every sheet of the pair in the window.
-    pub(crate) fn new(fixed: &Outline, moving: &Outline, span: Span, carried: Carried) -> Self {
+    /// Finds every sheet of the pair in the window; if there are more than `most`, some of them, and no more is spent.
+    pub(crate) fn new(
+        fixed: &Outline,
+        moving: &Outline,
+        span: Span,
+        carried: Carried,
+        most: usize,
+    ) -> Self {
         let sizes = Sizes::new(fixed, moving);
         let mut builder = Builder {
             fixed,
@@ -97,7 +105,11 @@ impl Contacts {
             for b in 0..moving.features.len() as u32 {
                 builder.add(a, b);
             }
+            if builder.sheets.len() > most {
+                break;
+            }
         }
+        let complete = builder.sheets.len() <= most;
         let first_vertex_name = sizes.first_vertex();
         let (mut sheets, points) = (builder.sheets, builder.points);
         for sheet in &mut sheets {
@@ -119,6 +131,7 @@ impl Contacts {
             carried,
             sizes,
             points,
+            complete,
         }
     }
 }

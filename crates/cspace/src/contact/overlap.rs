@@ -1,8 +1,9 @@
 //! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
 
+use crate::boxes::Boxes;
 use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation, Vector};
-use crate::part::Part;
+use crate::part::{Bounds, Inside, Part};
 
 use super::crossing::{crossing, roots};
 use super::curve::{Curve, CurveShape};
@@ -11,8 +12,9 @@ use super::curve::{Curve, CurveShape};
 #[derive(Debug)]
 pub(crate) struct Body {
     curves: Vec<Curve>,
-    bounds: Vec<(Point, Point)>,
+    boxes: Boxes,
     part: Part,
+    inside: Inside,
     center: Point,
     scale: f64,
     samples: Vec<Point>,
@@ -45,11 +47,11 @@ impl Body {
             .filter_map(|l| l.edges().next())
             .map(|e| place(e.start))
             .collect();
-        let bounds = curves.iter().map(Curve::bounds).collect();
         Self {
+            boxes: Boxes::new(curves.iter().map(bounds)),
             curves,
-            bounds,
             part: part.clone(),
+            inside: Inside::of(part),
             center,
             scale,
             samples,
@@ -66,7 +68,7 @@ impl Body {
     }
 
     fn contains(&self, p: Point) -> bool {
-        self.part
+        self.inside
             .contains(self.center + (p - Point::ORIGIN) * (1.0 / self.scale))
     }
 }
@@ -96,8 +98,9 @@ pub(super) fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve 
     }
 }
 
-fn apart(a: &(Point, Point), b: &(Point, Point)) -> bool {
-    a.1.x < b.0.x || b.1.x < a.0.x || a.1.y < b.0.y || b.1.y < a.0.y
+fn bounds(curve: &Curve) -> Bounds {
+    let (min, max) = curve.bounds();
+    Bounds { min, max }
 }
 
 fn cross(f: &Curve, g: &Curve) -> bool {
@@ -118,11 +121,10 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
     let shift = p.to_vector();
     for g in &moving.curves {
         let g = placed(g, shift, theta, turn);
-        let g_bounds = g.bounds();
-        for (f, f_bounds) in fixed.curves.iter().zip(&fixed.bounds) {
-            if !apart(f_bounds, &g_bounds) && cross(f, &g) {
-                return true;
-            }
+        let around = bounds(&g);
+        let meets = |b: &Bounds| !b.is_apart(around, 0.0);
+        if (fixed.boxes).any(meets, |f| cross(&fixed.curves[f as usize], &g)) {
+            return true;
         }
     }
     let back = turn.inverse();

@@ -53,8 +53,13 @@ impl<'a> Placed<'a> {
 }
 
 impl Geometry {
-    /// Prepares a pair. `window` of `None` is the full turn.
-    pub(crate) fn new(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> Self {
+    /// Prepares a pair. `window` of `None` is the full turn. Of more than `most` sheets not all are made.
+    pub(crate) fn new(
+        fixed: &Part,
+        moving: &Part,
+        window: Option<(f64, f64)>,
+        most: usize,
+    ) -> Self {
         let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving));
         let carried = Carried::none(&outlines.fixed, &outlines.moving);
         let span = match window {
@@ -65,11 +70,16 @@ impl Geometry {
             },
             None => Span::slab(&outlines.fixed, &outlines.moving, 1),
         };
-        outlines.sheets(span, carried)
+        outlines.sheets(span, carried, most)
     }
 
     /// Prepares one slab of a symmetric pair. `None` if features do not correspond under the symmetry.
-    pub(crate) fn slab(fixed: Placed<'_>, moving: Placed<'_>, steps: Steps) -> Option<Self> {
+    pub(crate) fn slab(
+        fixed: Placed<'_>,
+        moving: Placed<'_>,
+        steps: Steps,
+        most: usize,
+    ) -> Option<Self> {
         let lengths = |p: Placed<'_>| -> Vec<u32> {
             (p.part.loops().iter())
                 .map(|l| l.vertices().len() as u32)
@@ -83,7 +93,7 @@ impl Geometry {
             (&outlines.moving, LoopImages::of(moving.images, &of_moving)),
         )?;
         let span = Span::slab(&outlines.fixed, &outlines.moving, steps.slabs);
-        Some(outlines.sheets(span, carried))
+        Some(outlines.sheets(span, carried, most))
     }
 
     pub(crate) fn fixed_part(&self) -> &Part {
@@ -156,8 +166,8 @@ impl Outlines {
         }
     }
 
-    fn sheets(self, span: Span, carried: Carried) -> Geometry {
-        let contacts = Contacts::new(&self.fixed, &self.moving, span, carried);
+    fn sheets(self, span: Span, carried: Carried, most: usize) -> Geometry {
+        let contacts = Contacts::new(&self.fixed, &self.moving, span, carried, most);
         let Self {
             frame,
             fixed,

@@ -1,14 +1,15 @@
-//! A disc inside a part's material.
+//! Discs inside a part's material.
 
 use core::f64::consts::TAU;
 
+use super::material::{Material, distance, in_frame};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Edge, Part};
 
 /// Points tried along each side of the bounding box.
 const GRID: usize = 12;
-/// Of parts with more edges no disc is sought.
-const MOST_SEARCHED: usize = 4000;
+/// Of parts with more edges no disc is sought: a tenth of a second.
+const MOST_SEARCHED: usize = 1 << 17;
 /// Rounds of halving the step around the best point.
 const ROUNDS: usize = 8;
 
@@ -64,7 +65,34 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(
     (radius > 0.0).then_some((best.0, radius))
 }
 
-/// Discs inside the material, the largest first: one that touches the boundary at the middle of each edge, without
+/// How many discs are worth their price.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Plenty {
+    /// Some that hold most of the material: for pairs with few contacts.
+    Few,
+    /// Small ones too, in the corners of parts with few edges: for pairs with so many contacts that each left out saves more.
+    Many,
+}
+
+/// More discs than this cost more than they save.
+const MOST: usize = 64;
+/// Parts with more edges are left with the one disc.
+const MOST_EDGES: usize = 400;
+
+impl Plenty {
+    /// Shares of the way along an edge at which a disc touches it. Near the ends of the edges of parts that have few,
+    /// discs go as far into corners as they are small.
+    fn shares(self, edges: usize) -> &'static [f64] {
+        const SHARES: [f64; 7] = [0.5, 0.2, 0.8, 0.05, 0.95, 0.0125, 0.9875];
+        let each = match self {
+            Self::Few => 1,
+            Self::Many => (MOST / edges.max(1)).clamp(1, SHARES.len()),
+        };
+        &SHARES[..each]
+    }
+}
+
+/// Discs inside the material, the largest first: each touches the boundary, at the middle of an edge at least, without
 /// those that lie mostly within another.
 ///
 /// If turning by 2π/`fold` about `center` maps the part to itself, only edges of one sector are looked at, and their
@@ -75,51 +103,44 @@ pub(crate) fn inscribed_discs(
     scale: f64,
     largest: Option<(Point, f64)>,
     fold: u32,
+    plenty: Plenty,
 ) -> Vec<(Point, f64)> {
-    /// More discs than this cost more than they save.
-    const MOST: usize = 64;
-    /// Parts with more edges are left with the one disc.
-    const MOST_EDGES: usize = 400;
     /// Halvings of the radius's interval.
     const STEPS: usize = 14;
-    let edges = in_frame(part, center, scale);
     let mut discs: Vec<(Point, f64)> = largest.into_iter().collect();
-    if edges.len() > MOST_EDGES {
+    if part.edges().count() > MOST_EDGES {
         return discs;
     }
-    let clearance = |p: Point| {
-        edges
-            .iter()
-            .map(|e| distance(e, p))
-            .fold(f64::INFINITY, f64::min)
-    };
-    let clear = |p: Point, by: f64| edges.iter().all(|e| distance(e, p) >= by);
+    let material = Material::new(part, center, scale);
     let step = TAU / f64::from(fold);
     let in_sector = |p: Point| {
         let angle = p.to_vector().angle() / step;
         fold == 1 || (0.0..1.0).contains(&angle)
     };
-    let mut found: Vec<(Point, f64)> = Vec::new();
-    for e in edges.iter().filter(|e| in_sector(e.at(0.5))) {
-        let (p, inward) = (e.at(0.5), e.direction_at(0.5).left());
+    let touching = |e: &Edge, share: f64| {
+        let (p, inward) = (e.at(share), e.direction_at(share).left());
         let (mut lo, mut hi) = (0.0, 2.0);
         for _ in 0..STEPS {
             let r = 0.5 * (lo + hi);
             // A disc of this radius that touches at p, give or take.
-            if clear(p + inward * r, 0.99 * r) {
+            if material.is_clear(p + inward * r, 0.99 * r) {
                 lo = r;
             } else {
                 hi = r;
             }
         }
         let c = p + inward * lo;
-        let outer = center + (c - Point::ORIGIN) * (1.0 / scale);
-        let radius = clearance(c) - 1e-9;
-        if radius > 0.0 && part.contains(outer) {
-            let turned = |j| Rotation::by(step * f64::from(j)) * c;
-            found.extend((0..fold).map(|j| (turned(j), radius)));
-        }
-    }
+        let radius = material.closest(c, f64::INFINITY, 1.0)?.1 - 1e-9;
+        (radius > 0.0 && material.contains(c)).then_some((c, radius))
+    };
+    let shares = plenty.shares(material.edges.len());
+    let mut found: Vec<(Point, f64)> = (material.edges.iter())
+        .filter(|e| in_sector(e.at(0.5)))
+        .flat_map(|e| shares.iter().filter_map(|&share| touching(e, share)))
+        .flat_map(|(c, radius)| {
+            (0..fold).map(move |j| (Rotation::by(step * f64::from(j)) * c, radius))
+        })
+        .collect();
     found.sort_by(|a, b| b.1.total_cmp(&a.1));
     for d in found {
         let covered = discs.iter().any(|o| o.0.distance(d.0) + 0.7 * d.1 < o.1);
@@ -128,45 +149,4 @@ pub(crate) fn inscribed_discs(
         }
     }
     discs
-}
-
-fn in_frame(part: &Part, center: Point, scale: f64) -> Vec<Edge> {
-    let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-    part.edges()
-        .map(|e| Edge {
-            start: place(e.start),
-            end: place(e.end),
-            ..e
-        })
-        .collect()
-}
-
-/// Distance of a point from an edge.
-fn distance(edge: &Edge, p: Point) -> f64 {
-    let ends = p.distance(edge.start).min(p.distance(edge.end));
-    let chord = edge.end - edge.start;
-    if edge.is_line() {
-        let s = (p - edge.start).dot(chord);
-        let len2 = chord.length_squared();
-        if s <= 0.0 || s >= len2 {
-            return ends;
-        }
-        return chord.cross(p - edge.start).abs() / len2.sqrt();
-    }
-    let c = edge.center();
-    let v = p - c;
-    let (mut from, mut to) = (edge.start - c, edge.end - c);
-    if edge.bulge < 0.0 {
-        core::mem::swap(&mut from, &mut to);
-    }
-    let inside = if edge.bulge.abs() <= 1.0 {
-        from.cross(v) >= 0.0 && v.cross(to) >= 0.0
-    } else {
-        from.cross(v) >= 0.0 || v.cross(to) >= 0.0
-    };
-    if inside {
-        (v.length() - edge.radius()).abs()
-    } else {
-        ends
-    }
 }

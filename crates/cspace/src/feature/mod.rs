@@ -6,11 +6,13 @@
 mod extract;
 mod frame;
 mod inscribed;
+mod material;
 mod outline;
 pub(crate) mod tolerance;
 
 pub(crate) use extract::unwrap_near;
 pub(crate) use frame::PairFrame;
-pub(crate) use inscribed::inscribed_discs;
+pub(crate) use inscribed::{Plenty, inscribed_discs};
+pub(crate) use material::Material;
 pub(crate) use outline::{Feature, Outline, Shape};
 pub use outline::{FeatureKind, FeatureName};

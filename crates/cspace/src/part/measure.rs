@@ -1,5 +1,6 @@
 //! What a part measures: its box, its size, its area, and which points are in it.
 
+use crate::boxes::Boxes;
 use crate::geometry::Point;
 
 use super::{Bounds, Edge, Loop, Part};
@@ -47,6 +48,36 @@ impl Part {
     /// ```
     pub fn contains(&self, p: Point) -> bool {
         self.bounds.contains(p) && self.edges().filter(|edge| toggles(edge, p)).count() % 2 == 1
+    }
+}
+
+/// A part's edges, of which one point after the other can be asked for without a look at each of them.
+#[derive(Debug)]
+pub(crate) struct Inside {
+    bounds: Bounds,
+    edges: Vec<Edge>,
+    boxes: Boxes,
+}
+
+impl Inside {
+    pub(crate) fn of(part: &Part) -> Self {
+        let edges: Vec<Edge> = part.edges().collect();
+        Self {
+            bounds: part.bounds,
+            boxes: Boxes::new(edges.iter().map(Edge::bounds)),
+            edges,
+        }
+    }
+
+    /// As [`Part::contains`]: of edges to the left of the point, above or below it, the ray meets none.
+    pub(crate) fn contains(&self, p: Point) -> bool {
+        let meets = |b: &Bounds| b.min.y <= p.y && p.y <= b.max.y && p.x <= b.max.x;
+        let mut inside = false;
+        self.boxes.any(meets, |i| {
+            inside ^= toggles(&self.edges[i as usize], p);
+            false
+        });
+        inside && self.bounds.contains(p)
     }
 }
 

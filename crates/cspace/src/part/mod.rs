@@ -25,6 +25,7 @@ pub use bounds::Bounds;
 pub use edge::Edge;
 pub use error::PartError;
 pub use loops::{Loop, Part};
+pub(crate) use measure::Inside;
 pub(crate) use symmetry::{Corresponding, LoopImage, Symmetrized};
 pub use symmetry::{PartSymmetry, SYMMETRIC};
 pub use vertex::Vertex;

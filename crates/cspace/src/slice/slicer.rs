@@ -33,7 +33,7 @@ pub struct Slicer {
 impl Slicer {
     /// Prepares a pair.
     pub fn new(fixed: &Part, moving: &Part) -> Self {
-        let geometry = Geometry::new(fixed, moving, None);
+        let geometry = Geometry::new(fixed, moving, None, usize::MAX);
         let mut slots = vec![Vec::new(); SLOTS];
         let lo = geometry.contacts.span.lo;
         for (i, sheet) in (0u32..).zip(&geometry.contacts.sheets) {

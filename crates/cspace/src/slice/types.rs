@@ -220,7 +220,12 @@ impl Slice {
     /// # Ok::<(), cspace::PartError>(())
     /// ```
     pub fn compute(fixed: &Part, moving: &Part, theta: f64) -> Self {
-        let geometry = Geometry::new(fixed, moving, Some((theta - 0.25, theta + 0.25)));
+        let geometry = Geometry::new(
+            fixed,
+            moving,
+            Some((theta - 0.25, theta + 0.25)),
+            usize::MAX,
+        );
         let sheets = geometry.contacts.sheets.len() as u32;
         let arrangement = Arrangement::new(&geometry, theta, |t| (t, 0..sheets));
         let slice = Self::from_arrangement(&arrangement, &geometry);

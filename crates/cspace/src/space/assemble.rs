@@ -12,6 +12,7 @@ use super::cells::END;
 use super::chains::{Chain, Chains, Linker};
 use super::graph::{ContactSpace, FeatureCounts, Walk, Window};
 use super::lifts::Lifts;
+use super::limits::MOST_PATCHES;
 use super::links::Links;
 use super::patch::{Boundary, Patch};
 use super::regions::{Copying, find_regions};
@@ -45,7 +46,8 @@ impl Assembler<'_> {
             })
     }
 
-    pub(super) fn assemble(&self, fixed: &Part, moving: &Part) -> ContactSpace {
+    /// `None` if there are more patches than a contact space has room for.
+    pub(super) fn assemble(&self, fixed: &Part, moving: &Part) -> Option<ContactSpace> {
         let Linker {
             geometry, clusters, ..
         } = self.linker;
@@ -53,6 +55,9 @@ impl Assembler<'_> {
         let steps = geometry.contacts.carried.steps;
         let repeats = geometry.contacts.span.full;
         let lifts = Lifts::new(&chains.chains, self.window, steps, repeats, clusters);
+        if lifts.len() > MOST_PATCHES {
+            return None;
+        }
         let patches = self.patches(&chains, &lifts);
         let links = Links {
             linker: self.linker,
@@ -95,7 +100,7 @@ impl Assembler<'_> {
             Copying::Some
         };
         find_regions(&mut space, &copying);
-        space
+        Some(space)
     }
 
     /// The shell of each patch, unless an end of the window cuts it: what hangs together beyond does not count.

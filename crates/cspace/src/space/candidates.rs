@@ -6,6 +6,7 @@
 //! what is free. They only divide gaps that are blocked on both sides of them.
 
 use core::f64::consts::TAU;
+use core::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
@@ -13,6 +14,7 @@ use crate::contact::{Curve, CurveShape, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
 
 use super::core::{Cores, Layout};
+use super::limits::{MOST_CROSSING, MOST_MEETINGS, MOST_SHEETS};
 use super::uncovered::Uncovered;
 
 /// A turn with n sheets has `SLOTS_SCALE` n ^ `SLOTS_POWER` slots: more leave fewer crossings, and each costs as much as a
@@ -67,7 +69,8 @@ struct Boxed {
 }
 
 impl Candidates {
-    pub(super) fn find(geometry: &Geometry, cores: &Cores) -> Self {
+    /// `None` if more sheets may cross than a computation has room for.
+    pub(super) fn find(geometry: &Geometry, cores: &Cores) -> Option<Self> {
         let span = geometry.contacts.span;
         let sheets = &geometry.contacts.sheets;
         let turns = (span.hi - span.lo) / TAU;
@@ -85,6 +88,7 @@ impl Candidates {
                 list.push(i);
             }
         }
+        let meetings = AtomicUsize::new(0);
         let per_slot: Vec<(Vec<u64>, Vec<Boxed>)> = in_slot
             .par_iter()
             .enumerate()
@@ -93,14 +97,24 @@ impl Candidates {
                 let last = (first + TOGETHER).min(count);
                 let (lo, hi) = (slots[first], slots[last]);
                 let mut list = list.clone();
+                if meetings.load(Ordering::Relaxed) > MOST_MEETINGS {
+                    list.clear();
+                }
                 let layout = cores.about(0.5 * (lo + hi));
                 drop_covered(sheets, &layout, &mut list, lo, hi);
-                let slots = &slots;
+                let (slots, meetings) = (&slots, &meetings);
                 (first..last).map(move |slot| {
-                    look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1])
+                    let found =
+                        look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1]);
+                    meetings.fetch_add(found.0.len(), Ordering::Relaxed);
+                    found
                 })
             })
             .collect();
+        // Whichever slot was last to be looked at: all of them together have too many.
+        if meetings.into_inner() > MOST_MEETINGS {
+            return None;
+        }
 
         let (mut pairs, mut alive) = (Vec::new(), Vec::new());
         let mut by_slot = Vec::with_capacity(count);
@@ -115,7 +129,7 @@ impl Candidates {
         alive.par_sort_unstable();
         alive.dedup();
         let clip = |lo: f64, hi: f64, sheet: &Sheet| (lo.max(sheet.lo), hi.min(sheet.hi));
-        let pairs = runs(&pairs)
+        let pairs: Vec<PairRun> = runs(&pairs)
             .filter_map(|(key, first_slot, last_slot)| {
                 let (first, second) = ((key >> SHEET_BITS) as u32, (key & SHEET_MASK) as u32);
                 let (lo, hi) = (slots[first_slot], slots[last_slot + 1]);
@@ -130,6 +144,9 @@ impl Candidates {
                 })
             })
             .collect();
+        if pairs.len() > MOST_CROSSING {
+            return None;
+        }
         let sheet_runs = runs(&alive)
             .filter_map(|(key, first_slot, last_slot)| {
                 let sheet = &sheets[key as usize];
@@ -143,12 +160,12 @@ impl Candidates {
                 })
             })
             .collect();
-        Self {
+        Some(Self {
             slots,
             pairs,
             sheets: sheet_runs,
             by_slot,
-        }
+        })
     }
 
     /// The sheets that may pass within `reach` of a point at an orientation, but for those known to be blocked there; some
@@ -170,8 +187,8 @@ const SHEET_BITS: u32 = 26;
 const SHEET_MASK: u64 = (1 << SHEET_BITS) - 1;
 const SLOT_BITS: u32 = 12;
 
-/// The largest number of sheets the keys have room for.
-pub(super) const MAX_SHEETS: usize = 1 << SHEET_BITS;
+// The keys have room for all sheets there may be.
+const _: () = assert!(MOST_SHEETS < 1 << SHEET_BITS);
 
 /// Runs of consecutive slots with one key: (key, first slot, last slot).
 fn runs(sorted: &[u64]) -> impl Iterator<Item = (u64, usize, usize)> + '_ {
@@ -235,6 +252,9 @@ fn look_at_slot(
     boxes.sort_unstable_by(|a, b| a.lo.x.total_cmp(&b.lo.x).then(a.sheet.cmp(&b.sheet)));
     let mut pairs = Vec::new();
     for (n, b) in boxes.iter().enumerate() {
+        if pairs.len() > MOST_MEETINGS {
+            break;
+        }
         for c in &boxes[n + 1..] {
             if c.lo.x > b.hi.x {
                 break;

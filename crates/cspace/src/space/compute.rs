@@ -9,11 +9,12 @@ use crate::part::{Corresponding, Part};
 
 use super::assemble::Assembler;
 use super::branch::{Traced, branches, pair_events};
-use super::candidates::{Candidates, MAX_SHEETS};
+use super::candidates::Candidates;
 use super::chains::Linker;
 use super::clusters::Clusters;
 use super::core::Cores;
 use super::graph::{ContactSpace, Window};
+use super::limits::{MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS};
 use super::shells::ShellFinder;
 use super::stats::{Decisions, StageSeconds, Statistics};
 use super::sweep::Sweep;
@@ -47,16 +48,60 @@ pub enum ComputeError {
         /// Last orientation given.
         hi: f64,
     },
-    /// There are more feature pairs than can be numbered.
-    #[error(
-        "{fixed} × {moving} features are too many for one contact space (at most {limit} pairs)"
-    )]
+    /// A part has too many edges.
+    #[error("part {part} has {edges} edges, too many for a contact space (at most {limit})")]
+    TooManyEdges {
+        /// The part's name.
+        part: String,
+        /// Its edges.
+        edges: usize,
+        /// Largest number of edges.
+        limit: usize,
+    },
+    /// There are more pairs of edges than can be numbered.
+    #[error("{fixed} × {moving} edges are too many for one contact space (at most {limit} pairs)")]
     TooLarge {
-        /// Features of the fixed part.
+        /// Edges of the fixed part.
         fixed: usize,
-        /// Features of the moving part.
+        /// Edges of the moving part.
         moving: usize,
         /// Largest number of pairs.
+        limit: usize,
+    },
+    /// More pairs of features touch than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one contact space: more than {limit} contacts of two features"
+    )]
+    TooManyContacts {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of contacts, each over orientations in which its ends stay the same.
+        limit: usize,
+    },
+    /// More contacts are in each other's way than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one contact space: more than {limit} pairs of contacts may be in each other's way"
+    )]
+    TooManyCrossings {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of pairs of contacts that may cross.
+        limit: usize,
+    },
+    /// The contact space has more patches than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one contact space: more than {limit} patches"
+    )]
+    TooManyPatches {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of patches.
         limit: usize,
     },
     /// The computation was interrupted.
@@ -154,13 +199,21 @@ impl ContactSpace {
         progress: &dyn Progress,
     ) -> Result<Self, ComputeError> {
         let (n, m) = (fixed.edges().count(), moving.edges().count());
-        // An edge and its vertex with an edge or a vertex make four pairs, and a pair of arcs up to three sheets a turn.
-        let limit = MAX_SHEETS / 16;
-        if n.saturating_mul(m) > limit {
+        if let Some((part, edges)) = [(fixed, n), (moving, m)]
+            .into_iter()
+            .find(|(_, edges)| *edges > MOST_EDGES)
+        {
+            return Err(ComputeError::TooManyEdges {
+                part: part.name().to_owned(),
+                edges,
+                limit: MOST_EDGES,
+            });
+        }
+        if n.saturating_mul(m) > MOST_EDGE_PAIRS {
             return Err(ComputeError::TooLarge {
                 fixed: n,
                 moving: m,
-                limit,
+                limit: MOST_EDGE_PAIRS,
             });
         }
         let mut seconds = StageSeconds::default();
@@ -177,13 +230,26 @@ impl ContactSpace {
             symmetry,
             names,
         } = Plan::new(fixed, moving, window, method);
+        if !geometry.contacts.complete {
+            return Err(ComputeError::TooManyContacts {
+                fixed: n,
+                moving: m,
+                limit: MOST_SHEETS,
+            });
+        }
         let span = geometry.contacts.span;
         let sheets = &geometry.contacts.sheets;
         lap(&mut seconds.sheets);
 
         progress.stage(Stage::Candidates)?;
         let cores = Cores::new(&geometry);
-        let candidates = Candidates::find(&geometry, &cores);
+        let Some(candidates) = Candidates::find(&geometry, &cores) else {
+            return Err(ComputeError::TooManyCrossings {
+                fixed: n,
+                moving: m,
+                limit: MOST_CROSSING,
+            });
+        };
         lap(&mut seconds.candidates);
 
         progress.stage(Stage::PairEvents)?;
@@ -312,7 +378,13 @@ impl ContactSpace {
             space.statistics.seconds.total = begin.elapsed().as_secs_f64();
             return Ok(space);
         }
-        let mut space = assembler.assemble(fixed, moving);
+        let Some(mut space) = assembler.assemble(fixed, moving) else {
+            return Err(ComputeError::TooManyPatches {
+                fixed: n,
+                moving: m,
+                limit: MOST_PATCHES,
+            });
+        };
         lap(&mut seconds.graph);
         seconds.total = begin.elapsed().as_secs_f64();
         space.statistics = Statistics {

@@ -3,9 +3,10 @@
 use core::f64::consts::TAU;
 
 use crate::contact::Geometry;
-use crate::feature::inscribed_discs;
+use crate::feature::{Plenty, inscribed_discs};
 use crate::geometry::{Point, Rotation, Vector};
 
+use super::anchors::Anchors;
 use super::grid::Grid;
 use super::uncovered::{BlockedDiscs, Disc, LONG};
 
@@ -13,6 +14,8 @@ use super::uncovered::{BlockedDiscs, Disc, LONG};
 #[derive(Debug)]
 pub(super) struct Cores {
     pairs: Vec<DiscPair>,
+    /// Only of large pairs.
+    anchors: Option<Anchors>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -25,12 +28,18 @@ struct DiscPair {
 impl Cores {
     pub(super) fn new(geometry: &Geometry) -> Self {
         let frame = &geometry.frame;
+        let plenty = if geometry.contacts.sheets.len() > MANY_SHEETS {
+            Plenty::Many
+        } else {
+            Plenty::Few
+        };
         let fixed = inscribed_discs(
             geometry.fixed_part(),
             geometry.fixed_center(),
             frame.scale,
             geometry.fixed.disc,
             geometry.fixed_fold,
+            plenty,
         );
         let moving = inscribed_discs(
             geometry.moving_part(),
@@ -38,6 +47,7 @@ impl Cores {
             frame.scale,
             geometry.moving.disc,
             geometry.moving_fold,
+            plenty,
         );
         let mut pairs = Vec::new();
         for a in &fixed {
@@ -54,11 +64,17 @@ impl Cores {
         let turns = (contacts.span.hi - contacts.span.lo) / TAU;
         let in_turn = contacts.sheets.len() as f64 / turns;
         pairs.truncate(1 + (in_turn / SHEETS_PER_DISC) as usize);
-        Self { pairs }
+        let many = plenty == Plenty::Many;
+        Self {
+            pairs,
+            anchors: many
+                .then(|| Anchors::new(geometry, &fixed, &moving))
+                .flatten(),
+        }
     }
 
     /// Where they are about an orientation.
-    pub(super) fn about(&self, theta: f64) -> Layout {
+    pub(super) fn about(&self, theta: f64) -> Layout<'_> {
         let turn = Rotation::by(theta);
         let mut pairs = self.pairs.iter();
         let largest = pairs.next().copied();
@@ -75,6 +91,7 @@ impl Cores {
             largest,
             grid: (others.len() > FEW).then(|| Grid::new(others.iter().map(|o| o.1), LONG)),
             others,
+            anchors: self.anchors.as_ref(),
         }
     }
 }
@@ -92,21 +109,25 @@ impl DiscPair {
 /// One more disc for so many sheets in a turn: asking more costs small pairs more than they save.
 const SHEETS_PER_DISC: f64 = 64.0;
 
+/// With more sheets than this the time goes into crossings in blocked space, and many discs save more than they cost.
+const MANY_SHEETS: usize = 8192;
+
 /// So many discs are asked one by one faster than they are put into a grid.
 const FEW: usize = 16;
 
 /// The discs in a grid, as they are about some orientation: it tells which of them are worth a look.
 #[derive(Debug)]
-pub(super) struct Layout {
+pub(super) struct Layout<'a> {
     /// The largest, which covers most that is covered at all.
     largest: Option<DiscPair>,
     /// The others, each with a disc about what it has outside the largest.
     others: Vec<(DiscPair, (Point, f64))>,
     /// Unless they are few.
     grid: Option<Grid>,
+    pub(super) anchors: Option<&'a Anchors>,
 }
 
-impl Layout {
+impl Layout<'_> {
     /// Which of the other discs may cover some of a curve that lies within `reach` of a place.
     pub(super) fn near(&self, middle: Point, reach: f64) -> impl Iterator<Item = usize> + '_ {
         let close = move |i: &usize| {

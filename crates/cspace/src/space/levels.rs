@@ -18,6 +18,7 @@ use crate::union_find::UnionFind;
 use super::branch::{Branch, Coincidence};
 use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
+use super::covering::Covering;
 use super::extent::{CellExtents, Side};
 use super::sweep::Cells;
 
@@ -90,6 +91,28 @@ impl Track {
                 zero,
             } => wrap((p - center).angle() - zero) * radius.abs(),
         }
+    }
+
+    /// Which pieces may cover a place. One that reaches over the place where a circle is cut open may cover any.
+    fn covering(&self, pieces: &[Piece]) -> Covering {
+        /// Rounding of an end, of a piece or of the circle: pieces cover a little less than this makes them.
+        const SLACK: f64 = SHORTEST_OVERLAP;
+        let (lowest, highest) = match *self {
+            Self::Line { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            Self::Circle { radius, .. } => {
+                let half_turn = core::f64::consts::PI * radius.abs() - SLACK;
+                (-half_turn, half_turn)
+            }
+        };
+        Covering::new(pieces.iter().map(|p| {
+            let mid = self.difference(p.mid, 0.0);
+            let (from, to) = (mid - p.half - SLACK, mid + p.half + SLACK);
+            if lowest < from && to < highest {
+                (from, to)
+            } else {
+                (f64::NEG_INFINITY, f64::INFINITY)
+            }
+        }))
     }
 
     fn difference(&self, a: f64, b: f64) -> f64 {
@@ -228,14 +251,17 @@ impl Levels<'_> {
         for along in [true, false] {
             // Stretches of the track with the cells that continue each other there; neighbours of one pair are one.
             let mut stretches: Vec<Stretch> = Vec::new();
+            let (mut near_below, mut near_above) = (track.covering(&below), track.covering(&above));
             for w in marks.windows(2) {
                 if w[1] - w[0] <= SHORTEST_OVERLAP {
                     continue;
                 }
                 let middle = 0.5 * (w[0] + w[1]);
                 let p = self.point(&track, first.start.at(turn), middle);
-                let low = self.outermost(&below, &track, middle, p, along, theta_below);
-                let high = self.outermost(&above, &track, middle, p, along, theta_above);
+                let low = near_below.at(middle).map(|i| &below[i]);
+                let low = self.outermost(low, &track, middle, p, along, theta_below);
+                let high = near_above.at(middle).map(|i| &above[i]);
+                let high = self.outermost(high, &track, middle, p, along, theta_above);
                 let (Some(low), Some(high)) = (low, high) else {
                     continue;
                 };
@@ -345,7 +371,7 @@ impl Levels<'_> {
     /// The piece that faces free space at a place, just off the level, on one of the two faces of the track.
     fn outermost<'p>(
         &self,
-        pieces: &'p [Piece],
+        pieces: impl Iterator<Item = &'p Piece>,
         track: &Track,
         place: f64,
         p: Point,
@@ -360,7 +386,7 @@ impl Levels<'_> {
         let turn = Rotation::by(theta);
         let mut best: Option<(f64, &Piece)> = None;
         let mut ceiling = f64::INFINITY;
-        for q in pieces.iter().filter(|q| q.covers(track, place)) {
+        for q in pieces.filter(|q| q.covers(track, place)) {
             let h = self.height(&self.cells.cells[q.cell as usize], p, outward, turn);
             if q.along != along {
                 ceiling = ceiling.min(h);

@@ -57,7 +57,7 @@ impl<'a> Lifts<'a> {
                 count,
                 closed: chain.closed,
             });
-            base += count;
+            base = base.saturating_add(count);
         }
         this
     }
@@ -66,7 +66,7 @@ impl<'a> Lifts<'a> {
     pub(super) fn len(&self) -> usize {
         self.copies
             .last()
-            .map_or(0, |c| (c.base + c.count) as usize)
+            .map_or(0, |c| (c.base.saturating_add(c.count)) as usize)
     }
 
     /// The shifts, in slabs, with which an interval has more than the narrowest band in the window: first and number.

@@ -1,6 +1,7 @@
 //! The contact space of a pair of parts, over all orientations.
 
 mod active;
+mod anchors;
 mod assemble;
 mod branch;
 mod candidates;
@@ -9,12 +10,14 @@ mod chains;
 mod clusters;
 mod compute;
 mod core;
+mod covering;
 mod extent;
 mod gaps;
 mod graph;
 mod grid;
 mod levels;
 mod lifts;
+mod limits;
 mod links;
 mod meetings;
 mod passing;

@@ -56,6 +56,12 @@ impl Copying {
     }
 }
 
+/// So many shells get a slice each.
+const FEW_SHELLS: usize = 64;
+
+/// How far from its ends a slice must pass a patch to stand for its shell, as a share of its orientations.
+const WELL_AWAY: f64 = 0.25;
+
 /// Numbers the regions, the unbounded one first, and tells each patch its own.
 pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
     let n = space.patches.len();
@@ -91,9 +97,25 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
     }
     let mut samples: Vec<(u32, Configuration)> = Vec::new();
     let mut done = vec![false; n];
+    // Of many shells those that a slice passes well away from their ends need no slice of their own.
+    let shared = longest.iter().filter(|&&i| i != NONE).count() > FEW_SHELLS;
+    let mut passed: Vec<Option<(u32, Configuration)>> = vec![None; if shared { n } else { 0 }];
+    let mut take = |i: u32, inside: Configuration, done: &mut [bool]| {
+        for slabs in 0..copying.shifts() {
+            let copy = copying.copy(i, slabs, far);
+            let seen = &mut done[shell[copy as usize] as usize];
+            if !core::mem::replace(seen, true) {
+                samples.push((copy, copying.configuration(space, inside, slabs)));
+            }
+        }
+    };
     for s in 0..n {
         let i = longest[s];
         if i == NONE || done[s] {
+            continue;
+        }
+        if let Some(&Some((i, inside))) = passed.get(s) {
+            take(i, inside, &mut done);
             continue;
         }
         let p = &space.patches[i as usize];
@@ -107,15 +129,20 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
             }
         }
         nest(&slice, far, |a, b| together.push((a, b)));
-        let inside = sample(&slice, i);
         for slabs in 0..copying.shifts() {
             for &(a, b) in &together {
                 sets.union(copying.copy(a, slabs, far), copying.copy(b, slabs, far));
             }
-            let copy = copying.copy(i, slabs, far);
-            let seen = &mut done[shell[copy as usize] as usize];
-            if !core::mem::replace(seen, true) {
-                samples.push((copy, copying.configuration(space, inside, slabs)));
+        }
+        take(i, sample(&slice, i), &mut done);
+        if !shared {
+            continue;
+        }
+        for j in slice.curves.iter().filter_map(|c| c.patch) {
+            let (p, s) = (&space.patches[j as usize], shell[j as usize] as usize);
+            let margin = (slice.theta - p.lo).min(p.hi - slice.theta);
+            if !done[s] && passed[s].is_none() && margin > WELL_AWAY * (p.hi - p.lo) {
+                passed[s] = Some((j, sample(&slice, j)));
             }
         }
     }

@@ -8,7 +8,7 @@ use crate::contact::{Geometry, Placed, Steps};
 use crate::feature::FeatureName;
 use crate::part::{Corresponding, Part, Symmetrized};
 
-use super::candidates::MAX_SHEETS;
+use super::limits::{MOST_EDGE_PAIRS, MOST_SHEETS};
 
 /// Whether rotational symmetry of the parts is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -97,7 +97,7 @@ impl Plan {
         let wider = (window.map(|(lo, hi)| (lo - BEYOND_WINDOW, hi + BEYOND_WINDOW)))
             .filter(|(lo, hi)| hi - lo < TAU);
         let general = |symmetry| Self {
-            geometry: Geometry::new(fixed, moving, wider),
+            geometry: Geometry::new(fixed, moving, wider, MOST_SHEETS),
             symmetry,
             names: Names::default(),
         };
@@ -127,7 +127,7 @@ impl Plan {
             fixed: a.filter(|_| steps.fixed > 0),
             moving: b.filter(|_| steps.moving > 0),
         };
-        if names.pairs(fixed, moving) > MAX_SHEETS / 16 {
+        if names.pairs(fixed, moving) > MOST_EDGE_PAIRS {
             return general(folds);
         }
         let deviation = [&names.fixed, &names.moving]
@@ -139,6 +139,7 @@ impl Plan {
             placed(&names.fixed, fixed),
             placed(&names.moving, moving),
             steps,
+            MOST_SHEETS,
         ) {
             Some(geometry) => Self {
                 geometry,

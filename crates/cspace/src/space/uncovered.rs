@@ -42,7 +42,26 @@ pub(super) struct BlockedDiscs<'a> {
     pub(super) half: f64,
     pub(super) largest: Option<Disc>,
     pub(super) others: Vec<Disc>,
-    pub(super) layout: &'a Layout,
+    pub(super) layout: &'a Layout<'a>,
+}
+
+/// How often the middles of what is left open are looked up.
+const ROUNDS: usize = 3;
+
+/// What is not covered between two parameters.
+fn left_open(covered: &mut [(f64, f64)], (from, to): (f64, f64), open: &mut Vec<(f64, f64)>) {
+    covered.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    open.clear();
+    let mut at = from;
+    for &(lo, hi) in covered.iter().chain([&(to, f64::INFINITY)]) {
+        if lo > at {
+            open.push((at, lo.min(to)));
+        }
+        at = at.max(hi);
+        if at >= to {
+            break;
+        }
+    }
 }
 
 /// The work of [`BlockedDiscs::uncovered`], kept for the next time.
@@ -99,15 +118,19 @@ impl BlockedDiscs<'_> {
         if near.any(|i| take(&self.others[i])) {
             return;
         }
-        covered.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        let mut at = from;
-        for &(lo, hi) in covered.iter().chain([&(to, f64::INFINITY)]) {
-            if lo > at {
-                open.push((at, lo.min(to)));
-            }
-            at = at.max(hi);
-            if at >= to {
-                break;
+        left_open(covered, (from, to), open);
+        if let Some(anchors) = self.layout.anchors {
+            for _ in 0..ROUNDS {
+                let before = covered.len();
+                for &(lo, hi) in open.iter() {
+                    let middle = path.at(0.5 * (lo + hi));
+                    let discs = anchors.at(middle, self.turn);
+                    covered.extend(discs.filter_map(|d| path.within(&d, self.half)));
+                }
+                if covered.len() == before {
+                    break;
+                }
+                left_open(covered, (from, to), open);
             }
         }
         if sheet.is_circle() {
@@ -177,6 +200,21 @@ impl Path {
                 ends: (sheet.start.w, sheet.end.w),
                 middle: start.midpoint(end),
                 reach: 0.5 * (end - start).length(),
+            }
+        }
+    }
+
+    /// The place at a parameter.
+    fn at(&self, t: f64) -> Point {
+        match self.shape {
+            Shape::Line { start, along } => start + along * t,
+            Shape::Circle {
+                center,
+                radius,
+                mid,
+            } => {
+                let normal = mid * ((1.0 - t) * (1.0 + t)).max(0.0).sqrt() + mid.left() * t;
+                center + normal * radius
             }
         }
     }
@@ -272,15 +310,19 @@ mod tests {
     fn covered_curves_are_blocked() {
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let (mut covered, mut asked) = (0, 0);
-        for bulge in [0.3, -0.3] {
-            let geometry = Geometry::new(&wheel(7, bulge), &wheel(5, -bulge), None);
+        // Few sheets, of each orientation all; and so many that places are looked up.
+        for (teeth, bulge, step) in [((7, 5), 0.3, 1), ((7, 5), -0.3, 1), ((60, 20), 0.3, 97)] {
+            let (a, b) = (wheel(teeth.0, bulge), wheel(teeth.1, -bulge));
+            let geometry = Geometry::new(&a, &b, None, usize::MAX);
             let cores = Cores::new(&geometry);
+            let looked_up = cores.about(0.0).anchors.is_some();
+            assert_eq!(looked_up, step > 1);
             let mut work = Uncovered::default();
             for _ in 0..40 {
                 let (theta, half) = (rng.random_range(-3.0..3.0), rng.random_range(0.001..0.04));
                 let layout = cores.about(theta + rng.random_range(-0.05..0.05));
                 let discs = layout.at(theta, half);
-                for sheet in &geometry.contacts.sheets {
+                for sheet in geometry.contacts.sheets.iter().step_by(step) {
                     let (lo, hi) = (sheet.lo.max(theta - half), sheet.hi.min(theta + half));
                     if lo >= hi {
                         continue;
