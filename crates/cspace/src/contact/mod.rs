@@ -21,4 +21,6 @@ pub use function::{ContactFunction, Spiral};
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Geometry, Placed};
 pub(crate) use sheet::{Seam, Sheet};
+#[cfg(feature = "fuzzing")]
+pub(crate) use sheet::{EndAngle, SheetKind};
 pub(crate) use twist::{Permutation, Steps, Twist};
