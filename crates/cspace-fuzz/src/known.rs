@@ -16,6 +16,14 @@ pub enum Known {
     /// Beside a tangency a critical orientation is known to 1e-6 rad only: an answer nearer to contact than
     /// [`BESIDE_TANGENCY`] times the size.
     BesideTangency,
+    /// The space says itself that it has a conflict, two touches nearly at one orientation that it cannot tell apart: its
+    /// cells are decided one by one, and the loops of its slices may be open between the two.
+    Conflict,
+    /// A slice from scratch that is open within [`AT_A_TIE`] of an orientation at which it is closed: curves of second order
+    /// contact, as of a part in a hole of its own shape.
+    SliceAtATie,
+    /// An event beside a tangency of curves of which one hardly turns: it is told with [`LARGEST_ERROR`], and would need more.
+    CappedError,
 }
 
 /// Radii from which on places on an arc lose the digits that decisions need, in sizes.
@@ -23,6 +31,15 @@ const FLAT: f64 = 1e4;
 
 /// How near to contact answers may be wrong beside a tangency, as a share of the size.
 const BESIDE_TANGENCY: f64 = 1e-6;
+
+/// How near (radians) to an orientation at which it is closed a slice from scratch may be open.
+pub(crate) const AT_A_TIE: f64 = 1e-6;
+
+/// The largest error with which an event is told, radians.
+const LARGEST_ERROR: f64 = 1e-6;
+
+/// The error of a coefficient of an event, in units of the lengths it is made of: 8 roundings of four times their sum.
+const COEFFICIENT_ERROR: f64 = 32.0 * f64::EPSILON;
 
 /// Why a pair is not asked at all, if it is one of those.
 pub(crate) fn pair(case: &Case) -> Option<Known> {
@@ -39,13 +56,23 @@ pub(crate) fn member(family: &str, value: f64) -> Option<Known> {
     known(family, value).map(Known::Family)
 }
 
-/// Why a fault is no finding.
-pub(crate) fn fault(case: &Case, fault: &Fault) -> Option<Known> {
+/// Why a root need not be told: by its function's amplitude, its slope there, and the lengths of which it is made.
+///
+/// An error e of the coefficients moves a root by e over the slope, and by √(2 e / amplitude) at most.
+pub(crate) fn root(amplitude: f64, slope: f64, lengths: f64) -> Option<Known> {
+    let e = COEFFICIENT_ERROR * lengths;
+    let error = (e / slope).min((2.0 * e / amplitude).sqrt());
+    (error > 0.5 * LARGEST_ERROR).then_some(Known::CappedError)
+}
+
+/// Why a fault is no finding, of a space with so many conflicts.
+pub(crate) fn fault(case: &Case, fault: &Fault, conflicts: u64) -> Option<Known> {
     let near = BESIDE_TANGENCY * Oracle::new(&case.fixed, &case.moving).size();
     match fault {
         Fault::Wrong { verdict, .. } | Fault::Inverse { verdict, .. } if verdict.margin < near => {
             Some(Known::BesideTangency)
         }
+        Fault::Open { .. } | Fault::Loops { .. } if conflicts > 0 => Some(Known::Conflict),
         _ => None,
     }
 }

@@ -19,6 +19,7 @@
 //! ```
 
 mod area;
+mod axes;
 pub mod draw;
 pub mod exact;
 mod finding;

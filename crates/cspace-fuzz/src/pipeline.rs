@@ -7,7 +7,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use crate::draw::{Bytes, member, nearly_tied};
-use crate::{Finding, known};
+use crate::{Finding, axes, known};
 
 /// Pairs with more edges of one part times those of the other are left to other tests: they take long.
 const MOST_EDGES: usize = 600;
@@ -20,6 +20,9 @@ const BANDS: usize = 6;
 
 /// Of so many pairs one is also computed the other way round, with two threads, and tried with a classifier.
 const THOROUGH: usize = 16;
+
+/// Of so many pairs one is put on fixed axes.
+const ON_AXES: usize = 4;
 
 struct Silent;
 
@@ -38,6 +41,9 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
     if case.fixed.edges().count() * case.moving.edges().count() > MOST_EDGES {
         return Ok(0);
     }
+    if bytes.below(ON_AXES) == ON_AXES - 1 {
+        return axes::run(&case, &mut bytes);
+    }
     let effort = Effort {
         configurations: CONFIGURATIONS,
         bands: BANDS,
@@ -48,7 +54,7 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
     let about = |f: Finding| f.about(&case.fixed, &case.moving, case.window);
     let report = check(&case, effort, &mut rng, &Silent)
         .map_err(|e| about(Finding::new(format!("no contact space: {e}"))))?;
-    let new = |f: &&Fault| known::fault(&case, f).is_none();
+    let new = |f: &&Fault| known::fault(&case, f, report.conflicts).is_none();
     let faults: Vec<&Fault> = report.faults.iter().filter(new).collect();
     if let Some(first) = faults.first() {
         let said = format!(

@@ -42,6 +42,7 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
         return Ok(0);
     }
     let found = |said: String| Finding::new(said).about(&case.fixed, &case.moving, None);
+    let slicer = Slicer::new(&case.fixed, &case.moving);
     let slice = if of_space {
         let options = Options {
             window: Some((theta - WINDOW, theta + WINDOW)),
@@ -51,22 +52,33 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
             .map_err(|e| found(format!("no contact space about {theta:?}: {e}")))?;
         space.slice(theta)
     } else {
-        Slicer::new(&case.fixed, &case.moving).slice(theta)
+        slicer.slice(theta)
     };
+    let size = case.fixed.size().max(case.moving.size());
+    if let Err(said) = closed(&slice, size) {
+        let beside = [-1.0, 1.0].map(|s| slicer.slice(theta + s * known::AT_A_TIE));
+        if !of_space && beside.iter().all(|s| closed(s, size).is_ok()) {
+            return Ok(0); // Known::SliceAtATie
+        }
+        let of = source(of_space);
+        return Err(found(format!("the slice {of} at {theta:?}: {said}")));
+    }
     judge(&case, &slice, &mut bytes).map_err(|said| {
-        let of = if of_space {
-            "of the space"
-        } else {
-            "from scratch"
-        };
+        let of = source(of_space);
         found(format!("the slice {of} at {theta:?}: {said}"))
     })
 }
 
-/// Three things at least: loops, area, and positions.
-fn judge(case: &Case, slice: &Slice, bytes: &mut Bytes<'_>) -> Result<u64, String> {
-    let oracle = Oracle::new(&case.fixed, &case.moving);
-    let size = oracle.size();
+fn source(of_space: bool) -> &'static str {
+    if of_space {
+        "of the space"
+    } else {
+        "from scratch"
+    }
+}
+
+/// Whether every curve begins where the one before it ends.
+fn closed(slice: &Slice, size: f64) -> Result<(), String> {
     for (i, curve) in slice.curves.iter().enumerate() {
         let Some(next) = slice.curves.get(curve.next as usize) else {
             return Err(format!("curve {i} is followed by none"));
@@ -76,6 +88,13 @@ fn judge(case: &Case, slice: &Slice, bytes: &mut Bytes<'_>) -> Result<u64, Strin
             return Err(format!("curve {i} ends {gap:e} from where the next begins"));
         }
     }
+    Ok(())
+}
+
+/// The area, and positions.
+fn judge(case: &Case, slice: &Slice, bytes: &mut Bytes<'_>) -> Result<u64, String> {
+    let oracle = Oracle::new(&case.fixed, &case.moving);
+    let size = oracle.size();
     let area = area::blocked(slice, area::middle(&oracle, slice.theta));
     let (lo, hi) = area::bounds(&oracle, slice.theta);
     let slack = SAME_AREA * size * size;

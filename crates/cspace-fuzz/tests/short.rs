@@ -14,7 +14,7 @@ use rand_chacha::ChaCha8Rng;
 const LONGEST: Duration = Duration::from_secs(20);
 
 /// The longest random input, bytes.
-const BYTES: usize = 400;
+const BYTES: usize = 600;
 
 /// Runs one input: how many answers were judged.
 fn one(target: &Target, data: &[u8], name: &str) -> u64 {

@@ -109,13 +109,13 @@ impl Dyadic {
     pub fn near(&self) -> f64 {
         let bits = self.mantissa.bits() as i64;
         let cut = (bits - 64).max(0);
-        let top = &self.mantissa >> cut;
-        let (sign, digits) = top.to_u64_digits();
-        let value = digits.first().map_or(0.0, |&d| d as f64);
+        // Of the magnitude: a negative number would be rounded away from zero, perhaps to one bit more.
+        let top = self.mantissa.magnitude() >> cut;
+        let value = top.to_u64_digits().first().map_or(0.0, |&d| d as f64);
         let exponent = (self.exponent + cut).clamp(-2000, 2000) as i32;
         // In two steps: one power of two alone may underflow.
         let value = value * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
-        if sign == Sign::Minus { -value } else { value }
+        if self.sign() < 0 { -value } else { value }
     }
 
     /// Both with one exponent.
@@ -189,6 +189,9 @@ mod tests {
         for x in [1.0, -0.1, 5e-324, f64::MAX, 1.5e-310, 0.0] {
             assert_eq!(Dyadic::of(x).near(), x);
         }
+        // −(2⁷⁰ − 1) has more bits than are looked at.
+        let many = &Dyadic::of(1.0).shifted(70) - &Dyadic::of(1.0);
+        assert_eq!((-&many).near(), -(2f64.powi(70)));
         // (1 + 2⁻⁵²)² is no double.
         let square = Dyadic::of(1.0 + f64::EPSILON).square();
         assert!(square > Dyadic::of((1.0 + f64::EPSILON).powi(2)));

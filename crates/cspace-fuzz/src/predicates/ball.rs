@@ -37,6 +37,10 @@ fn number(bytes: &mut Bytes<'_>) -> f64 {
 }
 
 fn ball(bytes: &mut Bytes<'_>) -> Enclosure {
+    if bytes.below(16) == 0 {
+        let unknown = f64::INFINITY;
+        return bytes.one_of(&[(0.0, unknown), (unknown, unknown), (f64::NAN, f64::NAN)]);
+    }
     let mid = number(bytes);
     let radius = match bytes.below(4) {
         0 => 0.0,
@@ -50,8 +54,16 @@ fn ball(bytes: &mut Bytes<'_>) -> Enclosure {
     (mid, radius)
 }
 
+/// Whether every real is a member: so it is after a quotient by zero, or where numbers became too large. It has no sign.
+fn is_everything((mid, radius): Enclosure) -> bool {
+    !mid.is_finite() || !radius.is_finite()
+}
+
 /// A member: an end, the middle, or one between.
 fn member((mid, radius): Enclosure, bytes: &mut Bytes<'_>) -> Dyadic {
+    if is_everything((mid, radius)) {
+        return Dyadic::of(number(bytes));
+    }
     let k = bytes.one_of(&[8.0, -8.0, 0.0, 1.0, -7.0]);
     &Dyadic::of(mid) + &(&Dyadic::of(radius) * &Dyadic::of(0.125 * k))
 }
@@ -73,10 +85,7 @@ impl Fraction {
 
     /// Whether it is certainly no member of the ball: |n − d mid| > |d| radius.
     fn is_outside(&self, (mid, radius): Enclosure) -> bool {
-        if mid.is_nan() || radius.is_nan() {
-            return true;
-        }
-        if !radius.is_finite() {
+        if is_everything((mid, radius)) {
             return false;
         }
         let off = (&self.over - &(&self.under * &Dyadic::of(mid))).abs();
@@ -86,10 +95,7 @@ impl Fraction {
 
 /// Whether √x is certainly no member: all of them are below or above it.
 fn root_is_outside(x: &Dyadic, (mid, radius): Enclosure) -> bool {
-    if mid.is_nan() || radius.is_nan() {
-        return true;
-    }
-    if !radius.is_finite() {
+    if is_everything((mid, radius)) {
         return false;
     }
     let (mid, radius) = (Dyadic::of(mid), Dyadic::of(radius));
@@ -205,10 +211,7 @@ pub(super) fn run_jet(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
 
 /// Whether dx / (2 √x) is certainly not in the ball: its square times 4 x is compared with dx², signs aside.
 fn root_slope_is_outside(x: &Dyadic, dx: &Dyadic, (mid, radius): Enclosure) -> bool {
-    if mid.is_nan() || radius.is_nan() {
-        return true;
-    }
-    if !radius.is_finite() {
+    if is_everything((mid, radius)) {
         return false;
     }
     let (mid, radius) = (Dyadic::of(mid), Dyadic::of(radius));
