@@ -3,6 +3,7 @@
 //! Each sort is described in the README under *Known limits*; `tests/regression` has an example. When one is mended, its
 //! entry here goes.
 
+use cspace::{Edge, Loop};
 use cspace_load::{Fault, known};
 use cspace_oracle::{Case, Oracle};
 
@@ -13,6 +14,8 @@ pub enum Known {
     Family(&'static str),
     /// An arc with a radius of more than [`FLAT`] times the size.
     FlatArc,
+    /// A joint that turns by more than [`SMOOTH`]'s first and less than its second angle: about the limit of smooth ones.
+    JointAtTheLimit,
     /// Beside a tangency a critical orientation is known to 1e-6 rad only: an answer nearer to contact than
     /// [`BESIDE_TANGENCY`] times the size.
     BesideTangency,
@@ -29,6 +32,10 @@ pub enum Known {
 /// Radii from which on places on an arc lose the digits that decisions need, in sizes.
 const FLAT: f64 = 1e4;
 
+/// Turns of joints (radians) about the limit of smooth ones, 2⁻²⁶ ≈ 1.5e-8: their contact curves are as long as they are
+/// known.
+const SMOOTH: (f64, f64) = (1e-9, 2e-6);
+
 /// How near to contact answers may be wrong beside a tangency, as a share of the size.
 const BESIDE_TANGENCY: f64 = 1e-6;
 
@@ -44,11 +51,27 @@ const COEFFICIENT_ERROR: f64 = 32.0 * f64::EPSILON;
 /// Why a pair is not asked at all, if it is one of those.
 pub(crate) fn pair(case: &Case) -> Option<Known> {
     let size = case.fixed.size().max(case.moving.size());
-    let edges = case.fixed.edges().chain(case.moving.edges());
-    edges
-        .filter(|e| !e.is_line())
-        .any(|e| e.radius() > FLAT * size)
-        .then_some(Known::FlatArc)
+    let parts = [&case.fixed, &case.moving];
+    let flat = |e: &Edge| !e.is_line() && e.radius() > FLAT * size;
+    if parts.iter().any(|p| p.edges().any(|e| flat(&e))) {
+        return Some(Known::FlatArc);
+    }
+    parts
+        .iter()
+        .any(|p| p.loops().iter().any(has_joint_at_the_limit))
+        .then_some(Known::JointAtTheLimit)
+}
+
+fn has_joint_at_the_limit(outline: &Loop) -> bool {
+    let edges: Vec<Edge> = outline.edges().collect();
+    edges.iter().enumerate().any(|(i, e)| {
+        let (before, after) = (
+            e.end_direction(),
+            edges[(i + 1) % edges.len()].start_direction(),
+        );
+        let turn = before.cross(after).atan2(before.dot(after)).abs();
+        (SMOOTH.0..SMOOTH.1).contains(&turn)
+    })
 }
 
 /// Why a pair of a family is not asked.
