@@ -60,7 +60,7 @@ impl<'a> Bytes<'a> {
     pub fn nudged(&mut self, x: f64) -> f64 {
         let k = self.below(2 * NUDGES.len());
         let nudge = NUDGES[k / 2];
-        x + if k % 2 == 0 { nudge } else { -nudge }
+        x + if k.is_multiple_of(2) { nudge } else { -nudge }
     }
 
     /// A number from −1 to 1 that favours ties: on a coarse lattice, a cosine of a multiple of 15°, or any; and nearly so.

@@ -12,20 +12,20 @@ use cspace_oracle::{Case, Oracle};
 pub enum Known {
     /// A pair of a family at a value from which on it goes wrong: the list of `cspace-load`.
     Family(&'static str),
-    /// An arc with a radius of more than [`FLAT`] times the size.
+    /// An arc with a radius of more than 10⁴ times the size.
     FlatArc,
-    /// A joint that turns by more than [`SMOOTH`]'s first and less than its second angle: about the limit of smooth ones.
+    /// A joint that turns by between 1e-9 and 2e-6 rad: about the limit of smooth ones.
     JointAtTheLimit,
     /// Beside a tangency a critical orientation is known to 1e-6 rad only: an answer nearer to contact than
-    /// [`BESIDE_TANGENCY`] times the size.
+    /// 1e-6 times the size.
     BesideTangency,
     /// The space says itself that it has a conflict, two touches nearly at one orientation that it cannot tell apart: its
     /// cells are decided one by one, and the loops of its slices may be open between the two.
     Conflict,
-    /// A slice from scratch that is open within [`AT_A_TIE`] of an orientation at which it is closed: curves of second order
+    /// A slice from scratch that is open within 1e-6 rad of an orientation at which it is closed: curves of second order
     /// contact, as of a part in a hole of its own shape.
     SliceAtATie,
-    /// An event beside a tangency of curves of which one hardly turns: it is told with [`LARGEST_ERROR`], and would need more.
+    /// An event beside a tangency of curves of which one hardly turns: it is told with 1e-6 rad, the largest error, and would need more.
     CappedError,
 }
 

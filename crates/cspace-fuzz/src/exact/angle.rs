@@ -15,11 +15,11 @@ const TERMS: u32 = 16;
 
 /// Cosines and sines are right to 2 to this power.
 ///
-/// Each of the [`TERMS`] is rounded to 2⁻²⁸⁰, and each doubling multiplies the error by 4 at most and adds some roundings:
+/// Each of the 16 terms is rounded to 2⁻²⁸⁰, and each doubling multiplies the error by 4 at most and adds some roundings:
 /// 2⁻²⁸⁰ · 2⁶ · 4¹⁶ < 2⁻²⁴⁰.
 pub const ANGLE_ERROR: i64 = -240;
 
-/// Cosine and sine of an angle of magnitude up to 16 radians, to 2^[`ANGLE_ERROR`].
+/// Cosine and sine of an angle of magnitude up to 16 radians, to 2 to the power of [`ANGLE_ERROR`].
 ///
 /// ```
 /// use cspace_fuzz::exact::{Dyadic, cos_sin};
