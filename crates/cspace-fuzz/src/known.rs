@@ -99,3 +99,33 @@ pub(crate) fn fault(case: &Case, fault: &Fault, conflicts: u64) -> Option<Known>
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cspace_oracle::families;
+
+    /// Only what is named is left out: most members of the families are asked.
+    #[test]
+    fn few_pairs_are_left_out() {
+        let (mut all, mut left_out) = (0, 0);
+        for family in families() {
+            for &value in &family.values {
+                let Ok(case) = family.build(value) else {
+                    continue;
+                };
+                all += 1;
+                left_out +=
+                    u32::from(member(family.name, value).is_some() || pair(&case).is_some());
+            }
+        }
+        assert!(4 * left_out < all, "{left_out} of {all}");
+        assert!(left_out > 0);
+    }
+
+    #[test]
+    fn an_event_needs_a_large_error_only_where_little_turns() {
+        assert_eq!(root(1.0, 0.0, 1.0), None);
+        assert_eq!(root(1e-12, 1e-13, 1.0), Some(Known::CappedError));
+    }
+}

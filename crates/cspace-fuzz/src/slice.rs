@@ -133,3 +133,42 @@ fn judge(case: &Case, slice: &Slice, bytes: &mut Bytes<'_>) -> Result<u64, Strin
     }
     Ok(judged)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cspace::{Part, Vertex};
+
+    #[test]
+    fn wrong_slices_are_seen() {
+        let square = |name: &str, r: f64| {
+            let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+            Part::new(
+                name,
+                vec![corners.map(|(x, y)| Vertex::line(x, y)).to_vec()],
+            )
+            .unwrap()
+        };
+        let case = Case {
+            fixed: square("fixed", 1.0),
+            moving: square("moving", 0.5),
+            window: None,
+            notable: Vec::new(),
+        };
+        let judged = |slice: &Slice| judge(&case, slice, &mut Bytes::new(&[7; 400]));
+        let right = Slice::compute(&case.fixed, &case.moving, 0.2);
+        assert!(closed(&right, 2.0).is_ok());
+        assert!(judged(&right).is_ok_and(|n| n > 4));
+        let mut open = right.clone();
+        open.curves[0].next = u32::MAX;
+        assert!(closed(&open, 2.0).is_err());
+        // Of a smaller moving part, and of another orientation.
+        let smaller = Slice::compute(&case.fixed, &square("moving", 0.3), 0.2);
+        assert!(judged(&smaller).is_err());
+        let turned = Slice {
+            theta: 0.2,
+            ..Slice::compute(&case.fixed, &case.moving, 0.7)
+        };
+        assert!(judged(&turned).is_err());
+    }
+}

@@ -227,3 +227,28 @@ fn root_slope_is_outside(x: &Dyadic, dx: &Dyadic, (mid, radius): Enclosure) -> b
     };
     signed(&(&mid - &radius)) > wanted || signed(&(&mid + &radius)) < wanted
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_that_are_not_enclosed_are_seen() {
+        // 1/3 is between two doubles: the nearest alone does not enclose it.
+        let third = Fraction {
+            over: Dyadic::of(1.0),
+            under: Dyadic::of(3.0),
+        };
+        assert!(third.is_outside((1.0 / 3.0, 0.0)));
+        assert!(!third.is_outside((1.0 / 3.0, f64::EPSILON)));
+        let two = Dyadic::of(2.0);
+        assert!(root_is_outside(&two, (2f64.sqrt(), 0.0)));
+        assert!(!root_is_outside(&two, (2f64.sqrt(), 1e-15)));
+        // (√2)′ = 1 / (2 √2) for a slope of 1.
+        let slope = 0.5 / 2f64.sqrt();
+        let one = Dyadic::of(1.0);
+        assert!(root_slope_is_outside(&two, &one, (slope, 0.0)));
+        assert!(!root_slope_is_outside(&two, &one, (slope, 1e-15)));
+        assert!(root_slope_is_outside(&two, &one, (-slope, 1e-15)));
+    }
+}

@@ -172,3 +172,33 @@ pub(super) fn run(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
     }
     Ok(1 + told.len() as u64)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// cos θ = 1/2 at ±60°.
+    #[test]
+    fn a_root_that_is_off_or_left_out_is_seen() {
+        let exact = Exact {
+            alpha: Dyadic::of(1.0),
+            beta: Dyadic::zero(),
+            gamma: Dyadic::of(-0.5),
+        };
+        let roots = exact.roots();
+        assert_eq!(roots.len(), 2);
+        let third = PI / 3.0;
+        let right = [(third, 1e-15), (-third, 1e-15)];
+        assert!(roots.iter().all(|r| r.is_told(&right)));
+        assert!(roots.iter().any(|r| !r.is_told(&right[..1])));
+        let off = [(third + 1e-13, 1e-14), (-third, 1e-15)];
+        let missed = |r: &Direction| r.expect(&off, 0.0, PI, String::new).is_err();
+        assert_eq!(roots.iter().filter(|r| missed(r)).count(), 1);
+        // Out of the interval it need not be told.
+        assert!(
+            roots
+                .iter()
+                .all(|r| r.expect(&[], 3.0, 0.5, String::new).is_ok())
+        );
+    }
+}
