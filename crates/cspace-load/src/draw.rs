@@ -80,7 +80,10 @@ impl Source {
 }
 
 /// Two outlines that favour ties; the one perhaps the negative of the other, or the same.
-fn ties(rng: &mut ChaCha8Rng) -> Result<Case, PartError> {
+///
+/// # Errors
+/// What is wrong with the last of several outlines if none of them is a part.
+pub fn ties(rng: &mut impl Rng) -> Result<Case, PartError> {
     let moving = accepted("moving", rng, outline)?;
     let loops: Loops = moving
         .loops()
@@ -101,10 +104,10 @@ fn ties(rng: &mut ChaCha8Rng) -> Result<Case, PartError> {
 }
 
 /// The first of some outlines that is a part, or what is wrong with the last.
-fn accepted(
+fn accepted<R: Rng>(
     name: &str,
-    rng: &mut ChaCha8Rng,
-    draw: impl Fn(&mut ChaCha8Rng) -> Loops,
+    rng: &mut R,
+    draw: impl Fn(&mut R) -> Loops,
 ) -> Result<Part, PartError> {
     let mut last = PartError::Empty;
     for _ in 0..ATTEMPTS {

@@ -25,6 +25,7 @@
 
 pub mod check;
 pub mod draw;
+mod known;
 pub mod outline;
 pub mod shrink;
 pub mod tally;
@@ -32,5 +33,6 @@ mod trial;
 
 pub use check::{Effort, Fault, Report, check};
 pub use draw::{Drawn, Source};
+pub use known::known;
 pub use shrink::shrink;
 pub use tally::Tally;

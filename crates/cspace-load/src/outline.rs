@@ -5,7 +5,6 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::{Rotation, Vertex};
 use rand::Rng;
-use rand_chacha::ChaCha8Rng;
 
 /// Loops that may make a part.
 pub type Loops = Vec<Vec<Vertex>>;
@@ -23,7 +22,7 @@ const SWEEPS: [i32; 8] = [1, 2, 3, 4, 6, 8, 12, 14];
 const KINDS: usize = 9;
 
 /// An outline, turned and shifted.
-pub fn outline(rng: &mut ChaCha8Rng) -> Loops {
+pub fn outline(rng: &mut impl Rng) -> Loops {
     let drawn = match rng.random_range(0..KINDS) {
         0 | 1 => vec![lattice_star(rng)],
         2 => vec![staircase(rng)],
@@ -38,7 +37,7 @@ pub fn outline(rng: &mut ChaCha8Rng) -> Loops {
 }
 
 /// A plate with a hole of the shape of an outline's first loop, a little larger, smaller or of the same size.
-pub fn negative(of: &Loops, rng: &mut ChaCha8Rng) -> Loops {
+pub fn negative(of: &Loops, rng: &mut impl Rng) -> Loops {
     let play = [0.0, 1e-2, 1e-4, 1e-6, 1e-8, 0.25][rng.random_range(0..6)];
     let reach = of
         .iter()
@@ -52,15 +51,15 @@ pub fn negative(of: &Loops, rng: &mut ChaCha8Rng) -> Loops {
     vec![rectangle(side, side), hole.collect()]
 }
 
-fn one_of<T: Copy>(all: &[T], rng: &mut ChaCha8Rng) -> T {
+fn one_of<T: Copy>(all: &[T], rng: &mut impl Rng) -> T {
     all[rng.random_range(0..all.len())]
 }
 
-fn lattice(rng: &mut ChaCha8Rng, least: i32, most: i32) -> f64 {
+fn lattice(rng: &mut impl Rng, least: i32, most: i32) -> f64 {
     PITCH * f64::from(rng.random_range(least..=most))
 }
 
-fn bulge(rng: &mut ChaCha8Rng) -> f64 {
+fn bulge(rng: &mut impl Rng) -> f64 {
     let sweep = f64::from(one_of(&SWEEPS, rng)) * (PI / 12.0);
     let b = (0.25 * sweep).tan();
     if rng.random_bool(0.5) { b } else { -b }
@@ -81,7 +80,7 @@ fn circle(x: f64, y: f64, radius: f64) -> Vec<Vertex> {
 }
 
 /// Lattice points in order about the origin, some edges arcs.
-fn lattice_star(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
+fn lattice_star(rng: &mut impl Rng) -> Vec<Vertex> {
     let n = rng.random_range(3..9);
     let arcs = one_of(&[0.0, 0.3, 0.7], rng);
     let mut points: Vec<(f64, f64)> = (0..n)
@@ -104,7 +103,7 @@ fn lattice_star(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
 }
 
 /// Columns of lattice height side by side: L, T, U, steps and combs.
-fn staircase(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
+fn staircase(rng: &mut impl Rng) -> Vec<Vertex> {
     let columns = rng.random_range(1..6);
     let (mut x, mut top) = (0.0, Vec::new());
     for _ in 0..columns {
@@ -122,7 +121,7 @@ fn staircase(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
     all
 }
 
-fn regular(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
+fn regular(rng: &mut impl Rng) -> Vec<Vertex> {
     let n = one_of(&[3, 4, 5, 6, 8, 12], rng);
     let (outer, star) = (one_of(&RADII, rng), rng.random_bool(0.4));
     let inner = outer * one_of(&[0.5, 0.75], rng);
@@ -142,7 +141,7 @@ fn regular(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
 }
 
 /// A rectangle with rounded corners, or a stadium.
-fn rounded(rng: &mut ChaCha8Rng) -> Loops {
+fn rounded(rng: &mut impl Rng) -> Loops {
     let r = one_of(&RADII[..4], rng);
     let (w, h) = (
         r + lattice(rng, 1, 4),
@@ -177,7 +176,7 @@ fn rounded(rng: &mut ChaCha8Rng) -> Loops {
 }
 
 /// A disc, perhaps with a hole.
-fn ring(rng: &mut ChaCha8Rng) -> Loops {
+fn ring(rng: &mut impl Rng) -> Loops {
     let r = one_of(&RADII, rng);
     let mut all = vec![circle(0.0, 0.0, r)];
     if rng.random_bool(0.5) {
@@ -188,7 +187,7 @@ fn ring(rng: &mut ChaCha8Rng) -> Loops {
 }
 
 /// A sector of a ring or of a disc.
-fn sector(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
+fn sector(rng: &mut impl Rng) -> Vec<Vertex> {
     let outer = one_of(&RADII[1..], rng);
     let sweep = f64::from(rng.random_range(2..23)) * (PI / 12.0);
     let b = (0.25 * sweep).tan();
@@ -206,7 +205,7 @@ fn sector(rng: &mut ChaCha8Rng) -> Vec<Vertex> {
 }
 
 /// Discs and rectangles on the lattice.
-fn pieces(rng: &mut ChaCha8Rng) -> Loops {
+fn pieces(rng: &mut impl Rng) -> Loops {
     (0..rng.random_range(2..5))
         .map(|i| {
             let (x, y) = (1.25 * f64::from(i), lattice(rng, -2, 2));
@@ -221,7 +220,7 @@ fn pieces(rng: &mut ChaCha8Rng) -> Loops {
 }
 
 /// A plate with a few holes on the lattice.
-fn holed(rng: &mut ChaCha8Rng) -> Loops {
+fn holed(rng: &mut impl Rng) -> Loops {
     let (columns, rows) = (rng.random_range(1..4), rng.random_range(1..3));
     let (w, h) = (1.5 * f64::from(columns), 1.5 * f64::from(rows));
     let mut all = vec![rectangle(w, h)];
@@ -249,7 +248,7 @@ fn holed(rng: &mut ChaCha8Rng) -> Loops {
 }
 
 /// Turned by a multiple of 15°, mirrored, shifted along the lattice, or none of it.
-fn placed(loops: &Loops, rng: &mut ChaCha8Rng) -> Loops {
+fn placed(loops: &Loops, rng: &mut impl Rng) -> Loops {
     let mirror = rng.random_bool(0.2);
     let (dx, dy) = if rng.random_bool(0.3) {
         (lattice(rng, -8, 8), lattice(rng, -8, 8))

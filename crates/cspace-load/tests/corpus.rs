@@ -5,7 +5,7 @@
 use std::collections::HashSet;
 
 use cspace::{ComputeError, PartError, Progress, Stage};
-use cspace_load::{Effort, Report, check};
+use cspace_load::{Effort, Report, check, known};
 use cspace_oracle::families;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -67,86 +67,6 @@ fn families_have_names_of_their_own() {
     assert!(values >= 300, "{values}");
 }
 
-/// What is known to be wrong, by family and by the magnitude of its number, from the first to the last.
-///
-/// An entry allows faults, it does not demand them. `tests/regression.rs` of `cspace-io` has the smallest pair of each sort.
-const KNOWN: [(&str, f64, f64, &str); 14] = [
-    (
-        "sides bulging, radius",
-        1e4,
-        1e9,
-        "places on an arc are as exact as its radius times the rounding",
-    ),
-    ("sides hollow, radius", 1e4, 1e9, "as above"),
-    (
-        "side bulging into a hollow of its radius",
-        1e4,
-        1e9,
-        "as above",
-    ),
-    (
-        "disc in a socket, difference of radii",
-        1e-12,
-        1e-10,
-        "a contact circle of about the resolution",
-    ),
-    (
-        "arc bulging past its lines, turn",
-        1e-8,
-        1e-6,
-        "joints about the limit of smooth ones",
-    ),
-    (
-        "arc all but tangent to lines, turn",
-        1e-8,
-        1e-6,
-        "joints about the limit of smooth ones",
-    ),
-    (
-        "rounded peg between two bars, clearance",
-        1e-10,
-        1e-5,
-        "critical orientations as near as the clearance, known to its root",
-    ),
-    (
-        "teeth under a bar, step between their tips",
-        1e-9,
-        1e-5,
-        "critical orientations as near as the step",
-    ),
-    ("step in a side, height", 1e-9, 1e-5, "as above"),
-    (
-        "three pegs in three holes, clearance",
-        1e-9,
-        1e-2,
-        "critical orientations as near as the clearance, known to its root; the classifier answers otherwise there",
-    ),
-    (
-        "combs, teeth",
-        8.0,
-        12.0,
-        "all teeth meet all gaps at one orientation",
-    ),
-    (
-        "plate with a hole and a smaller part, ratio",
-        0.0,
-        1e-7,
-        "the small part is not much larger than the resolution",
-    ),
-    (
-        "small part and a larger one around it, ratio",
-        1e3,
-        1e9,
-        "the small part is not much larger than the resolution; its contacts are within that of each other",
-    ),
-    (
-        "rounded peg and hole, both drawn far away",
-        1e8,
-        1e9,
-        "coordinates are rounded to more than 1e-10 of the size",
-    ),
-];
-
 /// Values of a family that are no parts, and what is said of them.
 struct Refused {
     family: &'static str,
@@ -188,10 +108,7 @@ fn families_agree_with_brute_force() {
         };
         certain += report.certain;
         conflicts += report.conflicts;
-        let known = KNOWN
-            .iter()
-            .any(|&(name, from, to, _)| name == family && (from..=to).contains(&value.abs()));
-        if known {
+        if known(family, value).is_some() {
             allowed += report.faults.len();
         } else if let Some(fault) = report.faults.first() {
             let n = report.faults.len();

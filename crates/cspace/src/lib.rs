@@ -4,6 +4,9 @@ pub mod axes;
 mod boxes;
 pub(crate) mod contact;
 pub(crate) mod feature;
+#[cfg(feature = "fuzzing")]
+#[doc(hidden)]
+pub mod fuzzing;
 pub mod geometry;
 pub(crate) mod number;
 pub mod pair;

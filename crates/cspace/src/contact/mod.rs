@@ -20,5 +20,7 @@ pub(crate) use curve::{Curve, CurveShape, wrap};
 pub use function::{ContactFunction, Spiral};
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Geometry, Placed};
+#[cfg(feature = "fuzzing")]
+pub(crate) use sheet::{EndAngle, SheetKind};
 pub(crate) use sheet::{Seam, Sheet};
 pub(crate) use twist::{Permutation, Steps, Twist};

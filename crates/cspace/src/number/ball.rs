@@ -111,13 +111,19 @@ impl Real for Ball {
             return Self::ALL;
         }
         let mid = self.mid / divisor.mid;
-        Self::rounded(mid, (self.radius + mid.abs() * divisor.radius) / least)
+        // The quotient enlarges what the product loses by underflow.
+        let spread = self.radius + mid.abs() * divisor.radius + TINY;
+        Self::rounded(mid, spread / least)
     }
 
     #[inline(always)]
     fn root(self) -> Self {
         let hi = self.mid + self.radius;
         let lo = self.mid - self.radius;
+        if !hi.is_finite() {
+            // Too large, or no number after a quotient by zero: the larger of that and 0 would be 0.
+            return Self::ALL;
+        }
         if lo > 0.0 {
             // √(m ± r) differs from √m by at most r / √lo / (1 + √(m / lo)) ≤ r / (√m + √lo).
             let mid = self.mid.sqrt();
@@ -162,6 +168,10 @@ mod tests {
         assert_eq!(Ball::between(0.1, 1.0).sign(), 1);
         assert_eq!(Ball::between(-1.0, -0.1).sign(), -1);
         assert_eq!(a_quotient_by_zero().sign(), 0);
+        // What is not known stays so: ∞ − ∞ and its root are no numbers, or enclose all.
+        let root = a_quotient_by_zero().root();
+        let unknown = (root - root).root();
+        assert!(!(unknown.mid.abs() > unknown.radius || unknown.radius < 1e300));
     }
 
     fn a_quotient_by_zero() -> Ball {

@@ -1,0 +1,59 @@
+//! What a target has found.
+
+use core::fmt;
+use std::error::Error;
+
+use cspace::Part;
+use cspace_io::{Model, Motion, Pair, PartEntry};
+
+/// An answer that is wrong.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// What was asked, what was said, and what is right.
+    pub what: String,
+    /// The parts it was asked of, as the text of a model file.
+    pub model: Option<String>,
+}
+
+impl Finding {
+    pub(crate) fn new(what: impl Into<String>) -> Self {
+        Self {
+            what: what.into(),
+            model: None,
+        }
+    }
+
+    pub(crate) fn about(self, fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> Self {
+        let entry = |part: &Part| PartEntry {
+            part: part.clone(),
+            motion: Motion::Planar,
+            symmetry: None,
+        };
+        let model = Model {
+            name: "found by fuzzing".into(),
+            unit: None,
+            parts: vec![entry(fixed), entry(moving)],
+            joints: Vec::new(),
+            pairs: vec![Pair {
+                fixed: 0,
+                moving: 1,
+                window,
+            }],
+        };
+        Self {
+            model: Some(model.to_toml()),
+            ..self
+        }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for line in self.what.lines() {
+            writeln!(f, "# {line}")?;
+        }
+        f.write_str(self.model.as_deref().unwrap_or_default())
+    }
+}
+
+impl Error for Finding {}

@@ -1,0 +1,80 @@
+//! Whole contact spaces of random pairs.
+
+use cspace::{ComputeError, Progress, Stage};
+use cspace_load::{Effort, Fault, check};
+use cspace_oracle::Case;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+use crate::draw::{Bytes, member, nearly_tied};
+use crate::{Finding, axes, known};
+
+/// Pairs with more edges of one part times those of the other are left to other tests: they take long.
+const MOST_EDGES: usize = 600;
+
+/// Configurations asked of each contact space.
+const CONFIGURATIONS: usize = 60;
+
+/// Bands compared with slices from scratch.
+const BANDS: usize = 6;
+
+/// Of so many pairs one is also computed the other way round, with two threads, and tried with a classifier.
+const THOROUGH: usize = 16;
+
+/// Of so many pairs one is put on fixed axes.
+const ON_AXES: usize = 4;
+
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}
+
+pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
+    let mut bytes = Bytes::new(data);
+    let thorough = bytes.below(THOROUGH) == THOROUGH - 1;
+    let Some(case) = drawn(&mut bytes) else {
+        return Ok(0);
+    };
+    if case.fixed.edges().count() * case.moving.edges().count() > MOST_EDGES {
+        return Ok(0);
+    }
+    if bytes.below(ON_AXES) == ON_AXES - 1 {
+        return axes::run(&case, &mut bytes);
+    }
+    let effort = Effort {
+        configurations: CONFIGURATIONS,
+        bands: BANDS,
+        thorough,
+    };
+    // What is asked does not depend on how the pair was drawn: a smaller input with the same pair finds the same.
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let about = |f: Finding| f.about(&case.fixed, &case.moving, case.window);
+    let report = check(&case, effort, &mut rng, &Silent)
+        .map_err(|e| about(Finding::new(format!("no contact space: {e}"))))?;
+    let new = |f: &&Fault| known::fault(&case, f, report.conflicts).is_none();
+    let faults: Vec<&Fault> = report.faults.iter().filter(new).collect();
+    if let Some(first) = faults.first() {
+        let said = format!(
+            "{} faults, the first {first:?}; {} conflicts",
+            faults.len(),
+            report.conflicts
+        );
+        return Err(about(Finding::new(said)));
+    }
+    Ok(report.certain + report.bands)
+}
+
+/// A pair that favours ties, or one of a family; `None` if it is no pair or known to go wrong.
+fn drawn(bytes: &mut Bytes<'_>) -> Option<Case> {
+    if bytes.below(4) > 0 {
+        let case = nearly_tied(bytes).ok()?;
+        return known::pair(&case).is_none().then_some(case);
+    }
+    let member = member(bytes).ok()?;
+    known::member(member.family, member.value)
+        .is_none()
+        .then_some(member.case)
+}

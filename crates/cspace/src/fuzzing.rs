@@ -1,0 +1,180 @@
+//! Doors to the arithmetic for fuzz targets. No part of the library's interface: it may change with every version.
+
+use crate::contact::{EndAngle, Seam, Sheet, SheetKind, Spiral, conditions};
+use crate::geometry::{Point, Vector};
+use crate::number::{Ball, Jet, Real, Trig, TrigPolynomial};
+
+/// An orientation and its error, radians.
+pub type Root = (f64, f64);
+
+/// A midpoint and a radius.
+pub type Enclosure = (f64, f64);
+
+/// The roots of α cos θ + β sin θ + γ from `mid - half` to `mid + half`; `scale` bounds the coefficients.
+pub fn trig_roots([alpha, beta, gamma]: [f64; 3], scale: f64, mid: f64, half: f64) -> Vec<Root> {
+    let trig = Trig {
+        alpha,
+        beta,
+        gamma,
+        scale,
+    };
+    roots(&trig, mid, half)
+}
+
+fn roots(trig: &Trig, mid: f64, half: f64) -> Vec<Root> {
+    let mut all = Vec::new();
+    trig.roots(mid, mid.cos(), mid.sin(), half, |e| {
+        all.push((e.theta, e.error));
+    });
+    all
+}
+
+/// What the events of two contact curves depend on: all in the pair's frame, where both parts are in the unit disc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Carrier {
+    /// The circle of that radius about a spiral.
+    Circle(Spiral, f64),
+    /// The line through the sheet's start with a normal that stays.
+    Line(Vector),
+    /// The line through the sheet's start with a normal that turns.
+    TurningLine(Vector),
+}
+
+/// A contact curve by its carrier and its ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curve {
+    /// The line or circle.
+    pub carrier: Carrier,
+    /// Where it starts.
+    pub start: Spiral,
+    /// Where it ends.
+    pub end: Spiral,
+}
+
+/// All orientations at which the crossings of two contact curves can come or go.
+pub fn events(f: &Curve, g: &Curve, mid: f64, half: f64) -> Vec<Root> {
+    let (f, g) = (sheet(f, 0), sheet(g, 2));
+    let mut all = Vec::new();
+    conditions(&f, &g, &f.shared_ends(&g, u32::MAX), |trig| {
+        all.extend(roots(&trig, mid, half));
+    });
+    all
+}
+
+fn sheet(curve: &Curve, name: u32) -> Sheet {
+    let (kind, normal) = match curve.carrier {
+        Carrier::Circle(..) => (SheetKind::RoundRound, Vector::ZERO),
+        Carrier::Line(normal) => (SheetKind::LineRound, normal),
+        Carrier::TurningLine(normal) => (SheetKind::RoundLine, normal),
+    };
+    let (center, radius) = match curve.carrier {
+        Carrier::Circle(center, radius) => (center, radius),
+        _ => (curve.start, 0.0),
+    };
+    let angle = EndAngle {
+        offset: 0.0,
+        turns: false,
+    };
+    Sheet {
+        kind,
+        fixed: name,
+        moving: name,
+        lo: -4.0,
+        hi: 4.0,
+        fixed_point: center.u,
+        moving_point: Point::ORIGIN - center.w,
+        normal,
+        radius,
+        start: curve.start,
+        end: curve.end,
+        start_name: name,
+        end_name: name + 1,
+        start_angle: angle,
+        end_angle: angle,
+        bottom: Seam::Window,
+        top: Seam::Window,
+    }
+}
+
+/// Intervals with the roots of a trigonometric polynomial of degree four at most, given as a function of cosine and sine
+/// that also tells the size of its terms; then those in which it cannot be told from zero.
+pub fn polynomial_roots(
+    f: impl Fn(f64, f64) -> (f64, f64),
+    lo: f64,
+    hi: f64,
+    narrowest: f64,
+) -> [Vec<(f64, f64)>; 2] {
+    let [mut found, mut vague] = [Vec::new(), Vec::new()];
+    TrigPolynomial::sampled(f).brackets(
+        lo,
+        hi,
+        narrowest,
+        &mut |lo, hi| found.push((lo, hi)),
+        &mut |lo, hi| vague.push((lo, hi)),
+    );
+    [found, vague]
+}
+
+/// What is done to enclosures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operation {
+    /// a + b
+    Add,
+    /// a − b
+    Sub,
+    /// a b
+    Mul,
+    /// a / b
+    Over,
+    /// √a of the part that is not negative
+    Root,
+}
+
+fn apply<T: Real>(operation: Operation, a: T, b: T) -> T {
+    match operation {
+        Operation::Add => a + b,
+        Operation::Sub => a - b,
+        Operation::Mul => a * b,
+        Operation::Over => a.over(b),
+        Operation::Root => a.root(),
+    }
+}
+
+fn ball((mid, radius): Enclosure) -> Ball {
+    Ball::new(mid, radius)
+}
+
+fn parts(ball: Ball) -> Enclosure {
+    (ball.mid, ball.radius)
+}
+
+/// The operation on balls.
+pub fn enclose(operation: Operation, a: Enclosure, b: Enclosure) -> Enclosure {
+    parts(apply(operation, ball(a), ball(b)))
+}
+
+/// The operation on values with derivatives.
+pub fn enclose_jet(operation: Operation, a: [Enclosure; 2], b: [Enclosure; 2]) -> [Enclosure; 2] {
+    let jet = |[value, slope]: [Enclosure; 2]| Jet {
+        value: ball(value),
+        slope: ball(slope),
+    };
+    let Jet { value, slope } = apply(operation, jet(a), jet(b));
+    [parts(value), parts(slope)]
+}
+
+/// The ball of an interval.
+pub fn enclose_interval(lo: f64, hi: f64) -> Enclosure {
+    parts(Ball::between(lo, hi))
+}
+
+/// The sign of all members of a ball, 0 if they have not one.
+pub fn sign(a: Enclosure) -> i8 {
+    ball(a).sign()
+}
+
+/// Cosine and sine of a ball of angles.
+pub fn enclose_cos_sin(angle: Enclosure) -> [Enclosure; 2] {
+    let (cos, sin) = ball(angle).cos_sin();
+    [parts(cos), parts(sin)]
+}
