@@ -220,13 +220,11 @@ fn segment_of_a_disc_in_an_arc_of_its_radius() {
 }
 
 #[test]
-#[ignore = "known: curves without a successor where a gap between pieces is as wide as a sector's radius and mouth"]
 fn sector_between_two_pieces() {
     assert_closed(&parts("tests/regression/sector_between_two_pieces.toml"));
 }
 
 #[test]
-#[ignore = "known: a free pocket is missing where a disc just fits a gap, and nothing is noticed"]
 fn rectangle_and_disc_with_itself() {
     assert_closed(&parts(
         "tests/regression/rectangle_and_disc_with_itself.toml",
@@ -327,13 +325,11 @@ fn pins_that_swallow_slivers() {
 }
 
 #[test]
-#[ignore = "known: a pocket that is within 1e-6 rad of a tangency is lost in its error"]
 fn two_pins_of_play_1e_6() {
     pocket_is_free("tests/regression/two_pins_of_play_1e-6.toml");
 }
 
 #[test]
-#[ignore = "known: outlines with re-entrant corners lose pockets with a play below some 1e-6 of the size"]
 fn l_in_l_of_play_5e_8() {
     pocket_is_free("tests/regression/l_in_l_of_play_5e-8.toml");
 }

@@ -11,14 +11,8 @@ pub type Root = (f64, f64);
 pub type Enclosure = (f64, f64);
 
 /// The roots of α cos θ + β sin θ + γ from `mid - half` to `mid + half`; `scale` bounds the coefficients.
-pub fn trig_roots([alpha, beta, gamma]: [f64; 3], scale: f64, mid: f64, half: f64) -> Vec<Root> {
-    let trig = Trig {
-        alpha,
-        beta,
-        gamma,
-        scale,
-    };
-    roots(&trig, mid, half)
+pub fn trig_roots(coefficients: [f64; 3], scale: f64, mid: f64, half: f64) -> Vec<Root> {
+    roots(&Trig::from_coefficients(coefficients, scale), mid, half)
 }
 
 fn roots(trig: &Trig, mid: f64, half: f64) -> Vec<Root> {

@@ -12,8 +12,8 @@ use cspace_oracle::{Oracle, Pair, pairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// The fixed part is grown by 2⁻⁴⁰ of the pair's frame, so contact comes that much earlier.
-const GROWN: f64 = 1e-11;
+/// Parts are grown by some 2⁻⁴⁰ of the pair's frame, so contact comes that much earlier.
+const GROWN: f64 = 2e-11;
 
 fn space(fixed: &Part, moving: &Part) -> ContactSpace {
     ContactSpace::compute(fixed, moving, &Options::default()).unwrap()

@@ -94,8 +94,8 @@ pub(super) struct Builder<'a> {
     pub(super) pieces: Vec<Piece>,
     pub(super) spots: Vec<Spot>,
     pub(super) breaks: Vec<f64>,
-    /// Of the pair that is looked at, its images by copies of the window.
-    instances: Vec<Option<u32>>,
+    /// Of the pair that is looked at, its images by copies of the window, and whether pieces came of them.
+    instances: Vec<Option<(u32, bool)>>,
 }
 
 impl Builder<'_> {
@@ -130,7 +130,7 @@ impl Builder<'_> {
     /// are before any are added to it.
     pub(super) fn instance(&mut self, rep: &Pair, copy: u32) -> (usize, u32) {
         let before = self.pieces.len();
-        if let Some(known) = self.instances[copy as usize] {
+        if let Some((known, _)) = self.instances[copy as usize] {
             return (before, known);
         }
         let first = self.scene.repeats.image(rep.first, copy);
@@ -142,17 +142,20 @@ impl Builder<'_> {
             condition,
         });
         let pair = self.pairs.len() as u32 - 1;
-        self.instances[copy as usize] = Some(pair);
+        self.instances[copy as usize] = Some((pair, false));
         (before, pair)
     }
 
-    /// Drops the last image again if no piece came of it.
+    /// Drops the last image again if no piece came of it, now or before.
     pub(super) fn keep_instance(&mut self, before: usize, copy: u32) {
-        let last = self.pairs.len().checked_sub(1).map(|i| i as u32);
-        let unused = self.pieces.last().map(|p| p.pair) != last;
-        if self.pieces.len() == before && self.instances[copy as usize] == last && unused {
+        let slot = &mut self.instances[copy as usize];
+        let Some((pair, used)) = slot else {
+            return;
+        };
+        *used |= self.pieces.len() > before;
+        if !*used && *pair as usize + 1 == self.pairs.len() {
             self.pairs.pop();
-            self.instances[copy as usize] = None;
+            *slot = None;
         }
     }
 }

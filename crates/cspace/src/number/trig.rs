@@ -46,6 +46,24 @@ const CONSTANT: f64 = 64.0 * f64::EPSILON;
 const LARGEST_ERROR: f64 = 1e-6;
 
 impl Trig {
+    /// From coefficients that are right to a few ulps of `scale`, and nothing better known.
+    #[cfg(any(test, feature = "fuzzing"))]
+    pub(crate) fn from_coefficients([alpha, beta, gamma]: [f64; 3], scale: f64) -> Self {
+        let amplitude = alpha.hypot(beta);
+        let known = |value| Known {
+            value,
+            error: COEFFICIENT_ERROR * scale,
+        };
+        Self {
+            alpha,
+            beta,
+            gamma,
+            scale,
+            most: known(amplitude + gamma),
+            least: known(amplitude - gamma),
+        }
+    }
+
     /// Calls `found` with every root in the interval (mid − half, mid + half), with its error.
     ///
     /// The roots are atan2(β, α) ± φ with tan²(φ/2) = (A + γ) / (A − γ), which is precise for all φ if the numerator and the
@@ -112,20 +130,8 @@ mod tests {
         all
     }
 
-    /// α cos θ + γ.
     fn cosine(alpha: f64, gamma: f64, scale: f64) -> Trig {
-        let known = |value| Known {
-            value,
-            error: 4.0 * f64::EPSILON * scale,
-        };
-        Trig {
-            alpha,
-            beta: 0.0,
-            gamma,
-            scale,
-            most: known(alpha + gamma),
-            least: known(alpha - gamma),
-        }
+        Trig::from_coefficients([alpha, 0.0, gamma], scale)
     }
 
     #[test]
