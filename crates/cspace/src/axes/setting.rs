@@ -6,7 +6,7 @@ use crate::contact::{Body, Permutation};
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Feature, FeatureName, Outline, PairFrame};
 use crate::geometry::{Point, Vector};
-use crate::part::{Corresponding, Loop, LoopImage, Part, SYMMETRIC, Symmetrized};
+use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
 use crate::space::as_drawn;
 
 use super::axis::{AxesError, Axis, AxisMotion, Role};
@@ -101,21 +101,21 @@ impl Setting {
             y_unit: unit(&motions.second),
         };
         // The fixed part is the one that is grown more.
-        let drawn = |part: &Part, center: Point, images: &[LoopImage], fixed| {
+        let drawn = |part: &Part, center: Point, fixed| {
             let growth = if fixed { GROWTH } else { MOVING_GROWTH };
-            let outline = Outline::new(part, center, frame.scale, growth, images);
+            let outline = Outline::new(part, center, frame.scale, growth);
             let body = Body::new(&outline, part, center, frame.scale);
             (outline, body)
         };
-        let (second, second_body) = drawn(parts.1, frame.fixed_center, &[], swapped);
+        let (second, second_body) = drawn(parts.1, frame.fixed_center, swapped);
         let repeating = symmetric.0.and_then(|s| {
             let center = s.center_in(&frame);
-            let (outline, body) = drawn(&s.redrawn.part, center, &s.redrawn.images, !swapped);
+            let (outline, body) = drawn(&s.redrawn.part, center, !swapped);
             let repeats = s.repeats(&outline)?;
             Some((outline, body, repeats, Some(s)))
         });
         let (first, first_body, repeats, symmetric) = repeating.unwrap_or_else(|| {
-            let (outline, body) = drawn(parts.0, frame.fixed_center, &[], !swapped);
+            let (outline, body) = drawn(parts.0, frame.fixed_center, !swapped);
             let repeats = Repeats::none(&outline);
             (outline, body, repeats, None)
         });

@@ -141,15 +141,7 @@ struct Outlines {
 impl Outlines {
     fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
-        let outline = |p: Placed<'_>, growth| {
-            Outline::new(
-                p.part,
-                p.center,
-                scale,
-                growth,
-                p.images.unwrap_or_default(),
-            )
-        };
+        let outline = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
         let (a, b) = (outline(fixed, GROWTH), outline(moving, MOVING_GROWTH));
         Self {
             frame: PairFrame {

@@ -4,9 +4,9 @@ use core::f64::consts::{PI, TAU};
 
 use super::inscribed::inscribed_disc;
 use super::outline::{Feature, FeatureKind, FeatureName, Joint, Outline, Shape};
-use super::tolerance::{GROWTH, LOOP_GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SMOOTH};
+use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SMOOTH};
 use crate::geometry::{Point, Vector};
-use crate::part::{Edge, LoopImage, Part};
+use crate::part::{Edge, Part};
 
 /// An edge in the pair's frame, on its way to becoming a feature.
 struct Piece {
@@ -33,15 +33,8 @@ struct End {
 }
 
 impl Outline {
-    /// Features of a part, about `center` and scaled, then grown: by `growth` at least, and alike for loops that are images
-    /// of each other.
-    pub(crate) fn new(
-        part: &Part,
-        center: Point,
-        scale: f64,
-        growth: f64,
-        images: &[LoopImage],
-    ) -> Self {
+    /// Features of a part, about `center` and scaled, then grown.
+    pub(crate) fn new(part: &Part, center: Point, scale: f64, growth: f64) -> Self {
         let mut outline = Self {
             features: Vec::new(),
             joints: Vec::new(),
@@ -54,10 +47,7 @@ impl Outline {
                 .map(|e| Piece::new(&e, center, scale))
                 .collect();
             share_direction_along_lines(&mut pieces);
-            let loop_index = loop_index as u32;
-            let more = f64::from(first_image(loop_index, images) % 4) * LOOP_GROWTH;
-            let growth = growth * (1.0 + more);
-            outline.add_loop(loop_index, &pieces, boundary.is_reversed(), growth);
+            outline.add_loop(loop_index as u32, &pieces, boundary.is_reversed(), growth);
         }
         outline.disc = inscribed_disc(part, center, scale);
         outline
@@ -216,15 +206,6 @@ impl Outline {
             }
         }
     }
-}
-
-/// The first of the loops that a loop is mapped to again and again.
-fn first_image(loop_index: u32, images: &[LoopImage]) -> u32 {
-    let next = |l: u32| images.get(l as usize).map_or(l, |image| image.target);
-    let turns = core::iter::successors(Some(next(loop_index)), |&l| Some(next(l)));
-    turns
-        .take_while(|&l| l != loop_index)
-        .fold(loop_index, u32::min)
 }
 
 impl Piece {

@@ -18,13 +18,6 @@ pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 /// the lesser growth by far, and no simple part of the other.
 pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 
-/// By how much more the second, third and fourth loop of a part are grown than the one before, in units of its growth; the
-/// fifth is grown as the first, and so on.
-///
-/// Where a distance between two loops of one part, on sides that face the same way, equals one of the other part, growth
-/// alike moves both sides alike. This is larger than what still makes carriers one, [`SAME_CARRIER`].
-pub(crate) const LOOP_GROWTH: f64 = 0.25;
-
 /// Two edges that meet at an angle below this are smoothly joined (radians, about 1.5e-8).
 ///
 /// The error made on the boundary is of second order: radius × SMOOTH² / 2, below the rounding of f64.
