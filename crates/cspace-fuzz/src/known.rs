@@ -48,6 +48,9 @@ const LARGEST_ERROR: f64 = 1e-6;
 /// The error of a coefficient of an event, in units of the lengths it is made of: 8 roundings of four times their sum.
 const COEFFICIENT_ERROR: f64 = 32.0 * f64::EPSILON;
 
+/// A function of an amplitude below this, in units of the lengths it is made of, hardly turns.
+const HARDLY: f64 = 1e-2;
+
 /// Why a pair is not asked at all, if it is one of those.
 pub(crate) fn pair(case: &Case) -> Option<Known> {
     let size = case.fixed.size().max(case.moving.size());
@@ -85,7 +88,8 @@ pub(crate) fn member(family: &str, value: f64) -> Option<Known> {
 pub(crate) fn root(amplitude: f64, slope: f64, lengths: f64) -> Option<Known> {
     let e = COEFFICIENT_ERROR * lengths;
     let error = (e / slope).min((2.0 * e / amplitude).sqrt());
-    (error > 0.5 * LARGEST_ERROR).then_some(Known::CappedError)
+    let hardly_turns = amplitude < HARDLY * lengths;
+    (hardly_turns && error > 0.5 * LARGEST_ERROR).then_some(Known::CappedError)
 }
 
 /// Why a fault is no finding, of a space with so many conflicts.
