@@ -32,7 +32,11 @@ impl Chosen<'_> {
                 PairSpace::Planar(space) => space.slice(theta),
                 _ => return Err(self.no_orientation("a slice")),
             },
-            Subject::Model { .. } => Slice::compute(self.fixed(), self.moving(), theta),
+            Subject::Model { .. } => {
+                ContactSpace::check_size(self.fixed(), self.moving())
+                    .map_err(|e| self.failure(&e.into()))?;
+                Slice::compute(self.fixed(), self.moving(), theta)
+            }
         })
     }
 

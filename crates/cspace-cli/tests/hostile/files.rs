@@ -306,4 +306,5 @@ fn pairs_that_are_too_large_are_refused() {
         "help: ",
     ];
     fails(&["compute", &file], 1, &words);
+    fails(&["slice", &file, "--theta", "0.1"], 1, &words);
 }

@@ -191,13 +191,11 @@ impl ContactSpace {
         rayon::scope(|_| Self::compute_by(fixed, moving, window, method, progress))
     }
 
-    fn compute_by(
-        fixed: &Part,
-        moving: &Part,
-        window: Option<(f64, f64)>,
-        method: Method,
-        progress: &dyn Progress,
-    ) -> Result<Self, ComputeError> {
+    /// Whether the parts have few enough edges, which [`compute`](Self::compute) asks first; a slice may be as much work.
+    ///
+    /// # Errors
+    /// If a part, or the pair, has too many edges.
+    pub fn check_size(fixed: &Part, moving: &Part) -> Result<(), ComputeError> {
         let (n, m) = (fixed.edges().count(), moving.edges().count());
         if let Some((part, edges)) = [(fixed, n), (moving, m)]
             .into_iter()
@@ -216,6 +214,18 @@ impl ContactSpace {
                 limit: MOST_EDGE_PAIRS,
             });
         }
+        Ok(())
+    }
+
+    fn compute_by(
+        fixed: &Part,
+        moving: &Part,
+        window: Option<(f64, f64)>,
+        method: Method,
+        progress: &dyn Progress,
+    ) -> Result<Self, ComputeError> {
+        Self::check_size(fixed, moving)?;
+        let (n, m) = (fixed.edges().count(), moving.edges().count());
         let mut seconds = StageSeconds::default();
         let begin = Instant::now();
         let mut clock = Instant::now();
