@@ -87,7 +87,7 @@ pub(crate) struct Sheet {
 /// The ends that two sheets have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SharedEnds {
-    /// The curves are one carrier or tangent: they do not cross.
+    /// The carriers are one, or tangent at every orientation: the curves do not cross.
     pub(crate) tangent: bool,
     /// Ends at which they cross, but only there.
     pub(crate) corners: [Option<Spiral>; 2],
@@ -106,6 +106,37 @@ impl Sheet {
             && (self.radius.abs() - other.radius.abs()).abs() <= SAME_CARRIER
     }
 
+    /// Whether a line and a circle, or two circles, are tangent at every orientation: halves of one disc against a side and
+    /// the corner it ends at, or against two arcs that follow each other smoothly. Their curves do not cross, whatever rounding
+    /// makes of it.
+    fn always_tangent(&self, other: &Self) -> bool {
+        let (line, circle) = match (self.is_circle(), other.is_circle()) {
+            (false, false) => return false,
+            (false, true) => (self, other),
+            (true, false) => (other, self),
+            (true, true) => {
+                let (c, d) = (self.center(), other.center());
+                let (u, w) = (c.u - d.u, c.w - d.w);
+                let apart = match (u.length() <= SAME_CARRIER, w.length() <= SAME_CARRIER) {
+                    (false, true) => u.length(),
+                    (true, false) => w.length(),
+                    _ => return false,
+                };
+                let (r, s) = (self.radius.abs(), other.radius.abs());
+                return (apart - (r + s)).abs().min((apart - (r - s).abs()).abs()) <= SAME_CARRIER;
+            }
+        };
+        let c = circle.center();
+        let (u, w) = (c.u - line.start.u, c.w - line.start.w);
+        let (stays, turns) = if line.kind == SheetKind::RoundLine {
+            (w, u)
+        } else {
+            (u, w)
+        };
+        let off = line.normal.dot(stays).abs() - circle.radius.abs();
+        turns.length() <= SAME_CARRIER && off.abs() <= SAME_CARRIER
+    }
+
     /// Whether both curves are lines that are parallel at every orientation, or opposite.
     pub(crate) fn is_parallel(&self, other: &Self) -> bool {
         let lines = !self.is_circle() && self.kind == other.kind;
@@ -119,6 +150,7 @@ impl Sheet {
     pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
         let mut shared = SharedEnds {
             tangent: self.same_circle(other)
+                || self.always_tangent(other)
                 || (self.fixed == other.fixed && self.moving == other.moving),
             corners: [None; 2],
         };
