@@ -35,6 +35,9 @@ pub(super) struct Shells {
 /// How many cells of longest duration, or spread over a shell, are looked at for one to test.
 const TRIED: usize = 8;
 
+/// Durations below this are short, radians: critical orientations that growth alone tells apart are so near to each other.
+const NARROW: f64 = 1e-5;
+
 /// A cell that what bounds it leaves open, in its shell and its ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Member {
@@ -170,11 +173,14 @@ impl ShellFinder<'_> {
     ///
     /// Cells that follow each other are on the boundary of free space together or not at all, so a ring of cells of which
     /// what bounds them leaves all open is tested for itself: rings are few. That what continues them in orientation has
-    /// blocked cells does not count against it, for with many curves through one point that may be a false link.
+    /// blocked cells does not count against it, for with many curves through one point that may be a false link. Nor do
+    /// cells that follow them for less than [`NARROW`] only, where curves are told apart by growth.
     fn judge(&self, cells: &[Cell], shells: &mut Shells) {
         let mut rings = UnionFind::new(cells.len());
         for s in &shells.side {
-            rings.union(s.before, s.after);
+            if self.duration(s.from, s.to) > NARROW {
+                rings.union(s.before, s.after);
+            }
         }
         let ring: Vec<u32> = (0..cells.len() as u32).map(|i| rings.find(i)).collect();
         let mut blocked_shell = vec![false; cells.len()];
@@ -226,17 +232,19 @@ impl ShellFinder<'_> {
             conflict: false,
         };
         let (mut some_free, mut some_blocked) = (false, blocked);
+        let mut some_open = false;
         for ring in shell.chunk_by(|a, b| a.ring == b.ring) {
-            let open = !blocked_ring[ring[0].ring as usize];
+            let open = !blocked_ring[ring[0].ring as usize] && !self.is_narrow(cells, ring);
             let free = open && {
                 verdict.tests += 1;
                 self.is_free(&cells[self.largest(cells, ring) as usize])
             };
+            some_open |= open;
             some_free |= free;
-            some_blocked |= !free;
+            some_blocked |= open && !free;
             verdict.free.resize(verdict.free.len() + ring.len(), free);
         }
-        if !some_free && blocked {
+        if !some_free && (blocked || !some_open) {
             // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
             let some = shell.iter().step_by(shell.len().div_ceil(TRIED));
             let furthest = some
@@ -246,23 +254,39 @@ impl ShellFinder<'_> {
             some_free = furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
         }
         verdict.conflict = some_free && some_blocked;
-        if verdict.conflict {
-            for (m, free) in shell.iter().zip(&mut verdict.free) {
-                if blocked_ring[m.ring as usize] {
-                    verdict.tests += 1;
-                    *free = self.is_free(&cells[m.cell as usize]);
-                }
+        let mut at = 0;
+        for ring in shell.chunk_by(|a, b| a.ring == b.ring) {
+            let free = &mut verdict.free[at..at + ring.len()];
+            at += ring.len();
+            if !blocked_ring[ring[0].ring as usize] && !self.is_narrow(cells, ring) {
+                continue;
+            }
+            if !verdict.conflict {
+                free.fill(some_free);
+                continue;
+            }
+            verdict.tests += ring.len();
+            for (m, free) in ring.iter().zip(free) {
+                *free = self.is_free(&cells[m.cell as usize]);
             }
         }
         verdict
     }
 
+    /// From the end of one cluster to the beginning of another, radians.
+    fn duration(&self, from: u32, to: u32) -> f64 {
+        self.clusters.lo(to) - self.clusters.hi(from)
+    }
+
+    /// Whether a ring is a single cell of short duration, which no other follows for longer.
+    fn is_narrow(&self, cells: &[Cell], ring: &[Member]) -> bool {
+        let cell = &cells[ring[0].cell as usize];
+        ring.len() == 1 && self.duration(cell.from, cell.to) <= NARROW
+    }
+
     /// The cell that has most room of those of longest duration.
     fn largest(&self, cells: &[Cell], ring: &[Member]) -> u32 {
-        let duration = |c: u32| {
-            let cell = &cells[c as usize];
-            self.clusters.lo(cell.to) - self.clusters.hi(cell.from)
-        };
+        let duration = |c: u32| self.duration(cells[c as usize].from, cells[c as usize].to);
         let mut longest: Vec<(f64, u32)> =
             ring.iter().map(|m| (duration(m.cell), m.cell)).collect();
         let by_duration = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
