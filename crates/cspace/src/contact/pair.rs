@@ -1,6 +1,6 @@
 //! Everything about a pair of parts that does not depend on the orientation.
 
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_SCALE};
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Outline, PairFrame};
 use crate::geometry::{Point, Rotation};
 use crate::part::{LoopImage, Part};
@@ -141,9 +141,8 @@ struct Outlines {
 impl Outlines {
     fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
-        let moving_scale = scale * (1.0 + MOVING_SCALE);
-        let a = Outline::new(fixed.part, fixed.center, scale, GROWTH);
-        let b = Outline::new(moving.part, moving.center, moving_scale, MOVING_GROWTH);
+        let outline = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
+        let (a, b) = (outline(fixed, GROWTH), outline(moving, MOVING_GROWTH));
         Self {
             frame: PairFrame {
                 fixed_center: fixed.drawn_center,
@@ -153,7 +152,7 @@ impl Outlines {
             fixed_fold: fixed.fold,
             moving_fold: moving.fold,
             fixed_body: Body::new(&a, fixed.part, fixed.center, scale),
-            moving_body: Body::new(&b, moving.part, moving.center, moving_scale),
+            moving_body: Body::new(&b, moving.part, moving.center, scale),
             fixed: a,
             moving: b,
         }

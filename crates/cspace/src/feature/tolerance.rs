@@ -18,13 +18,6 @@ pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 /// the lesser growth by far, and no simple part of the other.
 pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 
-/// By how much more than one the moving part is scaled about its centre (a ratio, about 2.8e-13).
-///
-/// Where a distance between two sides of one part that face the same way equals one of the other part, growth moves both sides
-/// alike. Scaling tells these distances apart: an L in a larger L fits with both arms at once, to the last bit, at one
-/// orientation. It moves nothing by more than a sixth of [`GROWTH`], so that exact fits still overlap.
-pub(crate) const MOVING_SCALE: f64 = 0.309_016_994_374_947_4 * GROWTH;
-
 /// Two edges that meet at an angle below this are smoothly joined (radians, about 1.5e-8).
 ///
 /// The error made on the boundary is of second order: radius × SMOOTH² / 2, below the rounding of f64.
