@@ -260,7 +260,6 @@ fn part_in_a_hole_of_its_shape() {
 }
 
 #[test]
-#[ignore = "known: joints that turn by about 1e-8 rad, the limit of smooth ones, leave slices open by as much"]
 fn slot_with_nearly_smooth_joints() {
     let all = [-0.976, -0.9, -0.8];
     assert_eq!(open_curves("slot_with_nearly_smooth_joints", &all), [0, 0]);

@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use super::inscribed::inscribed_disc;
 use super::outline::{Feature, FeatureKind, FeatureName, Joint, Outline, Shape};
-use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SMOOTH};
+use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SAME_CARRIER, SMOOTH};
 use crate::geometry::{Point, Vector};
 use crate::part::{Edge, Part};
 
@@ -72,8 +72,7 @@ impl Outline {
             let (n1, n2) = (before.end_direction.right(), after.start_direction.right());
             match corner(before, after) {
                 Corner::Smooth => {
-                    // The line's normal, if there is one, is the joint's.
-                    let normal = if before.arc.is_none() { n1 } else { n2 };
+                    let (point, normal) = tangency(before, after);
                     let joint = self.add_joint(point + normal * growth, normal);
                     ends[i] = End {
                         joint,
@@ -267,7 +266,7 @@ fn share_direction_along_lines(pieces: &mut [Piece]) {
 fn corner(before: &Piece, after: &Piece) -> Corner {
     let (d1, d2) = (before.end_direction, after.start_direction);
     let turn = d1.cross(d2).atan2(d1.dot(d2));
-    if turn.abs() < SMOOTH {
+    if turn.abs() < SMOOTH || overlap(before, after, turn).is_some() {
         return Corner::Smooth;
     }
     if turn.abs() > PI - SMOOTH {
@@ -282,6 +281,54 @@ fn corner(before: &Piece, after: &Piece) -> Corner {
         Corner::Convex { turn }
     } else {
         Corner::Concave { turn }
+    }
+}
+
+/// How far along the boundary two carriers that meet at a small angle are from where they run alike, if nothing is lost by
+/// taking them to meet smoothly there.
+///
+/// Curvatures that differ by κ run alike δ/κ beside a corner that turns by δ, where they are δ²/2κ off each other, and cross
+/// again twice as far away. Less than [`SAME_CARRIER`] is no corner: rounding would not tell one crossing from the other.
+fn overlap(before: &Piece, after: &Piece, turn: f64) -> Option<f64> {
+    /// The largest part of an edge by which its end may be moved.
+    const LARGEST_PART: f64 = 1.0 / 1024.0;
+    let bend = (after.curvature() - before.curvature()).abs();
+    let along = turn.abs() / bend;
+    let shortest = before.edge.length().min(after.edge.length());
+    let smooth = 0.5 * turn.abs() * along <= SAME_CARRIER && along <= LARGEST_PART * shortest;
+    smooth.then_some(along)
+}
+
+/// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of the line
+/// of centres.
+///
+/// Where a drawing was rounded that is beside the vertex, and it is the place at which contact curves of both edges end.
+fn tangency(before: &Piece, after: &Piece) -> (Point, Vector) {
+    let vertex = before.edge.end;
+    let (d1, d2) = (before.end_direction, after.start_direction);
+    let turn = d1.cross(d2).atan2(d1.dot(d2));
+    let aside = overlap(before, after, turn).is_some();
+    let on_line = |(center, radius): (Point, f64), direction: Vector| {
+        let normal = direction.right();
+        if !aside {
+            return (vertex, normal);
+        }
+        let at = center + normal * radius;
+        (vertex + direction * direction.dot(at - vertex), normal)
+    };
+    match (before.arc, after.arc) {
+        (None, None) => (vertex, d1.right()),
+        (None, Some(arc)) => on_line(arc, d1),
+        (Some(arc), None) => on_line(arc, d2),
+        (Some((c, r)), Some((d, s))) => {
+            if !aside {
+                return (vertex, d2.right());
+            }
+            // c + r n = d + s n, but for what they are off each other.
+            let normal = (c - d) * (1.0 / (s - r));
+            let normal = normal * (1.0 / normal.length());
+            (c + normal * r, normal)
+        }
     }
 }
 
