@@ -171,7 +171,8 @@ pub(super) fn coincidences(
             let (v, w, between) = (p - c, q - d, d - c);
             let (e, f, apart) = (v.length(), w.length(), between.length());
             let square = (apart + e - f) * (apart + e + f) * (f - apart + e) * (f + apart - e);
-            if square < 0.0 || apart < INDEPENDENT {
+            // A point that is the pivot stays where it is: the other is there at every orientation or at none.
+            if square < 0.0 || apart.min(e).min(f) < INDEPENDENT {
                 return;
             }
             // The point in the triangle with the two pivots: twice its area over the base, and the base's parts.
@@ -219,6 +220,10 @@ pub(super) fn coincidences(
 
 /// Root, angle and way at which a point that turns is at one that slides.
 fn on_circle(p: Point, center: Point, q: Point, d: Vector) -> [Option<(u8, f64, f64)>; 2] {
+    // A point that is the pivot stays where it is.
+    if p.distance(center) < INDEPENDENT {
+        return [None, None];
+    }
     let v = p - center;
     let (aside, along, e) = (d.cross(q - center), d.dot(q - center), v.length());
     let square = (e - aside) * (e + aside);
