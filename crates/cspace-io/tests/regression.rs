@@ -410,6 +410,45 @@ impl OnAxes {
     }
 }
 
+/// Coordinates with seven digits: sides and arcs that were tangent meet at some 1e-7 rad, of either sign.
+#[test]
+fn drawings_rounded_to_seven_digits() {
+    for (name, at) in [
+        ("slot_rounded_to_7_digits", (1.388, -1.020, 1.294)),
+        ("slot_rounded_to_7_digits", (1.150, -0.669, 1.535)),
+        ("ring_with_round_ends_rounded", (-0.285, -2.233, 0.158)),
+        ("ring_with_round_ends_rounded", (0.66, 1.2064, 1.1916)),
+    ] {
+        let parts = parts(&format!("tests/regression/{name}.json"));
+        let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
+        let at = Configuration::new(at.0, at.1, at.2);
+        assert_eq!(
+            space.classify(at),
+            Some(Classification::Blocked),
+            "{name}: {at:?}"
+        );
+        assert_closed(&parts);
+        assert_eq!(wrong(&parts), [], "{name}");
+    }
+}
+
+/// The joints of a disc that slides towards a disc's pivot are always where they touch.
+#[test]
+fn discs_on_their_pivots_and_rollers_in_line() {
+    let pair = OnAxes::read("disc_on_its_pivot_and_roller.json");
+    pair.assert_right(&[(-1.5, 0.5), (-2.0, 1.2)]);
+    assert_eq!(pair.space.regions().len(), 2);
+    assert_eq!(pair.space.statistics().conflicts, 0);
+    OnAxes::read("hub_and_roller_in_line.json").assert_right(&[(-3.1416, -20.204)]);
+}
+
+#[test]
+#[ignore = "known: a part with a corner on its pivot, and a side of what slides in line with it"]
+fn l_with_its_corner_on_the_pivot() {
+    let pair = OnAxes::read("l_with_its_corner_on_the_pivot.json");
+    pair.assert_right(&[(0.05, 0.7), (0.1, 0.7), (0.1, 2.5)]);
+}
+
 /// A side of the slider, carried on, goes through the pivot of an arc that turns about its own centre.
 #[test]
 fn bar_in_line_with_a_pivot() {
