@@ -659,3 +659,44 @@ fn a_star_of_crossing_edges() {
         Err(PartError::Crossing { .. })
     ));
 }
+
+/// Neighbouring arcs of one circle meet nowhere else, whatever rounding makes of their second crossing.
+#[test]
+fn a_hole_may_be_drawn_in_six_arcs() {
+    let plate = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let plate = plate.iter().map(|&(x, y)| Vertex::line(x, y)).collect();
+    let hole = [
+        (
+            0.6499999999999999,
+            -0.08660254037844385,
+            -0.2679491924311231,
+        ),
+        (
+            0.5499999999999997,
+            -0.08660254037844378,
+            -0.26794919243112236,
+        ),
+        (
+            0.4999999999999999,
+            -6.257249085612409e-18,
+            -0.26794919243112286,
+        ),
+        (
+            0.5499999999999999,
+            0.08660254037844387,
+            -0.26794919243112236,
+        ),
+        (
+            0.6499999999999998,
+            0.08660254037844387,
+            -0.26794919243112286,
+        ),
+        (
+            0.6999999999999998,
+            -1.8503717077085938e-17,
+            -0.26794919243112264,
+        ),
+    ];
+    let hole = hole.map(|(x, y, b)| Vertex::new(x, y, b)).to_vec();
+    assert_eq!(Part::new("plate", vec![plate, hole]).err(), None);
+}

@@ -85,10 +85,13 @@ fn second_meeting(outline: &Outline, arriving: &Edge, leaving: &Edge) -> Option<
 /// at 2 (n × n′) / m² times that.
 fn second_crossing(a: &Edge, b: &Edge) -> Option<Vector> {
     let (n, l) = (a.start_direction().left(), b.start_direction().left());
-    let m = n * b.curvature() - l * a.curvature();
+    let (k, j) = (a.curvature(), b.curvature());
+    let m = n * j - l * k;
     let square = m.length_squared();
-    if square == 0.0 {
-        return None; // Two lines, or one circle.
+    // Two lines, or one circle as far as the resolution tells: rounding would say anything of where it meets itself.
+    let same = RESOLUTION * (k.abs() + j.abs());
+    if square <= same * same {
+        return None;
     }
     let way = m.left() * (2.0 * n.cross(l) / square);
     (a.covers_way(way) && b.covers_way(way)).then_some(way)
