@@ -443,7 +443,6 @@ fn discs_on_their_pivots_and_rollers_in_line() {
 }
 
 #[test]
-#[ignore = "known: a part with a corner on its pivot, and a side of what slides in line with it"]
 fn l_with_its_corner_on_the_pivot() {
     let pair = OnAxes::read("l_with_its_corner_on_the_pivot.json");
     pair.assert_right(&[(0.05, 0.7), (0.1, 0.7), (0.1, 2.5)]);
