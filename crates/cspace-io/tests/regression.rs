@@ -410,6 +410,13 @@ impl OnAxes {
     }
 }
 
+/// Half circles of one centre: contacts of two pairs of them are one curve.
+#[test]
+#[ignore = "known: slices are open where two contacts are one curve at every orientation"]
+fn spiral_with_itself() {
+    assert_closed(&parts("tests/regression/spiral_with_itself.json"));
+}
+
 /// Coordinates with seven digits: sides and arcs that were tangent meet at some 1e-7 rad, of either sign.
 #[test]
 fn drawings_rounded_to_seven_digits() {
