@@ -79,6 +79,13 @@ fn json_has_the_fields_of_the_contract() {
     }
     let survey = &answer["survey"];
     assert_eq!(survey["paper_saving"], 10.0);
+    assert_eq!(survey["mechanisms"]["special_mechanisms"], 0.71);
+    assert!(
+        survey["mechanisms"]["source"]
+            .as_str()
+            .unwrap()
+            .contains("section 4")
+    );
     let share = survey["special_share"].as_f64().unwrap();
     for saving in ["all_fixed_axes", "all_lower"] {
         let saving = survey["saving"][saving].as_f64().unwrap();

@@ -10,6 +10,8 @@ use super::measure::{median, timed};
 
 #[derive(Serialize)]
 pub(super) struct Survey {
+    /// The survey's own figures, with their source.
+    pub(super) mechanisms: cspace_baseline::survey::Survey,
     /// Special pairs, by their own method and by the general one.
     pub(super) special_pairs: Vec<Special>,
     /// Means over those that a joint connects.
@@ -94,6 +96,7 @@ pub(super) fn survey(repeat: u16) -> Result<Survey, Failure> {
     let [lower, fixed_axes] = [PairClass::Lower, PairClass::FixedAxes].map(means);
     let special_share = SURVEY.special_share(1.0);
     Ok(Survey {
+        mechanisms: SURVEY,
         special_pairs,
         special_share,
         saving: Saving {

@@ -213,9 +213,24 @@ fn survey(text: &mut String, s: &Survey) -> fmt::Result {
             1e3 * pair.general_seconds
         )?;
     }
+    let m = &s.mechanisms;
     writeln!(
         text,
-        "\nSurvey of 2500 mechanisms: special methods cover {:.1} % of planar pairs (the paper: {:.0} %)\n\
+        "\nSurvey ({}): {} single pairs, {:.0} % planar, {:.0} % of these special; {} mechanisms, {:.0} % planar,\n\
+         {:.0} % of these of special pairs alone, the others with {} general pair for {} special ones on average",
+        m.source,
+        m.pairs,
+        100.0 * m.planar_pairs,
+        100.0 * m.special_pairs,
+        m.mechanisms,
+        100.0 * m.planar_mechanisms,
+        100.0 * m.special_mechanisms,
+        m.general_of_mixed,
+        m.special_of_mixed
+    )?;
+    writeln!(
+        text,
+        "Survey of 2500 mechanisms: special methods cover {:.1} % of planar pairs (the paper: {:.0} %)\n\
          and save a factor of {:.1} on average if all are as those with fixed axes here, {:.1} if all are as those\n\
          with joints (the paper: {:.0})",
         100.0 * s.special_share,
