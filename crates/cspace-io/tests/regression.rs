@@ -333,6 +333,52 @@ fn l_in_l_of_play_5e_8() {
     pocket_is_free("tests/regression/l_in_l_of_play_5e-8.toml");
 }
 
+/// Two pins in holes, and a star in its own shape, with the plays that README promises.
+#[test]
+fn pockets_of_small_play() {
+    use cspace::Vertex;
+    let plate = || {
+        [(-3.0, -2.0), (3.0, -2.0), (3.0, 2.0), (-3.0, 2.0)]
+            .map(|(x, y)| Vertex::line(x, y))
+            .to_vec()
+    };
+    let circle =
+        |x: f64, y: f64, r: f64| vec![Vertex::new(x - r, y, 1.0), Vertex::new(x + r, y, 1.0)];
+    let pins = |r: f64| vec![circle(-1.0, 0.0, r), circle(1.1, 0.3, r)];
+    let star = |size: f64| -> Vec<Vertex> {
+        (0..10)
+            .map(|i| {
+                let (sin, cos) = (0.1 + core::f64::consts::PI * f64::from(i) / 5.0).sin_cos();
+                let r = if i % 2 == 0 { 0.5 * size } else { size };
+                Vertex::line(r * cos, r * sin)
+            })
+            .collect()
+    };
+    for play in [1e-6, 1e-7, 1e-8] {
+        let (mut holes, mut hollow) = (vec![plate()], vec![plate()]);
+        holes.extend(pins(0.5));
+        hollow.push(star(1.0));
+        // The pins go in two ways round, the star in five.
+        for (fixed, moving, ways) in [
+            (holes, pins(0.5 - play), 2),
+            (hollow, vec![star(1.0 - play)], 5),
+        ] {
+            let (fixed, moving) = (
+                Part::new("plate", fixed).unwrap(),
+                Part::new("in it", moving).unwrap(),
+            );
+            let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+            let at = Configuration::default();
+            assert_eq!(
+                space.classify(at),
+                Some(Classification::Free),
+                "play {play}"
+            );
+            assert_eq!(space.free_regions().len(), 1 + ways, "play {play}");
+        }
+    }
+}
+
 /// A pair on fixed axes, and brute force to judge it.
 struct OnAxes {
     space: FixedAxesSpace,

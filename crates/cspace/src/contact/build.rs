@@ -26,8 +26,6 @@ pub(crate) struct Contacts {
     pub(crate) carried: Carried,
     sizes: Sizes,
     points: Points,
-    /// Whether all sheets were made; not if there are more than were asked for.
-    pub(crate) complete: bool,
 }
 
 impl Contacts {
@@ -109,7 +107,6 @@ impl Contacts {
                 break;
             }
         }
-        let complete = builder.sheets.len() <= most;
         let first_vertex_name = sizes.first_vertex();
         let (mut sheets, points) = (builder.sheets, builder.points);
         for sheet in &mut sheets {
@@ -131,7 +128,6 @@ impl Contacts {
             carried,
             sizes,
             points,
-            complete,
         }
     }
 }

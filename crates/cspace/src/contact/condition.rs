@@ -51,15 +51,9 @@ fn on_carrier(spiral: &Spiral, sheet: &Sheet) -> Trig {
 
 /// n·(p − start) − offset for a spiral p and a line.
 fn height(spiral: &Spiral, line: &Sheet, offset: f64) -> Trig {
-    let (u, w) = (spiral.u - line.start.u, spiral.w - line.start.w);
+    let (stays, turns) = line.seen(spiral);
     let n = line.normal;
     let scale = size(spiral) + size(&line.start) + offset.abs();
-    let (turns, stays) = if line.kind == SheetKind::RoundLine {
-        // R n · (u + R w) = n·w + (R n)·u.
-        (u, w)
-    } else {
-        (w, u)
-    };
     let gamma = n.dot(stays) - offset;
     let beta = if line.kind == SheetKind::RoundLine {
         n.left().dot(turns)

@@ -126,15 +126,20 @@ impl Sheet {
                 return (apart - (r + s)).abs().min((apart - (r - s).abs()).abs()) <= SAME_CARRIER;
             }
         };
-        let c = circle.center();
-        let (u, w) = (c.u - line.start.u, c.w - line.start.w);
-        let (stays, turns) = if line.kind == SheetKind::RoundLine {
+        let (stays, turns) = line.seen(&circle.center());
+        let off = line.normal.dot(stays).abs() - circle.radius.abs();
+        turns.length() <= SAME_CARRIER && off.abs() <= SAME_CARRIER
+    }
+
+    /// A spiral from the start of a line, seen by its normal: what stays, and what turns.
+    pub(crate) fn seen(&self, spiral: &Spiral) -> (Vector, Vector) {
+        let (u, w) = (spiral.u - self.start.u, spiral.w - self.start.w);
+        if self.kind == SheetKind::RoundLine {
+            // R n · (u + R w) = n·w + (R n)·u.
             (w, u)
         } else {
             (u, w)
-        };
-        let off = line.normal.dot(stays).abs() - circle.radius.abs();
-        turns.length() <= SAME_CARRIER && off.abs() <= SAME_CARRIER
+        }
     }
 
     /// Whether both curves are lines that are parallel at every orientation, or opposite.

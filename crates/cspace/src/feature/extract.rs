@@ -20,9 +20,16 @@ struct Piece {
 
 /// How two consecutive edges meet.
 enum Corner {
-    Smooth,
-    Convex { turn: f64 },
-    Concave { turn: f64 },
+    /// Tangent, by the drawing or by what rounding can tell; then it may be beside the vertex where they are.
+    Smooth {
+        beside: bool,
+    },
+    Convex {
+        turn: f64,
+    },
+    Concave {
+        turn: f64,
+    },
 }
 
 /// One end of an edge after growth: its joint and, for an arc, how far its sweep was lengthened.
@@ -71,8 +78,8 @@ impl Outline {
             let point = before.edge.end;
             let (n1, n2) = (before.end_direction.right(), after.start_direction.right());
             match corner(before, after) {
-                Corner::Smooth => {
-                    let (point, normal) = tangency(before, after);
+                Corner::Smooth { beside } => {
+                    let (point, normal) = tangency(before, after, beside);
                     let joint = self.add_joint(point + normal * growth, normal);
                     ends[i] = End {
                         joint,
@@ -248,7 +255,7 @@ fn share_direction_along_lines(pieces: &mut [Piece]) {
     let smooth_lines = |before: &Piece, after: &Piece| {
         before.arc.is_none()
             && after.arc.is_none()
-            && matches!(corner(before, after), Corner::Smooth)
+            && matches!(corner(before, after), Corner::Smooth { .. })
     };
     let Some(first) = (0..n).find(|&i| !smooth_lines(&pieces[(i + n - 1) % n], &pieces[i])) else {
         return;
@@ -266,8 +273,9 @@ fn share_direction_along_lines(pieces: &mut [Piece]) {
 fn corner(before: &Piece, after: &Piece) -> Corner {
     let (d1, d2) = (before.end_direction, after.start_direction);
     let turn = d1.cross(d2).atan2(d1.dot(d2));
-    if turn.abs() < SMOOTH || overlap(before, after, turn).is_some() {
-        return Corner::Smooth;
+    let beside = run_alike(before, after, turn);
+    if beside || turn.abs() < SMOOTH {
+        return Corner::Smooth { beside };
     }
     if turn.abs() > PI - SMOOTH {
         // A cusp: material lies between the edges if the one arriving, seen backwards, bends further left.
@@ -284,33 +292,29 @@ fn corner(before: &Piece, after: &Piece) -> Corner {
     }
 }
 
-/// How far along the boundary two carriers that meet at a small angle are from where they run alike, if nothing is lost by
-/// taking them to meet smoothly there.
+/// Whether nothing is lost by taking two carriers that meet at a small angle to meet smoothly where they run alike.
 ///
 /// Curvatures that differ by κ run alike δ/κ beside a corner that turns by δ, where they are δ²/2κ off each other, and cross
 /// again twice as far away. Less than [`SAME_CARRIER`] is no corner: rounding would not tell one crossing from the other.
-fn overlap(before: &Piece, after: &Piece, turn: f64) -> Option<f64> {
+fn run_alike(before: &Piece, after: &Piece, turn: f64) -> bool {
     /// The largest part of an edge by which its end may be moved.
     const LARGEST_PART: f64 = 1.0 / 1024.0;
     let bend = (after.curvature() - before.curvature()).abs();
     let along = turn.abs() / bend;
     let shortest = before.edge.length().min(after.edge.length());
-    let smooth = 0.5 * turn.abs() * along <= SAME_CARRIER && along <= LARGEST_PART * shortest;
-    smooth.then_some(along)
+    0.5 * turn.abs() * along <= SAME_CARRIER && along <= LARGEST_PART * shortest
 }
 
 /// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of the line
 /// of centres.
 ///
-/// Where a drawing was rounded that is beside the vertex, and it is the place at which contact curves of both edges end.
-fn tangency(before: &Piece, after: &Piece) -> (Point, Vector) {
+/// Where a drawing was rounded that is `beside` the vertex, and it is the place at which contact curves of both edges end.
+fn tangency(before: &Piece, after: &Piece, beside: bool) -> (Point, Vector) {
     let vertex = before.edge.end;
     let (d1, d2) = (before.end_direction, after.start_direction);
-    let turn = d1.cross(d2).atan2(d1.dot(d2));
-    let aside = overlap(before, after, turn).is_some();
     let on_line = |(center, radius): (Point, f64), direction: Vector| {
         let normal = direction.right();
-        if !aside {
+        if !beside {
             return (vertex, normal);
         }
         let at = center + normal * radius;
@@ -321,12 +325,11 @@ fn tangency(before: &Piece, after: &Piece) -> (Point, Vector) {
         (None, Some(arc)) => on_line(arc, d1),
         (Some(arc), None) => on_line(arc, d2),
         (Some((c, r)), Some((d, s))) => {
-            if !aside {
+            if !beside {
                 return (vertex, d2.right());
             }
             // c + r n = d + s n, but for what they are off each other.
-            let normal = (c - d) * (1.0 / (s - r));
-            let normal = normal * (1.0 / normal.length());
+            let normal = ((c - d) * (1.0 / (s - r))).unit();
             (c + normal * r, normal)
         }
     }

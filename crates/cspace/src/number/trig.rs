@@ -91,12 +91,12 @@ impl Trig {
         let (most, least) = (self.most, self.least);
         let up_to = |k: Known| (k.value + k.error).max(0.0);
         let down_to = |k: Known| (k.value - k.error).max(0.0);
-        let value = |k: Known| k.value.max(0.0);
+        let about = |k: Known| k.value.max(0.0);
         if up_to(most) == 0.0 || up_to(least) == 0.0 {
             return;
         }
         let angle = |num: f64, den: f64| 2.0 * num.sqrt().atan2(den.sqrt());
-        let aside = angle(value(most), value(least));
+        let aside = angle(about(most), about(least));
         let error = (angle(up_to(most), down_to(least)) - aside)
             .max(aside - angle(down_to(most), up_to(least)));
         let error = (error + slack / amplitude + ANGLE_ERROR).min(LARGEST_ERROR);

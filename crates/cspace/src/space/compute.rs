@@ -240,7 +240,7 @@ impl ContactSpace {
             symmetry,
             names,
         } = Plan::new(fixed, moving, window, method);
-        if !geometry.contacts.complete {
+        if geometry.contacts.sheets.len() > MOST_SHEETS {
             return Err(ComputeError::TooManyContacts {
                 fixed: n,
                 moving: m,

@@ -28,7 +28,7 @@ pub(super) struct Shells {
     pub(super) judged: usize,
     /// Pieces of curve that cells share, and how many of them are not certainly longer than the errors of their ends.
     pub(super) overlaps: (u64, u64),
-    /// Shells whose bounds and tests told different things; their cells were tested one by one.
+    /// Shells whose bounds and tests told different things; their rings, or else their cells, were tested one by one.
     pub(super) conflicts: usize,
 }
 
@@ -226,51 +226,41 @@ impl ShellFinder<'_> {
         blocked: bool,
         blocked_ring: &[bool],
     ) -> Verdict {
-        let mut verdict = Verdict {
-            free: Vec::with_capacity(shell.len()),
-            tests: 0,
-            conflict: false,
-        };
-        let (mut some_free, mut some_blocked) = (false, blocked);
-        let mut some_open = false;
-        for ring in shell.chunk_by(|a, b| a.ring == b.ring) {
-            let open = !blocked_ring[ring[0].ring as usize] && !self.is_narrow(cells, ring);
-            let free = open && {
-                verdict.tests += 1;
-                self.is_free(&cells[self.largest(cells, ring) as usize])
-            };
-            some_open |= open;
-            some_free |= free;
-            some_blocked |= open && !free;
-            verdict.free.resize(verdict.free.len() + ring.len(), free);
-        }
-        if !some_free && (blocked || !some_open) {
+        // What a test says of each ring of which what bounds it says nothing; narrow ones follow from the others.
+        let rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
+            .map(|ring| {
+                let open = !blocked_ring[ring[0].ring as usize] && !self.is_narrow(cells, ring);
+                let tested = open.then(|| self.is_free(&cells[self.largest(cells, ring) as usize]));
+                (ring, tested)
+            })
+            .collect();
+        let mut tests = rings.iter().filter(|r| r.1.is_some()).count();
+        let mut some_free = rings.iter().any(|r| r.1 == Some(true));
+        let some_blocked = blocked || rings.iter().any(|r| r.1 == Some(false));
+        if !some_free && (blocked || tests == 0) {
             // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
             let some = shell.iter().step_by(shell.len().div_ceil(TRIED));
             let furthest = some
                 .map(|m| (self.distance(&cells[m.cell as usize]), m.cell))
                 .max_by(|a, b| a.0.total_cmp(&b.0));
-            verdict.tests += 1;
+            tests += 1;
             some_free = furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
         }
-        verdict.conflict = some_free && some_blocked;
-        let mut at = 0;
-        for ring in shell.chunk_by(|a, b| a.ring == b.ring) {
-            let free = &mut verdict.free[at..at + ring.len()];
-            at += ring.len();
-            if !blocked_ring[ring[0].ring as usize] && !self.is_narrow(cells, ring) {
-                continue;
-            }
-            if !verdict.conflict {
-                free.fill(some_free);
-                continue;
-            }
-            verdict.tests += ring.len();
-            for (m, free) in ring.iter().zip(free) {
-                *free = self.is_free(&cells[m.cell as usize]);
+        let conflict = some_free && some_blocked;
+        let mut free = Vec::with_capacity(shell.len());
+        for (ring, tested) in rings {
+            if tested.is_none() && conflict {
+                tests += ring.len();
+                free.extend(ring.iter().map(|m| self.is_free(&cells[m.cell as usize])));
+            } else {
+                free.resize(free.len() + ring.len(), tested.unwrap_or(some_free));
             }
         }
-        verdict
+        Verdict {
+            free,
+            tests,
+            conflict,
+        }
     }
 
     /// From the end of one cluster to the beginning of another, radians.
