@@ -80,7 +80,9 @@ fn ask(
     let verdict = oracle.judge(c);
     // Of a part drawn far away the test itself does not know better where it is.
     let known = 64.0 * f64::EPSILON * c.x.abs().max(c.y.abs());
-    if verdict.margin <= CERTAIN * oracle.size() + known {
+    // Where a tie was broken, the resolution says how far parts were moved.
+    let least = (CERTAIN * oracle.size()).max(space.resolution());
+    if verdict.margin <= least + known {
         return;
     }
     t.certain += 1;

@@ -67,12 +67,14 @@
 mod aligned;
 mod along;
 mod arrange;
+mod aside;
 mod axis;
 mod bands;
 mod body;
 mod build;
 mod carriers;
 mod chain;
+mod check;
 mod classify;
 mod components;
 mod condition;

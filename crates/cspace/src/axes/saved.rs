@@ -6,6 +6,7 @@ use crate::feature::FeatureName;
 use crate::space::{SavedError, SavedPart};
 
 use super::arrange::Cell;
+use super::aside::Aside;
 use super::axis::{AxesError, Axis};
 use super::bands::{Band, Bands, Gap, Region};
 use super::carriers::{Carriers, carriers};
@@ -58,6 +59,8 @@ pub struct SavedAxesSpace {
     pub free_regions: Vec<AxesRegion>,
     /// Counts of the computation.
     pub statistics: AxesStatistics,
+    #[serde(default, skip_serializing_if = "Aside::is_none")]
+    aside: Aside,
     map: Map,
     motions: Motions,
     x: Extent,
@@ -154,6 +157,7 @@ impl From<&FixedAxesSpace> for SavedAxesSpace {
             patches: s.patches.clone(),
             branches: s.branches.clone(),
             statistics: s.statistics,
+            aside: s.aside,
         }
     }
 }
@@ -164,7 +168,7 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
     fn try_from(s: SavedAxesSpace) -> Result<Self, SavedAxesError> {
         s.check()?;
         let (fixed, moving) = (s.fixed.part()?, s.moving.part()?);
-        let setting = Setting::new(&fixed, s.fixed_axis, &moving, s.moving_axis)?;
+        let setting = Setting::new(&fixed, s.fixed_axis, &moving, s.moving_axis, s.aside)?;
         let scene = &setting.scene;
         let features = |side: &super::side::Side| side.outline.features.len() as u32;
         let (first, second) = (features(&scene.first), features(&scene.second));
@@ -198,6 +202,7 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
                 regions: s.regions,
             },
             deviation: setting.deviation,
+            aside: s.aside,
             slots: Vec::new(),
             patches: s.patches,
             branches: s.branches,

@@ -9,6 +9,7 @@ use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
 use crate::space::as_drawn;
 
+use super::aside::Aside;
 use super::axis::{AxesError, Axis, AxisMotion, Role};
 use super::body::Bodies;
 use super::domain::{Extent, ExtentKind};
@@ -59,7 +60,7 @@ pub(super) struct Setting {
     pub(super) bodies: Bodies,
     /// What the features of the first and of the second part are called.
     pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
-    /// How far the first part as computed is from the part as drawn, in the model's unit of length.
+    /// How far the parts as computed are from the parts as drawn, in the model's unit of length.
     pub(super) deviation: f64,
 }
 
@@ -69,6 +70,7 @@ impl Setting {
         fixed_axis: Axis,
         moving: &Part,
         moving_axis: Axis,
+        aside: Aside,
     ) -> Result<Self, AxesError> {
         let frame = PairFrame::new(fixed, moving);
         let mut motions = Motions {
@@ -93,6 +95,12 @@ impl Setting {
             symmetric = (symmetric.1, symmetric.0);
             motions = motions.swapped();
         }
+        if !aside.is_none() {
+            // Its outline is not about its pivot any more.
+            symmetric.0 = None;
+            motions.first = aside.tilted(motions.first, false);
+            motions.second = aside.tilted(motions.second, true);
+        }
         let unit = |m: &Motion| if m.turns() { 1.0 } else { 1.0 / frame.scale };
         let map = Map {
             frame,
@@ -107,7 +115,11 @@ impl Setting {
             let body = Body::new(&outline, part, center, frame.scale);
             (outline, body)
         };
-        let (second, second_body) = drawn(parts.1, frame.fixed_center, swapped);
+        let shifts = aside.shifts();
+        let about = |shift: Vector| frame.fixed_center + shift * (-1.0 / frame.scale);
+        let turned = aside.turned(parts.1, frame.fixed_center);
+        let second = turned.as_ref().unwrap_or(parts.1);
+        let (second, second_body) = drawn(second, about(shifts.1), swapped);
         let repeating = symmetric.0.and_then(|s| {
             let center = s.center_in(&frame);
             let (outline, body) = drawn(&s.redrawn.part, center, !swapped);
@@ -115,19 +127,27 @@ impl Setting {
             Some((outline, body, repeats, Some(s)))
         });
         let (first, first_body, repeats, symmetric) = repeating.unwrap_or_else(|| {
-            let (outline, body) = drawn(parts.0, frame.fixed_center, !swapped);
+            let (outline, body) = drawn(parts.0, about(shifts.0), !swapped);
             let repeats = Repeats::none(&outline);
             (outline, body, repeats, None)
         });
-        let deviation = symmetric.as_ref().map_or(0.0, |s| s.deviation);
-        let redrawn = symmetric.map(|s| s.redrawn);
-        let name = |f: &Feature| as_drawn(&redrawn, f.name);
         let farthest = |axis: &Axis, unit: f64| {
             let far = |(lo, hi): (f64, f64)| lo.abs().max(hi.abs()) / unit;
             axis.range.map(far)
         };
         let ranges = (farthest(&axes.0, map.x_unit), farthest(&axes.1, map.y_unit));
         let reach = reach(&first, &second, &motions, ranges);
+        let x = extent(&axes.0, &motions.first, map.x_unit, reach);
+        let y = extent(&axes.1, &motions.second, map.y_unit, reach);
+        let slide = |m: &Motion, e: &Extent| match m {
+            Motion::Slide { .. } => e.lo.abs().max(e.hi.abs()),
+            _ => 0.0,
+        };
+        let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
+        let deviation = symmetric.as_ref().map_or(0.0, |s| s.deviation)
+            + frame.outer_length(aside.deviation(slides));
+        let redrawn = symmetric.map(|s| s.redrawn);
+        let name = |f: &Feature| as_drawn(&redrawn, f.name);
         Ok(Self {
             map,
             deviation,
@@ -136,8 +156,8 @@ impl Setting {
                 second.features.iter().map(|f| f.name).collect(),
             ),
             scene: Scene {
-                x: extent(&axes.0, &motions.first, map.x_unit, reach),
-                y: extent(&axes.1, &motions.second, map.y_unit, reach),
+                x,
+                y,
                 first: Side::new(first),
                 second: Side::new(second),
                 motions,

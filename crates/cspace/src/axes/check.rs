@@ -1,0 +1,59 @@
+//! Whether a partition hangs together.
+
+use super::body::Bodies;
+use super::domain::{Extent, wrapped};
+use super::motion::Motion;
+use super::space::FixedAxesSpace;
+
+/// Ends of curves that follow each other are one place within this (radians, or length of the frame): beside a tangency a
+/// place is known to the square root of the rounding.
+const ONE_PLACE: f64 = 1e-6;
+/// An end so near to a limit is at it (radians, or length of the frame).
+const AT_LIMIT: f64 = 1e-9;
+
+impl FixedAxesSpace {
+    /// How often the partition contradicts itself: in the tests made for it, in curves that lead nowhere or to another
+    /// region, in regions whose sample is blocked or that are narrower than the resolution.
+    pub(super) fn faults(&self, bodies: &Bodies) -> usize {
+        let curves = (0..self.patches.len()).map(|i| self.faults_of(i));
+        let none =
+            |(x, y): (f64, f64)| bodies.overlap(x, y) || self.touching(x, y).next().is_some();
+        let regions = self.bands.regions.iter().filter(|r| none(r.sample));
+        self.statistics.conflicts + curves.sum::<usize>() + regions.count()
+    }
+
+    fn faults_of(&self, patch: usize) -> usize {
+        let p = &self.patches[patch];
+        let [start, end] =
+            [p.branches.start, p.branches.end - 1].map(|b| self.branches[b as usize]);
+        let inside = |(u, v): (f64, f64)| {
+            let (x, y) = self.map.inner(u, v);
+            let still = [self.motions.first, self.motions.second].map(|m| m == Motion::Still);
+            let limit = |t: f64, e: &Extent, still: bool| {
+                !e.is_circle() && (still || t - e.lo < AT_LIMIT || e.hi - t < AT_LIMIT)
+            };
+            !(limit(x, &self.x, still[0]) || limit(y, &self.y, still[1]))
+        };
+        let finite = [start.start, end.end].map(|(u, v)| u.is_finite() && v.is_finite());
+        let mut faults = finite.iter().filter(|f| !**f).count();
+        faults += usize::from(p.region.is_none());
+        faults += usize::from(p.previous.is_none() && inside(start.start));
+        faults += match p.next.map(|n| &self.patches[n as usize]) {
+            None => usize::from(inside(end.end)),
+            Some(next) => {
+                let follows = self.branches[next.branches.start as usize].start;
+                let (a, b) = (
+                    self.map.inner(end.end.0, end.end.1),
+                    self.map.inner(follows.0, follows.1),
+                );
+                let off = |s: f64, t: f64, e: &Extent| {
+                    let d = s - t;
+                    if e.repeats() { wrapped(d) } else { d }.abs()
+                };
+                let apart = off(a.0, b.0, &self.x).max(off(a.1, b.1, &self.y));
+                usize::from(!(apart < ONE_PLACE)) + usize::from(next.region != p.region)
+            }
+        };
+        faults
+    }
+}
