@@ -7,7 +7,7 @@
 use crate::geometry::Point;
 use crate::number::{Known, Trig};
 
-use super::function::Spiral;
+use super::spiral::Spiral;
 use super::sheet::{SharedEnds, Sheet, SheetKind};
 
 /// Calls `take` with every condition of the pair.
