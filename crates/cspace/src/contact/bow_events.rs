@@ -113,6 +113,8 @@ impl Condition<'_> {
     fn roots(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
         /// Each step squares what is wrong.
         const STEPS: usize = 4;
+        /// Errors are estimates.
+        const MARGIN: f64 = 4.0;
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let Some(first) = offsets(&self.series(mid).0) else {
             return;
@@ -132,8 +134,10 @@ impl Condition<'_> {
             }
             let (here, size) = self.series(theta);
             let value_error = LENGTH_ERROR * size;
-            // Where the roots are two or none, the function is least there.
-            if here.value.abs() > 2.0 * value_error && (here.slope * here.slope) < here.value.abs() * here.bend.abs() {
+            let turned = ANGLE_ERROR * here.slope.abs();
+            // Where the roots are two or none, the function is least there; or it is constant.
+            let none = here.value.abs() > MARGIN * (value_error + turned);
+            if none || here.slope.abs() + here.bend.abs() <= MARGIN * value_error {
                 continue;
             }
             let off = here.value.abs() + value_error;

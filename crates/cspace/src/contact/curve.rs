@@ -45,7 +45,7 @@ impl Curve {
         match self.shape {
             CurveShape::Line { normal } => 0.5 * normal.left().dot(self.end - self.start),
             CurveShape::Circle { radius, half, .. } => half * radius.abs(),
-            CurveShape::Bow(bow) => 0.5 * (bow.place(self.end) - bow.place(self.start)),
+            CurveShape::Bow(bow) => (0.5 * (bow.place(self.end) - bow.place(self.start))).max(0.0),
         }
     }
 

@@ -38,7 +38,9 @@ impl<'a> Placing<'a> {
         let (mut half, mut middle) = (half, half);
         if let Carrier::Bow(bow) = carrier {
             let ends = [sheet.start, sheet.end].map(|s| bow.place(s.at(turn)));
-            (half, middle) = (0.5 * (ends[1] - ends[0]), 0.5 * (ends[0] + ends[1]));
+            // Beside the orientations at which it exists, a curve has its ends in the wrong order; they move fast.
+            half = (0.5 * (ends[1] - ends[0])).max(0.0);
+            middle = 0.5 * (ends[0] + ends[1]);
         }
         Self {
             geometry,
@@ -61,6 +63,18 @@ impl<'a> Placing<'a> {
         self.half
     }
 
+    /// How fast the ends move, and what they cross there (length per radian).
+    pub(super) fn speed(&self) -> f64 {
+        /// The largest speed of what is told about a centre near the parts.
+        const SPEED: f64 = 4.0;
+        let sheet = &self.geometry.contacts.sheets[self.index as usize];
+        if !sheet.is_flat() {
+            return SPEED;
+        }
+        let ends = [sheet.start, sheet.end].map(|s| s.turning().length());
+        SPEED + ends[0].max(ends[1])
+    }
+
     /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
     /// nearest place to one.
     pub(super) fn place(&self, b: &Branch) -> f64 {
@@ -77,7 +91,8 @@ impl<'a> Placing<'a> {
         if place.is_nan() {
             return (0.0, f64::INFINITY);
         }
-        (place.clamp(-self.half, self.half), error)
+        let half = self.half.max(0.0);
+        (place.clamp(-half, half), error)
     }
 
     /// What orders branches by their places, as the places themselves would, at less cost.
