@@ -104,6 +104,16 @@ impl Condition<'_> {
         }
     }
 
+    /// How fast what it is made of moves, per radian, if that is more than the size of the parts.
+    fn pace(&self) -> f64 {
+        let of = |s: &Spiral| s.turning().length();
+        let both = match *self {
+            Self::End(spiral, sheet) => [of(spiral), of(&sheet.any())],
+            Self::Alike(f, g, _) | Self::Circle(f, g, _) => [of(&f.any()), of(&g.any())],
+        };
+        1.0 + both[0] + both[1]
+    }
+
     fn series(&self, theta: f64) -> (Series, f64) {
         let (cos, sin) = Series::cos_sin(theta);
         self.at(cos, sin)
@@ -119,6 +129,7 @@ impl Condition<'_> {
         let Some(first) = offsets(&self.series(mid).0) else {
             return;
         };
+        let pace = self.pace();
         for offset in first {
             let mut theta = mid + offset;
             theta -= TAU * ((theta - mid) / TAU).round();
@@ -135,9 +146,10 @@ impl Condition<'_> {
             let (here, size) = self.series(theta);
             let value_error = LENGTH_ERROR * size;
             let turned = ANGLE_ERROR * here.slope.abs();
-            // Where the roots are two or none, the function is least there; or it is constant.
+            // Where the roots are two or none, the function is least there. And it may be constant: where an end is always on
+            // the other carrier, the derivatives are the rounding of what moves it.
             let none = here.value.abs() > MARGIN * (value_error + turned);
-            if none || here.slope.abs() + here.bend.abs() <= MARGIN * value_error {
+            if none || here.slope.abs() + here.bend.abs() <= MARGIN * value_error * pace {
                 continue;
             }
             let off = here.value.abs() + value_error;

@@ -238,6 +238,11 @@ impl Sheet {
         }
     }
 
+    /// By what its carrier is told: a position on it, or its centre.
+    pub(crate) fn any(&self) -> Spiral {
+        if self.is_line() { self.start } else { self.near() }
+    }
+
     /// A position through which a bow goes.
     #[inline]
     fn near(&self) -> Spiral {
