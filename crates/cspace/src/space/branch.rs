@@ -281,10 +281,11 @@ fn coincide(geometry: &Geometry, run: &PairRun, theta: f64) -> bool {
         ) => (r.abs() - q.abs()).abs() < SAME_PLACE && c.distance(d) < SAME_PLACE,
         (CurveShape::Circle { .. }, _) | (_, CurveShape::Circle { .. }) => false,
         _ => {
-            // A bow and a line or bow: the ends of either on the other.
+            // A bow and a line or bow: the ends of either on the other. It is no higher than that for long.
+            const AS_HIGH: f64 = 1e-11;
             let on = |f: &Curve, g: &Curve| {
                 [g.start, g.end].iter().all(|p| {
-                    Level::of(&f.carrier(), (p.x, p.y)).c.abs() < SAME_PLACE
+                    Level::of(&f.carrier(), (p.x, p.y)).c.abs() < AS_HIGH
                         && f.normal(*p).cross(g.normal(*p)).abs() < SAME_DIRECTION
                 })
             };
