@@ -12,8 +12,6 @@ use cspace_oracle::{Case, Oracle};
 pub enum Known {
     /// A pair of a family at a value from which on it goes wrong: the list of `cspace-load`.
     Family(&'static str),
-    /// An arc with a radius of more than 10⁴ times the size.
-    FlatArc,
     /// A joint that turns by between 1e-9 and 2e-6 rad: about the limit of smooth ones.
     JointAtTheLimit,
     /// Beside a tangency a critical orientation is known to 1e-6 rad only: an answer nearer to contact than
@@ -28,9 +26,6 @@ pub enum Known {
     /// An event beside a tangency of curves of which one hardly turns: it is told with 1e-6 rad, the largest error, and would need more.
     CappedError,
 }
-
-/// Radii from which on places on an arc lose the digits that decisions need, in sizes.
-const FLAT: f64 = 1e4;
 
 /// Turns of joints (radians) about the limit of smooth ones, 2⁻²⁶ ≈ 1.5e-8: their contact curves are as long as they are
 /// known.
@@ -53,13 +48,7 @@ const HARDLY: f64 = 1e-2;
 
 /// Why a pair is not asked at all, if it is one of those.
 pub(crate) fn pair(case: &Case) -> Option<Known> {
-    let size = case.fixed.size().max(case.moving.size());
-    let parts = [&case.fixed, &case.moving];
-    let flat = |e: &Edge| !e.is_line() && e.radius() > FLAT * size;
-    if parts.iter().any(|p| p.edges().any(|e| flat(&e))) {
-        return Some(Known::FlatArc);
-    }
-    parts
+    [&case.fixed, &case.moving]
         .iter()
         .any(|p| p.loops().iter().any(has_joint_at_the_limit))
         .then_some(Known::JointAtTheLimit)

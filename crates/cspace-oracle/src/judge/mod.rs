@@ -114,7 +114,12 @@ impl Oracle {
         let clear = if self.flat {
             clear(&self.fixed_fine, &self.moving_finely(c), trust, self.size)
         } else {
-            clear(&self.fixed, &self.moving.moved(turn, shift), trust, self.size)
+            clear(
+                &self.fixed,
+                &self.moving.moved(turn, shift),
+                trust,
+                self.size,
+            )
         };
         clear.unwrap_or_else(|| self.judge_finely(c, trust))
     }

@@ -7,6 +7,7 @@ use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
 use super::carrier::Carrier;
+use super::spiral::{Spiral, turned};
 
 /// A circle, or a line, through a point.
 ///
@@ -78,6 +79,29 @@ impl<T: Real> Level<T> {
 }
 
 impl<T: Real> Bow<T> {
+    /// The circle of a radius through a spiral, with a normal that turns or does not.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn of(
+        through: &Spiral,
+        normal: Vector,
+        turns: bool,
+        radius: f64,
+        cos: T,
+        sin: T,
+    ) -> Self {
+        let normal = if turns {
+            turned(normal, cos, sin)
+        } else {
+            (T::constant(normal.x), T::constant(normal.y))
+        };
+        Self {
+            through: through.place(cos, sin),
+            normal,
+            curvature: 1.0 / radius,
+        }
+    }
+
     /// The place at which another carrier is crossed, its blocked side being entered or left. Where the crossing is just
     /// lost, the nearest place to one.
     ///
@@ -213,7 +237,11 @@ mod tests {
     #[test]
     fn crossings_are_on_both_carriers() {
         for r in [3.0, -3.0] {
-            let (bow, own) = circle(Point::new(0.3, -3.0), r, 1.5 + if r < 0.0 { 3.1 } else { 0.0 });
+            let (bow, own) = circle(
+                Point::new(0.3, -3.0),
+                r,
+                1.5 + if r < 0.0 { 3.1 } else { 0.0 },
+            );
             let (other, far) = circle(Point::new(-0.4, 4.6), -5.0, 4.9);
             let line = Carrier::Line {
                 normal: (0.6, 0.8),

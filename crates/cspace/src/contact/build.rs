@@ -498,10 +498,7 @@ impl Builder<'_> {
                 w: -j.point.to_vector(),
                 swing: swing(near.normal, j.normal, -a.radius()),
             },
-            None => Spiral::new(
-                a.center(),
-                -(j.point + j.normal * a.radius()).to_vector(),
-            ),
+            None => Spiral::new(a.center(), -(j.point + j.normal * a.radius()).to_vector()),
         }
     }
 

@@ -92,25 +92,32 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             let across = signed(product.root().over(twice), (root == 1) != swapped);
             (v.0 * along - v.1 * across, v.1 * along + v.0 * across)
         }
-        (Carrier::Circle { center, .. }, Carrier::Bow(bow)) => {
-            let u = bow.crossing(&Level::of(f, bow.through), (root == 1) == swapped);
-            let d = bow.way(u);
-            let from = minus(bow.through, center);
-            (from.0 + d.0, from.1 + d.1)
-        }
-        (Carrier::Bow(bow), _) => (
-            bow.crossing(&Level::of(g, bow.through), (root == 1) != swapped),
-            zero,
-        ),
-        (Carrier::Line { normal, through }, Carrier::Bow(_)) => {
+        (Carrier::Bow(_), _) | (_, Carrier::Bow(_)) => place_of_bow(f, g, (root == 1) != swapped),
+    }
+}
+
+/// The same if one of the two is a bow; f enters the blocked side of g there, or leaves it.
+#[cold]
+#[inline(never)]
+fn place_of_bow<T: Real>(f: &Carrier<T>, g: &Carrier<T>, enters: bool) -> (T, T) {
+    let zero = T::constant(0.0);
+    match (*f, *g) {
+        (Carrier::Bow(bow), _) => (bow.crossing(&Level::of(g, bow.through), enters), zero),
+        (Carrier::Line { normal, through }, _) => {
             let line = Bow {
                 through,
                 normal,
                 curvature: 0.0,
             };
-            let u = line.crossing(&Level::of(g, through), (root == 1) != swapped);
-            (u, zero)
+            (line.crossing(&Level::of(g, through), enters), zero)
         }
+        (Carrier::Circle { center, .. }, Carrier::Bow(bow)) => {
+            // Where f enters the blocked side of g, g leaves that of f.
+            let d = bow.way(bow.crossing(&Level::of(f, bow.through), !enters));
+            let from = minus(bow.through, center);
+            (from.0 + d.0, from.1 + d.1)
+        }
+        (Carrier::Circle { .. }, _) => (zero, zero),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::number::Real;
 
 use super::bow::Bow;
 use super::carrier::Carrier;
-use super::spiral::Spiral;
+use super::spiral::{Spiral, turned};
 
 /// The contact function of a pair of features, equations (1)–(3) of Sacks 1999, in the pair's frame.
 ///
@@ -106,27 +106,20 @@ impl ContactFunction {
     }
 
     /// Its carrier at the orientation with the given cosine and sine.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
         let real = T::constant;
-        let turned = |v: Vector| {
-            (
-                cos * real(v.x) - sin * real(v.y),
-                sin * real(v.x) + cos * real(v.y),
-            )
-        };
-        let spiral = |s: &Spiral| s.place(cos, sin);
         match self {
             Self::FixedLine { normal, through } => Carrier::Line {
                 normal: (real(normal.x), real(normal.y)),
-                through: spiral(through),
+                through: through.place(cos, sin),
             },
             Self::MovingLine { normal, through } => Carrier::Line {
-                normal: turned(*normal),
-                through: spiral(through),
+                normal: turned(*normal, cos, sin),
+                through: through.place(cos, sin),
             },
             Self::Circle { center, radius } => Carrier::Circle {
-                center: spiral(center),
+                center: center.unswung(cos, sin),
                 radius: *radius,
             },
             Self::FlatCircle {
@@ -134,15 +127,7 @@ impl ContactFunction {
                 normal,
                 turns,
                 radius,
-            } => Carrier::Bow(Bow {
-                through: spiral(through),
-                normal: if *turns {
-                    turned(*normal)
-                } else {
-                    (real(normal.x), real(normal.y))
-                },
-                curvature: 1.0 / radius,
-            }),
+            } => Carrier::Bow(Bow::of(through, *normal, *turns, *radius, cos, sin)),
         }
     }
 

@@ -3,11 +3,11 @@
 use crate::feature::tolerance::{LARGEST_CIRCLE, SAME_CARRIER};
 use crate::geometry::{Point, Rotation, Vector};
 
+use super::bow::Bow;
 use super::carrier::Carrier;
 use super::curve::{Curve, CurveShape};
-use super::bow::Bow;
 use super::function::ContactFunction;
-use super::spiral::{Spiral, Swing};
+use super::spiral::{Spiral, Swing, turned};
 use crate::number::Real;
 
 /// The largest distance of two positions in contact, length.
@@ -240,7 +240,11 @@ impl Sheet {
 
     /// By what its carrier is told: a position on it, or its centre.
     pub(crate) fn any(&self) -> Spiral {
-        if self.is_line() { self.start } else { self.near() }
+        if self.is_line() {
+            self.start
+        } else {
+            self.near()
+        }
     }
 
     /// A position through which a bow goes.
@@ -335,8 +339,30 @@ impl Sheet {
     }
 
     /// Its carrier at the orientation with the given cosine and sine.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
-        self.function().carrier(cos, sin)
+        let real = T::constant;
+        match self.kind {
+            SheetKind::LineRound => Carrier::Line {
+                normal: (real(self.normal.x), real(self.normal.y)),
+                through: self.start.place(cos, sin),
+            },
+            SheetKind::RoundLine => Carrier::Line {
+                normal: turned(self.normal, cos, sin),
+                through: self.start.place(cos, sin),
+            },
+            SheetKind::RoundRound => Carrier::Circle {
+                center: self.center().unswung(cos, sin),
+                radius: self.radius,
+            },
+            SheetKind::FixedBow | SheetKind::MovingBow => Carrier::Bow(Bow::of(
+                &self.near(),
+                self.normal,
+                self.turns(),
+                self.radius,
+                cos,
+                sin,
+            )),
+        }
     }
 }

@@ -47,7 +47,8 @@ impl Swing {
     }
 
     /// With φ = θ − t, (1 − cos φ) a − sin φ left(a); 1 − cos φ from the sine, so that it is as exact as that is.
-    #[inline]
+    #[cold]
+    #[inline(never)]
     fn moved<T: Real>(&self, cos: T, sin: T) -> (T, T) {
         let real = T::constant;
         let (st, ct) = self.rest.sin_cos();
@@ -57,6 +58,16 @@ impl Swing {
         let (x, y) = (real(self.arm.x), real(self.arm.y));
         (x * less + y * s, y * less - x * s)
     }
+}
+
+/// A vector turned by the orientation with the given cosine and sine.
+#[inline(always)]
+pub(super) fn turned<T: Real>(v: Vector, cos: T, sin: T) -> (T, T) {
+    let real = T::constant;
+    (
+        cos * real(v.x) - sin * real(v.y),
+        sin * real(v.x) + cos * real(v.y),
+    )
 }
 
 impl Spiral {
@@ -70,30 +81,35 @@ impl Spiral {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at(&self, turn: Rotation) -> Point {
         let p = self.u + turn * self.w;
         if self.swing.is_none() {
-            return p;
+            p
+        } else {
+            let (x, y) = self.swing.moved(turn.cos, turn.sin);
+            p + Vector::new(x, y)
         }
-        let (x, y) = self.swing.moved(turn.cos, turn.sin);
-        p + Vector::new(x, y)
     }
 
     /// Its place at the orientation with the given cosine and sine, in any arithmetic.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn place<T: Real>(&self, cos: T, sin: T) -> (T, T) {
-        let real = T::constant;
-        let w = (
-            cos * real(self.w.x) - sin * real(self.w.y),
-            sin * real(self.w.x) + cos * real(self.w.y),
-        );
-        let p = (real(self.u.x) + w.0, real(self.u.y) + w.1);
+        let p = self.unswung(cos, sin);
         if self.swing.is_none() {
-            return p;
+            p
+        } else {
+            let v = self.swing.moved(cos, sin);
+            (p.0 + v.0, p.1 + v.1)
         }
-        let v = self.swing.moved(cos, sin);
-        (p.0 + v.0, p.1 + v.1)
+    }
+
+    /// The same of one that does not swing, such as the centre of a circle.
+    #[inline(always)]
+    pub(crate) fn unswung<T: Real>(&self, cos: T, sin: T) -> (T, T) {
+        let real = T::constant;
+        let w = turned(self.w, cos, sin);
+        (real(self.u.x) + w.0, real(self.u.y) + w.1)
     }
 
     /// All of it that turns: it moves by left(R v) per radian.
@@ -124,6 +140,9 @@ mod tests {
             let turn = Rotation::by(theta);
             assert!(spiral.at(turn).distance(plain.at(turn)) < 1e-14);
         }
-        assert_eq!(spiral.at(Rotation::by(0.7)).x, Spiral::new(spiral.u, spiral.w).at(Rotation::by(0.7)).x);
+        assert_eq!(
+            spiral.at(Rotation::by(0.7)).x,
+            Spiral::new(spiral.u, spiral.w).at(Rotation::by(0.7)).x
+        );
     }
 }

@@ -73,8 +73,7 @@ impl Real for Series {
     fn over(self, divisor: Self) -> Self {
         let value = self.value / divisor.value;
         let slope = (self.slope - value * divisor.slope) / divisor.value;
-        let bend =
-            (self.bend - 2.0 * slope * divisor.slope - value * divisor.bend) / divisor.value;
+        let bend = (self.bend - 2.0 * slope * divisor.slope - value * divisor.bend) / divisor.value;
         Self { value, slope, bend }
     }
 

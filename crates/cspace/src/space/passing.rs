@@ -147,7 +147,11 @@ impl Passing<'_> {
         let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
         let d = self.difference(cos, sin);
         let sheets = &self.geometry.contacts.sheets;
-        let three = [self.sheet, self.x.other(self.sheet), self.y.other(self.sheet)];
+        let three = [
+            self.sheet,
+            self.x.other(self.sheet),
+            self.y.other(self.sheet),
+        ];
         let flat = three.iter().any(|&s| sheets[s as usize].is_flat());
         let narrowest = if flat { LEAST } else { NARROWEST };
         if d.value.sign() != 0 {

@@ -36,7 +36,7 @@ impl<'a> Placing<'a> {
         };
         let carrier = sheet.carrier(turn.cos, turn.sin);
         let (mut half, mut middle) = (half, half);
-        if let Carrier::Bow(bow) = carrier {
+        if let Carrier::Bow(bow) = &carrier {
             let ends = [sheet.start, sheet.end].map(|s| bow.place(s.at(turn)));
             // Beside the orientations at which it exists, a curve has its ends in the wrong order; they move fast.
             half = (0.5 * (ends[1] - ends[0])).max(0.0);
