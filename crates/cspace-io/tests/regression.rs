@@ -318,6 +318,27 @@ fn flat_sides() {
     ]);
 }
 
+/// What is told of a large arc is written and read back.
+#[test]
+fn flat_sides_are_saved() {
+    for name in ["sides_of_radius_1e9", "hollow_sides_of_radius_1e7"] {
+        let [fixed, moving] = parts(&format!("tests/regression/{name}.toml"));
+        let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+        let saved = space.to_saved();
+        let text = serde_json::to_string(&saved).unwrap();
+        assert!(
+            text.contains("flat-circle") && text.contains("rest"),
+            "{name}"
+        );
+        let read: cspace::SavedSpace = serde_json::from_str(&text).unwrap();
+        assert_eq!(
+            ContactSpace::from_saved(read).unwrap().to_saved(),
+            saved,
+            "{name}"
+        );
+    }
+}
+
 /// The graph says what brute force is certain of.
 fn certain(all: &[(&str, Configuration)]) {
     for &(name, at) in all {

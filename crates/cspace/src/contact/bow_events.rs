@@ -188,3 +188,83 @@ fn offsets(s: &Series) -> Option<[f64; 2]> {
     });
     (both[0].is_finite() && both[1].is_finite() && (sum != 0.0 || s.value != 0.0)).then_some(both)
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::super::condition::conditions;
+    use super::super::pair::Geometry;
+    use super::super::sheet::SheetKind;
+    use super::*;
+    use crate::part::{Part, Vertex};
+
+    fn part(name: &str, size: f64, bulges: [f64; 4]) -> Part {
+        let at = |x: f64, y: f64, b: f64| Vertex::new(x * size, y * size, b);
+        let [a, b, c, d] = bulges;
+        let outline = vec![
+            at(-1.0, -1.0, a),
+            at(1.0, -0.9, b),
+            at(1.1, 1.0, c),
+            at(-0.4, 1.2, d),
+        ];
+        Part::new(name, vec![outline]).unwrap()
+    }
+
+    /// The same contact with circles about their centres, and ends as two vectors: right as long as the radii are no larger
+    /// than here.
+    fn plain(sheet: &Sheet) -> Sheet {
+        let spiral = |s: &Spiral| Spiral::new(s.u + s.swing.arm, s.turning());
+        let mut plain = *sheet;
+        (plain.start, plain.end) = (spiral(&sheet.start), spiral(&sheet.end));
+        let near = spiral(&sheet.any());
+        if sheet.is_bow() {
+            let inward = -(sheet.normal * sheet.radius);
+            let (mut u, mut w) = (near.u, near.w);
+            if sheet.kind == SheetKind::MovingBow {
+                w = w + inward;
+            } else {
+                u += inward;
+            }
+            plain.kind = SheetKind::RoundRound;
+            (plain.fixed_point, plain.moving_point) = (u, crate::Point::ORIGIN + -w);
+        }
+        plain
+    }
+
+    /// Up to a few hundred sizes of radius, the events are those of circles about their centres.
+    #[test]
+    fn events_are_those_of_circles() {
+        let fixed = part("fixed", 1.0, [1e-3, 0.3, -8e-4, 0.0]);
+        let moving = part("moving", 0.6, [6e-4, 0.0, -7e-4, -0.2]);
+        let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+        let contacts = &geometry.contacts;
+        let sheets = &contacts.sheets;
+        let mut compared = 0;
+        for (i, f) in sheets.iter().enumerate() {
+            for g in &sheets[..i] {
+                let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
+                let shared = f.shared_ends(g, contacts.first_vertex_name);
+                if lo >= hi || shared.tangent || !(f.is_flat() || g.is_flat()) {
+                    continue;
+                }
+                let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+                bow_events(f, g, &shared, (lo, hi), |e| ours.push(e));
+                let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+                conditions(&plain(f), &plain(g), &shared, |t| {
+                    let found = |e| theirs.push(e);
+                    t.roots(mid, mid.cos(), mid.sin(), half, found);
+                });
+                // What is known well, and not at the very end, is found by both.
+                for (of, among) in [(&ours, &theirs), (&theirs, &ours)] {
+                    let known = of.iter().filter(|e: &&Event| e.error < 1e-10);
+                    for e in known.filter(|e| (e.theta - mid).abs() < half - 1e-8) {
+                        compared += 1;
+                        let off = |o: &Event| (o.theta - e.theta).abs() - o.error;
+                        assert!(among.iter().any(|o| off(o) < 1e-9), "{e:?} {f:?} {g:?}");
+                    }
+                }
+            }
+        }
+        assert!(compared > 500, "{compared}");
+    }
+}

@@ -124,6 +124,24 @@ fn simple_pairs_are_closed() {
     );
 }
 
+/// Squares of side 1 of which two sides are arcs much larger than the parts, bulging and hollow.
+#[test]
+fn flat_arcs_are_closed() {
+    let curved = |name: &str, side: f64, radius: f64| {
+        let (r, bulge) = (0.5 * side, 0.25 * side / radius);
+        let corners = [(-r, -r, bulge), (r, -r, 0.0), (r, r, bulge), (-r, r, 0.0)];
+        let vertices = corners.map(|(x, y, b)| Vertex::new(x, y, b));
+        Part::new(name, vec![vertices.to_vec()]).unwrap()
+    };
+    for radius in [1e3, -1e3, 1e6, -1e6] {
+        let (table, block) = (curved("table", 1.0, radius), curved("block", 0.6, 2e3));
+        check(
+            &format!("sides of radius {radius}"),
+            &space(&table, &block, None),
+        );
+    }
+}
+
 #[test]
 fn a_window_is_open_at_its_ends_alone() {
     let fixed = frame(3.0, 2.0);
