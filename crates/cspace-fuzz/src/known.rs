@@ -3,7 +3,6 @@
 //! Each sort is described in the README under *Known limits*; `tests/regression` has an example. When one is mended, its
 //! entry here goes.
 
-use cspace::{Edge, Loop};
 use cspace_load::{Fault, known};
 use cspace_oracle::{Case, Oracle};
 
@@ -12,8 +11,6 @@ use cspace_oracle::{Case, Oracle};
 pub enum Known {
     /// A pair of a family at a value from which on it goes wrong: the list of `cspace-load`.
     Family(&'static str),
-    /// A joint that turns by between 1e-9 and 2e-6 rad: about the limit of smooth ones.
-    JointAtTheLimit,
     /// Beside a tangency a critical orientation is known to 1e-6 rad only: an answer nearer to contact than
     /// 1e-6 times the size.
     BesideTangency,
@@ -26,10 +23,6 @@ pub enum Known {
     /// An event beside a tangency of curves of which one hardly turns: it is told with 1e-6 rad, the largest error, and would need more.
     CappedError,
 }
-
-/// Turns of joints (radians) about the limit of smooth ones, 2⁻²⁶ ≈ 1.5e-8: their contact curves are as long as they are
-/// known.
-const SMOOTH: (f64, f64) = (1e-9, 2e-6);
 
 /// How near to contact answers may be wrong beside a tangency, as a share of the size.
 const BESIDE_TANGENCY: f64 = 1e-6;
@@ -45,26 +38,6 @@ const COEFFICIENT_ERROR: f64 = 32.0 * f64::EPSILON;
 
 /// A function of an amplitude below this, in units of the lengths it is made of, hardly turns.
 const HARDLY: f64 = 1e-2;
-
-/// Why a pair is not asked at all, if it is one of those.
-pub(crate) fn pair(case: &Case) -> Option<Known> {
-    [&case.fixed, &case.moving]
-        .iter()
-        .any(|p| p.loops().iter().any(has_joint_at_the_limit))
-        .then_some(Known::JointAtTheLimit)
-}
-
-fn has_joint_at_the_limit(outline: &Loop) -> bool {
-    let edges: Vec<Edge> = outline.edges().collect();
-    edges.iter().enumerate().any(|(i, e)| {
-        let (before, after) = (
-            e.end_direction(),
-            edges[(i + 1) % edges.len()].start_direction(),
-        );
-        let turn = before.cross(after).atan2(before.dot(after)).abs();
-        (SMOOTH.0..SMOOTH.1).contains(&turn)
-    })
-}
 
 /// Why a pair of a family is not asked.
 pub(crate) fn member(family: &str, value: f64) -> Option<Known> {
@@ -104,12 +77,11 @@ mod tests {
         let (mut all, mut left_out) = (0, 0);
         for family in families() {
             for &value in &family.values {
-                let Ok(case) = family.build(value) else {
+                if family.build(value).is_err() {
                     continue;
-                };
+                }
                 all += 1;
-                left_out +=
-                    u32::from(member(family.name, value).is_some() || pair(&case).is_some());
+                left_out += u32::from(member(family.name, value).is_some());
             }
         }
         assert!(4 * left_out < all, "{left_out} of {all}");
