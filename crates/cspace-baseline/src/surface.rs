@@ -176,6 +176,11 @@ fn pieces(curve: &CurveGeometry, accuracy: f64) -> u32 {
     const MOST: f64 = 4096.0;
     match *curve {
         CurveGeometry::Segment { .. } => 1,
+        CurveGeometry::FlatArc { start, end, bulge } => {
+            // n pieces of an arc are off it by its height / n².
+            let height = 0.5 * bulge.abs() * start.distance(end);
+            (height / accuracy).sqrt().ceil().clamp(1.0, MOST) as u32
+        }
         CurveGeometry::Arc { radius, sweep, .. } => {
             let angle = 2.0 * (1.0 - accuracy / radius).clamp(-1.0, 1.0).acos();
             let angle = angle.clamp(TAU / MOST, TAU / FEWEST);

@@ -9,6 +9,11 @@ pub(crate) fn blocked(slice: &Slice, about: Point) -> f64 {
         let (p, q) = (c.point(0.0) - about, c.point(1.0) - about);
         match *c {
             CurveGeometry::Segment { .. } => p.cross(q),
+            CurveGeometry::FlatArc { start, end, bulge } => {
+                // Between arc and chord there are two thirds of height times chord, but for a share of the bulge's square.
+                let chord = (end - start).length_squared();
+                p.cross(q) + 2.0 / 3.0 * bulge * chord * (1.0 + bulge * bulge / 5.0)
+            }
             CurveGeometry::Arc {
                 center,
                 radius,

@@ -70,8 +70,7 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
 /// A pair that favours ties, or one of a family; `None` if it is no pair or known to go wrong.
 fn drawn(bytes: &mut Bytes<'_>) -> Option<Case> {
     if bytes.below(4) > 0 {
-        let case = nearly_tied(bytes).ok()?;
-        return known::pair(&case).is_none().then_some(case);
+        return nearly_tied(bytes).ok();
     }
     let member = member(bytes).ok()?;
     known::member(member.family, member.value)

@@ -214,3 +214,40 @@ fn contact_is_found_where_it_is_known_to_be() {
         assert_eq!(n.free, beyond(n.configuration) > 0.0, "{n:?}");
     }
 }
+
+/// A square of side 1 whose lower and upper sides are arcs of a radius, and how high these are.
+fn curved(radius: f64) -> (Part, f64) {
+    let half = 0.5 / radius;
+    let bulge = half / (1.0 + ((1.0 - half) * (1.0 + half)).sqrt());
+    let corners = [
+        (-0.5, -0.5, bulge),
+        (0.5, -0.5, 0.0),
+        (0.5, 0.5, bulge),
+        (-0.5, 0.5, 0.0),
+    ];
+    let vertices = corners
+        .map(|(x, y, b)| cspace::Vertex::new(x, y, b))
+        .to_vec();
+    let part = Part::new("curved", vec![vertices]).unwrap();
+    (part, 0.5 * bulge)
+}
+
+/// Arcs up to a billion sizes of radius: at the middle of their sides, beside their corners, and parts one within the other.
+#[test]
+fn flat_arcs() {
+    for k in 1..=9 {
+        let (a, h) = curved(10_f64.powi(k));
+        let (b, g) = curved(2.0 * 10_f64.powi(k));
+        free(judge(&a, &b, at(0.0, 2.0, 0.0)), 1.0 - h - g);
+        let touching = 1.0 + h + g;
+        for d in [1e-4, 1e-8, 1e-11] {
+            assert!(
+                !judge(&a, &b, at(0.0, touching + d, 0.0)).overlap,
+                "{k} {d}"
+            );
+            assert!(judge(&a, &b, at(0.0, touching - d, 0.0)).overlap, "{k} {d}");
+        }
+        blocked(judge(&a, &b, at(-0.09, 0.9566, 1e-4)), 1e-2);
+        blocked(judge(&a, &b, at(0.0, 0.0, 0.3)), 1e-2);
+    }
+}

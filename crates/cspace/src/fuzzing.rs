@@ -1,6 +1,6 @@
 //! Doors to the arithmetic for fuzz targets. No part of the library's interface: it may change with every version.
 
-use crate::contact::{EndAngle, Seam, Sheet, SheetKind, Spiral, conditions};
+use crate::contact::{EndAngle, Seam, Sheet, SheetKind, Spiral, Swing, conditions};
 use crate::geometry::{Point, Vector};
 use crate::number::{Ball, Jet, Real, Trig, TrigPolynomial};
 
@@ -77,6 +77,7 @@ fn sheet(curve: &Curve, name: u32) -> Sheet {
         hi: 4.0,
         fixed_point: center.u,
         moving_point: Point::ORIGIN - center.w,
+        swing: Swing::NONE,
         normal,
         radius,
         start: curve.start,

@@ -17,7 +17,7 @@ pub mod space;
 mod union_find;
 
 pub use axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
-pub use contact::{ContactFunction, Spiral};
+pub use contact::{ContactFunction, Spiral, Swing};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use pair::{Coordinates, LowerPair, PairClass, PairError, PairSpace, QueryError, Relation};

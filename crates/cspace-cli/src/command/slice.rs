@@ -151,6 +151,15 @@ fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result 
                     sweep.to_degrees()
                 )?;
             }
+            if let CurveGeometry::FlatArc { start, end, bulge } = curve.geometry {
+                let chord = start.distance(end);
+                write!(
+                    text,
+                    ", arc of radius {}, {} high",
+                    length(chord * (1.0 + bulge * bulge) / (4.0 * bulge.abs())),
+                    length(0.5 * chord * bulge.abs())
+                )?;
+            }
             writeln!(
                 text,
                 ": {} of {} on {} of {}",

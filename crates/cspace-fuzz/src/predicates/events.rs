@@ -135,10 +135,7 @@ fn vector(bytes: &mut Bytes<'_>) -> Vector {
 
 /// A spiral, perhaps nearly one of those before.
 fn spiral(bytes: &mut Bytes<'_>, before: &[Spiral]) -> Spiral {
-    let fresh = Spiral {
-        u: Point::ORIGIN + vector(bytes),
-        w: vector(bytes),
-    };
+    let fresh = Spiral::new(Point::ORIGIN + vector(bytes), vector(bytes));
     let Some(other) = before.get(bytes.below(2 * before.len() + 1)) else {
         return fresh;
     };

@@ -184,6 +184,15 @@ fn append(path: &mut String, geometry: &CurveGeometry, view: &View) {
             let (x, y) = view.place(end);
             let _ = write!(path, "L{x} {y}");
         }
+        CurveGeometry::FlatArc { start, end, bulge } => {
+            // The radius, but no longer than numbers of a picture are: the height is far below a dot then.
+            const LONGEST: f64 = 1e7;
+            let radius = start.distance(end) * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
+            let r = rounded((radius * view.scale).min(LONGEST)).max(0.001);
+            let (x, y) = view.place(end);
+            let clockwise = u8::from(bulge < 0.0);
+            let _ = write!(path, "A{r} {r} 0 0 {clockwise} {x} {y}");
+        }
         CurveGeometry::Arc { radius, sweep, .. } => {
             // An arc of SVG is told by its ends, which must not coincide: two halves, or three pieces.
             let pieces = if sweep.abs() > 3.0 { 3 } else { 1 };

@@ -22,6 +22,44 @@ pub(super) fn add(all: &mut Vec<Family>) {
         powers(0, 9),
         |r| Ok(Case::new(curved(-r), curved(r))?.about(&[(0.0, 1.0, 0.0)])),
     ));
+    all.push(family(
+        "bowed sides between rounded corners, radius",
+        powers(1, 9),
+        |r| {
+            Ok(Case::new(bowed(0.8, 0.1, r), bowed(0.4, 0.05, -2.0 * r))?
+                .about(&[(0.0, 0.75, 0.0)]))
+        },
+    ));
+    all.push(family(
+        "bowed bar in a bowed slot, radius",
+        powers(3, 9),
+        |r| {
+            let bar = |height: f64, r: f64| {
+                let b = bulge_of(2.0 * (0.5 / r).asin());
+                vec![
+                    arc(-0.5, -height, b),
+                    line(0.5, -height),
+                    arc(0.5, height, -b),
+                    line(-0.5, height),
+                ]
+            };
+            // A bar that is bent, in a slot as bent and open at its ends.
+            let (low, high) = (bar(0.6, r), bar(0.1, r));
+            let slot = vec![
+                low[0],
+                low[1],
+                arc(0.5, -0.12, -low[0].bulge),
+                line(-0.5, -0.12),
+            ];
+            let other = vec![
+                arc(-0.5, 0.12, low[0].bulge),
+                line(0.5, 0.12),
+                low[2],
+                low[3],
+            ];
+            Ok(Case::new(vec![slot, other], vec![high])?.about(&[(0.0, 0.0, 0.0)]))
+        },
+    ));
     let differences = || {
         let less = vanishing().into_iter();
         less.chain(powers(-1, -15).into_iter().map(|d| -d))
@@ -60,6 +98,27 @@ fn curved(radius: f64) -> Loops {
         line(0.5, -0.5),
         arc(0.5, 0.5, b),
         line(-0.5, 0.5),
+    ]]
+}
+
+/// A square with rounded corners whose sides, of a length, are arcs of a radius that meet the corners smoothly; hollow if
+/// negative.
+fn bowed(side: f64, corner: f64, radius: f64) -> Loops {
+    let turn = 2.0 * (0.5 * side / radius).asin();
+    let rest = FRAC_PI_2 - turn;
+    // A corner goes as far along either axis.
+    let way = corner * 2.0 * (0.5 * rest).sin() * core::f64::consts::FRAC_1_SQRT_2;
+    let (a, b) = (0.5 * side, 0.5 * side + way);
+    let (s, c) = (bulge_of(turn), bulge_of(rest));
+    vec![vec![
+        arc(-a, -b, s),
+        arc(a, -b, c),
+        arc(b, -a, s),
+        arc(b, a, c),
+        arc(a, b, s),
+        arc(-a, b, c),
+        arc(-b, a, s),
+        arc(-b, -a, c),
     ]]
 }
 

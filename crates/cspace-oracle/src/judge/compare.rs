@@ -204,9 +204,9 @@ impl Search<'_> {
 }
 
 /// How far inside one part some point is that is inside both, looking on both sides of a boundary point of both.
-pub(super) fn overlap_beside(
-    a: &Outline<f64>,
-    b: &Outline<f64>,
+pub(super) fn overlap_beside<S: Real>(
+    a: &Outline<S>,
+    b: &Outline<S>,
     p: Place<f64>,
     normal: Place<f64>,
     size: f64,
@@ -217,6 +217,7 @@ pub(super) fn overlap_beside(
     while step > 2.0 * trust {
         for side in [step, -step] {
             let q = p + normal.times(side);
+            let q = Place::new(S::of(q.x), S::of(q.y));
             if a.holds(q, trust) && b.holds(q, trust) {
                 let (d, e) = (a.distance(q, 0.0), b.distance(q, 0.0));
                 if d.min(e) > trust {

@@ -15,6 +15,9 @@ pub(super) struct Curve<S> {
     pub(super) radius: S,
 }
 
+/// Arcs of a larger radius are flat, in chords.
+const FLAT: f64 = 100.0;
+
 /// A point of a curve with a number that grows along the curve.
 pub(super) type Mark<S> = (S, Place<S>);
 
@@ -62,7 +65,16 @@ impl<S: Real> Curve<S> {
     pub(super) fn frame(&self) -> Frame {
         let rough = self.rough();
         let mut frame = Frame::around(rough.start, rough.end);
-        if rough.turn != 0 {
+        let chord = (rough.end - rough.start).length();
+        if rough.turn != 0 && rough.radius > FLAT * chord {
+            // An arc is c² / 8 r high over its chord, and more by less than a share of c² / r²; about the centre, rounding
+            // would be more than that.
+            let height = chord * (0.25 * chord / rough.radius);
+            for i in 0..2 {
+                frame.low[i] -= height;
+                frame.high[i] += height;
+            }
+        } else if rough.turn != 0 {
             let (c, r) = (rough.center, rough.radius);
             if rough.spans(Place::new(c.x - r, c.y)) {
                 frame.low[0] = c.x - r;

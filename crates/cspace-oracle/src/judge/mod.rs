@@ -26,7 +26,7 @@ pub struct Verdict {
     /// 1e-15 times [`Oracle::size`] counts as touching, being less than the rounding of the input.
     pub overlap: bool,
     /// The distance between the boundaries; 0 where they meet, and when the parts overlap. It is right to about 1e-14
-    /// times the size, or times the largest radius of an arc.
+    /// times the size, or times the largest radius of an arc, if that is no more than a thousand sizes.
     pub clearance: f64,
     /// No translation shorter than this changes the verdict. Free: the clearance. Overlapping: how far some point of
     /// one part lies inside the other. A verdict is certain when this exceeds 1e-12 times [`Oracle::size`].
@@ -43,9 +43,14 @@ pub struct Oracle {
     fixed_fine: Outline<Double>,
     moving_fine: Outline<Double>,
     size: f64,
-    /// Doubles decide what is clearer than this.
+    /// Doubles decide what is clearer than this; or what they would be used for, if arcs are flat.
     trust: f64,
+    /// Whether there are arcs so flat that doubles decide nothing: they do not know on which side of its chord an arc is.
+    flat: bool,
 }
+
+/// Arcs of a larger radius are flat, in sizes: for doubles they are a few thousand roundings high at the least.
+const FLAT: f64 = 1e3;
 
 /// Whether two parts overlap at one configuration. For many configurations of a pair use [`Oracle`].
 pub fn judge(fixed: &Part, moving: &Part, c: Configuration) -> Verdict {
@@ -65,6 +70,7 @@ impl Oracle {
         let radius = fixed_fine
             .largest_radius()
             .max(moving_fine.largest_radius());
+        let flat = radius > FLAT * size;
         Self {
             centers,
             fixed: fixed_fine.rough(),
@@ -72,7 +78,8 @@ impl Oracle {
             fixed_fine,
             moving_fine,
             size,
-            trust: 1e-13 * (size + radius),
+            trust: 1e-13 * (size + if flat { 0.0 } else { radius }),
+            flat,
         }
     }
 
@@ -104,22 +111,27 @@ impl Oracle {
             self.shift::<f64>(c)
         };
         let trust = self.trust + 1e-14 * (shift.x.abs() + shift.y.abs());
-        let moving = self.moving.moved(turn, shift);
-        let found = compare(&self.fixed, &moving, trust, self.size, false);
-        if found.meeting {
-            if found.depth > trust {
-                return inside(found.depth);
-            }
-        } else if found.clearance > trust {
-            return apart(&found);
-        }
-        self.judge_finely(c, &moving, trust)
+        let clear = if self.flat {
+            clear(&self.fixed_fine, &self.moving_finely(c), trust, self.size)
+        } else {
+            clear(
+                &self.fixed,
+                &self.moving.moved(turn, shift),
+                trust,
+                self.size,
+            )
+        };
+        clear.unwrap_or_else(|| self.judge_finely(c, trust))
+    }
+
+    fn moving_finely(&self, c: Configuration) -> Outline<Double> {
+        let turn = <Double as Real>::sin_cos(c.theta);
+        self.moving_fine.moved(turn, self.shift(c))
     }
 
     /// The verdict where doubles do not suffice.
-    fn judge_finely(&self, c: Configuration, rough: &Outline<f64>, trust: f64) -> Verdict {
-        let turn = <Double as Real>::sin_cos(c.theta);
-        let moving = self.moving_fine.moved(turn, self.shift(c));
+    fn judge_finely(&self, c: Configuration, trust: f64) -> Verdict {
+        let moving = self.moving_finely(c);
         let found = compare(&self.fixed_fine, &moving, trust, self.size, true);
         let touching = 1e-15 * self.size;
         if !found.meeting && found.clearance > touching {
@@ -131,7 +143,12 @@ impl Oracle {
             depth = found
                 .shared
                 .iter()
-                .map(|(p, n)| overlap_beside(&self.fixed, rough, *p, *n, self.size, trust))
+                .map(|&(p, n)| {
+                    if self.flat {
+                        return overlap_beside(&self.fixed_fine, &moving, p, n, self.size, trust);
+                    }
+                    overlap_beside(&self.fixed, &moving.rough(), p, n, self.size, trust)
+                })
                 .fold(0.0, f64::max);
         }
         if depth > touching {
@@ -149,6 +166,16 @@ impl Oracle {
     fn shift<S: Real>(&self, c: Configuration) -> Place<S> {
         let [f, m] = self.centers.map(|p| Place::new(S::of(p.x), S::of(p.y)));
         m.moved(S::sin_cos(c.theta), Place::new(S::of(c.x), S::of(c.y))) - f
+    }
+}
+
+/// The verdict, if it is clearer than the rounding.
+fn clear<S: Real>(a: &Outline<S>, b: &Outline<S>, trust: f64, size: f64) -> Option<Verdict> {
+    let found = compare(a, b, trust, size, false);
+    if found.meeting {
+        (found.depth > trust).then(|| inside(found.depth))
+    } else {
+        (found.clearance > trust).then(|| apart(&found))
     }
 }
 
@@ -202,10 +229,7 @@ mod tests {
             for near in near_contact_about(&oracle, &pair.notable, &mut rng, 60) {
                 let c = near.configuration;
                 let v = oracle.judge(c);
-                let rough = oracle
-                    .moving
-                    .moved(f64::sin_cos(c.theta), oracle.shift::<Double>(c).rough());
-                let w = oracle.judge_finely(c, &rough, oracle.trust);
+                let w = oracle.judge_finely(c, oracle.trust);
                 assert_eq!(v.overlap, w.overlap, "{}: {c:?} {v:?} {w:?}", pair.name);
                 assert!((v.clearance - w.clearance).abs() < oracle.trust);
             }

@@ -4,12 +4,12 @@ use core::f64::consts::{PI, TAU};
 
 use crate::feature::tolerance::{NARROWEST_BAND, SMALLEST_CIRCLE};
 use crate::feature::{Feature, Outline, unwrap_near};
-use crate::geometry::Vector;
+use crate::geometry::{Point, Vector};
 
-use super::function::Spiral;
 use super::names::{Points, Sizes};
 use super::sheet::{EndAngle, Seam, Sheet, SheetKind};
 use super::span::Span;
+use super::spiral::{Spiral, Swing};
 use super::twist::Carried;
 
 /// The sheets, and who shares their ends.
@@ -58,12 +58,12 @@ impl Contacts {
     /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
     /// second order, so that computing would tell little.
     fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
-        let lines = !f.is_circle() && !g.is_circle() && f.kind != g.kind;
+        let lines = f.is_line() && g.is_line() && f.kind != g.kind;
         let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
         let bridge = |before: &Sheet, after: &Sheet| {
             self.starting_at(before.end_name).any(|c| {
                 let c = &self.sheets[c as usize];
-                c.is_circle()
+                !c.is_line()
                     && c.end_name == after.start_name
                     && c.lo <= lo + NARROWEST_BAND
                     && c.hi >= hi - NARROWEST_BAND
@@ -220,6 +220,7 @@ impl Builder<'_> {
             hi: 0.0,
             fixed_point: self.fixed.start(a).point,
             moving_point: b.center(),
+            swing: Swing::NONE,
             normal,
             radius: b.radius(),
             start: self.fixed_joint_spiral(a.start, b),
@@ -278,6 +279,7 @@ impl Builder<'_> {
             hi: 0.0,
             fixed_point: a.center(),
             moving_point: self.moving.start(b).point,
+            swing: Swing::NONE,
             normal: -self.moving.start(b).normal,
             radius: a.radius(),
             start: self.moving_joint_spiral(a, b.start),
@@ -332,11 +334,17 @@ impl Builder<'_> {
         }
         let (a_lo, a_hi) = a.joints_by_angle();
         let (b_lo, b_hi) = b.joints_by_angle();
-        if !convex && radius > -SMALLEST_CIRCLE {
+        let sweep = (a.hi - a.lo).min(b.hi - b.lo);
+        // Of large arcs radii are known to less than that, and what counts is how long the contact curve would be.
+        let smallest = if a.near.is_some() && b.near.is_some() {
+            SMALLEST_CIRCLE / sweep.clamp(f64::EPSILON, 1.0)
+        } else {
+            SMALLEST_CIRCLE
+        };
+        if !convex && radius > -smallest {
             /// Around more than this, the curves before and after the point all but turn back on each other.
             const WIDEST: f64 = 0.9 * PI;
-            let sweep = (a.hi - a.lo).min(b.hi - b.lo);
-            if radius < SMALLEST_CIRCLE && sweep < WIDEST {
+            if radius < smallest && sweep < WIDEST {
                 self.points.unite(
                     self.sizes.vertices(ia, ib),
                     [
@@ -349,6 +357,7 @@ impl Builder<'_> {
             }
             return;
         }
+        let (kind, fixed_point, moving_point, normal, swing) = large(a, b);
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.
         let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
@@ -387,14 +396,15 @@ impl Builder<'_> {
                     (high, low)
                 };
                 let sheet = Sheet {
-                    kind: SheetKind::RoundRound,
+                    kind,
                     fixed: ia,
                     moving: ib,
                     lo: 0.0,
                     hi: 0.0,
-                    fixed_point: a.center(),
-                    moving_point: b.center(),
-                    normal: Vector::ZERO,
+                    fixed_point,
+                    moving_point,
+                    swing,
+                    normal,
                     radius,
                     start: start.0,
                     end: end.0,
@@ -469,18 +479,26 @@ impl Builder<'_> {
     /// X + ρ n − R Q: contact of a moving round feature at a joint of the fixed part.
     fn fixed_joint_spiral(&self, joint: u32, b: &Feature) -> Spiral {
         let j = self.fixed.joints[joint as usize];
-        Spiral {
-            u: j.point + j.normal * b.radius(),
-            w: -b.center().to_vector(),
+        match b.near {
+            Some(near) => Spiral {
+                u: j.point,
+                w: -near.point.to_vector(),
+                swing: swing(j.normal, near.normal, b.radius()),
+            },
+            None => Spiral::new(j.point + j.normal * b.radius(), -b.center().to_vector()),
         }
     }
 
     /// P − R (Y + ρ n): contact of a fixed round feature at a joint of the moving part.
     fn moving_joint_spiral(&self, a: &Feature, joint: u32) -> Spiral {
         let j = self.moving.joints[joint as usize];
-        Spiral {
-            u: a.center(),
-            w: -(j.point + j.normal * a.radius()).to_vector(),
+        match a.near {
+            Some(near) => Spiral {
+                u: near.point,
+                w: -j.point.to_vector(),
+                swing: swing(near.normal, j.normal, -a.radius()),
+            },
+            None => Spiral::new(a.center(), -(j.point + j.normal * a.radius()).to_vector()),
         }
     }
 
@@ -494,6 +512,7 @@ impl Builder<'_> {
         near: f64,
     ) -> SheetEnd {
         let spiral = self.fixed_joint_spiral(joint, b);
+        // Only circles about a centre ask for it.
         let v = (spiral.u - a.center()) * radius.signum();
         let offset = unwrap_near(v.angle(), near);
         let angle = EndAngle {
@@ -540,6 +559,49 @@ impl Builder<'_> {
 /// The lowest orientation, up to whole turns, at which a normal of one feature opposes one of the other.
 fn first_orientation(a: &Feature, b: &Feature) -> f64 {
     a.lo - b.hi - PI
+}
+
+/// r (n + R m) as what it is: n and R m cancel at the orientation at which the normals oppose each other.
+fn swing(n: Vector, m: Vector, radius: f64) -> Swing {
+    Swing {
+        arm: n * radius,
+        rest: n.angle() - m.angle() - PI,
+    }
+}
+
+/// By what a circle of two round features is told: both centres; or if one is far away, a point of the circle near the parts
+/// and the normal there, which is on the arc it belongs to.
+fn large(a: &Feature, b: &Feature) -> (SheetKind, Point, Point, Vector, Swing) {
+    match (a.near, b.near) {
+        (None, None) => (
+            SheetKind::RoundRound,
+            a.center(),
+            b.center(),
+            Vector::ZERO,
+            Swing::NONE,
+        ),
+        (Some(n), None) => (
+            SheetKind::FixedBow,
+            n.point + n.normal * b.radius(),
+            b.center(),
+            n.normal,
+            Swing::NONE,
+        ),
+        (None, Some(m)) => (
+            SheetKind::MovingBow,
+            a.center(),
+            m.point + m.normal * a.radius(),
+            -m.normal,
+            Swing::NONE,
+        ),
+        (Some(n), Some(m)) => (
+            SheetKind::FixedBow,
+            n.point,
+            m.point,
+            n.normal,
+            swing(n.normal, m.normal, b.radius()),
+        ),
+    }
 }
 
 type SheetEnd = (Spiral, u32, EndAngle);

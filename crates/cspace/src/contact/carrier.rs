@@ -3,11 +3,14 @@
 use crate::geometry::{Point, Vector};
 use crate::number::Real;
 
-/// A line through a point with a unit normal, or a circle.
+use super::bow::{Bow, Level};
+
+/// A line through a point with a unit normal, a circle, or a circle so large that it is told by a point too.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Carrier<T> {
     Line { normal: (T, T), through: (T, T) },
     Circle { center: (T, T), radius: f64 },
+    Bow(Bow<T>),
 }
 
 #[inline(always)]
@@ -21,7 +24,8 @@ fn dot<T: Real>(a: (T, T), b: (T, T)) -> T {
 }
 
 /// Where carrier g crosses carrier f, relative to f: for a line (length along it, unused), for a circle the vector
-/// from its centre. The root is named as in `crossing`, with `swapped` telling that f is the second of the two there.
+/// from its centre, for a bow its place (see [`Bow`], unused). The root is named as in `crossing`, with `swapped` telling
+/// that f is the second of the two there.
 #[inline]
 pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swapped: bool) -> (T, T) {
     let zero = T::constant(0.0);
@@ -88,6 +92,32 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             let across = signed(product.root().over(twice), (root == 1) != swapped);
             (v.0 * along - v.1 * across, v.1 * along + v.0 * across)
         }
+        (Carrier::Bow(_), _) | (_, Carrier::Bow(_)) => place_of_bow(f, g, (root == 1) != swapped),
+    }
+}
+
+/// The same if one of the two is a bow; f enters the blocked side of g there, or leaves it.
+#[cold]
+#[inline(never)]
+fn place_of_bow<T: Real>(f: &Carrier<T>, g: &Carrier<T>, enters: bool) -> (T, T) {
+    let zero = T::constant(0.0);
+    match (*f, *g) {
+        (Carrier::Bow(bow), _) => (bow.crossing(&Level::of(g, bow.through), enters), zero),
+        (Carrier::Line { normal, through }, _) => {
+            let line = Bow {
+                through,
+                normal,
+                curvature: 0.0,
+            };
+            (line.crossing(&Level::of(g, through), enters), zero)
+        }
+        (Carrier::Circle { center, .. }, Carrier::Bow(bow)) => {
+            // Where f enters the blocked side of g, g leaves that of f.
+            let d = bow.way(bow.crossing(&Level::of(f, bow.through), !enters));
+            let from = minus(bow.through, center);
+            (from.0 + d.0, from.1 + d.1)
+        }
+        (Carrier::Circle { .. }, _) => (zero, zero),
     }
 }
 
@@ -107,6 +137,10 @@ pub(crate) fn place_error(f: &Carrier<f64>, g: &Carrier<f64>, place: (f64, f64))
             let n = vector(normal);
             (n, point(through) + n.left() * place.0, 0.0)
         }
+        Carrier::Bow(bow) => {
+            let p = bow.point(place.0);
+            (bow.normal_at(p), p, 0.0)
+        }
         Carrier::Circle { center, radius } => {
             let v = vector(place);
             let length = v.length();
@@ -117,10 +151,12 @@ pub(crate) fn place_error(f: &Carrier<f64>, g: &Carrier<f64>, place: (f64, f64))
     let other = match *g {
         Carrier::Line { normal, .. } => vector(normal),
         Carrier::Circle { center, radius } => (at - point(center)) * (1.0 / radius),
+        Carrier::Bow(bow) => bow.normal_at(at),
     };
     let curvature = |c: &Carrier<f64>| match *c {
         Carrier::Line { .. } => 0.0,
         Carrier::Circle { radius, .. } => 1.0 / radius,
+        Carrier::Bow(bow) => bow.curvature,
     };
     // Seen from one side of the common tangent.
     let bend = (curvature(f) - curvature(g) * normal.dot(other).signum()).abs();

@@ -7,8 +7,8 @@
 use crate::geometry::Point;
 use crate::number::{Known, Trig};
 
-use super::function::Spiral;
 use super::sheet::{SharedEnds, Sheet, SheetKind};
+use super::spiral::Spiral;
 
 /// Calls `take` with every condition of the pair.
 pub(crate) fn conditions(f: &Sheet, g: &Sheet, shared: &SharedEnds, mut take: impl FnMut(Trig)) {

@@ -3,6 +3,7 @@
 use crate::feature::tolerance::SAME_CARRIER;
 use crate::geometry::{Point, Vector};
 
+use super::bow::{Bow, Level};
 use super::curve::{Curve, CurveShape};
 
 /// A crossing of the carriers of two contact curves f and g.
@@ -24,7 +25,8 @@ pub(crate) fn roots(f: &Curve, g: &Curve) -> u8 {
 /// The crossing with the given name, wherever it lies on the carriers.
 ///
 /// Line–line has one. On line–circle root 0 comes first along the line. On circle–circle root 0 lies right of the
-/// line from the centre of f to that of g, root 1 left.
+/// line from the centre of f to that of g, root 1 left. With a circle told by a point, at root 0 f leaves the blocked side of
+/// g, at root 1 it enters.
 pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
     match (f.shape, g.shape) {
         (CurveShape::Line { normal: m }, CurveShape::Line { normal: n }) => line_line(f, m, g, n),
@@ -55,7 +57,18 @@ pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
                 ..
             },
         ) => circle_circle(c1, r1, c2, r2, root),
+        (CurveShape::Bow(bow), _) => bow_other(&bow, g, root, root == 1),
+        (_, CurveShape::Bow(bow)) => bow_other(&bow, f, root, root == 0),
     }
+}
+
+fn bow_other(bow: &Bow<f64>, other: &Curve, root: u8, entered: bool) -> Option<Crossing> {
+    let level = Level::of(&other.carrier(), bow.through);
+    let point = bow.crossed(&level, entered)?;
+    Some(Crossing {
+        point,
+        enters: root == 1,
+    })
 }
 
 fn line_line(f: &Curve, m: Vector, g: &Curve, n: Vector) -> Option<Crossing> {

@@ -4,6 +4,9 @@ use core::f64::consts::{PI, TAU};
 
 use crate::geometry::{Point, Vector};
 
+use super::bow::{Bow, WIDEST};
+use super::carrier::Carrier;
+
 /// A directed segment or arc; free space, if any, is on the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Curve {
@@ -24,6 +27,8 @@ pub(crate) enum CurveShape {
         mid_angle: f64,
         half: f64,
     },
+    /// A circle much larger than the parts.
+    Bow(Bow<f64>),
 }
 
 /// Brings an angle to (−π, π].
@@ -40,7 +45,29 @@ impl Curve {
         match self.shape {
             CurveShape::Line { normal } => 0.5 * normal.left().dot(self.end - self.start),
             CurveShape::Circle { radius, half, .. } => half * radius.abs(),
+            CurveShape::Bow(bow) => (0.5 * (bow.place(self.end) - bow.place(self.start))).max(0.0),
         }
+    }
+
+    /// The carrier it lies on.
+    #[inline]
+    pub(crate) fn carrier(&self) -> Carrier<f64> {
+        match self.shape {
+            CurveShape::Line { normal } => Carrier::Line {
+                normal: (normal.x, normal.y),
+                through: (self.start.x, self.start.y),
+            },
+            CurveShape::Circle { center, radius, .. } => Carrier::Circle {
+                center: (center.x, center.y),
+                radius,
+            },
+            CurveShape::Bow(bow) => Carrier::Bow(bow),
+        }
+    }
+
+    /// The place of its middle on a bow.
+    fn middle_of_bow(&self, bow: &Bow<f64>) -> f64 {
+        0.5 * (bow.place(self.start) + bow.place(self.end))
     }
 
     /// Place of a point of the curve: length of travel from the middle.
@@ -60,6 +87,7 @@ impl Curve {
                 let v = (p - center) * radius.signum();
                 wrap(v.angle() - mid_angle) * radius
             }
+            CurveShape::Bow(bow) => bow.place(p) - self.middle_of_bow(&bow),
         }
     }
 
@@ -74,6 +102,7 @@ impl Curve {
                 mid_angle,
                 ..
             } => center + Vector::from_angle(mid_angle + s / radius) * radius,
+            CurveShape::Bow(bow) => bow.point(s + self.middle_of_bow(&bow)),
         }
     }
 
@@ -83,6 +112,7 @@ impl Curve {
         match self.shape {
             CurveShape::Line { normal } => normal,
             CurveShape::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
+            CurveShape::Bow(bow) => bow.normal_at(p),
         }
     }
 
@@ -107,6 +137,13 @@ impl Curve {
                 if square >= 0.0 {
                     take(along - square.sqrt());
                     take(along + square.sqrt());
+                }
+            }
+            CurveShape::Bow(bow) => {
+                for t in bow.met(p, d) {
+                    if (bow.place(p + d * t) * bow.curvature).abs() < WIDEST {
+                        take(t);
+                    }
                 }
             }
         }
@@ -142,6 +179,12 @@ impl Curve {
             if wrap(mid + 0.5 * PI).abs() <= half {
                 lo.y = center.y - r;
             }
+        }
+        if let CurveShape::Bow(bow) = self.shape {
+            // Twice the height of the arc over its chord, and more.
+            let height = 0.25 * bow.curvature.abs() * (self.end - self.start).length_squared();
+            let height = Vector::new(height, height);
+            (lo, hi) = (lo + -height, hi + height);
         }
         (lo, hi)
     }

@@ -5,26 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
+use super::bow::Bow;
 use super::carrier::Carrier;
-
-/// A point that moves with orientation: p(θ) = u + `R_θ` w.
-///
-/// So move the ends of all contact curves (one normal there is that of a joint, fixed or turning with the moving
-/// part), and the centres of the circular ones.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Spiral {
-    /// The part that stays.
-    pub u: Point,
-    /// The part that turns.
-    pub w: Vector,
-}
-
-impl Spiral {
-    #[inline]
-    pub(crate) fn at(&self, turn: Rotation) -> Point {
-        self.u + turn * self.w
-    }
-}
+use super::spiral::{Spiral, turned};
 
 /// The contact function of a pair of features, equations (1)–(3) of Sacks 1999, in the pair's frame.
 ///
@@ -54,13 +37,26 @@ pub enum ContactFunction {
         /// Sum of the signed radii (convex positive): negative for a convex arc inside a concave one.
         radius: f64,
     },
+    /// The same of an arc so large that all digits would be lost between its centre and the parts: a circle of the
+    /// curvature κ = 1/r through c(θ) with the normal n there, 2 f / (1 + √(1 + 2 κ f)) with f = n·d + κ d²/2, d = p − c(θ).
+    FlatCircle {
+        /// A position near the parts on the circle.
+        through: Spiral,
+        /// The unit normal there towards the free side: of the arc of the fixed part; or minus that of the arc of the moving
+        /// part, in its frame.
+        normal: Vector,
+        /// Whether the normal turns with the moving part.
+        turns: bool,
+        /// Sum of the signed radii.
+        radius: f64,
+    },
 }
 
 impl ContactFunction {
     /// Whether its curves at one orientation are circles, not lines.
     #[inline]
     pub fn is_circular(&self) -> bool {
-        matches!(self, Self::Circle { .. })
+        matches!(self, Self::Circle { .. } | Self::FlatCircle { .. })
     }
 
     /// The value at a position of the pair's frame and orientation `theta`.
@@ -72,6 +68,7 @@ impl ContactFunction {
             Self::Circle { center, radius } => {
                 (p.distance(center.at(turn)) - radius.abs()) * radius.signum()
             }
+            Self::FlatCircle { .. } => self.bow(turn).map_or(f64::NAN, |b| b.distance(p)),
         }
     }
 
@@ -91,52 +88,87 @@ impl ContactFunction {
                 let n = (p - center.at(turn)).unit() * radius.signum();
                 (n, -n.dot((turn * center.w).left()))
             }
+            Self::FlatCircle {
+                through,
+                normal,
+                turns,
+                radius,
+            } => {
+                let axis = if turns { turn * normal } else { normal };
+                let d = p - through.at(turn);
+                let n = axis + d * (1.0 / radius);
+                let drift = if turns { axis.left().dot(d) } else { 0.0 };
+                let by_theta = drift - n.dot((turn * through.turning()).left());
+                let length = n.length();
+                (n * (1.0 / length), by_theta / length)
+            }
         }
     }
 
     /// Its carrier at the orientation with the given cosine and sine.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
         let real = T::constant;
-        let turned = |v: Vector| {
-            (
-                cos * real(v.x) - sin * real(v.y),
-                sin * real(v.x) + cos * real(v.y),
-            )
-        };
-        let spiral = |s: &Spiral| {
-            let w = turned(s.w);
-            (real(s.u.x) + w.0, real(s.u.y) + w.1)
-        };
         match self {
             Self::FixedLine { normal, through } => Carrier::Line {
                 normal: (real(normal.x), real(normal.y)),
-                through: spiral(through),
+                through: through.place(cos, sin),
             },
             Self::MovingLine { normal, through } => Carrier::Line {
-                normal: turned(*normal),
-                through: spiral(through),
+                normal: turned(*normal, cos, sin),
+                through: through.place(cos, sin),
             },
             Self::Circle { center, radius } => Carrier::Circle {
-                center: spiral(center),
+                center: center.unswung(cos, sin),
                 radius: *radius,
             },
+            Self::FlatCircle {
+                through,
+                normal,
+                turns,
+                radius,
+            } => Carrier::Bow(Bow::of(through, *normal, *turns, *radius, cos, sin)),
+        }
+    }
+
+    /// The circle at one orientation, if it is a flat one.
+    pub(crate) fn bow(&self, turn: Rotation) -> Option<Bow<f64>> {
+        match self.carrier(turn.cos, turn.sin) {
+            Carrier::Bow(bow) => Some(bow),
+            _ => None,
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::spiral::Swing;
     use super::*;
+
+    fn normal() -> Vector {
+        Vector::from_angle(0.7)
+    }
 
     #[test]
     fn gradients_agree_with_differences() {
-        let s = Spiral {
-            u: Point::new(0.3, -0.2),
-            w: Vector::new(0.5, 0.1),
+        let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));
+        let long = Spiral {
+            swing: Swing {
+                arm: normal() * -30.0,
+                rest: 0.29,
+            },
+            ..s
         };
-        let normal = Vector::from_angle(0.7);
+        let normal = normal();
+        let flat = |turns| ContactFunction::FlatCircle {
+            through: long,
+            normal,
+            turns,
+            radius: -20.0,
+        };
         for f in [
+            flat(false),
+            flat(true),
             ContactFunction::FixedLine { normal, through: s },
             ContactFunction::MovingLine { normal, through: s },
             ContactFunction::Circle {
@@ -161,7 +193,7 @@ mod tests {
             );
             let dt = difference(f.value(p, theta + h), f.value(p, theta - h));
             assert!((dx - by_p.x).abs() < 1e-9 && (dy - by_p.y).abs() < 1e-9);
-            assert!((dt - by_theta).abs() < 1e-9);
+            assert!((dt - by_theta).abs() < 1e-8, "{f:?}: {dt} {by_theta}");
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Contacts: the sheets that pairs of features sweep out, their ends, and the curves they show at one orientation.
 
+mod bow;
+mod bow_events;
 mod build;
 mod carrier;
 mod condition;
@@ -11,16 +13,20 @@ mod overlap;
 mod pair;
 mod sheet;
 mod span;
+mod spiral;
 mod twist;
 
+pub(crate) use bow::{Bow, Level};
+pub(crate) use bow_events::bow_events;
 pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};
 pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape, wrap};
-pub use function::{ContactFunction, Spiral};
+pub use function::ContactFunction;
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Geometry, Placed};
 #[cfg(feature = "fuzzing")]
 pub(crate) use sheet::{EndAngle, SheetKind};
-pub(crate) use sheet::{Seam, Sheet};
+pub(crate) use sheet::{Seam, Sheet, WIDEST_SAGITTA};
+pub use spiral::{Spiral, Swing};
 pub(crate) use twist::{Permutation, Steps, Twist};

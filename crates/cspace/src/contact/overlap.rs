@@ -5,6 +5,7 @@ use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Bounds, Inside, Part};
 
+use super::bow::Bow;
 use super::crossing::{crossing, roots};
 use super::curve::{Curve, CurveShape};
 
@@ -29,9 +30,12 @@ impl Body {
             .map(|f| Curve {
                 start: outline.start(f).point,
                 end: outline.end(f).point,
-                shape: match f.shape {
-                    Shape::Line { normal } => CurveShape::Line { normal },
-                    Shape::Round { center, radius } => CurveShape::Circle {
+                shape: match (f.shape, f.near) {
+                    (Shape::Line { normal }, _) => CurveShape::Line { normal },
+                    (Shape::Round { radius, .. }, Some(near)) => {
+                        CurveShape::Bow(Bow::new(near.point, near.normal, 1.0 / radius))
+                    }
+                    (Shape::Round { center, radius }, None) => CurveShape::Circle {
                         center,
                         radius,
                         mid_angle: 0.5 * (f.lo + f.hi),
@@ -94,6 +98,7 @@ pub(super) fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve 
                 mid_angle: mid_angle + theta,
                 half,
             },
+            CurveShape::Bow(bow) => CurveShape::Bow(bow.moved(turn, p)),
         },
     }
 }

@@ -1,12 +1,22 @@
 //! The surface on which two features touch, before it is cut where other features are in the way.
 
-use crate::feature::tolerance::SAME_CARRIER;
+use crate::feature::tolerance::{LARGEST_CIRCLE, SAME_CARRIER};
 use crate::geometry::{Point, Rotation, Vector};
 
+use super::bow::Bow;
 use super::carrier::Carrier;
 use super::curve::{Curve, CurveShape};
-use super::function::{ContactFunction, Spiral};
+use super::function::ContactFunction;
+use super::spiral::{Spiral, Swing, turned};
 use crate::number::Real;
+
+/// The largest distance of two positions in contact, length.
+const LONGEST: f64 = 4.0;
+
+/// More than the height of the arc of a large circle over its chord in the pair's frame (length).
+///
+/// One of the arcs that touch is large, so that it and what touches it turn by no more than [`LONGEST`] / [`LARGEST_CIRCLE`].
+pub(crate) const WIDEST_SAGITTA: f64 = 0.125 * LONGEST * LONGEST / LARGEST_CIRCLE;
 
 /// Which features touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +27,10 @@ pub(crate) enum SheetKind {
     RoundLine,
     /// Arcs or vertices of both.
     RoundRound,
+    /// The same, the fixed arc being so large that the circle is told by a point near it; the normal there is constant.
+    FixedBow,
+    /// The same, the moving arc alone being so large; the normal turns with θ.
+    MovingBow,
 }
 
 /// The angle of the contact normal at an end of a circular contact curve: constant, or turning with θ.
@@ -64,11 +78,15 @@ pub(crate) struct Sheet {
     pub(crate) moving: u32,
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Centre of the fixed round feature, or a point of the fixed line.
+    /// Centre of the fixed round feature, or a point of the fixed line. Of a bow, the point it goes through is this less the
+    /// moving one, turned, and the swing.
     pub(crate) fixed_point: Point,
     /// Centre of the moving round feature, or a point of the moving line.
     pub(crate) moving_point: Point,
-    /// Normal on the fixed part: of the fixed line, or minus the normal of the moving line (to be turned).
+    /// Only for two large arcs.
+    pub(crate) swing: Swing,
+    /// Normal on the fixed part: of the fixed line, or minus the normal of the moving line (to be turned). Of a bow, where it
+    /// goes through its point.
     pub(crate) normal: Vector,
     /// Sum of the signed radii.
     pub(crate) radius: f64,
@@ -110,6 +128,9 @@ impl Sheet {
     /// the corner it ends at, or against two arcs that follow each other smoothly. Their curves do not cross, whatever rounding
     /// makes of it.
     fn always_tangent(&self, other: &Self) -> bool {
+        if self.is_flat() || other.is_flat() {
+            return false;
+        }
         let (line, circle) = match (self.is_circle(), other.is_circle()) {
             (false, false) => return false,
             (false, true) => (self, other),
@@ -134,7 +155,7 @@ impl Sheet {
     /// A spiral from the start of a line, seen by its normal: what stays, and what turns.
     pub(crate) fn seen(&self, spiral: &Spiral) -> (Vector, Vector) {
         let (u, w) = (spiral.u - self.start.u, spiral.w - self.start.w);
-        if self.kind == SheetKind::RoundLine {
+        if self.turns() {
             // R n · (u + R w) = n·w + (R n)·u.
             (w, u)
         } else {
@@ -144,7 +165,7 @@ impl Sheet {
 
     /// Whether both curves are lines that are parallel at every orientation, or opposite.
     pub(crate) fn is_parallel(&self, other: &Self) -> bool {
-        let lines = !self.is_circle() && self.kind == other.kind;
+        let lines = self.is_line() && self.kind == other.kind;
         lines && self.normal.cross(other.normal).abs() <= SAME_CARRIER
     }
 
@@ -155,6 +176,7 @@ impl Sheet {
     pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
         let mut shared = SharedEnds {
             tangent: self.same_circle(other)
+                || self.same_bow(other)
                 || self.always_tangent(other)
                 || (self.fixed == other.fixed && self.moving == other.moving),
             corners: [None; 2],
@@ -177,28 +199,97 @@ impl Sheet {
         shared
     }
 
-    /// Whether its curves are circles.
+    /// Whether its curves are circles about a centre.
     #[inline]
     pub(crate) fn is_circle(&self) -> bool {
         self.kind == SheetKind::RoundRound
     }
 
-    /// The outward normal of the fixed line, or of the turning one, at an orientation. Not for circles.
+    /// Whether its curves are lines.
+    #[inline]
+    pub(crate) fn is_line(&self) -> bool {
+        matches!(self.kind, SheetKind::LineRound | SheetKind::RoundLine)
+    }
+
+    /// Whether its curves are circles told by a point.
+    #[inline]
+    pub(crate) fn is_bow(&self) -> bool {
+        matches!(self.kind, SheetKind::FixedBow | SheetKind::MovingBow)
+    }
+
+    /// Whether a large arc is involved.
+    #[inline]
+    pub(crate) fn is_flat(&self) -> bool {
+        self.is_bow() || !self.start.swing.is_none() || !self.end.swing.is_none()
+    }
+
+    fn turns(&self) -> bool {
+        matches!(self.kind, SheetKind::RoundLine | SheetKind::MovingBow)
+    }
+
+    /// How far a bow may be off its chord: half the height of the largest circle over all of the pair, or what an arc may
+    /// turn that is part of it. 0 for a line.
+    pub(crate) fn height(&self) -> f64 {
+        if self.is_bow() {
+            let whole = 0.125 * LONGEST * LONGEST / self.radius.abs();
+            whole.min(WIDEST_SAGITTA)
+        } else {
+            0.0
+        }
+    }
+
+    /// By what its carrier is told: a position on it, or its centre.
+    pub(crate) fn any(&self) -> Spiral {
+        if self.is_line() {
+            self.start
+        } else {
+            self.near()
+        }
+    }
+
+    /// A position through which a bow goes.
+    #[inline]
+    fn near(&self) -> Spiral {
+        Spiral {
+            u: self.fixed_point,
+            w: -self.moving_point.to_vector(),
+            swing: self.swing,
+        }
+    }
+
+    /// Whether two bows are one circle at every orientation at which both exist: the same three places are on both at the
+    /// first, the middle and the last.
+    fn same_bow(&self, other: &Self) -> bool {
+        if !(self.is_bow() && other.is_bow()) {
+            return false;
+        }
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        [lo, 0.5 * (lo + hi), hi].iter().all(|&theta| {
+            let turn = Rotation::by(theta);
+            let (f, g) = (self.function().bow(turn), other.function().bow(turn));
+            f.zip(g).is_some_and(|(f, g)| {
+                let on = |u: f64| f.distance(g.point(u)).abs() <= SAME_CARRIER;
+                f.normal_at(f.point(0.0)).dot(g.normal_at(f.point(0.0))) > 0.0
+                    && [-1.0, 0.0, 1.0].into_iter().all(on)
+            })
+        })
+    }
+
+    /// The outward normal of the fixed line, or of the turning one, at an orientation; of a bow where it goes through its
+    /// point. Not for circles.
     #[inline]
     pub(crate) fn normal_at(&self, turn: Rotation) -> Vector {
-        match self.kind {
-            SheetKind::RoundLine => turn * self.normal,
-            _ => self.normal,
+        if self.turns() {
+            turn * self.normal
+        } else {
+            self.normal
         }
     }
 
     /// The circle's centre P − R Q, a spiral too.
     #[inline]
     pub(crate) fn center(&self) -> Spiral {
-        Spiral {
-            u: self.fixed_point,
-            w: -self.moving_point.to_vector(),
-        }
+        Spiral::new(self.fixed_point, -self.moving_point.to_vector())
     }
 
     /// Its curve at one orientation.
@@ -212,6 +303,9 @@ impl Sheet {
                 mid_angle: 0.5 * (from + to),
                 half: 0.5 * (to - from).abs(),
             }
+        } else if self.is_bow() {
+            let through = self.near().at(turn);
+            CurveShape::Bow(Bow::new(through, self.normal_at(turn), 1.0 / self.radius))
         } else {
             CurveShape::Line {
                 normal: self.normal_at(turn),
@@ -235,12 +329,40 @@ impl Sheet {
                 center: self.center(),
                 radius: self.radius,
             },
+            SheetKind::FixedBow | SheetKind::MovingBow => ContactFunction::FlatCircle {
+                through: self.near(),
+                normal: self.normal,
+                turns: self.turns(),
+                radius: self.radius,
+            },
         }
     }
 
     /// Its carrier at the orientation with the given cosine and sine.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
-        self.function().carrier(cos, sin)
+        let real = T::constant;
+        match self.kind {
+            SheetKind::LineRound => Carrier::Line {
+                normal: (real(self.normal.x), real(self.normal.y)),
+                through: self.start.place(cos, sin),
+            },
+            SheetKind::RoundLine => Carrier::Line {
+                normal: turned(self.normal, cos, sin),
+                through: self.start.place(cos, sin),
+            },
+            SheetKind::RoundRound => Carrier::Circle {
+                center: self.center().unswung(cos, sin),
+                radius: self.radius,
+            },
+            SheetKind::FixedBow | SheetKind::MovingBow => Carrier::Bow(Bow::of(
+                &self.near(),
+                self.normal,
+                self.turns(),
+                self.radius,
+                cos,
+                sin,
+            )),
+        }
     }
 }

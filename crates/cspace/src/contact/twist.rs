@@ -15,7 +15,8 @@ use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::LoopImage;
 
-use super::function::{ContactFunction, Spiral};
+use super::function::ContactFunction;
+use super::spiral::{Spiral, Swing};
 
 /// Where one step of a part's symmetry takes its features and joints.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -175,6 +176,20 @@ impl Twist {
         Spiral {
             u: self.fixed * s.u,
             w: self.moving * s.w,
+            swing: self.swing(s.swing),
+        }
+    }
+
+    /// As positions turn by α, the orientation by α + β.
+    fn swing(&self, s: Swing) -> Swing {
+        if s.is_none() {
+            return s;
+        }
+        let (a, b) = (self.fixed, self.moving);
+        let by = (a.sin * b.cos - a.cos * b.sin).atan2(a.cos * b.cos + a.sin * b.sin);
+        Swing {
+            arm: a * s.arm,
+            rest: s.rest + by,
         }
     }
 
@@ -191,6 +206,17 @@ impl Twist {
             },
             ContactFunction::Circle { center, radius } => ContactFunction::Circle {
                 center: self.spiral(center),
+                radius,
+            },
+            ContactFunction::FlatCircle {
+                through,
+                normal,
+                turns,
+                radius,
+            } => ContactFunction::FlatCircle {
+                through: self.spiral(through),
+                normal: if turns { self.moving } else { self.fixed } * normal,
+                turns,
                 radius,
             },
         }
@@ -295,10 +321,9 @@ mod tests {
 
     #[test]
     fn a_function_is_carried_with_its_configurations() {
-        let s = Spiral {
-            u: Point::new(0.3, -0.2),
-            w: Vector::new(0.5, 0.1),
-        };
+        let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));
+        let arm = Vector::new(2.0, -3.0);
+        let swing = Swing { arm, rest: 0.2 };
         let normal = Vector::from_angle(0.7);
         let steps = Steps::new(6, 4).unwrap_or(Steps::NONE);
         for f in [
@@ -307,6 +332,12 @@ mod tests {
             ContactFunction::Circle {
                 center: s,
                 radius: -0.4,
+            },
+            ContactFunction::FlatCircle {
+                through: Spiral { swing, ..s },
+                normal,
+                turns: true,
+                radius: 20.0,
             },
         ] {
             for slabs in [0, 1, 5, -3] {

@@ -3,8 +3,10 @@
 use core::f64::consts::{PI, TAU};
 
 use super::inscribed::inscribed_disc;
-use super::outline::{Feature, FeatureKind, FeatureName, Joint, Outline, Shape};
-use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SAME_CARRIER, SMOOTH};
+use super::outline::{Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape};
+use super::tolerance::{
+    GROWTH, LARGEST_CIRCLE, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SAME_CARRIER, SMOOTH, STRAIGHT,
+};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Edge, Part};
 
@@ -13,6 +15,8 @@ struct Piece {
     edge: Edge,
     /// `None` for a line.
     arc: Option<(Point, f64)>,
+    /// Of a large arc.
+    near: Option<Near>,
     start_direction: Vector,
     end_direction: Vector,
     sweep: f64,
@@ -123,6 +127,7 @@ impl Outline {
                     center: self.joints[start as usize].point,
                     radius: 0.0,
                 },
+                near: None,
                 lo,
                 hi: hi.max(lo),
                 start,
@@ -161,8 +166,13 @@ impl Outline {
                 }
             }
         };
+        let near = piece.near.map(|n| Near {
+            point: n.point + n.normal * growth,
+            ..n
+        });
         self.features.push(Feature {
             shape,
+            near,
             lo,
             hi,
             start: start.joint,
@@ -204,9 +214,16 @@ impl Outline {
                 // Travel turns the normal by length / signed radius; never by more than what closes the circle.
                 let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
                 let by = (further / radius).clamp(-room, room);
-                let normal = Rotation::by(by) * normal;
+                let turned = Rotation::by(by) * normal;
+                let end = if piece.near.is_some() {
+                    let (sin, half) = (by.sin(), (0.5 * by).sin());
+                    let way = normal.left() * sin + normal * (-2.0 * half * half);
+                    point + normal * growth + way * radius
+                } else {
+                    center + turned * radius
+                };
                 End {
-                    joint: self.add_joint(center + normal * radius, normal),
+                    joint: self.add_joint(end, turned),
                     extra_sweep: by.abs(),
                 }
             }
@@ -223,13 +240,22 @@ impl Piece {
             ..*edge
         };
         let sweep = edge.sweep();
-        if sweep.abs() < SMOOTH {
+        let height = 0.5 * edge.bulge.abs() * edge.start.distance(edge.end);
+        if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < SAME_CARRIER) {
             edge.bulge = 0.0;
         }
         let arc = (!edge.is_line()).then(|| (edge.center(), edge.radius() * edge.bulge.signum()));
+        let near = arc.filter(|a| a.1.abs() > LARGEST_CIRCLE).map(|_| {
+            let chord = edge.end - edge.start;
+            Near {
+                point: edge.start.midpoint(edge.end) + chord.right() * (0.5 * edge.bulge),
+                normal: chord.unit().right(),
+            }
+        });
         Self {
             edge,
             arc,
+            near,
             start_direction: edge.start_direction(),
             end_direction: edge.end_direction(),
             sweep: edge.sweep(),
@@ -238,8 +264,22 @@ impl Piece {
 
     /// The normal with which this edge ends at a grown corner.
     fn normal_at(&self, apex: Point, normal: Vector, growth: f64) -> Vector {
-        match self.arc {
-            Some((center, radius)) if growth > 0.0 => (apex - center).unit() * radius.signum(),
+        match (self.arc, self.near) {
+            (Some((_, radius)), Some(_)) => {
+                // From the end of the edge along its tangent: little, but for the mitre of a sharp corner.
+                let ends = [self.edge.start, self.edge.end];
+                let near = |p: &Point| p.distance(apex);
+                let end = if near(&ends[0]) < near(&ends[1]) {
+                    ends[0]
+                } else {
+                    ends[1]
+                };
+                let along = normal.left();
+                (normal + along * (along.dot(apex - end) / radius)).unit()
+            }
+            (Some((center, radius)), None) if growth > 0.0 => {
+                (apex - center).unit() * radius.signum()
+            }
             _ => normal,
         }
     }
@@ -274,7 +314,7 @@ fn corner(before: &Piece, after: &Piece) -> Corner {
     let (d1, d2) = (before.end_direction, after.start_direction);
     let turn = d1.cross(d2).atan2(d1.dot(d2));
     let beside = run_alike(before, after, turn);
-    if beside || turn.abs() < SMOOTH {
+    if beside || turn.abs() < smooth(before, after) {
         return Corner::Smooth { beside };
     }
     if turn.abs() > PI - SMOOTH {
@@ -290,6 +330,15 @@ fn corner(before: &Piece, after: &Piece) -> Corner {
     } else {
         Corner::Concave { turn }
     }
+}
+
+/// Below which angle two edges are joined smoothly: what that changes is of the second order, times the radius.
+fn smooth(before: &Piece, after: &Piece) -> f64 {
+    let radius = |p: &Piece| match (p.near, p.arc) {
+        (Some(_), Some((_, radius))) => radius.abs(),
+        _ => 1.0,
+    };
+    SMOOTH / radius(before).max(radius(after)).sqrt()
 }
 
 /// Whether nothing is lost by taking two carriers that meet at a small angle to meet smoothly where they run alike.
@@ -311,19 +360,22 @@ fn run_alike(before: &Piece, after: &Piece, turn: f64) -> bool {
 fn tangency(before: &Piece, after: &Piece, beside: bool) -> (Point, Vector) {
     let vertex = before.edge.end;
     let (d1, d2) = (before.end_direction, after.start_direction);
-    let on_line = |(center, radius): (Point, f64), direction: Vector| {
+    let on_line = |arc: &Piece, (center, radius): (Point, f64), direction: Vector| {
         let normal = direction.right();
         if !beside {
             return (vertex, normal);
         }
-        let at = center + normal * radius;
+        let at = match arc.near {
+            Some(near) => near.point + (normal - near.normal) * radius,
+            None => center + normal * radius,
+        };
         (vertex + direction * direction.dot(at - vertex), normal)
     };
     match (before.arc, after.arc) {
         (None, None) => (vertex, d1.right()),
-        (None, Some(arc)) => on_line(arc, d1),
-        (Some(arc), None) => on_line(arc, d2),
-        (Some((center, radius)), Some(_)) => {
+        (None, Some(arc)) => on_line(after, arc, d1),
+        (Some(arc), None) => on_line(before, arc, d2),
+        (Some((c, r)), Some((d, s))) => {
             if !beside {
                 return (vertex, d2.right());
             }
@@ -332,7 +384,12 @@ fn tangency(before: &Piece, after: &Piece, beside: bool) -> (Point, Vector) {
             let turn = d1.cross(d2).atan2(d1.dot(d2));
             let further = turn / (before.curvature() - after.curvature());
             let normal = Rotation::by(before.curvature() * further) * d1.right();
-            (center + normal * radius, normal)
+            match (before.near, after.near) {
+                (None, _) => (c + normal * r, normal),
+                // The smaller one knows the place best; of large ones the normal hardly turns.
+                (_, None) => (d + normal * s, normal),
+                _ => (vertex, d2.right()),
+            }
         }
     }
 }

@@ -101,6 +101,11 @@ fn closest(edge: &Edge, p: Point) -> Point {
         }
         return edge.start + chord * (s / len2);
     }
+    // About a centre far away the place would be lost in rounding.
+    const FLAT: f64 = 1.0 / 512.0;
+    if edge.bulge.abs() < FLAT {
+        return edge.foot(p).unwrap_or(end);
+    }
     let c = edge.center();
     let v = p - c;
     let (mut from, mut to) = (edge.start - c, edge.end - c);

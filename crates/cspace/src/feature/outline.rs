@@ -38,6 +38,13 @@ pub(crate) enum Shape {
     Round { center: Point, radius: f64 },
 }
 
+/// A point of a large arc, half way between its ends, and the outward normal there: what it is told by, its centre being far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Near {
+    pub(crate) point: Point,
+    pub(crate) normal: Vector,
+}
+
 /// Where two features meet: one point and one outward normal, shared by both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Joint {
@@ -51,6 +58,8 @@ pub(crate) struct Joint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Feature {
     pub(crate) shape: Shape,
+    /// Only for arcs larger than `LARGEST_CIRCLE`.
+    pub(crate) near: Option<Near>,
     /// Outward normals: angles from `lo` to `hi`, unwrapped; equal for a line.
     pub(crate) lo: f64,
     pub(crate) hi: f64,

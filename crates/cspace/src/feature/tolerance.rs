@@ -61,3 +61,15 @@ pub(crate) const TORN: f64 = 1e-6;
 /// Tips of a gear computed with sines and cosines differ in the last digits; a tenth of [`GROWTH`] tells them from
 /// carriers that differ by growth.
 pub(crate) const SAME_CARRIER: f64 = GROWTH / 8.0;
+
+/// Circles of a larger radius are reckoned from a point near them instead of from their centres (length).
+///
+/// A place on a circle about its centre is as exact as the radius times the rounding of f64: up to here that is a thirtieth
+/// of [`GROWTH`].
+pub(crate) const LARGEST_CIRCLE: f64 = 128.0;
+
+/// An arc that turns by less than this is taken for its chord (radians, about 2.3e-10).
+///
+/// It is within 2⁻³⁵ ≈ 2.9e-11 of the length of the chord. The orientations at which it touches a line are as many; so there are
+/// some [`NARROWEST_BAND`] of them at least.
+pub(crate) const STRAIGHT: f64 = 1.0 / (1u64 << 32) as f64;

@@ -133,6 +133,11 @@ impl Real for Ball {
             Self::rounded(0.5 * top, 0.5 * top)
         }
     }
+
+    #[inline(always)]
+    fn rough(self) -> f64 {
+        self.mid
+    }
 }
 
 #[cfg(test)]

@@ -97,4 +97,9 @@ impl Real for Jet {
         let slope = (self.slope * Ball::constant(0.5)).over(value);
         Self { value, slope }
     }
+
+    #[inline(always)]
+    fn rough(self) -> f64 {
+        self.value.mid
+    }
 }

@@ -4,12 +4,14 @@ mod ball;
 mod dual;
 mod jet;
 mod polynomial;
+mod series;
 mod trig;
 
 pub(crate) use ball::Ball;
 pub(crate) use dual::Dual;
 pub(crate) use jet::Jet;
 pub(crate) use polynomial::TrigPolynomial;
+pub(crate) use series::Series;
 pub(crate) use trig::{Event, Known, Trig};
 
 use core::ops::{Add, Mul, Neg, Sub};
@@ -24,6 +26,8 @@ pub(crate) trait Real:
     fn over(self, divisor: Self) -> Self;
     /// Square root; of the part that is not negative, if there is one.
     fn root(self) -> Self;
+    /// About its value: for choosing the better of two forms that are equal.
+    fn rough(self) -> f64;
 }
 
 impl Real for f64 {
@@ -38,5 +42,9 @@ impl Real for f64 {
     #[inline]
     fn root(self) -> Self {
         self.max(0.0).sqrt()
+    }
+    #[inline]
+    fn rough(self) -> f64 {
+        self
     }
 }

@@ -258,10 +258,7 @@ fn table(joint: Joint) -> Vec<PermanentContact> {
         permanent: true,
     };
     let point_arc = |at: Point| {
-        let center = Spiral {
-            u: at,
-            w: -at.to_vector(),
-        };
+        let center = Spiral::new(at, -at.to_vector());
         permanent(
             PermanentKind::PointArc,
             ContactFunction::Circle {
@@ -272,10 +269,7 @@ fn table(joint: Joint) -> Vec<PermanentContact> {
     };
     // n·(p + R q − a), with q a point of the moving part and a one of the fixed line.
     let point_line = |normal: Vector, on_line: Point, point: Point| {
-        let through = Spiral {
-            u: on_line,
-            w: -point.to_vector(),
-        };
+        let through = Spiral::new(on_line, -point.to_vector());
         permanent(
             PermanentKind::PointLine,
             ContactFunction::FixedLine { normal, through },

@@ -141,20 +141,27 @@ impl Edge {
                 ends
             };
         }
+        self.nearest_of_circle(p)
+            .map_or(ends, |(_, offset)| ends.min(offset.abs()))
+    }
+
+    /// The place of an arc at which its normal goes through a point, if there is one on this side of the centre.
+    pub(crate) fn foot(&self, p: Point) -> Option<Point> {
+        self.nearest_of_circle(p).map(|(foot, _)| foot)
+    }
+
+    /// The nearest place of the arc's circle and the distance, positive to the left; if it lies on the arc.
+    fn nearest_of_circle(&self, p: Point) -> Option<(Point, f64)> {
         let curvature = self.curvature();
         let level = self.level(p) / (self.chord() * (1.0 + self.bulge * self.bulge));
         let gradient = self.start_direction().left() - (p - self.start) * curvature;
         let slope = gradient.length();
         let offset = 2.0 * level / (1.0 + slope);
         if slope == 0.0 {
-            return ends; // The arc's centre, as far from the ends as from the rest.
+            return None; // The arc's centre, as far from the ends as from the rest.
         }
         let foot = p + gradient * (-offset / slope);
-        if self.covers(foot) {
-            ends.min(offset.abs())
-        } else {
-            ends
-        }
+        self.covers(foot).then_some((foot, offset))
     }
 
     /// Positive to the left of the line or circle that carries the edge, negative to the right.
@@ -162,7 +169,7 @@ impl Edge {
     /// With chord c and q from the start to the point, (1 − b²) c × q + 2 b q · (c − q), which is
     /// chord (1 + b²) (n · q − κ q² / 2), n the left normal at the start and κ the curvature.
     #[inline]
-    pub(super) fn level(&self, p: Point) -> f64 {
+    pub(crate) fn level(&self, p: Point) -> f64 {
         let (b, c, q) = (self.bulge, self.end - self.start, p - self.start);
         (1.0 - b) * (1.0 + b) * c.cross(q) + 2.0 * b * q.dot(c - q)
     }
@@ -173,7 +180,7 @@ impl Edge {
     }
 
     /// Whether the point at way `q` from the start lies on the edge, if it lies on its line or circle.
-    pub(super) fn covers_way(&self, q: Vector) -> bool {
+    pub(crate) fn covers_way(&self, q: Vector) -> bool {
         let (b, c) = (self.bulge.abs(), self.end - self.start);
         let height = -self.bulge.signum() * c.cross(q);
         if (0.5..=2.0).contains(&b) {
@@ -197,7 +204,7 @@ impl Edge {
 
     /// The signed area between chord and arc, positive for a counter-clockwise arc:
     /// chord² / 8 · ((1 + b²)² atan b − b (1 − b²)) / b².
-    pub(super) fn segment_area(&self) -> f64 {
+    pub(crate) fn segment_area(&self) -> f64 {
         let b = self.bulge;
         let square = b * b;
         let shape = if b.abs() < SERIES_BULGE {

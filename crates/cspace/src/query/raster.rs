@@ -36,6 +36,10 @@ fn halve(grid: &Grid, patch: &Patch, lo: f64, hi: f64, left: u32, pass: &mut imp
     let spread = swept.spread + grid.margin;
     match swept.shape {
         CurveGeometry::Segment { start, end } => near_segment(grid, start, end, spread, pass),
+        CurveGeometry::FlatArc { start, end, bulge } => {
+            let height = 0.5 * bulge.abs() * start.distance(end);
+            near_segment(grid, start, end, spread + height, pass);
+        }
         CurveGeometry::Arc {
             center,
             radius,

@@ -52,6 +52,8 @@ pub(super) struct Local {
     end: Vector,
     /// Centre and signed radius.
     circle: Option<(Vector, f64)>,
+    /// By how much a large arc is off its chord at most.
+    height: Option<f64>,
 }
 
 impl Local {
@@ -66,10 +68,18 @@ impl Local {
             ContactFunction::Circle { center, radius } => Some((center.at(turn) - p, radius)),
             _ => None,
         };
+        let (start, end) = (at(&patch.left), at(&patch.right));
+        let height = match patch.function {
+            ContactFunction::FlatCircle { radius, .. } => {
+                Some(0.25 * (end - start).length_squared() / radius.abs())
+            }
+            _ => None,
+        };
         Self {
-            start: at(&patch.left),
-            end: at(&patch.right),
+            start,
+            end,
             circle,
+            height,
         }
     }
 
@@ -78,6 +88,16 @@ impl Local {
     pub(super) fn meet(&self, direction: Direction) -> Meeting {
         let (a, b) = (direction.ahead(self.start), direction.ahead(self.end));
         let at_end = a.y.abs() < END_ERROR || b.y.abs() < END_ERROR;
+        if let Some(height) = self.height {
+            // A way beside the box of a large arc meets nothing of it; any other is left to the slice.
+            let room = END_ERROR + height;
+            let beside = a.y.min(b.y) > room || a.y.max(b.y) < -room || a.x.max(b.x) < -room;
+            return if beside {
+                Meeting::Nothing
+            } else {
+                Meeting::Unclear
+            };
+        }
         match self.circle {
             None => {
                 if a.x.max(b.x) < -END_ERROR || (a.y > END_ERROR) == (b.y > END_ERROR) && !at_end {
@@ -180,5 +200,6 @@ pub(super) fn off_carrier(patch: &Patch, turn: Rotation, p: Point) -> f64 {
         Carrier::Circle { center, radius } => {
             (Point::new(center.0, center.1).distance(p) - radius.abs()).abs()
         }
+        Carrier::Bow(bow) => bow.distance(p).abs(),
     }
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::contact::{ContactFunction, place_on};
+use crate::contact::{ContactFunction, Spiral, WIDEST_SAGITTA, place_on};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Ball, Jet, Real};
 use crate::slice::CurveGeometry;
@@ -56,13 +56,26 @@ impl Swept {
                 }
             }
             ContactFunction::FixedLine { normal, through } => {
-                let moves = through.w.length() * half;
+                let moves = speed(&through) * half;
                 segment(left, right, normal, through.at(turn), moves)
             }
             ContactFunction::MovingLine { normal, through } => {
                 // Anything within FAR is no farther than twice that from the point it turns about.
-                let moves = (through.w.length() + 2.0 * FAR) * half;
+                let moves = (speed(&through) + 2.0 * FAR) * half;
                 segment(left, right, turn * normal, through.at(turn), moves)
+            }
+            ContactFunction::FlatCircle {
+                through,
+                normal,
+                turns,
+                ..
+            } => {
+                // The chord; the carrier is as far from its tangent within FAR.
+                let normal = if turns { turn * normal } else { normal };
+                let moves = (speed(&through) + 2.0 * FAR) * half + FAR;
+                let mut swept = segment(left, right, normal, through.at(turn), moves);
+                swept.spread += WIDEST_SAGITTA;
+                swept
             }
         }
     }
@@ -108,6 +121,10 @@ fn segment(
 fn end(boundary: &Boundary, own: &ContactFunction, mid: f64, half: f64) -> (Vector, f64) {
     match *boundary {
         Boundary::End { spiral } => {
+            if !spiral.swing.is_none() {
+                let at = spiral.at(Rotation::by(mid)).to_vector();
+                return (at, speed(&spiral) * half + ROUNDING);
+            }
             let base = match *own {
                 ContactFunction::Circle { center, .. } => (center.u.to_vector(), center.w),
                 _ => (Vector::ZERO, Vector::ZERO),
@@ -138,6 +155,11 @@ fn end(boundary: &Boundary, own: &ContactFunction, mid: f64, half: f64) -> (Vect
     }
 }
 
+/// How fast a spiral moves (length per radian).
+fn speed(spiral: &Spiral) -> f64 {
+    spiral.turning().length()
+}
+
 /// A crossing, relative to the centre of a circle.
 #[inline]
 fn place<T: Real>(
@@ -147,7 +169,7 @@ fn place<T: Real>(
     root: u8,
     (cos, sin): (T, T),
 ) -> (T, T) {
-    if own.is_circular() {
+    if matches!(own, ContactFunction::Circle { .. }) {
         let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
         place_on(&f, &g, root, false)
     } else {

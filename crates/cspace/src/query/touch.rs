@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::contact::Carrier;
+use crate::contact::{Carrier, Level};
 use crate::feature::tolerance::GROWTH;
 use crate::number::{Ball, Jet, Real};
 use crate::space::{ContactSpace, Patch};
@@ -221,6 +221,7 @@ impl<'a> Search<'a> {
                 let r = Jet::constant(radius);
                 (vx * vx + vy * vy - r * r) * Jet::constant(0.5 / radius)
             }
+            bow @ Carrier::Bow(_) => Level::of(&bow, (x, y)).c,
         };
         value + depth
     }

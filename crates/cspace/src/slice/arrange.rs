@@ -249,5 +249,6 @@ fn longest_step(curve: &Curve) -> f64 {
     match curve.shape {
         CurveShape::Line { .. } => STEP,
         CurveShape::Circle { radius, .. } => STEP.min(0.5 * radius.abs()),
+        CurveShape::Bow(bow) => STEP.min(0.5 / bow.curvature.abs()),
     }
 }

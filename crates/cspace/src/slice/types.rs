@@ -8,7 +8,7 @@ use crate::contact::{Curve, CurveShape, Geometry};
 use crate::feature::tolerance::TORN;
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Point, Vector};
-use crate::part::Part;
+use crate::part::{Edge, Part};
 
 use super::arrange::Arrangement;
 
@@ -33,6 +33,15 @@ pub enum CurveGeometry {
         start_angle: f64,
         /// Angle travelled, radians.
         sweep: f64,
+    },
+    /// An arc of a circle so large that places on it would be lost about its centre.
+    FlatArc {
+        /// Where it starts.
+        start: Point,
+        /// Where it ends.
+        end: Point,
+        /// tan(sweep / 4), positive counter-clockwise.
+        bulge: f64,
     },
 }
 
@@ -79,6 +88,15 @@ impl CurveGeometry {
                 start_angle,
                 sweep,
             } => center + Vector::from_angle(start_angle + s * sweep) * radius,
+            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).at(s),
+        }
+    }
+
+    /// A flat arc as an edge.
+    pub(crate) fn edge(&self) -> Option<Edge> {
+        match *self {
+            Self::FlatArc { start, end, bulge } => Some(flat(start, end, bulge)),
+            _ => None,
         }
     }
 
@@ -106,11 +124,11 @@ impl CurveGeometry {
                     return center + Vector::from_angle(v.angle()) * radius;
                 }
                 let (start, end) = (self.point(0.0), self.point(1.0));
-                if p.distance(start) <= p.distance(end) {
-                    start
-                } else {
-                    end
-                }
+                nearer(p, start, end)
+            }
+            Self::FlatArc { start, end, bulge } => {
+                let foot = flat(start, end, bulge).foot(p);
+                foot.unwrap_or_else(|| nearer(p, start, end))
             }
         }
     }
@@ -120,6 +138,7 @@ impl CurveGeometry {
         match *self {
             Self::Segment { start, end } => start.distance(end),
             Self::Arc { radius, sweep, .. } => radius * sweep.abs(),
+            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).length(),
         }
     }
 
@@ -130,6 +149,7 @@ impl CurveGeometry {
             Self::Arc {
                 start_angle, sweep, ..
             } => Vector::from_angle(start_angle + s * sweep) * sweep.signum(),
+            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).direction_at(s).right(),
         }
     }
 
@@ -166,6 +186,14 @@ impl CurveGeometry {
                     sweep: (to - from) / radius,
                 }
             }
+            CurveShape::Bow(bow) => {
+                let (p, q) = (curve.point(from), curve.point(to));
+                Self::FlatArc {
+                    start: outer(p),
+                    end: outer(q),
+                    bulge: bow.bulge(bow.place(p), bow.place(q)),
+                }
+            }
         }
     }
 
@@ -199,6 +227,7 @@ impl CurveGeometry {
                         .then(|| (t, d.dot(q) * sweep.signum()))
                 })
             }
+            Self::FlatArc { start, end, bulge } => flat_hit(&flat(start, end, bulge), p, d),
         }
     }
 }
@@ -234,6 +263,44 @@ fn close(curves: &mut [SliceCurve], within: f64) {
             follows[j] = true;
         }
     }
+}
+
+fn flat(start: Point, end: Point, bulge: f64) -> Edge {
+    Edge {
+        start,
+        end,
+        bulge,
+        index: 0,
+    }
+}
+
+fn nearer(p: Point, start: Point, end: Point) -> Point {
+    if p.distance(start) <= p.distance(end) {
+        start
+    } else {
+        end
+    }
+}
+
+/// The same of an arc by its ends and bulge b: with its chord c and q from its start, points of its circle have
+/// (1 − b²) c × q + 2 b q·(c − q) = 0.
+fn flat_hit(e: &Edge, p: Point, d: Vector) -> Option<(f64, f64)> {
+    let (b, c, q) = (e.bulge, e.end - e.start, p - e.start);
+    let flat = (1.0 - b) * (1.0 + b);
+    let square = -2.0 * b;
+    let slope = flat * c.cross(d) + 2.0 * b * (d.dot(c) - 2.0 * q.dot(d));
+    let root = slope * slope - 4.0 * square * e.level(p);
+    if root < 0.0 {
+        return None;
+    }
+    let sum = -(slope + root.sqrt().copysign(slope));
+    let mut both = [2.0 * e.level(p) / sum, sum / (2.0 * square)];
+    both.sort_by(f64::total_cmp);
+    both.into_iter().find_map(|t| {
+        // The level is positive on the left, and grows by this along the ray.
+        let rise = slope + 2.0 * square * t;
+        (t > 0.0 && t.is_finite() && e.covers_way(q + d * t)).then_some((t, -rise))
+    })
 }
 
 impl Slice {

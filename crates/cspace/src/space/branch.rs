@@ -2,7 +2,9 @@
 
 use rayon::prelude::*;
 
-use crate::contact::{Crossing, CurveShape, Geometry, conditions, crossing, roots};
+use crate::contact::{
+    Crossing, Curve, CurveShape, Geometry, Level, bow_events, conditions, crossing, roots,
+};
 use crate::geometry::Rotation;
 use crate::number::Event;
 
@@ -52,6 +54,10 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> Vec<Vec<Eve
             let (mid, half) = (0.5 * (run.lo + run.hi), 0.5 * (run.hi - run.lo));
             let (sin, cos) = mid.sin_cos();
             let mut events = Vec::new();
+            if f.is_flat() || g.is_flat() {
+                bow_events(f, g, &shared, (run.lo, run.hi), |e| events.push(e));
+                return events;
+            }
             conditions(f, g, &shared, |t| {
                 t.roots(mid, cos, sin, half, |e| events.push(e));
             });
@@ -233,6 +239,7 @@ fn swallowed(geometry: &Geometry, run: &PairRun, (below, above): (f64, f64)) -> 
         let off = match long.shape {
             CurveShape::Line { normal } => normal.dot(p - long.start),
             CurveShape::Circle { center, radius, .. } => center.distance(p) - radius.abs(),
+            CurveShape::Bow(bow) => bow.distance(p),
         };
         (long.position(p).abs() < long.half_length()).then_some(off > 0.0)
     };
@@ -272,7 +279,18 @@ fn coincide(geometry: &Geometry, run: &PairRun, theta: f64) -> bool {
                 ..
             },
         ) => (r.abs() - q.abs()).abs() < SAME_PLACE && c.distance(d) < SAME_PLACE,
-        _ => false,
+        (CurveShape::Circle { .. }, _) | (_, CurveShape::Circle { .. }) => false,
+        _ => {
+            // A bow and a line or bow: the ends of either on the other. It is no higher than that for long.
+            const AS_HIGH: f64 = 1e-11;
+            let on = |f: &Curve, g: &Curve| {
+                [g.start, g.end].iter().all(|p| {
+                    Level::of(&f.carrier(), (p.x, p.y)).c.abs() < AS_HIGH
+                        && f.normal(*p).cross(g.normal(*p)).abs() < SAME_DIRECTION
+                })
+            };
+            on(&f, &g) && on(&g, &f)
+        }
     }
 }
 

@@ -299,6 +299,18 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
         let g = grow(center.w);
         return (lo + (-g), hi + g);
     }
+    if sheet.is_flat() {
+        // A curve is within its height of its chord, and moves no faster than the ends do.
+        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
+        let (s, e) = (start.lerp(end, from), start.lerp(end, to));
+        let (g, h) = (grow(sheet.start.turning()), grow(sheet.end.turning()));
+        let off = MARGIN + 2.0 * sheet.height();
+        let off = Vector::new(off + g.x.max(h.x), off + g.y.max(h.y));
+        return (
+            Point::new(s.x.min(e.x), s.y.min(e.y)) + -off,
+            Point::new(s.x.max(e.x), s.y.max(e.y)) + off,
+        );
+    }
     let at = |t: f64| {
         let w = sheet.start.w + (sheet.end.w - sheet.start.w) * t;
         let u = sheet.start.u + (sheet.end.u - sheet.start.u) * t;

@@ -82,11 +82,12 @@ impl<'a> Linker<'a> {
         matches!(self.sheet(lower).top, Seam::Wrap(..)) && self.cells[lower as usize].at_top
     }
 
-    /// The name of a branch's root as seen from one of its sheets: sides are exchanged between two circles.
+    /// The name of a branch's root as seen from one of its sheets: sides are exchanged between two circles, and with a large one.
     pub(super) fn own_root(&self, b: &Branch, sheet: u32) -> u8 {
         let sheets = &self.geometry.contacts.sheets;
-        let circles = sheets[b.first as usize].is_circle() && sheets[b.second as usize].is_circle();
-        if circles && b.second == sheet {
+        let (f, g) = (&sheets[b.first as usize], &sheets[b.second as usize]);
+        let exchanged = f.is_circle() && g.is_circle() || f.is_bow() || g.is_bow();
+        if exchanged && b.second == sheet {
             1 - b.root
         } else {
             b.root

@@ -64,9 +64,6 @@ impl Side {
     }
 }
 
-/// The largest speed of an end or a crossing, to be divided by the sine, in the pair's frame per radian.
-const SPEED: f64 = 4.0;
-
 /// Measures cells of one sheet where they meet a cluster.
 ///
 /// A place is measured at the cluster's orientation. The event that ends or begins the cell may happen anywhere in the
@@ -78,6 +75,8 @@ pub(super) struct CellExtents<'a> {
     clusters: &'a Clusters,
     cluster: u32,
     width: f64,
+    /// The largest speed of an end or a crossing, to be divided by the sine, in the pair's frame per radian.
+    speed: f64,
     /// The bounds measured so far: most are asked for again, by the cell on their other side.
     known: Vec<((u32, Side), (f64, f64))>,
 }
@@ -90,8 +89,10 @@ impl<'a> CellExtents<'a> {
         sheet: u32,
         cluster: u32,
     ) -> Self {
+        let at = Placing::new(geometry, sheet, clusters.at(cluster));
         Self {
-            at: Placing::new(geometry, sheet, clusters.at(cluster)),
+            speed: at.speed(),
+            at,
             branches,
             clusters,
             cluster,
@@ -116,7 +117,7 @@ impl<'a> CellExtents<'a> {
     /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
     fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
         if branch == END {
-            return (end * self.at.half(), SPEED * self.width + PLACE_ERROR);
+            return (end * self.at.half(), self.speed * self.width + PLACE_ERROR);
         }
         let key = (branch, side);
         if let Some(known) = self.known.iter().find(|k| k.0 == key) {
@@ -138,7 +139,7 @@ impl<'a> CellExtents<'a> {
         const GOOD: f64 = 1e-7;
         let b = &self.branches[branch as usize];
         let (at, rounding) = self.at.within(b);
-        let error = rounding * (1.0 + SPEED * self.width / PLACE_ERROR);
+        let error = rounding * (1.0 + self.speed * self.width / PLACE_ERROR);
         if error <= SHORT {
             return ((at, error), true);
         }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use crate::contact::{Carrier, Geometry, Seam, wrap};
+use crate::contact::{Bow, Carrier, Geometry, Seam, wrap};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::union_find::UnionFind;
@@ -34,7 +34,7 @@ pub(super) struct Levels<'a> {
     pub(super) free: Option<&'a [bool]>,
 }
 
-/// The common curve: a line through a point, or a circle; with the coordinate along it.
+/// The common curve: a line through a point, or a circle; with the coordinate along it. A large circle is told by a point.
 #[derive(Debug, Clone, Copy)]
 enum Track {
     Line {
@@ -45,6 +45,7 @@ enum Track {
         radius: f64,
         zero: f64,
     },
+    Bow(Bow<f64>),
 }
 
 /// A cell that touches the level, as a range of the coordinate.
@@ -90,6 +91,7 @@ impl Track {
                 radius,
                 zero,
             } => wrap((p - center).angle() - zero) * radius.abs(),
+            Self::Bow(bow) => bow.place(p),
         }
     }
 
@@ -98,7 +100,7 @@ impl Track {
         /// Rounding of an end, of a piece or of the circle: pieces cover a little less than this makes them.
         const SLACK: f64 = SHORTEST_OVERLAP;
         let (lowest, highest) = match *self {
-            Self::Line { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            Self::Line { .. } | Self::Bow(_) => (f64::NEG_INFINITY, f64::INFINITY),
             Self::Circle { radius, .. } => {
                 let half_turn = core::f64::consts::PI * radius.abs() - SLACK;
                 (-half_turn, half_turn)
@@ -117,7 +119,7 @@ impl Track {
 
     fn difference(&self, a: f64, b: f64) -> f64 {
         match *self {
-            Self::Line { .. } => a - b,
+            Self::Line { .. } | Self::Bow(_) => a - b,
             Self::Circle { radius, .. } => wrap((a - b) / radius.abs()) * radius.abs(),
         }
     }
@@ -224,6 +226,7 @@ impl Levels<'_> {
                 radius,
                 zero: (first.start.at(turn) - Point::new(center.0, center.1)).angle(),
             },
+            Carrier::Bow(bow) => Track::Bow(bow),
         };
         let pieces = |cells: &[u32], side: Side| -> Vec<Piece> {
             cells
@@ -322,6 +325,7 @@ impl Levels<'_> {
                 radius,
                 zero,
             } => center + Vector::from_angle(zero + coordinate / radius.abs()) * radius.abs(),
+            Track::Bow(bow) => bow.point(coordinate),
         }
     }
 
@@ -343,10 +347,11 @@ impl Levels<'_> {
             let along = match *track {
                 Track::Line { normal } => normal.dot(curve.normal(p)) > 0.0,
                 Track::Circle { radius, .. } => (sheet.radius > 0.0) == (radius > 0.0),
+                Track::Bow(bow) => bow.normal_at(p).dot(curve.normal(p)) > 0.0,
             };
             // On a line travel goes with the coordinate if the normals agree, on a circle if the radius is positive.
             let forward = match *track {
-                Track::Line { .. } => along,
+                Track::Line { .. } | Track::Bow(_) => along,
                 Track::Circle { .. } => sheet.radius > 0.0,
             };
             let errors = if forward {
@@ -381,6 +386,7 @@ impl Levels<'_> {
         let outward = match *track {
             Track::Line { normal } => normal,
             Track::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
+            Track::Bow(bow) => bow.normal_at(p),
         };
         let outward = if along { outward } else { -outward };
         let turn = Rotation::by(theta);
@@ -410,6 +416,7 @@ impl Levels<'_> {
                 let off = v.length() - radius.abs();
                 if v.dot(outward) > 0.0 { -off } else { off }
             }
+            Carrier::Bow(bow) => -bow.distance(p) / bow.normal_at(p).dot(outward),
         }
     }
 

@@ -5,6 +5,7 @@
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
 use crate::contact::{Carrier, Geometry, place_on};
+use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
 use crate::number::{Ball, Dual, Event, Jet, Real, TrigPolynomial};
 
@@ -26,7 +27,8 @@ const PLACE_BUDGET: u32 = 2000;
 /// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
 /// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
 ///
-/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
+/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for bows: about their
+/// centres it would be all rounding.
 pub(super) fn concurrency(mut three: [Carrier<f64>; 3]) -> (f64, f64) {
     if let Some(circle) = three
         .iter()
@@ -43,6 +45,7 @@ pub(super) fn concurrency(mut three: [Carrier<f64>; 3]) -> (f64, f64) {
                     let n = vector(normal);
                     (n, n.dot(vector(through) - center), 1.0)
                 }
+                Carrier::Bow(_) => (center, f64::NAN, 1.0),
                 Carrier::Circle {
                     center: c,
                     radius: r,
@@ -63,12 +66,13 @@ pub(super) fn concurrency(mut three: [Carrier<f64>; 3]) -> (f64, f64) {
                 + (radius * a.length() * b.length()).powi(2);
             (v.length_squared() - d * d, terms)
         }
-        Carrier::Line { .. } => {
+        Carrier::Line { .. } | Carrier::Bow(_) => {
             let line = |c: &Carrier<f64>| match *c {
                 Carrier::Line { normal, through } => {
                     (vector(normal), vector(normal).dot(vector(through)))
                 }
                 Carrier::Circle { center, .. } => (vector(center), 0.0),
+                Carrier::Bow(bow) => (vector(bow.normal), f64::NAN),
             };
             let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
             (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0)
@@ -108,19 +112,22 @@ impl Passing<'_> {
     /// polynomial told nothing.
     pub(super) fn isolate(
         &self,
-        f: &TrigPolynomial,
+        f: Option<&TrigPolynomial>,
         lo: f64,
         hi: f64,
         found: &mut impl FnMut(Event),
     ) -> u64 {
         let mut vague: Vec<(f64, f64)> = Vec::new();
-        f.brackets(
-            lo,
-            hi,
-            NARROWEST,
-            &mut |lo, hi| self.refine(f, lo, hi, found),
-            &mut |lo, hi| vague.push((lo, hi)),
-        );
+        match f {
+            Some(f) => f.brackets(
+                lo,
+                hi,
+                NARROWEST,
+                &mut |lo, hi| self.refine(f, lo, hi, found),
+                &mut |lo, hi| vague.push((lo, hi)),
+            ),
+            None => vague.push((lo, hi)),
+        }
         for &(lo, hi) in &vague {
             let mut budget = PLACE_BUDGET;
             self.isolate_places(lo, hi, &mut budget, found);
@@ -135,8 +142,18 @@ impl Passing<'_> {
         /// Places are told apart down to this width (radians), or this difference (length, or length times radius).
         const NARROWEST: f64 = 1e-6;
         const SAME_PLACE: f64 = 1e-11;
+        /// The width with large arcs, which touch at no more orientations than they turn.
+        const LEAST: f64 = NARROWEST_BAND;
         let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
         let d = self.difference(cos, sin);
+        let sheets = &self.geometry.contacts.sheets;
+        let three = [
+            self.sheet,
+            self.x.other(self.sheet),
+            self.y.other(self.sheet),
+        ];
+        let flat = three.iter().any(|&s| sheets[s as usize].is_flat());
+        let narrowest = if flat { LEAST } else { NARROWEST };
         if d.value.sign() != 0 {
             return;
         }
@@ -152,7 +169,7 @@ impl Passing<'_> {
             if at_lo * at_hi <= 0.0 {
                 found(self.meeting(lo, hi, at_lo));
             }
-        } else if *budget == 0 || hi - lo < NARROWEST || at_mid.mid.abs() + reach < SAME_PLACE {
+        } else if *budget == 0 || hi - lo < narrowest || at_mid.mid.abs() + reach < SAME_PLACE {
             if at_lo.abs() > SAME_PLACE && at_hi.abs() > SAME_PLACE && at_lo * at_hi < 0.0 {
                 found(self.meeting(lo, hi, at_lo));
             }

@@ -183,7 +183,7 @@ impl Patch {
 impl BoundaryCurve<'_> {
     /// Which kind of curve it is.
     pub fn kind(&self) -> BoundaryKind {
-        use ContactFunction::{Circle, FixedLine, MovingLine};
+        use ContactFunction::{Circle, FixedLine, FlatCircle, MovingLine};
         match (self.boundary, &self.patch.patch.function) {
             (Boundary::End { .. }, _) => BoundaryKind::FeatureEnd,
             (Boundary::Crossing { with, .. }, own) => match (own, with) {
@@ -192,13 +192,17 @@ impl BoundaryCurve<'_> {
                 (FixedLine { .. }, MovingLine { .. }) | (MovingLine { .. }, FixedLine { .. }) => {
                     BoundaryKind::FixedLineMovingLine
                 }
-                (FixedLine { .. }, Circle { .. }) | (Circle { .. }, FixedLine { .. }) => {
+                (FixedLine { .. }, Circle { .. } | FlatCircle { .. })
+                | (Circle { .. } | FlatCircle { .. }, FixedLine { .. }) => {
                     BoundaryKind::FixedLineCircle
                 }
-                (MovingLine { .. }, Circle { .. }) | (Circle { .. }, MovingLine { .. }) => {
+                (MovingLine { .. }, Circle { .. } | FlatCircle { .. })
+                | (Circle { .. } | FlatCircle { .. }, MovingLine { .. }) => {
                     BoundaryKind::MovingLineCircle
                 }
-                (Circle { .. }, Circle { .. }) => BoundaryKind::CircleCircle,
+                (Circle { .. } | FlatCircle { .. }, Circle { .. } | FlatCircle { .. }) => {
+                    BoundaryKind::CircleCircle
+                }
             },
         }
     }
@@ -243,14 +247,8 @@ impl Boundary {
 
     /// The position in the pair's frame, in any arithmetic, from the cosine and sine of the orientation.
     pub(crate) fn inner<T: Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {
-        let real = T::constant;
         match self {
-            Self::End {
-                spiral: Spiral { u, w },
-            } => (
-                real(u.x) + cos * real(w.x) - sin * real(w.y),
-                real(u.y) + sin * real(w.x) + cos * real(w.y),
-            ),
+            Self::End { spiral } => spiral.place(cos, sin),
             Self::Crossing { with, root } => {
                 let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
                 point_on(&f, place_on(&f, &g, *root, false))
@@ -266,5 +264,9 @@ fn point_on<T: Real>(f: &Carrier<T>, v: (T, T)) -> (T, T) {
             (through.0 - normal.1 * v.0, through.1 + normal.0 * v.0)
         }
         Carrier::Circle { center, .. } => (center.0 + v.0, center.1 + v.1),
+        Carrier::Bow(bow) => {
+            let d = bow.way(v.0);
+            (bow.through.0 + d.0, bow.through.1 + d.1)
+        }
     }
 }

@@ -13,6 +13,8 @@ pub(super) struct Placing<'a> {
     turn: Rotation,
     half: f64,
     mid_angle: f64,
+    /// The place of the middle, on a line from its start, on a bow from its point.
+    middle: f64,
 }
 
 impl<'a> Placing<'a> {
@@ -33,6 +35,13 @@ impl<'a> Placing<'a> {
             (0.5 * length, 0.0)
         };
         let carrier = sheet.carrier(turn.cos, turn.sin);
+        let (mut half, mut middle) = (half, half);
+        if let Carrier::Bow(bow) = &carrier {
+            let ends = [sheet.start, sheet.end].map(|s| bow.place(s.at(turn)));
+            // Beside the orientations at which it exists, a curve has its ends in the wrong order; they move fast.
+            half = (0.5 * (ends[1] - ends[0])).max(0.0);
+            middle = 0.5 * (ends[0] + ends[1]);
+        }
         Self {
             geometry,
             index,
@@ -40,6 +49,7 @@ impl<'a> Placing<'a> {
             turn,
             half,
             mid_angle,
+            middle,
         }
     }
 
@@ -51,6 +61,18 @@ impl<'a> Placing<'a> {
     /// Half the length of the contact curve.
     pub(super) fn half(&self) -> f64 {
         self.half
+    }
+
+    /// How fast the ends move, and what they cross there (length per radian).
+    pub(super) fn speed(&self) -> f64 {
+        /// The largest speed of what is told about a centre near the parts.
+        const SPEED: f64 = 4.0;
+        let sheet = &self.geometry.contacts.sheets[self.index as usize];
+        if !sheet.is_flat() {
+            return SPEED;
+        }
+        let ends = [sheet.start, sheet.end].map(|s| s.turning().length());
+        SPEED + ends[0].max(ends[1])
     }
 
     /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
@@ -69,7 +91,8 @@ impl<'a> Placing<'a> {
         if place.is_nan() {
             return (0.0, f64::INFINITY);
         }
-        (place.clamp(-self.half, self.half), error)
+        let half = self.half.max(0.0);
+        (place.clamp(-half, half), error)
     }
 
     /// What orders branches by their places, as the places themselves would, at less cost.
@@ -78,14 +101,14 @@ impl<'a> Placing<'a> {
     /// direction, continued beyond the quarter turns.
     pub(super) fn ranking(&self) -> impl Fn(&Branch) -> f64 {
         let middle = match self.carrier {
-            Carrier::Line { .. } => Vector::ZERO,
+            Carrier::Line { .. } | Carrier::Bow(_) => Vector::ZERO,
             Carrier::Circle { radius, .. } => Vector::from_angle(self.mid_angle) * radius.signum(),
         };
         move |b| {
             let g = self.other_carrier(b);
             let v = place_on(&self.carrier, &g, b.root, b.second == self.index);
             match self.carrier {
-                Carrier::Line { .. } => v.0,
+                Carrier::Line { .. } | Carrier::Bow(_) => v.0,
                 Carrier::Circle { radius, .. } => {
                     let v = Vector::new(v.0, v.1);
                     let (x, y) = (middle.dot(v), middle.cross(v) * radius.signum());
@@ -108,7 +131,7 @@ impl<'a> Placing<'a> {
     /// Length of travel from the middle to a place as [`place_on`] gives it.
     fn length_of(&self, v: (f64, f64)) -> f64 {
         match self.carrier {
-            Carrier::Line { .. } => v.0 - self.half,
+            Carrier::Line { .. } | Carrier::Bow(_) => v.0 - self.middle,
             Carrier::Circle { radius, .. } => {
                 let v = Vector::new(v.0, v.1) * radius.signum();
                 wrap(v.angle() - self.mid_angle) * radius

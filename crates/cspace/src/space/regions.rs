@@ -227,6 +227,14 @@ fn rightmost(g: &CurveGeometry) -> Point {
     {
         return Point::new(center.x + radius, center.y);
     }
+    if let Some(e) = g.edge() {
+        // The same of a large arc: where it heads up or down.
+        let headings = [Vector::new(0.0, 1.0), Vector::new(0.0, -1.0)];
+        let turning = headings.iter().filter_map(|&h| e.fraction_heading(h));
+        return turning
+            .map(|u| e.at(u))
+            .fold(end, |a, b| if b.x > a.x { b } else { a });
+    }
     end
 }
 
@@ -241,6 +249,7 @@ fn signed_area(slice: &Slice, l: &[u32]) -> f64 {
             let bulge = match *g {
                 CurveGeometry::Segment { .. } => 0.0,
                 CurveGeometry::Arc { radius, sweep, .. } => radius * radius * (sweep - sweep.sin()),
+                CurveGeometry::FlatArc { .. } => g.edge().map_or(0.0, |e| 2.0 * e.segment_area()),
             };
             chord + bulge
         })

@@ -384,8 +384,15 @@ fn is_inner(x: f64) -> bool {
     x.abs() <= LARGEST_LENGTH
 }
 
+/// Radii may be larger: an arc is taken for its chord beyond.
+fn is_radius(x: f64) -> bool {
+    x.abs() <= LARGEST_LENGTH * LARGEST_LENGTH
+}
+
 fn is_spiral(s: &Spiral) -> bool {
-    [s.u.x, s.u.y, s.w.x, s.w.y].into_iter().all(is_inner)
+    let arm = s.swing.arm;
+    let near = [s.u.x, s.u.y, s.w.x, s.w.y].into_iter().all(is_inner);
+    near && is_radius(arm.x) && is_radius(arm.y) && s.swing.rest.is_finite()
 }
 
 fn is_function(function: &ContactFunction) -> bool {
@@ -395,12 +402,26 @@ fn is_function(function: &ContactFunction) -> bool {
             (normal.length() - 1.0).abs() <= SLACK && is_spiral(through)
         }
         ContactFunction::Circle { center, radius } => is_spiral(center) && is_inner(*radius),
+        ContactFunction::FlatCircle {
+            through,
+            normal,
+            radius,
+            ..
+        } => {
+            (normal.length() - 1.0).abs() <= SLACK
+                && is_spiral(through)
+                && is_radius(*radius)
+                && *radius != 0.0
+        }
     }
 }
 
 fn is_curve(curve: &CurveGeometry) -> bool {
     match *curve {
         CurveGeometry::Segment { start, end } => is_place(start) && is_place(end),
+        CurveGeometry::FlatArc { start, end, bulge } => {
+            is_place(start) && is_place(end) && bulge.abs() <= 1.0
+        }
         CurveGeometry::Arc {
             center,
             radius,

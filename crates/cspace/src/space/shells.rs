@@ -340,7 +340,7 @@ impl ShellFinder<'_> {
         let curve = sheet.curve(theta, turn);
         let p = curve.point(0.5 * (lo + hi));
         let normal: Vector = curve.normal(p);
-        let mut reach = if sheet.is_circle() {
+        let mut reach = if !sheet.is_line() {
             STEP.min(0.5 * sheet.radius.abs())
         } else {
             STEP
@@ -367,5 +367,6 @@ fn off(carrier: &Carrier<f64>, p: Point) -> f64 {
             let v = p - Point::new(center.0, center.1);
             (v.length_squared().sqrt() - radius.abs()).abs()
         }
+        Carrier::Bow(bow) => bow.distance(p).abs(),
     }
 }

@@ -101,6 +101,15 @@ impl ContactSpace {
                     sweep,
                 }
             }
+            ContactFunction::FlatCircle { .. } => {
+                let bow = patch.function.bow(Rotation::by(theta));
+                let bulge = bow.map_or(0.0, |b| b.bulge(b.place(start), b.place(end)));
+                CurveGeometry::FlatArc {
+                    start: outer(start),
+                    end: outer(end),
+                    bulge,
+                }
+            }
             _ => CurveGeometry::Segment {
                 start: outer(start),
                 end: outer(end),

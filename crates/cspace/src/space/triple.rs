@@ -146,8 +146,9 @@ struct Search<'a> {
     clusters: &'a Clusters,
     sheet: u32,
     gaps: Gaps,
-    /// What vanishes where two branches pass each other, for pairs already looked at; `None` for pairs that never do.
-    concurrencies: HashMap<(u32, u32), Option<TrigPolynomial>>,
+    /// What vanishes where two branches pass each other, for pairs already looked at; `None` for pairs that never do, or
+    /// within that if a large arc is involved, about whose centre nothing can be reckoned.
+    concurrencies: HashMap<(u32, u32), Option<Option<TrigPolynomial>>>,
     found: Triples,
 }
 
@@ -256,7 +257,12 @@ impl Search<'_> {
             let (f, g) = (x.other(sheet), y.other(sheet));
             self.meetings.may_meet(f, g, from, to).then(|| {
                 let three = [sheet, f, g].map(|s| &sheets[s as usize]);
-                TrigPolynomial::sampled(|cos, sin| concurrency(three.map(|s| s.carrier(cos, sin))))
+                let flat = three.iter().any(|s| s.is_flat());
+                (!flat).then(|| {
+                    TrigPolynomial::sampled(|cos, sin| {
+                        concurrency(three.map(|s| s.carrier(cos, sin)))
+                    })
+                })
             })
         });
         if let Some(f) = known {
@@ -270,7 +276,7 @@ impl Search<'_> {
                     event,
                 });
             };
-            let vague = pair.isolate(f, window.lo, window.hi, &mut take);
+            let vague = pair.isolate(f.as_ref(), window.lo, window.hi, &mut take);
             found.isolated += 1;
             found.by_places += vague;
         }

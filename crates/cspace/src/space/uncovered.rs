@@ -158,6 +158,8 @@ struct Path {
     /// All of it lies within `reach` of the middle.
     middle: Point,
     reach: f64,
+    /// How far the curve may be off the shape.
+    off: f64,
 }
 
 enum Shape {
@@ -190,6 +192,7 @@ impl Path {
                 ends: (spiral.w, spiral.w),
                 middle: center + mid * radius,
                 reach: radius.abs() * half_angle,
+                off: 0.0,
             }
         } else {
             Self {
@@ -197,9 +200,10 @@ impl Path {
                     start,
                     along: end - start,
                 },
-                ends: (sheet.start.w, sheet.end.w),
+                ends: (sheet.start.turning(), sheet.end.turning()),
                 middle: start.midpoint(end),
                 reach: 0.5 * (end - start).length(),
+                off: sheet.height(),
             }
         }
     }
@@ -226,7 +230,7 @@ impl Path {
             .length_squared()
             .max((self.ends.1 + disc.moving).length_squared())
             .sqrt();
-        let room = disc.reach - speed * half - MARGIN;
+        let room = disc.reach - speed * half - MARGIN - self.off;
         if room <= 0.0 {
             return None;
         }

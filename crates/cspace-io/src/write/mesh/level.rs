@@ -61,7 +61,7 @@ impl Structure {
             .iter()
             .map(|c| match c.geometry {
                 CurveGeometry::Arc { sweep, .. } => sweep,
-                CurveGeometry::Segment { .. } => 0.0,
+                CurveGeometry::Segment { .. } | CurveGeometry::FlatArc { .. } => 0.0,
             })
             .collect();
         Self {
@@ -252,7 +252,11 @@ impl<'a> Builder<'a> {
                 start,
                 end,
                 geometry: self.geometry(patch, structure.sweeps[i]),
-                turning: matches!(function, ContactFunction::MovingLine { .. }),
+                turning: matches!(
+                    function,
+                    ContactFunction::MovingLine { .. }
+                        | ContactFunction::FlatCircle { turns: true, .. }
+                ),
             });
         }
         curves
@@ -281,6 +285,12 @@ impl<'a> Builder<'a> {
                     start_angle: a.angle(),
                     sweep: turned * radius.signum(),
                 }
+            }
+            ContactFunction::FlatCircle { radius, .. } => {
+                // Half the chord is the radius times the sine of half the sweep; the bulge is the tangent of a quarter.
+                let half = 0.5 * start.distance(end) * self.fineness.scale / radius;
+                let bulge = half / (1.0 + ((1.0 - half) * (1.0 + half)).max(0.0).sqrt());
+                CurveGeometry::FlatArc { start, end, bulge }
             }
             _ => CurveGeometry::Segment { start, end },
         }
@@ -358,6 +368,16 @@ impl<'a> Builder<'a> {
                 share * curve.geometry.length() / self.fineness.turning
             }
             CurveGeometry::Segment { .. } => 1.0,
+            CurveGeometry::FlatArc { start, end, bulge } => {
+                // n pieces are off the arc by its height / n².
+                let height = 0.5 * bulge.abs() * start.distance(end);
+                let turning = if curve.turning {
+                    curve.geometry.length() / self.fineness.turning
+                } else {
+                    1.0
+                };
+                share * (height / self.fineness.sagitta).sqrt().max(turning)
+            }
         };
         // A share of the tolerance bounds this; the limit is against what is not finite.
         (parts - 1e-9).ceil().clamp(1.0, 4096.0) as usize
@@ -434,6 +454,16 @@ fn share(geometry: &CurveGeometry, p: Point, near: f64) -> Option<f64> {
             if length <= 0.0 || (v.cross(p - start) / length).abs() > near {
                 return None;
             }
+            v.dot(p - start) / (length * length)
+        }
+        CurveGeometry::FlatArc { start, end, bulge } => {
+            let v = end - start;
+            let length = v.length();
+            let off = geometry.nearest(p).distance(p);
+            if length <= 0.0 || off > near || bulge.abs() > 1.0 {
+                return None;
+            }
+            // Along the chord, which is as long as the arc but for some of the bulge's square.
             v.dot(p - start) / (length * length)
         }
         CurveGeometry::Arc {

@@ -1,0 +1,109 @@
+//! A number with its first two derivatives by θ.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::Real;
+
+/// A value and its first two derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Series {
+    pub(crate) value: f64,
+    pub(crate) slope: f64,
+    pub(crate) bend: f64,
+}
+
+impl Series {
+    /// Cosine and sine of θ.
+    pub(crate) fn cos_sin(theta: f64) -> (Self, Self) {
+        let (sin, cos) = theta.sin_cos();
+        let series = |value, slope, bend| Self { value, slope, bend };
+        (series(cos, -sin, -cos), series(sin, cos, -sin))
+    }
+}
+
+impl Add for Series {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self {
+            value: self.value + o.value,
+            slope: self.slope + o.slope,
+            bend: self.bend + o.bend,
+        }
+    }
+}
+
+impl Sub for Series {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        self + -o
+    }
+}
+
+impl Neg for Series {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            slope: -self.slope,
+            bend: -self.bend,
+        }
+    }
+}
+
+impl Mul for Series {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        Self {
+            value: self.value * o.value,
+            slope: self.slope * o.value + self.value * o.slope,
+            bend: self.bend * o.value + 2.0 * self.slope * o.slope + self.value * o.bend,
+        }
+    }
+}
+
+impl Real for Series {
+    fn constant(value: f64) -> Self {
+        Self {
+            value,
+            slope: 0.0,
+            bend: 0.0,
+        }
+    }
+
+    fn over(self, divisor: Self) -> Self {
+        let value = self.value / divisor.value;
+        let slope = (self.slope - value * divisor.slope) / divisor.value;
+        let bend = (self.bend - 2.0 * slope * divisor.slope - value * divisor.bend) / divisor.value;
+        Self { value, slope, bend }
+    }
+
+    fn root(self) -> Self {
+        let value = self.value.max(0.0).sqrt();
+        let slope = 0.5 * self.slope / value;
+        let bend = (0.5 * self.bend - slope * slope) / value;
+        Self { value, slope, bend }
+    }
+
+    fn rough(self) -> f64 {
+        self.value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_agree_with_differences() {
+        fn f<T: Real>(cos: T, sin: T) -> T {
+            (cos * sin + T::constant(2.0)).over((T::constant(1.5) - sin).root())
+        }
+        let at = |t: f64| f(t.cos(), t.sin());
+        let (cos, sin) = Series::cos_sin(0.3);
+        let s = f(cos, sin);
+        let h = 1e-4;
+        assert!((s.value - at(0.3)).abs() < 1e-15);
+        assert!((s.slope - (at(0.3 + h) - at(0.3 - h)) / (2.0 * h)).abs() < 1e-7);
+        assert!((s.bend - (at(0.3 + h) - 2.0 * at(0.3) + at(0.3 - h)) / (h * h)).abs() < 1e-6);
+    }
+}
