@@ -51,7 +51,8 @@ impl FixedAxesSpace {
                     if e.repeats() { wrapped(d) } else { d }.abs()
                 };
                 let apart = off(a.0, b.0, &self.x).max(off(a.1, b.1, &self.y));
-                usize::from(!(apart < ONE_PLACE)) + usize::from(next.region != p.region)
+                usize::from(apart.is_nan() || apart >= ONE_PLACE)
+                    + usize::from(next.region != p.region)
             }
         };
         faults
