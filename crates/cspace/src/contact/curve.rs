@@ -146,3 +146,6 @@ impl Curve {
         (lo, hi)
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;
