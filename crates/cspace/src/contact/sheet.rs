@@ -244,3 +244,6 @@ impl Sheet {
         self.function().carrier(cos, sin)
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;

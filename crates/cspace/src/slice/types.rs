@@ -323,3 +323,6 @@ impl Slice {
         widest.1
     }
 }
+
+#[cfg(test)]
+mod tests;
