@@ -88,36 +88,22 @@ fn conditions_vanish_where_distances_do() {
             let zero = vanishing(f, g, corners, Rotation::IDENTITY);
             assert_eq!(found.len(), zero.len());
             // Where one changes its sign, so does the other: each condition has the roots of a distance of its own.
-            const STEPS: usize = 4000;
-            let turns: Vec<(f64, Rotation)> = (0..=STEPS)
-                .map(|k| core::f64::consts::TAU * k as f64 / STEPS as f64)
-                .map(|t| (t, Rotation::by(t)))
+            const STEPS: usize = 2000;
+            let turns: Vec<Rotation> = (0..=STEPS)
+                .map(|k| Rotation::by(core::f64::consts::TAU * k as f64 / STEPS as f64))
                 .collect();
-            let changes = |values: Vec<f64>| -> Vec<usize> {
-                (1..values.len())
-                    .filter(|&k| values[k] * values[k - 1] <= 0.0)
+            let distances: Vec<Vec<f64>> =
+                (turns.iter().map(|&r| vanishing(f, g, corners, r))).collect();
+            let changes = |value: &dyn Fn(usize) -> f64| -> Vec<usize> {
+                (1..=STEPS)
+                    .filter(|&k| value(k) * value(k - 1) <= 0.0)
                     .collect()
             };
             let mut by_distance: Vec<Vec<usize>> = (0..zero.len())
-                .map(|i| {
-                    changes(
-                        turns
-                            .iter()
-                            .map(|&(_, r)| vanishing(f, g, corners, r)[i])
-                            .collect(),
-                    )
-                })
+                .map(|i| changes(&|k| distances[k][i]))
                 .collect();
-            let mut by_condition: Vec<Vec<usize>> = found
-                .iter()
-                .map(|t| {
-                    changes(
-                        turns
-                            .iter()
-                            .map(|&(_, r)| t.alpha * r.cos + t.beta * r.sin + t.gamma)
-                            .collect(),
-                    )
-                })
+            let mut by_condition: Vec<Vec<usize>> = (found.iter())
+                .map(|t| changes(&|k| t.alpha * turns[k].cos + t.beta * turns[k].sin + t.gamma))
                 .collect();
             by_distance.sort();
             by_condition.sort();
@@ -156,5 +142,62 @@ fn extremes_are_known_from_lengths() {
             assert!(t.scale >= t.alpha.abs().max(t.beta.abs()).max(t.gamma.abs()));
             assert!(t.scale < 40.0);
         });
+    }
+}
+
+/// Twice the lengths have twice the error, and their squares four times; rounding of every length is in it.
+#[test]
+fn errors_grow_with_lengths() {
+    let scaled = |s: Spiral, by: f64| Spiral {
+        u: Point::ORIGIN + s.u.to_vector() * by,
+        w: s.w * by,
+    };
+    let (p, q) = (
+        spiral((0.7, 0.3), (0.4, -0.2)),
+        spiral((-0.3, 0.2), (0.1, 0.5)),
+    );
+    let errors = |by: f64| {
+        let (p, q) = (scaled(p, by), scaled(q, by));
+        let high = height(&p, &straight(0, SheetKind::LineRound, 0.7, q), 0.3 * by);
+        let far = apart(&p, &q, 0.3 * by);
+        for known in [high.most, high.least, far.most, far.least] {
+            let lengths = size(&p) + size(&q) + 0.3 * by;
+            // One rounding for every length, of a square beside the other length.
+            let least = f64::EPSILON
+                * if known == high.most || known == high.least {
+                    lengths
+                } else {
+                    lengths * known.value.abs().sqrt()
+                };
+            assert!(known.error > least, "{known:?} {least}");
+        }
+        let errors = [high.most, high.least, far.most, far.least].map(|k| k.error);
+        (errors, [high.scale, far.scale])
+    };
+    let (one, two) = (errors(1.0), errors(2.0));
+    for (i, times) in [2.0, 2.0, 4.0, 4.0].into_iter().enumerate() {
+        assert!((two.0[i] / one.0[i] - times).abs() < 1e-9, "{i}");
+    }
+    assert_eq!(two.1, one.1.map(|scale| 2.0 * scale));
+}
+
+/// Absolute values that are added up in a coefficient, at their largest and where lengths are alike.
+#[test]
+fn scales_bound_what_is_added_up() {
+    for (a, b, d) in [
+        (3.9, 3.9, 0.3),
+        (3.9, 0.1, 1.9),
+        (0.1, 3.9, 1.9),
+        (0.5, 0.5, 0.1),
+    ] {
+        let (p, q) = (spiral((a, 0.0), (0.0, b)), spiral((0.0, 0.0), (0.0, 0.0)));
+        let scale = apart(&p, &q, d).scale;
+        assert!(
+            scale >= (a * a + b * b + d * d).max(2.0 * a * b),
+            "{a} {b} {d}"
+        );
+        let line = straight(0, SheetKind::LineRound, 0.7, q);
+        let scale = height(&p, &line, d).scale;
+        assert!(scale >= a + b + d);
     }
 }
