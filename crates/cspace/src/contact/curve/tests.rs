@@ -152,3 +152,17 @@ fn rays_meet_what_is_first() {
     }
     assert!(met > 400 && missed > 400, "{met} {missed}");
 }
+
+/// Distances are more than nothing and less than the limit.
+#[test]
+fn a_ray_does_not_meet_what_it_starts_on_or_what_is_at_the_limit() {
+    let (p, up) = (Point::new(0.5, 0.0), Vector::new(0.0, 1.0));
+    for c in [
+        line(Point::new(0.0, 2.0), 0.0),
+        circle(Point::new(0.5, 3.0), 1.0, -0.5 * PI, 1.0),
+    ] {
+        assert_eq!(c.hit(p, up, 2.5), Some(2.0));
+        assert_eq!(c.hit(p, up, 2.0), None);
+        assert_eq!(c.hit(p + up * 2.0, up, 2.5), None);
+    }
+}
