@@ -200,6 +200,7 @@ mod tests {
                 panic!("a circle's carrier is one")
             };
             let c = Point::new(center.0, center.1);
+            assert!(f.is_circular());
             assert!(r == radius && c.distance(turned) < 1e-15);
             for k in 0..6 {
                 let n = Vector::from_angle(f64::from(k));
