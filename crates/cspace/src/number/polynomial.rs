@@ -230,27 +230,42 @@ mod tests {
         assert_eq!(all, [(0.0, 1.0)]);
     }
 
-    /// A double root is not lost, and one nearly so gives no root: cos θ − 1 ± d has two roots or none.
+    /// cos θ − 1 ± d has two roots or none, however near to each other, however large its factor, wherever is looked.
     #[test]
     fn roots_that_are_nearly_one_are_told_apart() {
-        for d in [1e-3, 1e-6, 1e-10] {
-            let count = |shift: f64| {
-                let p = TrigPolynomial::sampled(|c, _| (c - 1.0 + shift, 2.0));
-                let mut all = Vec::new();
-                p.brackets(
-                    -0.7,
-                    1.0,
-                    1e-9,
-                    &mut |a, b| all.push((a, b)),
-                    &mut |_, _| (),
-                );
-                let root = (1.0 - shift).acos();
-                for (lo, hi) in &all {
-                    assert!([root, -root].iter().any(|r| lo <= r && r <= hi));
-                }
-                all.len()
-            };
-            assert_eq!((count(d), count(-d)), (2, 0), "{d}");
+        for (d, factor) in [(1e-3, 1.0), (1e-6, 1.0), (1e-10, 1.0), (1e-6, 100.0)] {
+            for (lo, hi) in [(-0.7, 1.0), (-0.1, 0.22), (-0.05, 0.25)] {
+                let count = |shift: f64| {
+                    let p =
+                        TrigPolynomial::sampled(|c, _| (factor * (c - 1.0 + shift), 2.0 * factor));
+                    let mut all = Vec::new();
+                    p.brackets(lo, hi, 1e-9, &mut |a, b| all.push((a, b)), &mut |_, _| ());
+                    let root = (1.0 - shift).acos();
+                    for (lo, hi) in &all {
+                        assert!([root, -root].iter().any(|r| lo <= r && r <= hi));
+                    }
+                    all.len()
+                };
+                assert_eq!((count(d), count(-d)), (2, 0), "{d} {factor} {lo} {hi}");
+            }
         }
+    }
+
+    /// A double root is told from nothing but where its parabola is within the error.
+    #[test]
+    fn what_is_vague_about_a_double_root_is_narrow() {
+        let p = TrigPolynomial::sampled(|c, _| (c - 1.0, 2.0));
+        let mut seen = false;
+        p.brackets(
+            -0.5,
+            0.5,
+            1e-9,
+            &mut |lo, hi| assert!(hi - lo < 1e-6),
+            &mut |lo, hi| {
+                assert!(hi - lo < 1e-6);
+                seen |= lo <= 0.0 && 0.0 <= hi;
+            },
+        );
+        assert!(seen);
     }
 }

@@ -157,4 +157,26 @@ mod tests {
         assert!(roots(cosine(1e-15, 0.0, 1.0)).is_empty());
         assert!(roots(cosine(1.0, 1.1, 1.0)).is_empty());
     }
+
+    /// Interval and root may be one point: rounding is not to lose it.
+    #[test]
+    fn finds_a_root_in_an_interval_of_no_length() {
+        let t = cosine(1.0, -0.5, 1.5);
+        let at = core::f64::consts::FRAC_PI_3;
+        let mut all = Vec::new();
+        t.roots(at, at.cos(), at.sin(), 0.0, |e| all.push(e));
+        assert_eq!(all.len(), 1);
+    }
+
+    /// Coefficients that are off by their error e move a root of amplitude A by 2e/A where the value passes zero, not by much
+    /// more than is said.
+    #[test]
+    fn errors_are_what_coefficients_leave_open() {
+        for amplitude in [1.0, 1e-3] {
+            let open = 2.0 * COEFFICIENT_ERROR / amplitude;
+            for e in roots(cosine(amplitude, 0.0, 1.0)) {
+                assert!((0.99 * open..2.0 * open).contains(&e.error), "{e:?} {open}");
+            }
+        }
+    }
 }
