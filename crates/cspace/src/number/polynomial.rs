@@ -213,6 +213,23 @@ mod tests {
         assert!((p.error / f64::EPSILON - 256.0).abs() < 1e-9);
     }
 
+    /// However narrow the interval, a value that passes zero is told from nothing.
+    #[test]
+    fn a_simple_root_is_not_vague() {
+        let p = TrigPolynomial::sampled(|_, s| (s, 1.0));
+        for (lo, hi) in [(-1e-8, 1.1e-8), (-1e-8, 1e-8), (-1e-12, 2e-12)] {
+            let mut found = false;
+            p.brackets(
+                lo,
+                hi,
+                1e-9,
+                &mut |a, b| found |= a <= 0.0 && 0.0 <= b,
+                &mut |_, _| panic!("it is not zero"),
+            );
+            assert!(found);
+        }
+    }
+
     /// What is zero within its error is told as one interval, not as roots.
     #[test]
     fn nothing_is_known_of_what_vanishes() {

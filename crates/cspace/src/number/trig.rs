@@ -150,6 +150,7 @@ mod tests {
             assert!(!r.is_empty());
             assert!(r.iter().all(|e| e.theta.abs() <= e.error + 1e-300));
         }
+        assert_eq!(roots(cosine(1.0, -1.0, 1.0)).len(), 1);
     }
 
     #[test]
@@ -172,11 +173,21 @@ mod tests {
     /// more than is said.
     #[test]
     fn errors_are_what_coefficients_leave_open() {
-        for amplitude in [1.0, 1e-3] {
-            let open = 2.0 * COEFFICIENT_ERROR / amplitude;
-            for e in roots(cosine(amplitude, 0.0, 1.0)) {
+        for (amplitude, scale) in [(1.0, 1.0), (1e-3, 1.0), (1.0, 3.0)] {
+            let open = 2.0 * COEFFICIENT_ERROR * scale / amplitude;
+            let all = roots(cosine(amplitude, 0.0, scale));
+            assert_eq!(all.len(), 2);
+            for e in all {
                 assert!((0.99 * open..2.0 * open).contains(&e.error), "{e:?} {open}");
             }
         }
+    }
+
+    /// The value in the middle of the interval may be larger than the amplitude.
+    #[test]
+    fn finds_roots_far_from_the_middle() {
+        let all = roots(cosine(1.0, 0.9, 1.0));
+        assert_eq!(all.len(), 2);
+        assert!((all.iter()).all(|e| (e.theta.abs() - (-0.9_f64).acos()).abs() < 1e-14));
     }
 }
