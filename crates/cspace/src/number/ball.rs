@@ -178,7 +178,7 @@ mod tests {
     fn encloses_no_more_than_its_formulas_say() {
         let is = |ball: Ball, mid: f64, radius: f64| {
             assert!((ball.mid - mid).abs() < 1e-15, "{ball:?}");
-            assert!((ball.radius - radius).abs() < 4e-15, "{ball:?}");
+            assert!((ball.radius - radius).abs() < 1e-14, "{ball:?}");
         };
         let (cos, sin) = Ball::new(0.0, 1e-3).cos_sin();
         is(cos, 1.0, 0.5e-6);
