@@ -2,7 +2,7 @@
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::failure::Failure;
 
@@ -39,7 +39,6 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".cspace-");
     permissions(&mut builder, &path);
-    let pending = || PENDING.lock().unwrap_or_else(PoisonError::into_inner);
     let mut file = {
         // Whoever ends the process waits until it is known what is to be removed.
         let mut known = pending();
@@ -56,12 +55,19 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 /// A file that does not have its name yet.
 static PENDING: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-/// Removes what was not written to the end, before the process ends at once.
-pub(crate) fn abandon() {
-    let mut pending = PENDING.lock().unwrap_or_else(PoisonError::into_inner);
+fn pending() -> MutexGuard<'static, Option<PathBuf>> {
+    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes what was not written to the end. No file is begun as long as the result is held, which is to be until the
+/// process has ended: whoever waits to begin one would leave it behind.
+#[must_use]
+pub(crate) fn abandon() -> impl Sized {
+    let mut pending = pending();
     if let Some(path) = pending.take() {
         let _ = std::fs::remove_file(path);
     }
+    pending
 }
 
 /// That the output can be written is found out before the work is done.
@@ -85,8 +91,9 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
         .help("create the directory first, or give another path after -o"));
     }
     if is_replaceable(path) {
-        // Only trying tells whether a file may be made there.
+        // Only trying tells whether a file may be made there. Where it needs a name for that, the process does not end meanwhile.
         let target = target(path);
+        let _pending = pending();
         tempfile::tempfile_in(self::directory(&target)).map_err(|e| Failure::writing(path, &e))?;
     }
     Ok(())

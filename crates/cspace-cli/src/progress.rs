@@ -29,7 +29,7 @@ pub(crate) fn catch_interrupts() {
             if !INTERRUPTED.swap(true, Ordering::Relaxed) && WATCHED.load(Ordering::Relaxed) {
                 std::thread::sleep(GRACE);
             }
-            output::abandon();
+            let _until_the_end = output::abandon();
             let mut err = std::io::stderr();
             // The bar may stand on the line.
             let line_break = if err.is_terminal() { "\n" } else { "" };

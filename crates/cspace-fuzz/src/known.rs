@@ -3,7 +3,7 @@
 //! Each sort is described in the README under *Known limits*; `tests/regression` has an example. When one is mended, its
 //! entry here goes.
 
-use cspace::{Edge, Loop};
+use cspace::Edge;
 use cspace_load::{Fault, known};
 use cspace_oracle::{Case, Oracle};
 
@@ -14,8 +14,6 @@ pub enum Known {
     Family(&'static str),
     /// An arc with a radius of more than 10⁴ times the size.
     FlatArc,
-    /// A joint that turns by between 1e-9 and 2e-6 rad: about the limit of smooth ones.
-    JointAtTheLimit,
     /// Beside a tangency a critical orientation is known to 1e-6 rad only: an answer nearer to contact than
     /// 1e-6 times the size.
     BesideTangency,
@@ -31,10 +29,6 @@ pub enum Known {
 
 /// Radii from which on places on an arc lose the digits that decisions need, in sizes.
 const FLAT: f64 = 1e4;
-
-/// Turns of joints (radians) about the limit of smooth ones, 2⁻²⁶ ≈ 1.5e-8: their contact curves are as long as they are
-/// known.
-const SMOOTH: (f64, f64) = (1e-9, 2e-6);
 
 /// How near to contact answers may be wrong beside a tangency, as a share of the size.
 const BESIDE_TANGENCY: f64 = 1e-6;
@@ -56,25 +50,8 @@ pub(crate) fn pair(case: &Case) -> Option<Known> {
     let size = case.fixed.size().max(case.moving.size());
     let parts = [&case.fixed, &case.moving];
     let flat = |e: &Edge| !e.is_line() && e.radius() > FLAT * size;
-    if parts.iter().any(|p| p.edges().any(|e| flat(&e))) {
-        return Some(Known::FlatArc);
-    }
-    parts
-        .iter()
-        .any(|p| p.loops().iter().any(has_joint_at_the_limit))
-        .then_some(Known::JointAtTheLimit)
-}
-
-fn has_joint_at_the_limit(outline: &Loop) -> bool {
-    let edges: Vec<Edge> = outline.edges().collect();
-    edges.iter().enumerate().any(|(i, e)| {
-        let (before, after) = (
-            e.end_direction(),
-            edges[(i + 1) % edges.len()].start_direction(),
-        );
-        let turn = before.cross(after).atan2(before.dot(after)).abs();
-        (SMOOTH.0..SMOOTH.1).contains(&turn)
-    })
+    let any = parts.iter().any(|p| p.edges().any(|e| flat(&e)));
+    any.then_some(Known::FlatArc)
 }
 
 /// Why a pair of a family is not asked.

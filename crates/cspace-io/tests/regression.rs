@@ -2,9 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use core::f64::consts::TAU;
+
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
-    Relation, Rotation, Slicer, Vector,
+    Relation, Rotation, Slicer, Vector, Vertex,
 };
 use cspace_io::Model;
 use cspace_oracle::{Oracle, near_contact};
@@ -159,6 +161,85 @@ fn step_as_high_as_a_radius() {
     for name in ["step_as_high_as_a_radius", "step_as_high_as_a_half_disc"] {
         let parts = parts(&format!("tests/regression/{name}.toml"));
         assert_eq!(wrong(&parts), [], "{name}");
+    }
+}
+
+#[test]
+fn sector_in_hollow_corners() {
+    let parts = parts("tests/regression/sector_in_hollow_corners.toml");
+    assert_eq!(wrong(&parts), []);
+    assert_closed(&parts);
+}
+
+#[test]
+fn disc_in_a_hole_at_45_degrees() {
+    let parts = parts("tests/regression/disc_in_a_hole_at_45_degrees.toml");
+    let [fixed, moving] = &parts;
+    let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
+    assert_eq!(space.free_regions().len(), 2);
+    let at = |x: f64| space.classify(Configuration::new(x, 0.0, 0.3));
+    assert_eq!(at(0.0), Some(Classification::Free));
+    assert_eq!(at(0.249), Some(Classification::Free));
+    assert_eq!(at(0.251), Some(Classification::Blocked));
+    assert_closed(&parts);
+}
+
+/// However many arcs a circle is drawn in, and wherever they meet, a disc in a hole is free within their play.
+#[test]
+fn circles_of_many_arcs() {
+    let mut rng = ChaCha8Rng::seed_from_u64(45);
+    for _ in 0..150 {
+        let mut circle = |center: f64, radius: f64, decimals: Option<i32>| {
+            let n = rng.random_range(2..10);
+            let mut angles: Vec<f64> = (0..n).map(|_| rng.random_range(0.0..TAU)).collect();
+            if rng.random_bool(0.5) {
+                angles = (0..n)
+                    .map(|i| angles[0] + TAU * f64::from(i) / f64::from(n))
+                    .collect();
+            }
+            angles.sort_by(f64::total_cmp);
+            let rounded =
+                |x: f64| decimals.map_or(x, |d| (x * 10f64.powi(d)).round() / 10f64.powi(d));
+            (0..angles.len())
+                .map(|i| {
+                    let next = angles.get(i + 1).copied().unwrap_or(angles[0] + TAU);
+                    let p = Vector::from_angle(angles[i]) * radius;
+                    Vertex::new(
+                        rounded(center + p.x),
+                        rounded(center + p.y),
+                        (0.25 * (next - angles[i])).tan(),
+                    )
+                })
+                .collect::<Vec<_>>()
+        };
+        let square = [(-3.0, -3.0), (4.0, -3.0), (4.0, 4.0), (-3.0, 4.0)];
+        for decimals in [None, Some(12), Some(9)] {
+            let outline = square.map(|(x, y)| Vertex::line(x, y)).to_vec();
+            let fixed = Part::new("plate", vec![outline, circle(0.5, 1.25, decimals)]);
+            let moving = Part::new("disc", vec![circle(0.0, 1.0, decimals)]);
+            // Points nearer than one part in a thousand million of each other are none.
+            let (Ok(fixed), Ok(moving)) = (fixed, moving) else {
+                continue;
+            };
+            let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+            assert_eq!(space.free_regions().len(), 2, "{fixed:?} {moving:?}");
+            for k in 0..40 {
+                let theta = 0.157 * f64::from(k) - 3.1;
+                let way = Vector::from_angle(7.0 * theta);
+                for (play, expected) in [
+                    (0.0, Classification::Free),
+                    (0.25 - 1e-7, Classification::Free),
+                    (0.25 + 1e-7, Classification::Blocked),
+                ] {
+                    let at = Configuration::new(0.5 + play * way.x, 0.5 + play * way.y, theta);
+                    assert_eq!(
+                        space.classify(at),
+                        Some(expected),
+                        "{fixed:?} {moving:?} {at:?}"
+                    );
+                }
+            }
+        }
     }
 }
 

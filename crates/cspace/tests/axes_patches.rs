@@ -4,7 +4,7 @@
 use core::f64::consts::TAU;
 
 use cspace::axes::{AxisMotion, BranchForm, FixedAxesSpace, SavedAxesSpace};
-use cspace::{Axis, Classification, ContactSpace, Options, Point, Vector};
+use cspace::{Axis, Classification, ContactSpace, Options, Part, Point, Vector, Vertex};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
 use rand::{Rng, SeedableRng};
@@ -59,6 +59,13 @@ fn branches_have_free_space_on_their_right() {
             assert_eq!(space.classify(u, v), contact, "{}: {b:?}", m.name);
             if let Some(class) = space.classify(right.0, right.1) {
                 assert_eq!(class, Classification::Free, "{}: {b:?}", m.name);
+                let region = space.region_at(right.0, right.1);
+                assert_eq!(
+                    region,
+                    space.patches()[b.patch as usize].region,
+                    "{}",
+                    m.name
+                );
                 tried += 1;
             }
             if let Some(class) = space.classify(left.0, left.1) {
@@ -67,6 +74,58 @@ fn branches_have_free_space_on_their_right() {
         }
     }
     assert!(tried > 1000, "{tried}");
+}
+
+/// A disc with a bore that turns on its own pivot, and a roller in line with it: every contact is at a joint of two arcs,
+/// so that each curve is there twice. It is told of which region, in the bore, left or right, all of them are.
+#[test]
+fn curves_that_coincide_bound_the_region_on_their_free_side() {
+    let circle = |x: f64, r: f64| vec![Vertex::new(x + r, 0.0, 1.0), Vertex::new(x - r, 0.0, 1.0)];
+    let wheel = Part::new("wheel", vec![circle(0.0, 2.0), circle(0.0, 1.0)]).unwrap();
+    let turn = Axis::revolute(Point::ORIGIN);
+    for (x, radius, angles) in [
+        (0.1, 0.5, [0.0, 0.3, 2.0]),
+        (0.0, 0.3, [0.0, 0.3, 2.0]),
+        (-7.0, 0.25, [0.0, 0.1, -0.2]),
+    ] {
+        let roller = Part::new("roller", vec![circle(x, radius)]).unwrap();
+        for angle in angles {
+            let slide = Axis::prismatic(Vector::from_angle(angle));
+            // Along a line through the pivot and beside it: v = 0 is not always in line.
+            let (a, b) = (
+                FixedAxesSpace::compute(&wheel, turn, &roller, slide).unwrap(),
+                FixedAxesSpace::compute(&roller, slide, &wheel, turn).unwrap(),
+            );
+            for (space, sliding_first) in [(&a, false), (&b, true)] {
+                assert!(space.regions().len() > 1, "{x} {radius} {angle}");
+                for (i, p) in space.patches().iter().enumerate() {
+                    let b = p.branches.start as usize;
+                    let branch = space.branches()[b];
+                    let ends = match branch.form {
+                        BranchForm::VOfU => (branch.start.0, branch.end.0),
+                        BranchForm::UOfV => (branch.start.1, branch.end.1),
+                    };
+                    let ((u, v), _) = space.branch_at(b, 0.5 * (ends.0 + ends.1)).unwrap();
+                    let (by_u, by_v) = space.contact_gradient(i, u, v).unwrap();
+                    let (by_slide, by_turn) = if sliding_first {
+                        (by_u, by_v)
+                    } else {
+                        (by_v, by_u)
+                    };
+                    assert!(by_turn.abs() < 1e-9 && by_slide.abs() > 0.1);
+                    let step = 1e-6 * by_slide.signum();
+                    let aside = if sliding_first {
+                        (u + step, v)
+                    } else {
+                        (u, v + step)
+                    };
+                    let region = space.region_at(aside.0, aside.1);
+                    assert!(region.is_some());
+                    assert_eq!(p.region, region, "{x} {radius} {angle}: {p:?}");
+                }
+            }
+        }
+    }
 }
 
 /// Gradients of contact functions are the differences of their values.

@@ -37,11 +37,8 @@ pub(crate) struct Chosen<'a> {
     general: bool,
 }
 
-/// Sets the number of threads of all computations; 0 or none for one per processor.
-pub(crate) fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
-    let Some(threads) = threads else {
-        return Ok(());
-    };
+/// Sets the number of threads of all computations; 0 for one per processor.
+pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(threads))
         .build_global()
@@ -71,7 +68,7 @@ impl Subject {
     pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
         output::check(common.result.output.as_deref())?;
         catch_interrupts();
-        set_threads(common.result.threads)?;
+        set_threads(common.threads)?;
         let path = common.file.clone();
         Ok(match cspace_io::read(&path)? {
             Document::Model(model) => Self::Model { path, model },

@@ -245,3 +245,40 @@ fn no_output_has_a_mark_for_none() {
         }
     }
 }
+
+/// The class is told by the parts: `info` and `compute` say the same, also where symmetry saves no work.
+#[test]
+fn a_symmetric_pair_is_one_also_where_nothing_is_copied() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("pins.toml");
+    // Three pins as circles are drawn: their halves meet on the right and on the left of each.
+    let pins = (0..3)
+        .map(|i| {
+            let (y, x) = (f64::from(i) * std::f64::consts::TAU / 3.0).sin_cos();
+            format!("[[{}, {y}, 1], [{}, {y}, 1]]", x + 0.2, x - 0.2)
+        })
+        .collect::<Vec<_>>()
+        .join(", ");
+    let text = format!(
+        "[[part]]\nname = 'pins'\nloops = [{pins}]\n\
+         [[part]]\nname = 'tooth'\nloops = [[[0, 0], [0.3, 0], [0, 0.2]]]\n"
+    );
+    std::fs::write(&file, text).unwrap();
+    let pins = file.to_str().unwrap();
+    for (args, why) in [
+        (vec![pins], "are drawn in halves"),
+        (
+            vec![&*model("ratchet_pawl"), "--theta", "0,0.1"],
+            "the window is within one",
+        ),
+    ] {
+        let info = json(&[&["info"], &args[..]].concat());
+        assert_eq!(info["pairs"][0]["class"], "symmetric", "{args:?}");
+        let all = json(&[&["compute"], &args[..]].concat());
+        assert_eq!(all[0]["class"], "symmetric", "{args:?}");
+        assert_eq!(all[0]["slices"], all[0]["bands"], "{args:?}");
+        let text = printed(&[&["compute"], &args[..]].concat());
+        assert!(text.contains("symmetric, but nothing is a copy"), "{text}");
+        assert!(text.contains(why), "{text}");
+    }
+}

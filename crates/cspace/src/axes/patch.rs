@@ -220,6 +220,15 @@ impl FixedAxesSpace {
                 *region = chain.cells.iter().find_map(|&i| self.beside_graph(i));
             }
         }
+        // Beside one that is too short or too steep there is nothing to be seen: what it follows bounds the same region.
+        for i in 0..chains.len() {
+            let towards = |step: fn(&Chain) -> Option<u32>| {
+                core::iter::successors(Some(i), |&j| step(&chains[j]).map(|k| k as usize))
+                    .take(chains.len())
+                    .find_map(|j| regions[j])
+            };
+            regions[i] = towards(|c| c.previous).or_else(|| towards(|c| c.next));
+        }
         regions
     }
 
@@ -235,8 +244,12 @@ impl FixedAxesSpace {
         Some(self.bands.gaps.get(gap as usize)?.region)
     }
 
+    /// The region just beside a vertical one on its free side.
     fn beside_vertical(&self, cell: u32) -> Option<u32> {
         let (c, p) = self.cell_and_piece(cell);
+        if !p.vertical {
+            return None;
+        }
         let y = 0.5 * (c.from + c.to);
         let bands = &self.bands.bands;
         let n = bands.len();

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use super::inscribed::inscribed_disc;
 use super::outline::{Feature, FeatureKind, FeatureName, Joint, Outline, Shape};
 use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SAME_CARRIER, SMOOTH};
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Edge, Part};
 
 /// An edge in the pair's frame, on its way to becoming a feature.
@@ -204,7 +204,7 @@ impl Outline {
                 // Travel turns the normal by length / signed radius; never by more than what closes the circle.
                 let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
                 let by = (further / radius).clamp(-room, room);
-                let normal = crate::geometry::Rotation::by(by) * normal;
+                let normal = Rotation::by(by) * normal;
                 End {
                     joint: self.add_joint(center + normal * radius, normal),
                     extra_sweep: by.abs(),
@@ -305,8 +305,7 @@ fn run_alike(before: &Piece, after: &Piece, turn: f64) -> bool {
     0.5 * turn.abs() * along <= SAME_CARRIER && along <= LARGEST_PART * shortest
 }
 
-/// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of the line
-/// of centres.
+/// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.
 ///
 /// Where a drawing was rounded that is `beside` the vertex, and it is the place at which contact curves of both edges end.
 fn tangency(before: &Piece, after: &Piece, beside: bool) -> (Point, Vector) {
@@ -324,13 +323,16 @@ fn tangency(before: &Piece, after: &Piece, beside: bool) -> (Point, Vector) {
         (None, None) => (vertex, d1.right()),
         (None, Some(arc)) => on_line(arc, d1),
         (Some(arc), None) => on_line(arc, d2),
-        (Some((c, r)), Some((d, s))) => {
+        (Some((center, radius)), Some(_)) => {
             if !beside {
                 return (vertex, d2.right());
             }
-            // c + r n = d + s n, but for what they are off each other.
-            let normal = ((c - d) * (1.0 / (s - r))).unit();
-            (c + normal * r, normal)
+            // Normals that differ by a turn δ at the vertex agree δ / (κ₁ − κ₂) further on. The line of centres tells the same,
+            // but nothing where both arcs are of one circle.
+            let turn = d1.cross(d2).atan2(d1.dot(d2));
+            let further = turn / (before.curvature() - after.curvature());
+            let normal = Rotation::by(before.curvature() * further) * d1.right();
+            (center + normal * radius, normal)
         }
     }
 }

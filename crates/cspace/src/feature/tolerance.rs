@@ -50,6 +50,12 @@ pub(crate) const NARROWEST_BAND: f64 = 1.0 / (1u64 << 36) as f64;
 /// Vertical neighbours must share at least this length of a patch to be linked (length).
 pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;
 
+/// Ends of a slice's curves that nothing else joins are one place within this (length).
+///
+/// Curves that touch cross at a place known to the square root of the rounding, and beside a tangency a critical orientation
+/// is known to 1e-6 rad: curves of the band before may be seen in the band after.
+pub(crate) const TORN: f64 = 1e-6;
+
 /// Carriers nearer to each other than this at every orientation are one (length and sine of an angle, 1.1e-13).
 ///
 /// Tips of a gear computed with sines and cosines differ in the last digits; a tenth of [`GROWTH`] tells them from

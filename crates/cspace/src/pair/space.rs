@@ -113,12 +113,13 @@ impl PairSpace {
         })
     }
 
-    /// The class, by the method that was used.
+    /// The class. A pair is symmetric if symmetry was looked for and found, also where it saved nothing: see
+    /// [`PairSymmetry::slabs`](crate::PairSymmetry::slabs).
     pub fn class(&self) -> PairClass {
         match self {
             Self::Lower(_) => PairClass::Lower,
             Self::FixedAxes(_) => PairClass::FixedAxes,
-            Self::Planar(space) if space.symmetry().slabs > 1 => PairClass::Symmetric,
+            Self::Planar(space) if space.symmetry().is_any() => PairClass::Symmetric,
             Self::Planar(_) => PairClass::General,
         }
     }

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use crate::contact::{Curve, CurveShape, Geometry};
+use crate::feature::tolerance::TORN;
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Point, Vector};
 use crate::part::Part;
@@ -202,6 +203,39 @@ impl CurveGeometry {
     }
 }
 
+/// Lets every curve without a successor be followed by the nearest that begins within a distance and follows none.
+///
+/// Where more than two curves meet in a point but for rounding, or two contacts are one curve, the order in which they are
+/// met there may leave an end open. Which curves there are does not change.
+fn close(curves: &mut [SliceCurve], within: f64) {
+    let n = curves.len();
+    let is_open = |c: &SliceCurve| c.next as usize >= n;
+    if !curves.iter().any(is_open) {
+        return;
+    }
+    let mut follows = vec![false; n];
+    for c in curves.iter().filter(|c| !is_open(c)) {
+        follows[c.next as usize] = true;
+    }
+    let mut near: Vec<(f64, usize, usize)> = Vec::new();
+    for (i, c) in curves.iter().enumerate().filter(|(_, c)| is_open(c)) {
+        let end = c.geometry.point(1.0);
+        for (j, d) in curves.iter().enumerate().filter(|&(j, _)| !follows[j]) {
+            let distance = end.distance(d.geometry.point(0.0));
+            if distance <= within {
+                near.push((distance, i, j));
+            }
+        }
+    }
+    near.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    for (_, i, j) in near {
+        if is_open(&curves[i]) && !follows[j] {
+            curves[i].next = j as u32;
+            follows[j] = true;
+        }
+    }
+}
+
 impl Slice {
     /// Computes the slice of a pair at one orientation from scratch.
     ///
@@ -254,11 +288,12 @@ impl Slice {
                 }
             })
             .collect();
-        Self::from_curves(theta, curves)
+        Self::from_curves(theta, curves, &geometry.frame)
     }
 
-    /// Finds the loops of curves that know their successors.
-    pub(crate) fn from_curves(theta: f64, curves: Vec<SliceCurve>) -> Self {
+    /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
+    pub(crate) fn from_curves(theta: f64, mut curves: Vec<SliceCurve>, frame: &PairFrame) -> Self {
+        close(&mut curves, frame.outer_length(TORN));
         let mut seen = vec![false; curves.len()];
         let mut loops = Vec::new();
         for first in 0..curves.len() {

@@ -41,7 +41,7 @@ impl ContactSpace {
                 curve.next = number[link.after as usize];
             }
         }
-        Slice::from_curves(theta, curves)
+        Slice::from_curves(theta, curves, &self.frame)
     }
 
     /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.

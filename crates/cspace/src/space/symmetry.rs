@@ -30,11 +30,19 @@ pub struct PairSymmetry {
     pub fixed: u32,
     /// Fold of the moving part.
     pub moving: u32,
-    /// Slabs that make a turn; 1 where the general method was used.
+    /// Slabs that make a turn; 1 where all was computed: without symmetry, for a window within one slab, and where
+    /// contacts are on circles whose halves, as drawn, meet in places that the symmetry does not map to each other.
     pub slabs: u32,
     /// How far the outlines computed are from the parts as drawn, in the model's unit of length: 0 for the general
     /// method, within rounding for parts drawn well.
     pub deviation: f64,
+}
+
+impl PairSymmetry {
+    /// Whether symmetry was found of either part.
+    pub const fn is_any(&self) -> bool {
+        self.fixed > 1 || self.moving > 1
+    }
 }
 
 impl Default for PairSymmetry {

@@ -26,6 +26,9 @@ struct Summary<'a> {
     class: &'static str,
     features: Features,
     symmetry: PerPart,
+    /// Slabs of orientations of which one was computed.
+    #[serde(skip)]
+    slabs: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
     window: Option<Window>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -188,6 +191,7 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
             fixed: pair.fixed().symmetry().fold(),
             moving: pair.moving().symmetry().fold(),
         },
+        slabs: 1,
         window: None,
         motion: None,
         critical_orientations: &[],
@@ -226,6 +230,7 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
                 fixed: symmetry.fixed,
                 moving: symmetry.moving,
             };
+            summary.slabs = space.symmetry().slabs;
             summary.window = Some(space.window());
             summary.critical_orientations = space.critical_orientations();
             summary.slices = space.computed_bands();

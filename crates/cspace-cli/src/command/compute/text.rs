@@ -24,6 +24,17 @@ pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) ->
             "  method         {}: all of (x, y, theta), though the pair's class is {class}",
             s.class
         )?;
+    } else if s.class == PairClass::Symmetric.name() && s.slabs == 1 {
+        writeln!(
+            text,
+            "  method         {}, but nothing is a copy: {}",
+            s.class,
+            if s.window.is_some_and(|w| !w.full_turn) {
+                "the window is within one of the slabs that symmetry makes"
+            } else {
+                "circles that are touched are drawn in halves that symmetry does not map to each other"
+            }
+        )?;
     } else {
         writeln!(text, "  method         {}", s.class)?;
     }

@@ -43,7 +43,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
         Failure::input(format_args!("--separation: {e}")).help("give an angle such as 0.005")
     })?;
     catch_interrupts();
-    set_threads(args.result.threads)?;
+    set_threads(args.threads)?;
     let steps = Steps::new(chosen.len() + 1);
     let pairs = (chosen.iter())
         .map(|pair| steps.step(pair.name, || measure(pair, args)))

@@ -2,6 +2,8 @@
 
 use std::fmt::{self, Write};
 
+use crate::wording::count;
+
 use super::Evaluation;
 use super::averages::Average;
 use super::measure::Measured;
@@ -61,8 +63,9 @@ fn slices(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
 fn times(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
     writeln!(
         text,
-        "\nMilliseconds, median of {}, {} threads (in parentheses without symmetry)\n",
-        evaluation.repeat, evaluation.threads
+        "\nMilliseconds, median of {}, {} (in parentheses without symmetry)\n",
+        evaluation.repeat,
+        count(evaluation.threads, "thread", "threads")
     )?;
     writeln!(
         text,

@@ -2,7 +2,7 @@
 
 mod text;
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::PI;
 
 use cspace::{AxisMotion, Edge, PairSpace, Part};
 use cspace_io::{JointKind, Motion, PairClass};
@@ -183,27 +183,20 @@ fn pair_info(pair: &Chosen<'_>) -> PairInfo {
 }
 
 /// The class by motions and joints, or of the saved space; a general pair with a symmetric part is symmetric, unless the
-/// window is too narrow to gain anything or the general method is asked for.
+/// general method is asked for.
 fn class(pair: &Chosen<'_>) -> &'static str {
     let class = pair.class();
     if pair.is_general() {
         return PairClass::General.name();
     }
-    if class != PairClass::General || pair.is_saved() {
-        return class.name();
+    let symmetric = |part: &Part| part.symmetry().fold() > 1;
+    if class == PairClass::General
+        && !pair.is_saved()
+        && (symmetric(pair.fixed()) || symmetric(pair.moving()))
+    {
+        return PairClass::Symmetric.name();
     }
-    let fold = |part: &Part| u64::from(part.symmetry().fold());
-    let (a, b) = (fold(pair.fixed()), fold(pair.moving()));
-    let slabs = (1..=b)
-        .map(|i| i * a)
-        .find(|l| l.is_multiple_of(b))
-        .unwrap_or(1);
-    let narrow = (pair.window()).is_some_and(|(lo, hi)| hi - lo <= TAU / slabs as f64);
-    if slabs > 1 && !narrow {
-        "symmetric"
-    } else {
-        class.name()
-    }
+    class.name()
 }
 
 fn part_info(part: &Part, motion: Motion) -> PartInfo {
