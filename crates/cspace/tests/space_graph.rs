@@ -192,6 +192,52 @@ fn slices_beside_critical_orientations_equal_slices_from_scratch() {
     });
 }
 
+/// Also where the orientation is given some turns further.
+#[test]
+fn slices_at_critical_orientations_are_those_just_above() {
+    /// Within this of another, a critical orientation is not tried: the slice just above it may be another one.
+    const ALONE: f64 = 1e-8;
+    on_all_pairs(|trial| {
+        let all = trial.space.critical_orientations().to_vec();
+        let step = all.len().div_ceil(40).max(1);
+        for i in (0..all.len()).step_by(step) {
+            let gap = (all[(i + 1) % all.len()] - all[i]).rem_euclid(TAU);
+            if all.len() > 1 && gap < ALONE {
+                continue;
+            }
+            let patches = |theta: f64| -> Vec<Option<u32>> {
+                let slice = trial.space.slice(theta);
+                slice.curves.iter().map(|c| c.patch).collect()
+            };
+            let above = patches(all[i] + 0.1 * ALONE);
+            for turns in [0.0, 1.0, -2.0] {
+                trial.check(patches(all[i] + turns * TAU) == above, || {
+                    format!(
+                        "the slice at {:.17} and {turns} turns is not that above",
+                        all[i]
+                    )
+                });
+            }
+        }
+    });
+}
+
+/// Side links by the patch before, then by orientation; vertical links by orientation.
+#[test]
+fn links_are_in_order() {
+    on_all_pairs(|trial| {
+        let side = (trial.space.side_links().windows(2)).all(|l| {
+            let key = |l: &cspace::SideLink| (l.before, l.lo, l.after);
+            key(&l[0]) < key(&l[1])
+        });
+        let vertical = (trial.space.vertical_links().windows(2)).all(|l| {
+            let key = |l: &cspace::VerticalLink| (l.theta, l.lower, l.upper);
+            key(&l[0]) <= key(&l[1])
+        });
+        trial.check(side && vertical, || "links are not in order".to_string());
+    });
+}
+
 #[test]
 fn walks_along_side_links_close() {
     on_all_pairs(|trial| {

@@ -168,3 +168,6 @@ pub(crate) fn place_error(f: &Carrier<f64>, g: &Carrier<f64>, place: (f64, f64))
                 .max((0.5 * PLACE_ERROR * bend).sqrt());
     if error.is_nan() { f64::INFINITY } else { error }
 }
+
+#[cfg(test)]
+mod tests;

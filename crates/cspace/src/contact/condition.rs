@@ -111,3 +111,6 @@ fn centers_apart(f: &Sheet, g: &Sheet, distance: f64) -> Trig {
 fn size(spiral: &Spiral) -> f64 {
     (spiral.u - Point::ORIGIN).length() + spiral.w.length()
 }
+
+#[cfg(test)]
+mod tests;

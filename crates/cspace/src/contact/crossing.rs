@@ -137,3 +137,6 @@ fn circle_circle(c1: Point, r1: f64, c2: Point, r2: f64, root: u8) -> Option<Cro
         enters: into_disc == (r2 > 0.0),
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -189,3 +189,6 @@ impl Curve {
         (lo, hi)
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -196,4 +196,48 @@ mod tests {
             assert!((dt - by_theta).abs() < 1e-8, "{f:?}: {dt} {by_theta}");
         }
     }
+
+    /// On the carrier the function vanishes, and beside it, along the normal, it is the distance.
+    #[test]
+    fn carriers_are_where_functions_vanish() {
+        let s = Spiral {
+            u: Point::new(0.3, -0.2),
+            w: Vector::new(0.5, 0.1),
+        };
+        let normal = Vector::from_angle(0.7);
+        let theta = 0.3_f64;
+        // Turned as complex numbers are multiplied.
+        let turned = Point::new(
+            0.3 + theta.cos() * 0.5 - theta.sin() * 0.1,
+            -0.2 + theta.sin() * 0.5 + theta.cos() * 0.1,
+        );
+        for (f, angle) in [
+            (ContactFunction::FixedLine { normal, through: s }, 0.7),
+            (ContactFunction::MovingLine { normal, through: s }, 1.0),
+        ] {
+            let Carrier::Line { normal, through } = f.carrier(theta.cos(), theta.sin()) else {
+                panic!("a line's carrier is one")
+            };
+            let (n, o) = (
+                Vector::new(normal.0, normal.1),
+                Point::new(through.0, through.1),
+            );
+            assert!((n - Vector::from_angle(angle)).length() < 1e-15);
+            assert!(o.distance(turned) < 1e-15);
+            assert!((f.value(o + n.left() * 0.8 + n * 0.2, theta) - 0.2).abs() < 1e-15);
+        }
+        for radius in [0.4, -0.4] {
+            let f = ContactFunction::Circle { center: s, radius };
+            let Carrier::Circle { center, radius: r } = f.carrier(theta.cos(), theta.sin()) else {
+                panic!("a circle's carrier is one")
+            };
+            let c = Point::new(center.0, center.1);
+            assert!(f.is_circular());
+            assert!(r == radius && c.distance(turned) < 1e-15);
+            for k in 0..6 {
+                let n = Vector::from_angle(f64::from(k));
+                assert!((f.value(c + n * 0.5, theta) - 0.1 * radius.signum()).abs() < 1e-15);
+            }
+        }
+    }
 }

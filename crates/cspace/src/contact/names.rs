@@ -88,3 +88,6 @@ impl Points {
         self.names.get(&end).copied().unwrap_or(end)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -366,3 +366,6 @@ impl Sheet {
         }
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;

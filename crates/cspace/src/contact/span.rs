@@ -35,3 +35,6 @@ impl Span {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

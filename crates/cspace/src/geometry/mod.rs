@@ -7,3 +7,6 @@ mod rotation;
 pub use configuration::Configuration;
 pub use point::{Point, Vector};
 pub use rotation::Rotation;
+
+#[cfg(test)]
+mod tests;

@@ -179,6 +179,34 @@ mod tests {
         assert!(!(unknown.mid.abs() > unknown.radius || unknown.radius < 1e300));
     }
 
+    #[test]
+    fn encloses_no_more_than_its_formulas_say() {
+        let is = |ball: Ball, mid: f64, radius: f64| {
+            assert!((ball.mid - mid).abs() < 1e-15, "{ball:?}");
+            assert!((ball.radius - radius).abs() < 1e-14, "{ball:?}");
+        };
+        let (cos, sin) = Ball::new(0.0, 1e-3).cos_sin();
+        is(cos, 1.0, 0.5e-6);
+        is(sin, 0.0, 1e-3 + 0.5e-6);
+        is(Ball::new(1.5, 2.5).root(), 1.0, 1.0);
+        is(Ball::new(2.0, 2.0).root(), 1.0, 1.0);
+        is(
+            Ball::new(5.0, 4.0).root(),
+            5.0_f64.sqrt(),
+            4.0 / (5.0_f64.sqrt() + 1.0),
+        );
+        is(
+            Ball::new(3.0, 0.5) * Ball::new(-2.0, 0.25),
+            -6.0,
+            0.75 + 0.5 * 2.25,
+        );
+        is(
+            Ball::new(3.0, 0.5).over(Ball::new(-2.0, 0.25)),
+            -1.5,
+            (0.5 + 1.5 * 0.25) / 1.75,
+        );
+    }
+
     fn a_quotient_by_zero() -> Ball {
         Ball::constant(1.0).over(Ball::between(-1.0, 1.0))
     }

@@ -170,4 +170,119 @@ mod tests {
             assert!(lo <= x && x <= hi);
         }
     }
+
+    /// Its root at 0 is known to 64 roundings: where it lies a little outside, by these, it may as well lie inside.
+    #[test]
+    fn a_root_at_an_end_is_in_both_intervals() {
+        let p = TrigPolynomial::sampled(|_, s| (s, 1.0));
+        let brackets = |lo, hi| {
+            let mut all = Vec::new();
+            p.brackets(lo, hi, 1e-9, &mut |a, b| all.push((a, b)), &mut |_, _| {
+                panic!("it is not zero")
+            });
+            all
+        };
+        for off in [0.0, 1e-15, 1e-14] {
+            assert_eq!(brackets(off, 0.5), [(off, 0.5)]);
+            assert_eq!(brackets(-0.5, -off), [(-0.5, -off)]);
+        }
+        assert!(brackets(1e-13, 0.5).is_empty() && brackets(-0.5, -1e-13).is_empty());
+    }
+
+    /// 1.5 + cos θ − 2 sin 3θ + sin 4θ, of all frequencies but 2, against its derivatives as they are known.
+    #[test]
+    fn values_and_slopes_are_those_of_the_function() {
+        let p = TrigPolynomial::sampled(|c, s| {
+            let theta = s.atan2(c);
+            let value = 1.5 + theta.cos() - 2.0 * (3.0 * theta).sin() + (4.0 * theta).sin();
+            (value, 4.0)
+        });
+        for k in 0..20 {
+            let t = 0.3 * f64::from(k);
+            let (value, slope) = p.at(t);
+            let expected = 1.5 + t.cos() - 2.0 * (3.0 * t).sin() + (4.0 * t).sin();
+            assert!((value - expected).abs() < 1e-13);
+            let expected = -t.sin() - 6.0 * (3.0 * t).cos() + 4.0 * (4.0 * t).cos();
+            assert!((slope - expected).abs() < 1e-13);
+            let bend = p.jet(t.cos(), t.sin())[2];
+            let expected = -t.cos() + 18.0 * (3.0 * t).sin() - 16.0 * (4.0 * t).sin();
+            assert!((bend - expected).abs() < 1e-12);
+        }
+        // 1³ + 2 · 3³ + 4³
+        assert!((p.twist - 119.0).abs() < 1e-9 && p.twist >= 119.0);
+        assert!((p.error / f64::EPSILON - 256.0).abs() < 1e-9);
+    }
+
+    /// However narrow the interval, a value that passes zero is told from nothing.
+    #[test]
+    fn a_simple_root_is_not_vague() {
+        let p = TrigPolynomial::sampled(|_, s| (s, 1.0));
+        for (lo, hi) in [(-1e-8, 1.1e-8), (-1e-8, 1e-8), (-1e-12, 2e-12)] {
+            let mut found = false;
+            p.brackets(
+                lo,
+                hi,
+                1e-9,
+                &mut |a, b| found |= a <= 0.0 && 0.0 <= b,
+                &mut |_, _| panic!("it is not zero"),
+            );
+            assert!(found);
+        }
+    }
+
+    /// What is zero within its error is told as one interval, not as roots.
+    #[test]
+    fn nothing_is_known_of_what_vanishes() {
+        let p = TrigPolynomial::sampled(|_, _| (1e-16, 1.0));
+        let mut all = Vec::new();
+        p.brackets(
+            0.0,
+            1.0,
+            1e-9,
+            &mut |_, _| panic!("no root"),
+            &mut |a, b| {
+                all.push((a, b));
+            },
+        );
+        assert_eq!(all, [(0.0, 1.0)]);
+    }
+
+    /// cos θ − 1 ± d has two roots or none, however near to each other, however large its factor, wherever is looked.
+    #[test]
+    fn roots_that_are_nearly_one_are_told_apart() {
+        for (d, factor) in [(1e-3, 1.0), (1e-6, 1.0), (1e-10, 1.0), (1e-6, 100.0)] {
+            for (lo, hi) in [(-0.7, 1.0), (-0.1, 0.22), (-0.05, 0.25)] {
+                let count = |shift: f64| {
+                    let p =
+                        TrigPolynomial::sampled(|c, _| (factor * (c - 1.0 + shift), 2.0 * factor));
+                    let mut all = Vec::new();
+                    p.brackets(lo, hi, 1e-9, &mut |a, b| all.push((a, b)), &mut |_, _| ());
+                    let root = (1.0 - shift).acos();
+                    for (lo, hi) in &all {
+                        assert!([root, -root].iter().any(|r| lo <= r && r <= hi));
+                    }
+                    all.len()
+                };
+                assert_eq!((count(d), count(-d)), (2, 0), "{d} {factor} {lo} {hi}");
+            }
+        }
+    }
+
+    /// A double root is told from nothing but where its parabola is within the error.
+    #[test]
+    fn what_is_vague_about_a_double_root_is_narrow() {
+        let p = TrigPolynomial::sampled(|c, _| (c - 1.0, 2.0));
+        let mut seen = false;
+        p.brackets(
+            -0.5,
+            0.5,
+            1e-9,
+            &mut |lo, hi| assert!(hi - lo < 1e-6),
+            &mut |lo, hi| {
+                assert!(hi - lo < 1e-6);
+                seen |= lo <= 0.0 && 0.0 <= hi;
+            },
+        );
+        assert!(seen);
+    }
 }

@@ -150,11 +150,44 @@ mod tests {
             assert!(!r.is_empty());
             assert!(r.iter().all(|e| e.theta.abs() <= e.error + 1e-300));
         }
+        assert_eq!(roots(cosine(1.0, -1.0, 1.0)).len(), 1);
     }
 
     #[test]
     fn has_none_when_constant_or_out_of_reach() {
         assert!(roots(cosine(1e-15, 0.0, 1.0)).is_empty());
         assert!(roots(cosine(1.0, 1.1, 1.0)).is_empty());
+    }
+
+    /// Interval and root may be one point: rounding is not to lose it.
+    #[test]
+    fn finds_a_root_in_an_interval_of_no_length() {
+        let t = cosine(1.0, -0.5, 1.5);
+        let at = core::f64::consts::FRAC_PI_3;
+        let mut all = Vec::new();
+        t.roots(at, at.cos(), at.sin(), 0.0, |e| all.push(e));
+        assert_eq!(all.len(), 1);
+    }
+
+    /// Coefficients that are off by their error e move a root of amplitude A by 2e/A where the value passes zero, not by much
+    /// more than is said.
+    #[test]
+    fn errors_are_what_coefficients_leave_open() {
+        for (amplitude, scale) in [(1.0, 1.0), (1e-3, 1.0), (1.0, 3.0)] {
+            let open = 2.0 * COEFFICIENT_ERROR * scale / amplitude;
+            let all = roots(cosine(amplitude, 0.0, scale));
+            assert_eq!(all.len(), 2);
+            for e in all {
+                assert!((0.99 * open..2.0 * open).contains(&e.error), "{e:?} {open}");
+            }
+        }
+    }
+
+    /// The value in the middle of the interval may be larger than the amplitude.
+    #[test]
+    fn finds_roots_far_from_the_middle() {
+        let all = roots(cosine(1.0, 0.9, 1.0));
+        assert_eq!(all.len(), 2);
+        assert!((all.iter()).all(|e| (e.theta.abs() - (-0.9_f64).acos()).abs() < 1e-14));
     }
 }

@@ -425,3 +425,6 @@ impl Slice {
         widest.1
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -257,3 +257,6 @@ pub(super) fn normalized(theta: f64) -> f64 {
 fn turned_near(theta: f64, near: f64) -> f64 {
     theta + TAU * ((near - theta) / TAU).round()
 }
+
+#[cfg(test)]
+mod tests;

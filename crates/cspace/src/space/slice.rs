@@ -1,6 +1,6 @@
 //! Slices read off the contact space.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use crate::contact::ContactFunction;
 use crate::geometry::{Point, Rotation};
@@ -54,8 +54,9 @@ impl ContactSpace {
         const ASIDE: f64 = 8e-15;
         let (window, critical) = (&self.window, &self.critical_orientations);
         let scale = theta.abs().max(1.0);
+        // Where critical orientations are: in [−π, π), wherever the turn was cut.
         let turns = if window.full_turn {
-            TAU * ((theta - window.lo) / TAU).floor()
+            TAU * ((theta + PI) / TAU).floor()
         } else {
             0.0
         };

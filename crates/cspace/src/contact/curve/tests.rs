@@ -1,0 +1,168 @@
+//! Places, normals, boxes and rays, against points computed from angles.
+
+use super::*;
+
+/// A line through a point that travels in the direction of `angle`, from 2 before to 3 after the point.
+pub(in crate::contact) fn line(through: Point, angle: f64) -> Curve {
+    let travel = Vector::from_angle(angle);
+    Curve {
+        start: through - travel * 2.0,
+        end: through + travel * 3.0,
+        shape: CurveShape::Line {
+            normal: travel.right(),
+        },
+    }
+}
+
+/// An arc by its normals; one of negative radius is travelled clockwise.
+pub(in crate::contact) fn circle(center: Point, radius: f64, mid_angle: f64, half: f64) -> Curve {
+    let end = |turn: f64| center + Vector::from_angle(mid_angle + turn * radius.signum()) * radius;
+    Curve {
+        start: end(-half),
+        end: end(half),
+        shape: CurveShape::Circle {
+            center,
+            radius,
+            mid_angle,
+            half,
+        },
+    }
+}
+
+/// How far a point is on the free side of a curve's carrier.
+pub(in crate::contact) fn height(curve: &Curve, p: Point) -> f64 {
+    match curve.shape {
+        CurveShape::Line { normal } => normal.dot(p - curve.start),
+        CurveShape::Circle { center, radius, .. } => {
+            (p.distance(center) - radius.abs()) * radius.signum()
+        }
+    }
+}
+
+fn curves() -> Vec<Curve> {
+    let p = Point::new;
+    let mut all = vec![
+        line(p(0.1, 0.2), 0.3),
+        line(p(-0.3, 0.1), 2.5),
+        line(p(0.0, 0.0), -2.0),
+    ];
+    // Arcs about every direction, short ones and such as pass several of the axes, of both signs.
+    for k in 0..12 {
+        let mid = -3.0 + 0.53 * f64::from(k);
+        for half in [0.2, 0.8, 1.7, 2.9] {
+            all.push(circle(p(0.3, -0.2), 0.7, mid, half));
+            all.push(circle(p(0.3, -0.2), -0.7, mid, half));
+        }
+    }
+    all
+}
+
+#[test]
+fn angles_are_brought_home() {
+    for (angle, home) in [
+        (0.5, 0.5),
+        (0.5 + TAU, 0.5),
+        (-0.5 - 2.0 * TAU, -0.5),
+        (4.0, 4.0 - TAU),
+    ] {
+        assert!((wrap(angle) - home).abs() < 1e-14, "{angle}");
+    }
+    assert_eq!((wrap(PI), wrap(-PI), wrap(3.0 * PI)), (PI, PI, PI));
+}
+
+#[test]
+fn places_are_lengths_of_travel_from_the_middle() {
+    for c in curves() {
+        let half = c.half_length();
+        assert!(c.point(-half).distance(c.start) < 1e-14);
+        assert!(c.point(half).distance(c.end) < 1e-14);
+        let step = 1e-6;
+        for k in -9..=9 {
+            let s = half * f64::from(k) / 9.0;
+            let p = c.point(s);
+            assert!(height(&c, p).abs() < 1e-14);
+            assert!((c.position(p) - s).abs() < 1e-13);
+            let travel = c.point(s + step) - c.point(s - step);
+            assert!((travel.length() - 2.0 * step).abs() < 1e-12);
+            // Free space is on the right of travel.
+            assert!((c.normal(p) - travel.unit().right()).length() < 1e-9);
+            assert!((height(&c, p + c.normal(p) * 1e-3) - 1e-3).abs() < 1e-14);
+        }
+    }
+}
+
+/// The box holds a curve's points, and is no larger than theirs but for what lies between two of them.
+#[test]
+fn boxes_are_tight() {
+    const STEPS: i32 = 2000;
+    for c in curves() {
+        let (lo, hi) = c.bounds();
+        let points: Vec<Point> = (-STEPS..=STEPS)
+            .map(|k| c.point(c.half_length() * f64::from(k) / f64::from(STEPS)))
+            .collect();
+        let least = |by: fn(&Point) -> f64| points.iter().map(by).fold(f64::INFINITY, f64::min);
+        let off = [
+            least(|p| p.x) - lo.x,
+            least(|p| p.y) - lo.y,
+            hi.x + least(|p| -p.x),
+            hi.y + least(|p| -p.y),
+        ];
+        assert!(
+            off.iter().all(|o| (-1e-14..1e-6).contains(o)),
+            "{c:?} {off:?}"
+        );
+    }
+}
+
+/// The first meeting of a ray with a curve, found by walking along the curve and looking where it changes sides.
+fn first_by_walking(c: &Curve, p: Point, d: Vector) -> Option<f64> {
+    const STEPS: i32 = 500;
+    let at = |k: i32| c.point(c.half_length() * f64::from(k) / f64::from(STEPS)) - p;
+    (1 - STEPS..=STEPS)
+        .filter_map(|k| {
+            let (a, b) = (at(k - 1), at(k));
+            let (x, y) = (d.cross(a), d.cross(b));
+            let t = d.dot(a + (b - a) * (x / (x - y)));
+            (x * y < 0.0 && t > 0.0).then_some(t)
+        })
+        .min_by(f64::total_cmp)
+}
+
+#[test]
+fn rays_meet_what_is_first() {
+    let (mut met, mut missed) = (0, 0);
+    for c in curves() {
+        for k in 0..20 {
+            let p = Point::new(0.3, -0.2)
+                + Vector::from_angle(1.7 * f64::from(k)) * (0.07 * f64::from(k));
+            let d = Vector::from_angle(0.1 + 2.4 * f64::from(k));
+            let (found, expected) = (c.hit(p, d, 10.0), first_by_walking(&c, p, d));
+            match (found, expected) {
+                (Some(t), Some(s)) => {
+                    assert!((t - s).abs() < 1e-3, "{c:?} {p:?} {d:?}: {t} {s}");
+                    assert!(height(&c, p + d * t).abs() < 1e-13);
+                    assert_eq!(c.hit(p, d, t * 1.001), Some(t));
+                    assert_ne!(c.hit(p, d, t * 0.999), Some(t));
+                    met += 1;
+                }
+                (None, None) => missed += 1,
+                _ => panic!("{c:?} {p:?} {d:?}: {found:?}, by walking {expected:?}"),
+            }
+        }
+    }
+    assert!(met > 400 && missed > 400, "{met} {missed}");
+}
+
+/// Distances are more than nothing and less than the limit.
+#[test]
+fn a_ray_does_not_meet_what_it_starts_on_or_what_is_at_the_limit() {
+    let (p, up) = (Point::new(0.5, 0.0), Vector::new(0.0, 1.0));
+    for c in [
+        line(Point::new(0.0, 2.0), 0.0),
+        circle(Point::new(0.5, 3.0), 1.0, -0.5 * PI, 1.0),
+    ] {
+        assert_eq!(c.hit(p, up, 2.5), Some(2.0));
+        assert_eq!(c.hit(p, up, 2.0), None);
+        assert_eq!(c.hit(p + up * 2.0, up, 2.5), None);
+    }
+}

@@ -1,0 +1,302 @@
+//! What sheets know of each other without computing, against distances at many orientations.
+
+use super::*;
+
+fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
+    Spiral {
+        u: Point::new(u.0, u.1),
+        w: Vector::new(w.0, w.1),
+    }
+}
+
+/// A sheet with names of its own, made from four times `number` on.
+fn sheet(kind: SheetKind, number: u32) -> Sheet {
+    let angle = EndAngle {
+        offset: 0.0,
+        turns: false,
+    };
+    Sheet {
+        kind,
+        fixed: number,
+        moving: number,
+        lo: -3.0,
+        hi: 3.0,
+        fixed_point: Point::ORIGIN,
+        moving_point: Point::ORIGIN,
+        normal: Vector::ZERO,
+        radius: 0.0,
+        start: spiral((0.0, 0.0), (0.0, 0.0)),
+        end: spiral((0.0, 0.0), (0.0, 0.0)),
+        start_name: 4 * number,
+        end_name: 4 * number + 1,
+        start_angle: angle,
+        end_angle: angle,
+        bottom: Seam::Window,
+        top: Seam::Window,
+    }
+}
+
+/// A circle about a spiral.
+pub(in crate::contact) fn round(number: u32, u: (f64, f64), w: (f64, f64), radius: f64) -> Sheet {
+    Sheet {
+        fixed_point: Point::new(u.0, u.1),
+        moving_point: Point::new(-w.0, -w.1),
+        radius,
+        ..sheet(SheetKind::RoundRound, number)
+    }
+}
+
+/// A line through a spiral, whose normal has an angle in the fixed part's frame or in the moving one's.
+pub(in crate::contact) fn straight(
+    number: u32,
+    kind: SheetKind,
+    angle: f64,
+    through: Spiral,
+) -> Sheet {
+    Sheet {
+        normal: Vector::from_angle(angle),
+        start: through,
+        end: through,
+        ..sheet(kind, number)
+    }
+}
+
+/// How far the carriers of two sheets are from being tangent, or one, at the worst of many orientations.
+fn furthest_from_tangent(f: &Sheet, g: &Sheet) -> f64 {
+    let off = |turn: Rotation| match (f.is_circle(), g.is_circle()) {
+        (true, true) => {
+            let apart = f.center().at(turn).distance(g.center().at(turn));
+            let (r, s) = (f.radius.abs(), g.radius.abs());
+            (apart - (r + s)).abs().min((apart - (r - s).abs()).abs())
+        }
+        (false, true) => {
+            let n = f.normal_at(turn);
+            (n.dot(g.center().at(turn) - f.start.at(turn)).abs() - g.radius.abs()).abs()
+        }
+        _ => panic!("a line comes first"),
+    };
+    (0..50)
+        .map(|k| off(Rotation::by(0.125 * f64::from(k))))
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn what_is_always_tangent_is_told() {
+    let (line, turning) = (SheetKind::LineRound, SheetKind::RoundLine);
+    let across = Vector::from_angle(0.7);
+    let beside = |by: f64| (0.1 + by * across.x, 0.2 + by * across.y);
+    let here = (0.1, 0.2);
+    let still = spiral(here, (0.3, -0.1));
+    let seen_turning = spiral((0.3, -0.1), here);
+    let mut told = [0, 0];
+    for (f, g) in [
+        // Two circles whose centres differ by what stays, or by what turns, or by both.
+        (
+            round(0, here, (0.3, 0.0), 0.5),
+            round(1, beside(0.8), (0.3, 0.0), 0.3),
+        ),
+        (
+            round(0, here, (0.3, 0.0), 0.5),
+            round(1, beside(0.2), (0.3, 0.0), -0.3),
+        ),
+        (
+            round(0, here, (0.3, 0.0), -0.3),
+            round(1, beside(0.2), (0.3, 0.0), 0.5),
+        ),
+        (round(0, here, here, 0.5), round(1, here, beside(0.8), 0.3)),
+        (round(0, here, here, 0.5), round(1, here, beside(-0.2), 0.3)),
+        (
+            round(0, here, here, 0.5),
+            round(1, beside(0.8), beside(0.1), 0.3),
+        ),
+        (
+            round(0, here, here, 0.5),
+            round(1, beside(0.4), beside(0.4), 0.3),
+        ),
+        (
+            round(0, here, (0.3, 0.0), 0.5),
+            round(1, beside(0.7), (0.3, 0.0), 0.3),
+        ),
+        (
+            round(0, here, (0.3, 0.0), 0.5),
+            round(1, beside(0.8 + 1e-9), (0.3, 0.0), 0.3),
+        ),
+        // A line of either kind, and a circle at its distance that moves as it does, or not.
+        (
+            straight(0, line, 0.7, still),
+            round(1, beside(0.5), (0.3, -0.1), 0.5),
+        ),
+        (
+            straight(0, line, 0.7, still),
+            round(1, beside(-0.5), (0.3, -0.1), -0.5),
+        ),
+        (
+            straight(0, line, 0.7, still),
+            round(1, beside(0.4), (0.3, -0.1), 0.5),
+        ),
+        (
+            straight(0, line, 0.7, still),
+            round(1, beside(0.5), (0.3, -0.2), 0.5),
+        ),
+        (
+            straight(0, turning, 0.7, seen_turning),
+            round(1, (0.3, -0.1), beside(0.5), 0.5),
+        ),
+        (
+            straight(0, turning, 0.7, seen_turning),
+            round(1, (0.3, -0.1), beside(-0.5), 0.5),
+        ),
+        (
+            straight(0, turning, 0.7, seen_turning),
+            round(1, (0.3, -0.1), beside(0.6), 0.5),
+        ),
+        (
+            straight(0, turning, 0.7, seen_turning),
+            round(1, (0.3, -0.2), beside(0.5), 0.5),
+        ),
+    ] {
+        let tangent = furthest_from_tangent(&f, &g) < 1e-14;
+        assert_eq!(f.always_tangent(&g), tangent, "{f:?} {g:?}");
+        assert_eq!(g.always_tangent(&f), tangent, "{f:?} {g:?}");
+        assert_eq!(f.shared_ends(&g, u32::MAX).tangent, tangent);
+        told[usize::from(tangent)] += 1;
+    }
+    assert!(told[0] >= 7 && told[1] >= 7, "{told:?}");
+    let (a, b) = (straight(0, line, 0.7, still), straight(1, line, 0.7, still));
+    assert!(!a.always_tangent(&b));
+}
+
+#[test]
+fn one_circle_is_told_whatever_its_sign() {
+    let f = round(0, (0.1, 0.2), (0.3, -0.1), 0.5);
+    for (g, same) in [
+        (round(1, (0.1, 0.2), (0.3, -0.1), 0.5), true),
+        (round(1, (0.1, 0.2), (0.3, -0.1), -0.5), true),
+        (round(1, (0.1, 0.2), (0.3, -0.1), 0.5 + 1e-9), false),
+        (round(1, (0.1, 0.2), (0.3, -0.1), 0.5 - 1e-9), false),
+        (round(1, (0.1, 0.2 + 1e-9), (0.3, -0.1), 0.5), false),
+        (round(1, (0.1, 0.2), (0.3 + 1e-9, -0.1), 0.5), false),
+    ] {
+        assert_eq!(f.same_circle(&g), same, "{g:?}");
+        assert_eq!(f.shared_ends(&g, u32::MAX).tangent, same);
+    }
+    let line = straight(
+        1,
+        SheetKind::LineRound,
+        0.0,
+        spiral((0.1, 0.2), (0.3, -0.1)),
+    );
+    assert!(!f.same_circle(&line) && !line.same_circle(&f));
+}
+
+#[test]
+fn lines_are_parallel_if_their_normals_are_and_turn_alike() {
+    let at = spiral((0.1, 0.2), (0.3, -0.1));
+    let (line, turning) = (SheetKind::LineRound, SheetKind::RoundLine);
+    let f = straight(0, line, 0.7, at);
+    assert!(f.is_parallel(&straight(1, line, 0.7, at)));
+    assert!(f.is_parallel(&straight(1, line, 0.7 - core::f64::consts::PI, at)));
+    assert!(!f.is_parallel(&straight(1, line, 0.7 + 1e-9, at)));
+    assert!(!f.is_parallel(&straight(1, turning, 0.7, at)));
+    let circle = round(0, (0.1, 0.2), (0.3, -0.1), 0.5);
+    assert!(!circle.is_parallel(&circle));
+}
+
+#[test]
+fn shared_ends_are_those_with_one_name() {
+    let (a, b) = (
+        spiral((0.0, 0.0), (0.1, 0.0)),
+        spiral((1.0, 0.0), (0.2, 0.0)),
+    );
+    let f = Sheet {
+        start: a,
+        end: b,
+        ..straight(0, SheetKind::LineRound, 0.7, a)
+    };
+    let g = straight(1, SheetKind::LineRound, 0.2, b);
+    let with = |start_name, end_name| Sheet {
+        start_name,
+        end_name,
+        ..g
+    };
+    let shared = |g: &Sheet, first_vertex| f.shared_ends(g, first_vertex);
+    assert_eq!(shared(&g, 0).corners, [None; 2]);
+    assert!(!shared(&g, 0).tangent);
+    // The end of f is the start of g; then the start of f the end of g; then both.
+    for (g, corners) in [
+        (with(1, 9), [Some(b), None]),
+        (with(9, 0), [None, Some(a)]),
+        (with(1, 0), [Some(b), Some(a)]),
+    ] {
+        let crossing = shared(&g, 0);
+        assert_eq!((crossing.tangent, crossing.corners), (false, corners));
+        let smooth = shared(&g, 2);
+        assert_eq!((smooth.tangent, smooth.corners), (true, [None; 2]));
+    }
+    // Names from the first vertex's on are vertices'.
+    assert!(shared(&with(1, 9), 2).tangent && !shared(&with(1, 9), 1).tangent);
+    let same_features = Sheet {
+        fixed: f.fixed,
+        moving: f.moving,
+        ..g
+    };
+    assert!(shared(&same_features, 0).tangent);
+    assert!(
+        !shared(&Sheet { fixed: 0, ..g }, 0).tangent
+            && !shared(&Sheet { moving: 0, ..g }, 0).tangent
+    );
+}
+
+/// The curve lies where the contact function vanishes, and its free side is where that is positive.
+#[test]
+fn curves_are_zeros_of_the_contact_function() {
+    let through = spiral((0.1, 0.2), (0.3, -0.1));
+    let theta = 0.4;
+    let turn = Rotation::by(theta);
+    for kind in [SheetKind::LineRound, SheetKind::RoundLine] {
+        let mut s = straight(0, kind, 0.7, through);
+        let turned = if kind == SheetKind::RoundLine {
+            theta
+        } else {
+            0.0
+        };
+        let curve = s.curve(theta, turn);
+        let normal = curve.normal(curve.start);
+        assert!((normal - Vector::from_angle(0.7 + turned)).length() < 1e-15);
+        s.end = spiral((0.0, 0.0), (0.0, 0.0));
+        let p = through.at(turn) + normal.left() * 0.8 + normal * 0.01;
+        assert!((s.function().value(p, theta) - 0.01).abs() < 1e-15);
+        assert_eq!(s.curve(theta, turn).end, Point::ORIGIN);
+    }
+    for radius in [0.5, -0.5] {
+        let mut s = round(0, (0.1, 0.2), (0.3, -0.1), radius);
+        // Travel is clockwise about what is concave.
+        let (low, high) = (
+            EndAngle {
+                offset: 0.2,
+                turns: false,
+            },
+            EndAngle {
+                offset: 1.0,
+                turns: true,
+            },
+        );
+        (s.start_angle, s.end_angle) = if radius > 0.0 {
+            (low, high)
+        } else {
+            (high, low)
+        };
+        let curve = s.curve(theta, turn);
+        assert!((curve.half_length() - 0.5 * 0.5 * (1.0 + theta - 0.2)).abs() < 1e-15);
+        let middle = curve.point(0.0);
+        let center = through.at(turn);
+        assert!(
+            ((middle - center) * (1.0 / radius) - Vector::from_angle(0.5 * (1.2 + theta))).length()
+                < 1e-14
+        );
+        for at in [-0.2, 0.0, 0.2].map(|s| curve.point(s)) {
+            let p = at + curve.normal(at) * 0.01;
+            assert!((s.function().value(p, theta) - 0.01).abs() < 1e-15);
+        }
+    }
+}

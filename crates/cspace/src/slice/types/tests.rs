@@ -1,0 +1,276 @@
+//! Pieces of boundary, against points that are walked along them.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use super::*;
+use crate::feature::FeatureKind;
+
+fn segment(a: (f64, f64), b: (f64, f64)) -> CurveGeometry {
+    CurveGeometry::Segment {
+        start: Point::new(a.0, a.1),
+        end: Point::new(b.0, b.1),
+    }
+}
+
+fn arc(radius: f64, start_angle: f64, sweep: f64) -> CurveGeometry {
+    CurveGeometry::Arc {
+        center: Point::new(0.3, -0.2),
+        radius,
+        start_angle,
+        sweep,
+    }
+}
+
+fn pieces() -> Vec<CurveGeometry> {
+    let mut all = vec![
+        segment((-1.0, 0.3), (0.8, 0.4)),
+        segment((0.2, 1.0), (0.5, -0.9)),
+        segment((0.9, 0.9), (-0.4, -0.7)),
+    ];
+    for k in 0..7 {
+        for sweep in [0.4, 1.9, 3.3, 6.0] {
+            all.push(arc(0.7, f64::from(k) - 3.1, sweep));
+            all.push(arc(0.7, f64::from(k) - 3.1, -sweep));
+        }
+    }
+    all
+}
+
+const STEPS: usize = 2000;
+
+fn points(g: &CurveGeometry) -> Vec<Point> {
+    (0..=STEPS)
+        .map(|k| g.point(k as f64 / STEPS as f64))
+        .collect()
+}
+
+#[test]
+fn points_and_lengths_are_those_of_the_drawing() {
+    let s = segment((1.0, 1.0), (4.0, 5.0));
+    assert_eq!(s.length(), 5.0);
+    assert_eq!(s.point(0.5), Point::new(2.5, 3.0));
+    // A quarter of a circle from the right to the top, and back.
+    let there = arc(2.0, 0.0, FRAC_PI_2);
+    let back = arc(2.0, FRAC_PI_2, -FRAC_PI_2);
+    for (g, from, to) in [
+        (there, Point::new(2.3, -0.2), Point::new(0.3, 1.8)),
+        (back, Point::new(0.3, 1.8), Point::new(2.3, -0.2)),
+    ] {
+        assert!(g.point(0.0).distance(from) < 1e-15 && g.point(1.0).distance(to) < 1e-15);
+        assert!((g.length() - PI).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn free_space_is_on_the_right_of_travel() {
+    for g in pieces() {
+        for s in [0.1, 0.5, 0.8] {
+            let travel = (g.point(s + 1e-6) - g.point(s - 1e-6)).unit();
+            assert!((g.free_normal(s) - travel.right()).length() < 1e-8);
+        }
+    }
+}
+
+#[test]
+fn the_nearest_point_is_nearer_than_any_other() {
+    for g in pieces() {
+        let all = points(&g);
+        for k in 0..40 {
+            let p = Point::new(0.3, -0.2)
+                + Vector::from_angle(1.3 * f64::from(k)) * (0.05 * f64::from(k));
+            let found = g.nearest(p);
+            let least = (all.iter().map(|q| p.distance(*q))).fold(f64::INFINITY, f64::min);
+            // Between two points walked to it is nearer by half a step at most.
+            let off = p.distance(found) - least;
+            let step = g.length() / STEPS as f64;
+            assert!(off < 1e-14 && off > -step, "{g:?} {p:?} {found:?} {off}");
+            assert!(all.iter().any(|q| q.distance(found) <= step));
+        }
+    }
+    let nothing = segment((1.0, 2.0), (1.0, 2.0));
+    assert_eq!(nothing.nearest(Point::ORIGIN), Point::new(1.0, 2.0));
+}
+
+#[test]
+fn rays_meet_what_is_first_and_tell_from_which_side() {
+    let (mut met, mut missed) = (0, 0);
+    for g in pieces() {
+        let all = points(&g);
+        for k in 0..40 {
+            let p = Point::new(0.3, -0.2)
+                + Vector::from_angle(1.7 * f64::from(k)) * (0.05 * f64::from(k));
+            let d = Vector::from_angle(0.1 + 2.4 * f64::from(k));
+            let first = (0..STEPS)
+                .filter_map(|i| {
+                    let (a, b) = (all[i] - p, all[i + 1] - p);
+                    let (x, y) = (d.cross(a), d.cross(b));
+                    let t = d.dot(a + (b - a) * (x / (x - y)));
+                    (x * y < 0.0 && t > 0.0).then_some((t, i))
+                })
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            match (g.hit(p, d), first) {
+                (Some((t, side)), Some((s, i))) => {
+                    assert!((t - s).abs() < 1e-4, "{g:?} {p:?} {d:?}: {t} {s}");
+                    let normal = g.free_normal((i as f64 + 0.5) / STEPS as f64);
+                    assert_eq!(side < 0.0, d.dot(normal) < 0.0);
+                    met += 1;
+                }
+                (None, None) => missed += 1,
+                other => panic!("{g:?} {p:?} {d:?}: {other:?}"),
+            }
+        }
+    }
+    assert!(met > 300 && missed > 300, "{met} {missed}");
+}
+
+#[test]
+fn directions_are_on_an_arc_when_it_comes_past_them() {
+    for (start, sweep, angle, on) in [
+        (0.0, 1.0, 0.5, true),
+        (0.0, 1.0, 1.5, false),
+        (0.0, 1.0, -0.5, false),
+        (0.0, -1.0, -0.5, true),
+        (0.0, -1.0, 0.5, false),
+        (0.0, -1.0, -1.5, false),
+        (3.0, 1.0, -3.0, true),
+        (-3.0, -1.0, 3.0, true),
+        (3.0 + TAU, 1.0, -3.0, true),
+        (3.0, 1.0, -2.0, false),
+        (0.0, 1.0, 0.0, true),
+    ] {
+        assert_eq!(
+            is_on_arc(start, sweep, angle),
+            on,
+            "{start} {sweep} {angle}"
+        );
+    }
+}
+
+/// A curve of the pair's frame and its copy in the frames as drawn, which is larger and elsewhere.
+#[test]
+fn curves_are_brought_to_the_frames_as_drawn() {
+    let frame = PairFrame {
+        fixed_center: Point::new(5.0, 6.0),
+        moving_center: Point::new(-1.0, 2.0),
+        scale: 0.25,
+    };
+    let theta = 0.4;
+    let travel = Vector::from_angle(0.6);
+    let start = Point::new(0.1, -0.1);
+    let mut curves = vec![Curve {
+        start,
+        end: start + travel,
+        shape: CurveShape::Line {
+            normal: travel.right(),
+        },
+    }];
+    for radius in [0.5_f64, -0.5] {
+        let center = Point::new(0.2, 0.1);
+        let (mid_angle, half) = (2.9, 0.8);
+        let end =
+            |turn: f64| center + Vector::from_angle(mid_angle + turn * radius.signum()) * radius;
+        curves.push(Curve {
+            start: end(-half),
+            end: end(half),
+            shape: CurveShape::Circle {
+                center,
+                radius,
+                mid_angle,
+                half,
+            },
+        });
+    }
+    for curve in curves {
+        let half = curve.half_length();
+        let (from, to) = (-0.5 * half, 0.7 * half);
+        let outer = CurveGeometry::from_inner(&curve, from, to, &frame, theta);
+        assert!((outer.length() - (to - from) / 0.25).abs() < 1e-13);
+        for s in [0.0, 0.3, 1.0] {
+            let inner = curve.point(from + s * (to - from));
+            let p = frame.outer_from_inner(inner, theta).position();
+            assert!(outer.point(s).distance(p) < 1e-13, "{outer:?}");
+            assert!((outer.free_normal(s) - curve.normal(inner)).length() < 1e-13);
+        }
+        if let CurveGeometry::Arc { start_angle, .. } = outer {
+            assert!(start_angle.abs() <= PI);
+        }
+    }
+}
+
+fn slice(pieces: &[(CurveGeometry, u32)]) -> Slice {
+    let name = FeatureName {
+        kind: FeatureKind::Line,
+        loop_index: 0,
+        index: 0,
+    };
+    let curves = (pieces.iter())
+        .map(|&(geometry, next)| SliceCurve {
+            fixed: name,
+            moving: name,
+            geometry,
+            patch: None,
+            next,
+        })
+        .collect();
+    Slice::from_curves(0.0, curves)
+}
+
+/// A square of blocked space, counter-clockwise, with a round hole of free space in it and a blocked disc in that.
+#[test]
+fn positions_are_free_outside_of_what_is_blocked() {
+    let corners = [(-2.0, -2.0), (2.0, -2.0), (2.0, 2.0), (-2.0, 2.0)];
+    let mut all: Vec<(CurveGeometry, u32)> = (0..4)
+        .map(|i| {
+            (
+                segment(corners[i], corners[(i + 1) % 4]),
+                (i as u32 + 1) % 4,
+            )
+        })
+        .collect();
+    // The hole in two halves, clockwise.
+    all.push((arc(1.0, 0.5, -PI), 5));
+    all.push((arc(1.0, 0.5 - PI, -PI), 4));
+    all.push((arc(0.4, 1.0, PI), 7));
+    all.push((arc(0.4, 1.0 + PI, PI), 6));
+    let slice = slice(&all);
+    assert_eq!(slice.loops, [vec![0, 1, 2, 3], vec![4, 5], vec![6, 7]]);
+    let middle = Point::new(0.3, -0.2);
+    let (mut free, mut blocked) = (0, 0);
+    for i in -30..=30 {
+        for j in -30..=30 {
+            let p = Point::new(f64::from(i) / 10.0 + 0.013, f64::from(j) / 10.0 + 0.007);
+            let r = p.distance(middle);
+            let expected = p.x.abs().max(p.y.abs()) > 2.0 || (0.4..1.0).contains(&r);
+            assert_eq!(slice.is_free(p), expected, "{p:?}");
+            *(if expected { &mut free } else { &mut blocked }) += 1;
+        }
+    }
+    assert!(free > 1000 && blocked > 1000);
+    assert!(Slice::from_curves(0.0, Vec::new()).is_free(middle));
+}
+
+/// Two curves on one carrier that face each other, in either order, with the disc around them blocked: what is within
+/// is told by the rays that miss the two.
+#[test]
+fn curves_that_face_each_other_on_one_carrier_are_not_asked() {
+    let direction = Vector::from_angle(1.234_567_89);
+    let across = direction.left();
+    let p = Point::new(0.3, -0.2);
+    let gate = |at: f64, turn: f64| {
+        let q = p + direction * at;
+        let (a, b) = (q - across * (0.1 * turn), q + across * (0.1 * turn));
+        segment((a.x, a.y), (b.x, b.y))
+    };
+    for free in [true, false] {
+        // The outermost circle faces inwards if what is within is free.
+        let around = arc(1.0, 0.0, if free { -TAU } else { TAU });
+        for order in [1e-12, -1e-12] {
+            let s = slice(&[
+                (around, 0),
+                (gate(0.2, 1.0), 1),
+                (gate(0.2 + order, -1.0), 2),
+            ]);
+            assert_eq!(s.is_free(p), free);
+        }
+    }
+}
