@@ -152,10 +152,10 @@ fn coordinates_of_another_class_are_refused() {
             wanted: right.names(),
             given: wrong.names(),
         };
-        assert_eq!(space.classify(wrong), Err(error.clone()));
-        assert_eq!(space.contacts(wrong, 1.0), Err(error.clone()));
-        assert_eq!(space.nearest_contact(wrong), Err(error.clone()));
-        assert_eq!(space.first_contact(wrong, right, 1.0), Err(error.clone()));
+        assert_eq!(space.classify(wrong), Err(error));
+        assert_eq!(space.contacts(wrong, 1.0), Err(error));
+        assert_eq!(space.nearest_contact(wrong), Err(error));
+        assert_eq!(space.first_contact(wrong, right, 1.0), Err(error));
         assert_eq!(space.first_contact(right, wrong, 1.0), Err(error));
     }
     assert_eq!(slide.class(), PairClass::FixedAxes);

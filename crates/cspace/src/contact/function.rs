@@ -200,10 +200,7 @@ mod tests {
     /// On the carrier the function vanishes, and beside it, along the normal, it is the distance.
     #[test]
     fn carriers_are_where_functions_vanish() {
-        let s = Spiral {
-            u: Point::new(0.3, -0.2),
-            w: Vector::new(0.5, 0.1),
-        };
+        let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));
         let normal = Vector::from_angle(0.7);
         let theta = 0.3_f64;
         // Turned as complex numbers are multiplied.

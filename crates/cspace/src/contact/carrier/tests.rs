@@ -15,6 +15,7 @@ fn carrier(c: &Curve) -> Carrier<f64> {
             center: (center.x, center.y),
             radius,
         },
+        CurveShape::Bow(_) => panic!("none of these is flat"),
     }
 }
 
@@ -23,6 +24,7 @@ fn point(c: &Curve, place: (f64, f64)) -> Point {
     match c.shape {
         CurveShape::Line { normal } => c.start + normal.left() * place.0,
         CurveShape::Circle { center, .. } => center + Vector::new(place.0, place.1),
+        CurveShape::Bow(_) => panic!("none of these is flat"),
     }
 }
 
@@ -57,10 +59,7 @@ fn places_are_those_of_the_crossings() {
 
 /// One of each kind, all of which cross each other at orientation 0.3.
 fn functions() -> [ContactFunction; 4] {
-    let spiral = |x: f64, y: f64, a: f64, b: f64| Spiral {
-        u: Point::new(x, y),
-        w: Vector::new(a, b),
-    };
+    let spiral = |x: f64, y: f64, a: f64, b: f64| Spiral::new(Point::new(x, y), Vector::new(a, b));
     [
         ContactFunction::FixedLine {
             normal: Vector::from_angle(0.7),

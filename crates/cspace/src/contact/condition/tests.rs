@@ -5,10 +5,7 @@ use super::*;
 use crate::geometry::{Rotation, Vector};
 
 fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
-    Spiral {
-        u: Point::new(u.0, u.1),
-        w: Vector::new(w.0, w.1),
-    }
+    Spiral::new(Point::new(u.0, u.1), Vector::new(w.0, w.1))
 }
 
 /// A fixed line, a turning one, and two circles, with ends that are in general position.
@@ -148,10 +145,7 @@ fn extremes_are_known_from_lengths() {
 /// Twice the lengths have twice the error, and their squares four times; rounding of every length is in it.
 #[test]
 fn errors_grow_with_lengths() {
-    let scaled = |s: Spiral, by: f64| Spiral {
-        u: Point::ORIGIN + s.u.to_vector() * by,
-        w: s.w * by,
-    };
+    let scaled = |s: Spiral, by: f64| Spiral::new(Point::ORIGIN + s.u.to_vector() * by, s.w * by);
     let (p, q) = (
         spiral((0.7, 0.3), (0.4, -0.2)),
         spiral((-0.3, 0.2), (0.1, 0.5)),

@@ -36,6 +36,7 @@ pub(in crate::contact) fn height(curve: &Curve, p: Point) -> f64 {
         CurveShape::Circle { center, radius, .. } => {
             (p.distance(center) - radius.abs()) * radius.signum()
         }
+        CurveShape::Bow(_) => panic!("none of these is flat"),
     }
 }
 

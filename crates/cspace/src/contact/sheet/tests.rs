@@ -3,10 +3,7 @@
 use super::*;
 
 fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
-    Spiral {
-        u: Point::new(u.0, u.1),
-        w: Vector::new(w.0, w.1),
-    }
+    Spiral::new(Point::new(u.0, u.1), Vector::new(w.0, w.1))
 }
 
 /// A sheet with names of its own, made from four times `number` on.
@@ -25,6 +22,7 @@ fn sheet(kind: SheetKind, number: u32) -> Sheet {
         moving_point: Point::ORIGIN,
         normal: Vector::ZERO,
         radius: 0.0,
+        swing: Swing::NONE,
         start: spiral((0.0, 0.0), (0.0, 0.0)),
         end: spiral((0.0, 0.0), (0.0, 0.0)),
         start_name: 4 * number,

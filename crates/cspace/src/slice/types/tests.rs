@@ -212,7 +212,16 @@ fn slice(pieces: &[(CurveGeometry, u32)]) -> Slice {
             next,
         })
         .collect();
-    Slice::from_curves(0.0, curves)
+    Slice::from_curves(0.0, curves, &frame())
+}
+
+/// That of the plane itself.
+fn frame() -> PairFrame {
+    PairFrame {
+        fixed_center: Point::ORIGIN,
+        moving_center: Point::ORIGIN,
+        scale: 1.0,
+    }
 }
 
 /// A square of blocked space, counter-clockwise, with a round hole of free space in it and a blocked disc in that.
@@ -246,7 +255,7 @@ fn positions_are_free_outside_of_what_is_blocked() {
         }
     }
     assert!(free > 1000 && blocked > 1000);
-    assert!(Slice::from_curves(0.0, Vec::new()).is_free(middle));
+    assert!(Slice::from_curves(0.0, Vec::new(), &frame()).is_free(middle));
 }
 
 /// Two curves on one carrier that face each other, in either order, with the disc around them blocked: what is within
