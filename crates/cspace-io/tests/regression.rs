@@ -411,7 +411,7 @@ fn flat_sides_are_saved() {
             text.contains("flat-circle") && text.contains("rest"),
             "{name}"
         );
-        let read: cspace::SavedSpace = serde_json::from_str(&text).unwrap();
+        let read = serde_json::from_str(&text).unwrap();
         assert_eq!(
             ContactSpace::from_saved(read).unwrap().to_saved(),
             saved,

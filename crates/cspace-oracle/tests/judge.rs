@@ -1,5 +1,7 @@
 //! The oracle on configurations whose answer is known by hand.
 
+#![allow(clippy::unwrap_used)]
+
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use cspace::{Configuration, Part, Point};
