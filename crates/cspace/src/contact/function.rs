@@ -215,6 +215,7 @@ mod tests {
             let Carrier::Line { normal, through } = f.carrier(theta.cos(), theta.sin()) else {
                 panic!("a line's carrier is one")
             };
+            assert!(!f.is_circular());
             let (n, o) = (
                 Vector::new(normal.0, normal.1),
                 Point::new(through.0, through.1),
