@@ -402,15 +402,17 @@ fn flat_sides() {
 /// What is told of a large arc is written and read back.
 #[test]
 fn flat_sides_are_saved() {
-    for name in ["sides_of_radius_1e9", "hollow_sides_of_radius_1e7"] {
+    // Nothing ends on the normal of a hollow side, whose end would swing with it.
+    for (name, swings) in [
+        ("sides_of_radius_1e9", true),
+        ("hollow_sides_of_radius_1e7", false),
+    ] {
         let [fixed, moving] = parts(&format!("tests/regression/{name}.toml"));
         let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
         let saved = space.to_saved();
         let text = serde_json::to_string(&saved).unwrap();
-        assert!(
-            text.contains("flat-circle") && text.contains("rest"),
-            "{name}"
-        );
+        assert!(text.contains("flat-circle"), "{name}");
+        assert_eq!(text.contains("\"rest\""), swings, "{name}");
         let read = serde_json::from_str(&text).unwrap();
         assert_eq!(
             ContactSpace::from_saved(read).unwrap().to_saved(),
