@@ -6,7 +6,7 @@
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
-use super::carrier::Carrier;
+use super::carrier::{Carrier, dot, minus};
 use super::spiral::{Spiral, turned};
 
 /// A circle, or a line, through a point.
@@ -30,16 +30,6 @@ pub(crate) struct Level<T> {
 
 /// Bows are followed up to this angle about their centres, radians: what is near the parts is far below.
 pub(crate) const WIDEST: f64 = 0.5;
-
-#[inline(always)]
-fn minus<T: Real>(a: (T, T), b: (T, T)) -> (T, T) {
-    (a.0 - b.0, a.1 - b.1)
-}
-
-#[inline(always)]
-fn dot<T: Real>(a: (T, T), b: (T, T)) -> T {
-    a.0 * b.0 + a.1 * b.1
-}
 
 impl<T: Real> Level<T> {
     /// A carrier as seen from a point; of a circle that is no bow it is multiplied with the radius.

@@ -7,10 +7,10 @@
 
 use core::f64::consts::TAU;
 
-use crate::number::{Event, Real, Series};
+use crate::number::{ANGLE_ERROR, Event, LARGEST_ERROR, Real, Series};
 
 use super::bow::Level;
-use super::carrier::Carrier;
+use super::carrier::{Carrier, dot, minus};
 use super::sheet::{SharedEnds, Sheet};
 use super::spiral::Spiral;
 
@@ -27,10 +27,6 @@ enum Condition<'a> {
 
 /// Error of a length computed from coordinates near the parts.
 const LENGTH_ERROR: f64 = 32.0 * f64::EPSILON;
-/// Error of an angle computed from exact coefficients, radians.
-const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
-/// The largest error with which a root is reported, radians: that of all events.
-const LARGEST_ERROR: f64 = 1e-6;
 
 /// Calls `found` with every event of the pair between two orientations.
 pub(crate) fn bow_events(
@@ -64,7 +60,6 @@ impl Condition<'_> {
     /// Its value, and the error of a value in units of [`LENGTH_ERROR`].
     fn at<T: Real>(&self, cos: T, sin: T) -> (T, f64) {
         let real = T::constant;
-        let dot = |a: (T, T), b: (T, T)| a.0 * b.0 + a.1 * b.1;
         match *self {
             Self::End(spiral, sheet) => {
                 let carrier = sheet.carrier(cos, sin);
@@ -78,7 +73,7 @@ impl Condition<'_> {
             Self::Alike(f, g, alike) => {
                 // |c − d|² = (r ∓ s)² for the centres c = X − r n and d = Y − s m, over −2 r s.
                 let ((x, n, k), (y, m, l)) = (straight(f, cos, sin), straight(g, cos, sin));
-                let (v, side) = ((x.0 - y.0, x.1 - y.1), if alike { 1.0 } else { -1.0 });
+                let (v, side) = (minus(x, y), if alike { 1.0 } else { -1.0 });
                 let m = (m.0 * real(side), m.1 * real(side));
                 let l = l * side;
                 let (cross, along) = (n.0 * m.1 - n.1 * m.0, dot(n, m));
@@ -97,7 +92,7 @@ impl Condition<'_> {
                 let (x, n, k) = straight(f, cos, sin);
                 let d = g.center().place(cos, sin);
                 let r = real(if outer { g.radius } else { -g.radius });
-                let v = (x.0 - d.0, x.1 - d.1);
+                let v = minus(x, d);
                 let value = dot(v, n) + r - (dot(v, v) - r * r) * real(0.5 * k);
                 (value, 1.0)
             }

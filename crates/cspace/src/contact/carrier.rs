@@ -14,12 +14,12 @@ pub(crate) enum Carrier<T> {
 }
 
 #[inline(always)]
-fn minus<T: Real>(a: (T, T), b: (T, T)) -> (T, T) {
+pub(super) fn minus<T: Real>(a: (T, T), b: (T, T)) -> (T, T) {
     (a.0 - b.0, a.1 - b.1)
 }
 
 #[inline(always)]
-fn dot<T: Real>(a: (T, T), b: (T, T)) -> T {
+pub(super) fn dot<T: Real>(a: (T, T), b: (T, T)) -> T {
     a.0 * b.0 + a.1 * b.1
 }
 

@@ -7,7 +7,7 @@ use super::bow::Bow;
 use super::carrier::Carrier;
 use super::curve::{Curve, CurveShape};
 use super::function::ContactFunction;
-use super::spiral::{Spiral, Swing, turned};
+use super::spiral::{Spiral, Swing};
 use crate::number::Real;
 
 /// The largest distance of two positions in contact, length.
@@ -341,29 +341,7 @@ impl Sheet {
     /// Its carrier at the orientation with the given cosine and sine.
     #[inline(always)]
     pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
-        let real = T::constant;
-        match self.kind {
-            SheetKind::LineRound => Carrier::Line {
-                normal: (real(self.normal.x), real(self.normal.y)),
-                through: self.start.place(cos, sin),
-            },
-            SheetKind::RoundLine => Carrier::Line {
-                normal: turned(self.normal, cos, sin),
-                through: self.start.place(cos, sin),
-            },
-            SheetKind::RoundRound => Carrier::Circle {
-                center: self.center().unswung(cos, sin),
-                radius: self.radius,
-            },
-            SheetKind::FixedBow | SheetKind::MovingBow => Carrier::Bow(Bow::of(
-                &self.near(),
-                self.normal,
-                self.turns(),
-                self.radius,
-                cos,
-                sin,
-            )),
-        }
+        self.function().carrier(cos, sin)
     }
 }
 

@@ -1,18 +1,16 @@
 //! Numbers: enclosures of real functions over intervals of orientation.
 
 mod ball;
-mod dual;
 mod jet;
 mod polynomial;
 mod series;
 mod trig;
 
 pub(crate) use ball::Ball;
-pub(crate) use dual::Dual;
 pub(crate) use jet::Jet;
 pub(crate) use polynomial::TrigPolynomial;
 pub(crate) use series::Series;
-pub(crate) use trig::{Event, Known, Trig};
+pub(crate) use trig::{ANGLE_ERROR, Event, Known, LARGEST_ERROR, Trig};
 
 use core::ops::{Add, Mul, Neg, Sub};
 

@@ -106,4 +106,42 @@ mod tests {
         assert!((s.slope - (at(0.3 + h) - at(0.3 - h)) / (2.0 * h)).abs() < 1e-7);
         assert!((s.bend - (at(0.3 + h) - 2.0 * at(0.3) + at(0.3 - h)) / (h * h)).abs() < 1e-6);
     }
+
+    /// The derivatives of sums, products, quotients and roots of functions of one variable, by difference quotients.
+    #[test]
+    fn slopes_agree_with_differences() {
+        fn f<T: Real>(x: T) -> [T; 5] {
+            let (a, b) = (x * x, T::constant(3.0) - x * x * x);
+            [a + b, a - b, -a * b, a.over(b), (a * a + b).root()]
+        }
+        let (x, h) = (0.7, 1e-5);
+        let (at, below, above) = (
+            f(Series {
+                value: x,
+                slope: 1.0,
+                bend: 0.0,
+            }),
+            f(x - h),
+            f(x + h),
+        );
+        // x² = 0.49 and 3 − x³ = 2.657.
+        let (a, b) = (0.49_f64, 2.657);
+        let values: [f64; 5] = [a + b, a - b, -a * b, a / b, (a * a + b).sqrt()];
+        for i in 0..5 {
+            assert!((at[i].value - values[i]).abs() < 1e-14, "{i}");
+            assert!((f(x)[i] - values[i]).abs() < 1e-14, "{i}");
+            let slope = (above[i] - below[i]) / (2.0 * h);
+            assert!(
+                (at[i].slope - slope).abs() < 1e-8,
+                "{i}: {slope} {:?}",
+                at[i]
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_negative_has_no_root_but_that_of_zero() {
+        assert_eq!(Series::constant(-4.0).root().value, 0.0);
+        assert_eq!((-4.0_f64).root(), 0.0);
+    }
 }

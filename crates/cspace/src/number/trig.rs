@@ -36,14 +36,14 @@ pub(crate) struct Event {
 /// Error of a coefficient, in units of its scale.
 const COEFFICIENT_ERROR: f64 = 8.0 * f64::EPSILON;
 /// Error of an angle computed from exact coefficients, radians.
-const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
+pub(crate) const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
 /// A function that varies by less than this (in units of its scale) is constant up to rounding and has no roots.
 const CONSTANT: f64 = 64.0 * f64::EPSILON;
 /// The largest error with which a root is reported, radians.
 ///
 /// Arcs of nearly equal radii that touch lose and regain each other several times within some 1e-7: one cluster has them
 /// all.
-const LARGEST_ERROR: f64 = 1e-6;
+pub(crate) const LARGEST_ERROR: f64 = 1e-6;
 
 impl Trig {
     /// From coefficients that are right to a few ulps of `scale`, and nothing better known.

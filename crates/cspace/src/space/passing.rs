@@ -7,7 +7,7 @@
 use crate::contact::{Carrier, Geometry, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
-use crate::number::{Ball, Dual, Event, Jet, Real, TrigPolynomial};
+use crate::number::{Ball, Event, Jet, Real, Series, TrigPolynomial};
 
 use super::branch::Branch;
 
@@ -16,6 +16,9 @@ use super::branch::Branch;
 /// Two roots within such a piece leave the order as it was; between them the places differ by no more than
 /// h² |d″| / 8, some 1e-17, which is below rounding.
 const NARROWEST: f64 = 1e-8;
+
+/// The same of pieces in which places are compared, where these are reckoned about centres (radians).
+const NARROWEST_PLACES: f64 = 1e-6;
 
 /// How many pieces are looked at where three carriers always share a point, before places count as told apart as far
 /// as they can be.
@@ -109,7 +112,7 @@ impl Passing<'_> {
     }
 
     /// Finds every orientation at which the two branches pass each other, and tells in how many parts of the interval the
-    /// polynomial told nothing.
+    /// polynomial told nothing. There is none with large arcs, which touch at no more orientations than they turn.
     pub(super) fn isolate(
         &self,
         f: Option<&TrigPolynomial>,
@@ -118,42 +121,44 @@ impl Passing<'_> {
         found: &mut impl FnMut(Event),
     ) -> u64 {
         let mut vague: Vec<(f64, f64)> = Vec::new();
-        match f {
-            Some(f) => f.brackets(
-                lo,
-                hi,
-                NARROWEST,
-                &mut |lo, hi| self.refine(f, lo, hi, found),
-                &mut |lo, hi| vague.push((lo, hi)),
-            ),
-            None => vague.push((lo, hi)),
-        }
+        let narrowest = match f {
+            Some(f) => {
+                f.brackets(
+                    lo,
+                    hi,
+                    NARROWEST,
+                    &mut |lo, hi| self.refine(f, lo, hi, found),
+                    &mut |lo, hi| vague.push((lo, hi)),
+                );
+                NARROWEST_PLACES
+            }
+            None => {
+                vague.push((lo, hi));
+                NARROWEST_BAND
+            }
+        };
         for &(lo, hi) in &vague {
             let mut budget = PLACE_BUDGET;
-            self.isolate_places(lo, hi, &mut budget, found);
+            self.isolate_places(lo, hi, narrowest, &mut budget, found);
         }
         vague.len() as u64
     }
 
     /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
-    /// nothing: by enclosures of the difference of the places themselves.
-    fn isolate_places(&self, lo: f64, hi: f64, budget: &mut u32, found: &mut impl FnMut(Event)) {
+    /// nothing: by enclosures of the difference of the places themselves, in intervals down to a width.
+    fn isolate_places(
+        &self,
+        lo: f64,
+        hi: f64,
+        narrowest: f64,
+        budget: &mut u32,
+        found: &mut impl FnMut(Event),
+    ) {
         *budget = budget.saturating_sub(1);
-        /// Places are told apart down to this width (radians), or this difference (length, or length times radius).
-        const NARROWEST: f64 = 1e-6;
+        /// Places no further apart are one (length, or length times radius).
         const SAME_PLACE: f64 = 1e-11;
-        /// The width with large arcs, which touch at no more orientations than they turn.
-        const LEAST: f64 = NARROWEST_BAND;
         let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
         let d = self.difference(cos, sin);
-        let sheets = &self.geometry.contacts.sheets;
-        let three = [
-            self.sheet,
-            self.x.other(self.sheet),
-            self.y.other(self.sheet),
-        ];
-        let flat = three.iter().any(|&s| sheets[s as usize].is_flat());
-        let narrowest = if flat { LEAST } else { NARROWEST };
         if d.value.sign() != 0 {
             return;
         }
@@ -174,8 +179,8 @@ impl Passing<'_> {
                 found(self.meeting(lo, hi, at_lo));
             }
         } else {
-            self.isolate_places(lo, mid, budget, found);
-            self.isolate_places(mid, hi, budget, found);
+            self.isolate_places(lo, mid, narrowest, budget, found);
+            self.isolate_places(mid, hi, narrowest, budget, found);
         }
     }
 
@@ -193,19 +198,9 @@ impl Passing<'_> {
         event(theta, 0.0, self.gap(theta).slope)
     }
 
-    /// The difference of the places of the two branches, with its derivative.
-    fn gap(&self, theta: f64) -> Dual {
-        let (sin, cos) = theta.sin_cos();
-        let (cos, sin) = (
-            Dual {
-                value: cos,
-                slope: -sin,
-            },
-            Dual {
-                value: sin,
-                slope: cos,
-            },
-        );
+    /// The difference of the places of the two branches, with its derivatives.
+    fn gap(&self, theta: f64) -> Series {
+        let (cos, sin) = Series::cos_sin(theta);
         self.difference(cos, sin)
     }
 

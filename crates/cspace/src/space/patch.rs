@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::contact::{Carrier, ContactFunction, Spiral, place_error, place_on};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
-use crate::number::{Dual, Real};
+use crate::number::{Real, Series};
 
 /// A maximal piece of the contact space on which one pair of features touches between the same two boundary curves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -217,12 +217,9 @@ impl BoundaryCurve<'_> {
 
     /// The derivative (dx/dθ, dy/dθ). Not finite where the curves become tangent.
     pub fn derivative(&self, theta: f64) -> Vector {
-        let (sin, cos) = theta.sin_cos();
-        let dual = |value, slope| Dual { value, slope };
-        let p = self
-            .boundary
-            .inner(&self.patch.patch.function, dual(cos, -sin), dual(sin, cos));
-        let drift = (Rotation { cos, sin } * self.patch.frame.moving_center.to_vector()).left();
+        let (cos, sin) = Series::cos_sin(theta);
+        let p = (self.boundary).inner(&self.patch.patch.function, cos, sin);
+        let drift = (Rotation::by(theta) * self.patch.frame.moving_center.to_vector()).left();
         Vector::new(p.0.slope, p.1.slope) * (1.0 / self.patch.frame.scale) - drift
     }
 }

@@ -3,21 +3,7 @@
 use super::super::curve::tests::{circle, line};
 use super::super::{ContactFunction, Curve, CurveShape, Spiral, crossing, roots};
 use super::*;
-use crate::number::{Ball, Dual, Jet};
-
-fn carrier(c: &Curve) -> Carrier<f64> {
-    match c.shape {
-        CurveShape::Line { normal } => Carrier::Line {
-            normal: (normal.x, normal.y),
-            through: (c.start.x, c.start.y),
-        },
-        CurveShape::Circle { center, radius, .. } => Carrier::Circle {
-            center: (center.x, center.y),
-            radius,
-        },
-        CurveShape::Bow(_) => panic!("none of these is flat"),
-    }
-}
+use crate::number::{Ball, Jet, Series};
 
 /// A place on the carrier of a curve as a point.
 fn point(c: &Curve, place: (f64, f64)) -> Point {
@@ -47,7 +33,7 @@ fn places_are_those_of_the_crossings() {
                     let Some(c) = crossing(a, b, root) else {
                         continue;
                     };
-                    let place = place_on(&carrier(f), &carrier(g), root, swapped);
+                    let place = place_on(&f.carrier(), &g.carrier(), root, swapped);
                     assert!(point(f, place).distance(c.point) < 1e-13);
                     seen += 1;
                 }
@@ -101,9 +87,8 @@ fn slopes_agree_with_differences_and_enclosures_hold_both() {
     const WIDTH: f64 = 1e-3;
     let at = |theta: f64| places(theta.cos(), theta.sin());
     let slopes = |theta: f64| {
-        let (sin, cos) = theta.sin_cos();
-        let dual = |value, slope| Dual { value, slope };
-        places(dual(cos, -sin), dual(sin, cos))
+        let (cos, sin) = Series::cos_sin(theta);
+        places(cos, sin)
     };
     let around = Ball::between(THETA - WIDTH, THETA + WIDTH);
     let balls = places(around.cos_sin().0, around.cos_sin().1);
@@ -147,16 +132,16 @@ fn errors_of_places_grow_as_crossings_get_flat() {
     let d = circle(p(0.0, 0.3), -0.5, 0.5, 1.0);
     for sine in [1.0_f64, 0.5, 1e-3] {
         let g = line(p(0.5, 0.1), 0.3 + sine.asin());
-        let place = place_on(&carrier(&f), &carrier(&g), 0, false);
-        let error = place_error(&carrier(&f), &carrier(&g), place);
+        let place = place_on(&f.carrier(), &g.carrier(), 0, false);
+        let error = place_error(&f.carrier(), &g.carrier(), place);
         assert!((error * sine / PLACE_ERROR - 1.0).abs() < 1e-6, "{sine}");
     }
     for (f, g) in [(&f, &c), (&c, &f), (&f, &d), (&d, &f), (&c, &d), (&d, &c)] {
         for root in 0..2 {
             let at = crossing(f, g, root).unwrap().point;
-            let place = place_on(&carrier(f), &carrier(g), root, false);
+            let place = place_on(&f.carrier(), &g.carrier(), root, false);
             let sine = f.normal(at).cross(g.normal(at)).abs();
-            let error = place_error(&carrier(f), &carrier(g), place);
+            let error = place_error(&f.carrier(), &g.carrier(), place);
             // The place is on the circle but for rounding.
             assert!((error * sine / PLACE_ERROR - 1.0).abs() < 0.1);
         }
