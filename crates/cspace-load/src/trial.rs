@@ -64,7 +64,7 @@ impl Trial<'_> {
             self.closed(&slice);
             for k in 0..POSITIONS {
                 match k % 5 {
-                    0 | 1 => self.beside_a_curve(&slice),
+                    0 | 1 => self.beside_a_curve(&slice, &slice),
                     2 | 3 => self.beside_a_contact(&slice),
                     _ => self.anywhere(&slice),
                 }
@@ -72,7 +72,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Compares the loops in the middle of bands with those of slices from scratch.
+    /// Compares the middle of bands with slices from scratch: how many loops there are, and what is beside these' curves.
     pub(crate) fn bands(&mut self, most: usize) {
         let bands = self.space.bands();
         let step = bands.len().div_ceil(most.max(1)).max(1);
@@ -88,7 +88,12 @@ impl Trial<'_> {
             self.report.bands += 1;
             let slice = self.space.slice(theta);
             self.closed(&slice);
-            let (space, scratch) = (slice.loops.len(), self.slicer.slice(theta).loops.len());
+            let other = self.slicer.slice(theta);
+            // Where the space has lost a curve it is not asked beside its own.
+            for _ in 0..POSITIONS {
+                self.beside_a_curve(&slice, &other);
+            }
+            let (space, scratch) = (slice.loops.len(), other.loops.len());
             if space != scratch {
                 self.report.faults.push(Fault::Loops {
                     theta,
@@ -197,11 +202,12 @@ impl Trial<'_> {
         STEPS[self.rng.random_range(0..STEPS.len())] * self.sign() * self.oracle.size()
     }
 
-    fn beside_a_curve(&mut self, slice: &Slice) {
-        if slice.curves.is_empty() {
+    /// Asks a slice beside one of its curves, or of those of another slice at its orientation.
+    fn beside_a_curve(&mut self, slice: &Slice, with: &Slice) {
+        if with.curves.is_empty() {
             return self.beside_a_contact(slice);
         }
-        let curve = slice.curves[self.rng.random_range(0..slice.curves.len())].geometry;
+        let curve = with.curves[self.rng.random_range(0..with.curves.len())].geometry;
         let s = self.rng.random_range(0.0..1.0);
         let p = curve.point(s) + curve.free_normal(s) * self.step();
         self.ask(slice, p, true);

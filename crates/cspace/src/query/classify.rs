@@ -35,6 +35,39 @@ impl ContactSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
+        Some(self.located(c)?.0)
+    }
+
+    /// The free region that holds a configuration, an index into [`free_regions`](Self::free_regions): two free
+    /// configurations can be joined by a motion if and only if theirs is the same. `None` where the parts touch or overlap,
+    /// outside the window, and if the configuration is not finite.
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
+    /// let square = |r: f64| -> Vec<Vertex> {
+    ///     [(-r, -r), (r, -r), (r, r), (-r, r)].iter().map(|&(x, y)| Vertex::line(x, y)).collect()
+    /// };
+    /// let ring = Part::new("ring", vec![square(3.0), square(2.0)])?;
+    /// let block = Part::new("block", vec![square(1.0)])?;
+    /// let space = ContactSpace::compute(&ring, &block, &Options::default())?;
+    /// let at = |x, theta| space.region_at(Configuration::new(x, 0.0, theta));
+    /// // It can turn within the ring, but not get out.
+    /// assert_eq!(at(0.0, 0.0), at(0.1, 1.6));
+    /// assert_ne!(at(0.0, 0.0), at(9.0, 0.0));
+    /// assert_eq!(at(2.5, 0.0), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn region_at(&self, c: Configuration) -> Option<u32> {
+        match self.located(c)? {
+            (Classification::Free, region) => Some(region),
+            _ => None,
+        }
+    }
+
+    /// What a configuration is, and the region that the curve bounds by which that is told.
+    fn located(&self, c: Configuration) -> Option<(Classification, u32)> {
+        /// Of a position from which a ray meets nothing.
+        const UNBOUNDED: u32 = 0;
         let window = self.window();
         if !(c.position().is_finite() && c.theta.is_finite()) {
             return None;
@@ -46,12 +79,16 @@ impl ContactSpace {
         let near = slice.curves.iter().any(|curve| {
             curve.geometry.nearest(c.position()).distance(c.position()) <= self.resolution()
         });
-        Some(if near {
+        let met = slice.first_met(c.position());
+        let class = if near {
             Classification::Contact
-        } else if slice.is_free(c.position()) {
+        } else if met.is_none_or(|m| m.from_free) {
             Classification::Free
         } else {
             Classification::Blocked
-        })
+        };
+        let patch = met.and_then(|m| slice.curves[m.curve].patch);
+        let region = patch.map_or(UNBOUNDED, |p| self.patches()[p as usize].region);
+        Some((class, region))
     }
 }

@@ -388,6 +388,11 @@ impl Slice {
     /// At a critical orientation two curves that face each other may lie on one carrier, as far as it is known, in either
     /// order: a ray that meets such two is not asked, as long as there is another.
     pub fn is_free(&self, position: Point) -> bool {
+        self.first_met(position).is_none_or(|met| met.from_free)
+    }
+
+    /// The curve that bounds the space a position is in, as far as a ray tells; `None` if there is nothing that way.
+    pub(crate) fn first_met(&self, position: Point) -> Option<Met> {
         /// The first of the directions; this one is no engineer's.
         const FIRST: f64 = 1.234_567_89;
         /// From each to the next, radians: the golden section of a turn.
@@ -395,28 +400,32 @@ impl Slice {
         const DIRECTIONS: u32 = 7;
         /// Curves that face each other further apart than this, as a share of the way to the first, are in the order met.
         const APART: f64 = 1e-7;
-        let mut widest = (f64::NEG_INFINITY, true);
+        let mut widest = (f64::NEG_INFINITY, None);
         for k in 0..DIRECTIONS {
             let d = Vector::from_angle(FIRST + STEP * f64::from(k));
             // The nearest curve met from its free side, and from its blocked side.
-            let [mut free, mut blocked] = [f64::INFINITY; 2];
-            for c in &self.curves {
+            let [mut free, mut blocked] = [(f64::INFINITY, 0); 2];
+            for (i, c) in self.curves.iter().enumerate() {
                 if let Some((t, towards_free)) = c.geometry.hit(position, d) {
                     let side = if towards_free < 0.0 {
                         &mut free
                     } else {
                         &mut blocked
                     };
-                    *side = side.min(t);
+                    if t < side.0 {
+                        *side = (t, i);
+                    }
                 }
             }
-            let first = free.min(blocked);
-            if first == f64::INFINITY {
-                return true;
+            let from_free = free.0 < blocked.0;
+            let first = if from_free { free } else { blocked };
+            if first.0 == f64::INFINITY {
+                return None;
             }
-            let apart = (free - blocked).abs() / first;
+            let apart = (free.0 - blocked.0).abs() / first.0;
             if apart > widest.0 {
-                widest = (apart, free < blocked);
+                let curve = first.1;
+                widest = (apart, Some(Met { curve, from_free }));
             }
             if apart > APART {
                 break;
@@ -424,6 +433,14 @@ impl Slice {
         }
         widest.1
     }
+}
+
+/// A curve of a slice, met by a ray.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Met {
+    pub(crate) curve: usize,
+    /// Whether the ray comes from the curve's free side.
+    pub(crate) from_free: bool,
 }
 
 #[cfg(test)]
