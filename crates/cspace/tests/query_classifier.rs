@@ -224,6 +224,57 @@ fn positions_in_line_with_features() {
     }
 }
 
+/// Contact circles that hardly differ cross at places of which rounding, or an enclosure, leaves nothing: circles of one
+/// radius about places far nearer to each other than that.
+#[test]
+fn circles_that_are_nearly_one() {
+    let (mut asked, mut mistakes) = (0, Vec::new());
+    for (family, value, orientations) in [
+        (
+            "gear with itself, teeth",
+            8.0,
+            [1.570_796_326_794_896_6, PI],
+        ),
+        (
+            "small part and a larger one around it, ratio",
+            1e4,
+            [-2.183_566, 0.2],
+        ),
+        (
+            "three pegs in three holes, clearance",
+            1e-2,
+            [-2.557_647_265_863_493e-6, 3e-3],
+        ),
+    ] {
+        let all = cspace_oracle::families();
+        let family = all.iter().find(|f| f.name == family).unwrap();
+        let case = family.build(value).unwrap();
+        let space = ContactSpace::compute(&case.fixed, &case.moving, &Options::default()).unwrap();
+        let classifier = space.classifier();
+        let oracle = Oracle::new(&case.fixed, &case.moving);
+        let mut rng = ChaCha8Rng::seed_from_u64(12);
+        for theta in orientations {
+            let slice = space.slice(theta);
+            for _ in 0..2000 {
+                let curve = &slice.curves[rng.random_range(0..slice.curves.len())].geometry;
+                let s = rng.random_range(0.0..1.0);
+                let off = oracle.size() * 10f64.powf(rng.random_range(-8.0..-0.5));
+                let p =
+                    curve.point(s) + curve.free_normal(s) * if rng.random() { off } else { -off };
+                let c = Configuration::new(p.x, p.y, theta);
+                mistakes.extend(wrong(&space, &classifier, c, None));
+                asked += 1;
+            }
+        }
+    }
+    assert!(
+        mistakes.is_empty(),
+        "{} of {asked}: {:#?}",
+        mistakes.len(),
+        &mistakes[..1]
+    );
+}
+
 #[test]
 fn saved_spaces_and_what_is_no_configuration() {
     let pair = pair("random 2");

@@ -54,21 +54,21 @@ pub(super) struct Local {
     circle: Option<(Vector, f64)>,
     /// By how much a large arc is off its chord at most.
     height: Option<f64>,
+    /// Whether its ends are known.
+    known: bool,
 }
 
 impl Local {
     /// The curve of a patch relative to a position of the pair's frame; the patch must exist at the orientation.
     #[inline]
     pub(super) fn new(patch: &Patch, turn: Rotation, p: Point) -> Self {
-        let at = |b: &crate::space::Boundary| {
-            let (x, y) = b.inner(&patch.function, turn.cos, turn.sin);
-            Point::new(x, y) - p
-        };
+        let [(start, off), (end, end_off)] = [&patch.left, &patch.right]
+            .map(|b| b.inner_and_error(&patch.function, turn))
+            .map(|(at, error)| (at - p, error));
         let circle = match patch.function {
             ContactFunction::Circle { center, radius } => Some((center.at(turn) - p, radius)),
             _ => None,
         };
-        let (start, end) = (at(&patch.left), at(&patch.right));
         let height = match patch.function {
             ContactFunction::FlatCircle { radius, .. } => {
                 Some(0.25 * (end - start).length_squared() / radius.abs())
@@ -80,12 +80,16 @@ impl Local {
             end,
             circle,
             height,
+            known: off.max(end_off) < END_ERROR,
         }
     }
 
     /// What the way from the point meets first of the curve.
     #[inline]
     pub(super) fn meet(&self, direction: Direction) -> Meeting {
+        if !self.known {
+            return Meeting::Unclear;
+        }
         let (a, b) = (direction.ahead(self.start), direction.ahead(self.end));
         let at_end = a.y.abs() < END_ERROR || b.y.abs() < END_ERROR;
         if let Some(height) = self.height {

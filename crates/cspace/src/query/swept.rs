@@ -42,11 +42,17 @@ impl Swept {
                 let length = sweep.abs() + before + after;
                 let whole = length.is_nan() || length >= TAU;
                 let direction = radius.signum();
+                // Of an end that is not known at all there is no angle either.
+                let (start_angle, sweep) = if whole {
+                    (0.0, TAU)
+                } else {
+                    (left.0.angle() - direction * before, length)
+                };
                 let shape = CurveGeometry::Arc {
                     center: center.at(turn),
                     radius: r,
-                    start_angle: left.0.angle() - direction * before,
-                    sweep: direction * if whole { TAU } else { length },
+                    start_angle,
+                    sweep: direction * sweep,
                 };
                 let slack = if whole { TAU * r } else { left.1.max(right.1) };
                 Self {

@@ -153,7 +153,7 @@ impl Patch {
         const GOOD: f64 = 1e-7;
         /// How far away the nearest slice is taken, radians: the square of it is below what their rounding makes.
         const ASIDE: f64 = 1e-5;
-        let (p, error) = boundary.inner_and_error(&self.function, theta);
+        let (p, error) = boundary.inner_and_error(&self.function, Rotation::by(theta));
         if error <= GOOD {
             return p;
         }
@@ -165,7 +165,8 @@ impl Patch {
             -step
         };
         let [near, next, far] = [1.0, 2.0, 3.0].map(|k| {
-            let (p, error) = boundary.inner_and_error(&self.function, theta + k * step);
+            let turn = Rotation::by(theta + k * step);
+            let (p, error) = boundary.inner_and_error(&self.function, turn);
             (p.to_vector(), error)
         });
         // A straight line through two, and how far the third is off it: at a tangency, where places move with the square
@@ -226,8 +227,9 @@ impl BoundaryCurve<'_> {
 
 impl Boundary {
     /// The position in the pair's frame, and its rounding error.
-    fn inner_and_error(&self, own: &ContactFunction, theta: f64) -> (Point, f64) {
-        let (sin, cos) = theta.sin_cos();
+    #[inline]
+    pub(crate) fn inner_and_error(&self, own: &ContactFunction, turn: Rotation) -> (Point, f64) {
+        let Rotation { cos, sin } = turn;
         match self {
             Self::End { .. } => {
                 let p = self.inner(own, cos, sin);
