@@ -1,7 +1,8 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
 use crate::contact::{
-    Crossing, Curve, CurveShape, Geometry, Level, bow_events, conditions, crossing, roots,
+    Crossing, Curve, CurveShape, Geometry, Level, SharedEnds, bow_events, conditions, crossing,
+    roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Event;
@@ -64,7 +65,11 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
                 &contacts.sheets[run.first as usize],
                 &contacts.sheets[run.second as usize],
             );
-            let shared = f.shared_ends(g, contacts.first_vertex_name);
+            // Pairs that are tangent by their making are not among them.
+            let shared = SharedEnds {
+                tangent: false,
+                corners: f.shared_corners(g, contacts.first_vertex_name),
+            };
             let (mid, half) = (0.5 * (run.lo + run.hi), 0.5 * (run.hi - run.lo));
             let (sin, cos) = mid.sin_cos();
             if f.is_flat() || g.is_flat() {
@@ -324,8 +329,8 @@ fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<
     for root in 0..roots(&f, &g) {
         found[usize::from(root)] = crossing(&f, &g, root);
     }
-    let shared = fs.shared_ends(gs, contacts.first_vertex_name);
-    for spiral in shared.corners.into_iter().flatten() {
+    let corners = fs.shared_corners(gs, contacts.first_vertex_name);
+    for spiral in corners.into_iter().flatten() {
         let p = spiral.at(turn);
         let distance = |c: &Option<Crossing>| c.map_or(f64::INFINITY, |c| c.point.distance(p));
         let nearest = usize::from(distance(&found[1]) < distance(&found[0]));

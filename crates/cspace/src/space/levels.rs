@@ -323,7 +323,7 @@ impl Levels<'_> {
             let half_turn = core::f64::consts::PI * radius.abs();
             marks.extend([-half_turn, half_turn]);
         }
-        marks.sort_by(f64::total_cmp);
+        marks.sort_unstable_by(f64::total_cmp);
         let (just_below, just_above) = self.clusters.just_beside(at);
         let (turn_below, turn_above) = (Rotation::by(just_below), Rotation::by(just_above));
         let (mut near_below, mut near_above) = (track.covering(below), track.covering(above));
@@ -337,11 +337,11 @@ impl Levels<'_> {
             let place = Place::new(&track, start, middle);
             near_below.go_to(middle);
             near_above.go_to(middle);
-            for (along, stretches) in [true, false].into_iter().zip(&mut *stretches) {
-                let low = near_below.here().map(|i| &below[i]);
-                let low = self.outermost(low, &track, &place, along, turn_below);
-                let high = near_above.here().map(|i| &above[i]);
-                let high = self.outermost(high, &track, &place, along, turn_above);
+            let low = near_below.here().map(|i| &below[i]);
+            let low = self.outermost(low, &track, &place, turn_below);
+            let high = near_above.here().map(|i| &above[i]);
+            let high = self.outermost(high, &track, &place, turn_above);
+            for ((low, high), stretches) in low.into_iter().zip(high).zip(&mut *stretches) {
                 let (Some(low), Some(high)) = (low, high) else {
                     continue;
                 };
@@ -439,27 +439,29 @@ impl Levels<'_> {
         }
     }
 
-    /// The piece that faces free space at a place, just off the level, on one of the two faces of the track.
+    /// The pieces that face free space at a place, just off the level, on the face of the track along its normal and on the other.
     fn outermost<'p>(
         &self,
         pieces: impl Iterator<Item = &'p Piece>,
         track: &Track,
         place: &Place,
-        along: bool,
         turn: Rotation,
-    ) -> Option<&'p Piece> {
-        let outward = if along { place.normal } else { -place.normal };
-        let mut best: Option<(f64, &Piece)> = None;
-        let mut ceiling = f64::INFINITY;
+    ) -> [Option<&'p Piece>; 2] {
+        let (mut highest, mut lowest): (Option<(f64, &Piece)>, Option<(f64, &Piece)>) =
+            (None, None);
         for q in pieces.filter(|q| q.covers(track, place.coordinate)) {
-            let h = self.height(q.cell, place.point, outward, turn);
-            if q.along != along {
-                ceiling = ceiling.min(h);
-            } else if best.is_none_or(|b| h > b.0) {
-                best = Some((h, q));
+            let h = self.height(q.cell, place.point, place.normal, turn);
+            if q.along && highest.is_none_or(|b| h > b.0) {
+                highest = Some((h, q));
+            } else if !q.along && lowest.is_none_or(|b| h < b.0) {
+                lowest = Some((h, q));
             }
         }
-        best.filter(|b| b.0 < ceiling).map(|b| b.1)
+        // What faces each other leaves no room unless it is apart.
+        match (highest, lowest) {
+            (Some(a), Some(b)) if a.0 >= b.0 => [None; 2],
+            _ => [highest, lowest].map(|outer| outer.map(|o| o.1)),
+        }
     }
 
     /// How far outward from a point the carrier of a cell's sheet lies.
