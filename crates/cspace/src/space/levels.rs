@@ -447,8 +447,8 @@ impl Levels<'_> {
         place: &Place,
         turn: Rotation,
     ) -> [Option<&'p Piece>; 2] {
-        let (mut highest, mut lowest): (Option<(f64, &Piece)>, Option<(f64, &Piece)>) =
-            (None, None);
+        let mut highest: Option<(f64, &Piece)> = None;
+        let mut lowest: Option<(f64, &Piece)> = None;
         for q in pieces.filter(|q| q.covers(track, place.coordinate)) {
             let h = self.height(q.cell, place.point, place.normal, turn);
             if q.along && highest.is_none_or(|b| h > b.0) {
