@@ -78,3 +78,38 @@ pub(crate) fn sort_unstable_by<T: Send>(
         items.par_sort_unstable_by(order);
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// What comes out is in order and the same with any number of threads.
+    #[test]
+    fn threads_do_not_matter() {
+        let items: Vec<u64> = (0..5000).map(|i| i * 7919 % 5003).collect();
+        let work = || {
+            let (mut by_tens, mut sorted) = (items.clone(), items.clone());
+            sort_by(&mut by_tens, |a, b| (a / 10).cmp(&(b / 10)));
+            sort_unstable_by(&mut sorted, u64::cmp);
+            let firsts = chunks(&items, 7, |first, chunk| (first, chunk.to_vec()));
+            let (doubled, none) = join(|| map(&items, 3, |i| 2 * i), || map(&[0; 0], 3, |i| *i));
+            (by_tens, sorted, firsts, doubled, none)
+        };
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            pool.build().unwrap().install(|| within(work))
+        };
+        let alone = with(1);
+        assert_eq!(alone, with(3));
+        let mut by_tens = items.clone();
+        by_tens.sort_by_key(|i| i / 10);
+        assert_eq!(alone.0, by_tens);
+        assert!(alone.1.is_sorted());
+        for (first, chunk) in &alone.2 {
+            assert_eq!(&items[*first..*first + chunk.len()], &chunk[..]);
+        }
+        assert!(alone.3.iter().zip(&items).all(|(d, i)| *d == 2 * i));
+        assert_eq!((alone.2.len(), alone.4.len()), (5000usize.div_ceil(7), 0));
+    }
+}
