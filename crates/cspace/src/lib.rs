@@ -10,6 +10,7 @@ pub mod fuzzing;
 pub mod geometry;
 pub(crate) mod number;
 pub mod pair;
+pub(crate) mod parallel;
 pub mod part;
 pub mod query;
 pub mod slice;

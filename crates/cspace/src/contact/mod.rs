@@ -27,6 +27,6 @@ pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Geometry, Placed};
 #[cfg(feature = "fuzzing")]
 pub(crate) use sheet::{EndAngle, SheetKind};
-pub(crate) use sheet::{Seam, Sheet, WIDEST_SAGITTA};
+pub(crate) use sheet::{Seam, SharedEnds, Sheet, WIDEST_SAGITTA};
 pub use spiral::{Spiral, Swing};
 pub(crate) use twist::{Permutation, Steps, Twist};

@@ -179,24 +179,25 @@ impl Sheet {
                 || self.same_bow(other)
                 || self.always_tangent(other)
                 || (self.fixed == other.fixed && self.moving == other.moving),
-            corners: [None; 2],
+            corners: self.shared_corners(other, first_vertex_name),
         };
-        for (slot, (mine, theirs, spiral)) in [
-            (self.end_name, other.start_name, self.end),
-            (self.start_name, other.end_name, self.start),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            if mine == theirs {
-                if mine >= first_vertex_name {
-                    shared.corners[slot] = Some(spiral);
-                } else {
-                    shared.tangent = true;
-                }
-            }
-        }
+        let smooth = |name: u32, other: u32| name == other && name < first_vertex_name;
+        shared.tangent |= smooth(self.end_name, other.start_name);
+        shared.tangent |= smooth(self.start_name, other.end_name);
         shared
+    }
+
+    /// The ends of two vertices that it shares with another sheet: its own end, and its start.
+    pub(crate) fn shared_corners(
+        &self,
+        other: &Self,
+        first_vertex_name: u32,
+    ) -> [Option<Spiral>; 2] {
+        let corner = |name: u32, other: u32| name == other && name >= first_vertex_name;
+        [
+            corner(self.end_name, other.start_name).then_some(self.end),
+            corner(self.start_name, other.end_name).then_some(self.start),
+        ]
     }
 
     /// Whether its curves are circles about a centre.

@@ -21,12 +21,15 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(
     if edges.len() > MOST_SEARCHED {
         return None;
     }
-    // How deep inside a point is, if that is more than some depth; most points are near to some edge.
-    let deeper = |p: Point, than: f64| {
+    // How deep inside a point is, if that is more than some depth; most points are near to some edge, and to that of the
+    // point before.
+    let mut near = 0;
+    let mut deeper = |p: Point, than: f64| {
         let mut least = f64::INFINITY;
-        for e in &edges {
-            least = least.min(distance(e, p));
+        for i in core::iter::once(near).chain(0..edges.len()) {
+            least = least.min(distance(&edges[i], p));
             if least <= than {
+                near = i;
                 return None;
             }
         }
@@ -36,7 +39,7 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(
     let bounds = part.bounds();
     let [lo, hi] = [bounds.min, bounds.max].map(|p| Point::ORIGIN + (p - center) * scale);
     let mut best = (Point::ORIGIN, deeper(Point::ORIGIN, 0.0).unwrap_or(0.0));
-    let consider = |p: Point, best: &mut (Point, f64)| {
+    let mut consider = |p: Point, best: &mut (Point, f64)| {
         if let Some(d) = deeper(p, best.1 + 1e-9) {
             *best = (p, d);
         }

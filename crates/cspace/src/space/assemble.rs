@@ -2,10 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use rayon::prelude::*;
-
 use crate::contact::{ContactFunction, Twist};
 use crate::feature::{FeatureName, Outline};
+use crate::parallel;
 use crate::part::Part;
 
 use super::cells::END;
@@ -66,7 +65,7 @@ impl Assembler<'_> {
             lifts: &lifts,
         };
         let (side_links, vertical_links) =
-            rayon::join(|| links.side(&patches), || links.vertical());
+            parallel::join(|| links.side(&patches), || links.vertical());
         let critical_orientations = lifts.critical_orientations(&chains.chains);
         let walk = Walk::new(patches.len(), &side_links);
         let (more_fixed, more_moving) = self.names.added();
@@ -126,12 +125,7 @@ impl Assembler<'_> {
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
         let geometry = self.linker.geometry;
         let carried = &geometry.contacts.carried;
-        let firsts: Vec<Patch> = chains
-            .chains
-            .par_iter()
-            .with_min_len(256)
-            .map(|c| self.patch(c))
-            .collect();
+        let firsts = parallel::map(&chains.chains, 256, |c| self.patch(c));
         let Some(&any) = firsts.first() else {
             return Vec::new();
         };

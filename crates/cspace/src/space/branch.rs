@@ -1,12 +1,12 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
-use rayon::prelude::*;
-
 use crate::contact::{
-    Crossing, Curve, CurveShape, Geometry, Level, bow_events, conditions, crossing, roots,
+    Crossing, Curve, CurveShape, Geometry, Level, SharedEnds, bow_events, conditions, crossing,
+    roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Event;
+use crate::parallel;
 
 use super::candidates::PairRun;
 use super::clusters::Clusters;
@@ -39,31 +39,57 @@ impl Branch {
     }
 }
 
+/// The events of pairs that may cross.
+#[derive(Debug, Default)]
+pub(super) struct PairEvents {
+    pub(super) events: Vec<Event>,
+    /// For every pair the events of it and those before.
+    until: Vec<usize>,
+}
+
+impl PairEvents {
+    fn of(&self, pair: usize) -> &[Event] {
+        let from = pair.checked_sub(1).map_or(0, |before| self.until[before]);
+        &self.events[from..self.until[pair]]
+    }
+}
+
 /// The events of every pair.
-pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> Vec<Vec<Event>> {
+pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents {
     let contacts = &geometry.contacts;
-    pairs
-        .par_iter()
-        .with_min_len(256)
-        .map(|run| {
+    let found = parallel::chunks(pairs, CHUNK, |_, runs| {
+        let mut found = PairEvents::default();
+        let events = &mut found.events;
+        for run in runs {
             let (f, g) = (
                 &contacts.sheets[run.first as usize],
                 &contacts.sheets[run.second as usize],
             );
-            let shared = f.shared_ends(g, contacts.first_vertex_name);
+            // Pairs that are tangent by their making are not among them.
+            let shared = SharedEnds {
+                tangent: false,
+                corners: f.shared_corners(g, contacts.first_vertex_name),
+            };
             let (mid, half) = (0.5 * (run.lo + run.hi), 0.5 * (run.hi - run.lo));
             let (sin, cos) = mid.sin_cos();
-            let mut events = Vec::new();
             if f.is_flat() || g.is_flat() {
                 bow_events(f, g, &shared, (run.lo, run.hi), |e| events.push(e));
-                return events;
+            } else {
+                conditions(f, g, &shared, |t| {
+                    t.roots(mid, cos, sin, half, |e| events.push(e));
+                });
             }
-            conditions(f, g, &shared, |t| {
-                t.roots(mid, cos, sin, half, |e| events.push(e));
-            });
-            events
-        })
-        .collect()
+            found.until.push(events.len());
+        }
+        found
+    });
+    let mut all = PairEvents::default();
+    for f in found {
+        let before = all.events.len();
+        all.events.extend(f.events);
+        all.until.extend(f.until.into_iter().map(|n| before + n));
+    }
+    all
 }
 
 /// Two sheets whose curves lie on one carrier at one orientation, not before and not after.
@@ -99,25 +125,21 @@ pub(super) struct Traced {
 pub(super) fn branches(
     geometry: &Geometry,
     pairs: &[PairRun],
-    events: &[Vec<Event>],
+    events: &PairEvents,
     clusters: &Clusters,
 ) -> Traced {
-    let found: Vec<Traced> = pairs
-        .par_chunks(CHUNK)
-        .zip(events.par_chunks(CHUNK))
-        .map(|(runs, events)| {
-            let mut tracer = Tracer {
-                geometry,
-                clusters,
-                found: Traced::default(),
-                times: Vec::new(),
-            };
-            for (run, events) in runs.iter().zip(events) {
-                tracer.trace(run, events);
-            }
-            tracer.found
-        })
-        .collect();
+    let found = parallel::chunks(pairs, CHUNK, |first, runs| {
+        let mut tracer = Tracer {
+            geometry,
+            clusters,
+            found: Traced::default(),
+            times: Vec::new(),
+        };
+        for (pair, run) in (first..).zip(runs) {
+            tracer.trace(run, events.of(pair));
+        }
+        tracer.found
+    });
     let mut all = Traced::default();
     for f in found {
         all.branches.extend(f.branches);
@@ -307,8 +329,8 @@ fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<
     for root in 0..roots(&f, &g) {
         found[usize::from(root)] = crossing(&f, &g, root);
     }
-    let shared = fs.shared_ends(gs, contacts.first_vertex_name);
-    for spiral in shared.corners.into_iter().flatten() {
+    let corners = fs.shared_corners(gs, contacts.first_vertex_name);
+    for spiral in corners.into_iter().flatten() {
         let p = spiral.at(turn);
         let distance = |c: &Option<Crossing>| c.map_or(f64::INFINITY, |c| c.point.distance(p));
         let nearest = usize::from(distance(&found[1]) < distance(&found[0]));

@@ -8,10 +8,9 @@
 use core::f64::consts::TAU;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-use rayon::prelude::*;
-
 use crate::contact::{Curve, CurveShape, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::parallel;
 
 use super::core::{Cores, Layout};
 use super::limits::{MOST_CROSSING, MOST_MEETINGS, MOST_SHEETS};
@@ -81,36 +80,35 @@ impl Candidates {
         slots.push(span.hi);
         let slot_of = |theta: f64| slots.partition_point(|&s| s <= theta).clamp(1, count) - 1;
 
-        let mut in_slot: Vec<Vec<u32>> = vec![Vec::new(); count.div_ceil(TOGETHER)];
+        // Some slots, by the first of them, with the sheets that exist there.
+        let mut in_slot: Vec<(usize, Vec<u32>)> = ((0..count)
+            .step_by(TOGETHER)
+            .map(|first| (first, Vec::new())))
+        .collect();
         for (i, sheet) in (0..).zip(sheets) {
             let (first, last) = (slot_of(sheet.lo) / TOGETHER, slot_of(sheet.hi) / TOGETHER);
-            for list in &mut in_slot[first..=last] {
+            for (_, list) in &mut in_slot[first..=last] {
                 list.push(i);
             }
         }
         let meetings = AtomicUsize::new(0);
-        let per_slot: Vec<(Vec<u64>, Vec<Boxed>)> = in_slot
-            .par_iter()
-            .enumerate()
-            .flat_map_iter(|(wide, list)| {
-                let first = wide * TOGETHER;
-                let last = (first + TOGETHER).min(count);
-                let (lo, hi) = (slots[first], slots[last]);
-                let mut list = list.clone();
-                if meetings.load(Ordering::Relaxed) > MOST_MEETINGS {
-                    list.clear();
-                }
-                let layout = cores.about(0.5 * (lo + hi));
-                drop_covered(sheets, &layout, &mut list, lo, hi);
-                let (slots, meetings) = (&slots, &meetings);
-                (first..last).map(move |slot| {
-                    let found =
-                        look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1]);
-                    meetings.fetch_add(found.0.len(), Ordering::Relaxed);
-                    found
-                })
-            })
-            .collect();
+        let found = parallel::map(&in_slot, 1, |(first, list)| {
+            let last = (first + TOGETHER).min(count);
+            let (lo, hi) = (slots[*first], slots[last]);
+            let mut list = list.clone();
+            if meetings.load(Ordering::Relaxed) > MOST_MEETINGS {
+                list.clear();
+            }
+            let layout = cores.about(0.5 * (lo + hi));
+            drop_covered(sheets, &layout, &mut list, lo, hi);
+            let look = |slot| {
+                let found =
+                    look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1]);
+                meetings.fetch_add(found.0.len(), Ordering::Relaxed);
+                found
+            };
+            (*first..last).map(look).collect::<Vec<_>>()
+        });
         // Whichever slot was last to be looked at: all of them together have too many.
         if meetings.into_inner() > MOST_MEETINGS {
             return None;
@@ -118,15 +116,15 @@ impl Candidates {
 
         let (mut pairs, mut alive) = (Vec::new(), Vec::new());
         let mut by_slot = Vec::with_capacity(count);
-        for (slot, (p, a)) in (0..).zip(per_slot) {
+        for (slot, (p, a)) in (0..).zip(found.into_iter().flatten()) {
             pairs.extend(p);
             alive.extend(a.iter().map(|b| u64::from(b.sheet) << SLOT_BITS | slot));
             by_slot.push(a);
         }
         // Sheets of several pieces come several times.
-        pairs.par_sort_unstable();
+        parallel::sort_unstable_by(&mut pairs, u64::cmp);
         pairs.dedup();
-        alive.par_sort_unstable();
+        parallel::sort_unstable_by(&mut alive, u64::cmp);
         alive.dedup();
         let clip = |lo: f64, hi: f64, sheet: &Sheet| (lo.max(sheet.lo), hi.min(sheet.hi));
         let pairs: Vec<PairRun> = runs(&pairs)

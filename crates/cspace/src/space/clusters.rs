@@ -4,10 +4,10 @@
 //! make one cluster: one candidate for a critical orientation. From here on orientations are counted in clusters, and
 //! structure is only ever looked at half way between two of them, away from every event.
 
-use rayon::prelude::*;
-
 use crate::feature::tolerance::NARROWEST_BAND;
+use crate::geometry::Rotation;
 use crate::number::Event;
+use crate::parallel;
 
 /// Disjoint intervals of orientation, sorted; between two of them nothing happens.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -16,6 +16,8 @@ pub(super) struct Clusters {
     hi: Vec<f64>,
     /// The event of each that is known best: the orientation at which curves and places are measured.
     best: Vec<Event>,
+    /// The rotations by their orientations.
+    turns: Vec<Rotation>,
 }
 
 /// How far beside a cluster is just beside it, radians: carriers that were one at the cluster are apart by more than
@@ -34,7 +36,7 @@ impl Clusters {
 
     /// From intervals with the best-known event in each.
     fn gather(mut intervals: Vec<(f64, f64, Event)>) -> Self {
-        intervals.par_sort_unstable_by(|a, b| {
+        parallel::sort_unstable_by(&mut intervals, |a, b| {
             a.0.total_cmp(&b.0)
                 .then(a.2.error.total_cmp(&b.2.error))
                 .then(a.2.theta.total_cmp(&b.2.theta))
@@ -55,6 +57,7 @@ impl Clusters {
                 }
             }
         }
+        this.turns = this.best.iter().map(|e| Rotation::by(e.theta)).collect();
         this
     }
 
@@ -88,6 +91,11 @@ impl Clusters {
     /// The orientation in the cluster at which an event is known best to happen.
     pub(super) fn at(&self, i: u32) -> f64 {
         self.best[i as usize].theta
+    }
+
+    /// The rotation by [`at`](Self::at).
+    pub(super) fn turn(&self, i: u32) -> Rotation {
+        self.turns[i as usize]
     }
 
     /// Where the cluster begins.

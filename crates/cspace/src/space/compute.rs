@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::Event;
+use crate::parallel;
 use crate::part::{Corresponding, Part};
 
 use super::assemble::Assembler;
@@ -187,8 +188,7 @@ impl ContactSpace {
     ) -> Result<Self, ComputeError> {
         let window = checked_window(options.window)?;
         let method = options.symmetry.into();
-        // All within the thread pool: its doors are not passed again at every stage.
-        rayon::scope(|_| Self::compute_by(fixed, moving, window, method, progress))
+        parallel::within(|| Self::compute_by(fixed, moving, window, method, progress))
     }
 
     /// Whether the parts have few enough edges, which [`compute`](Self::compute) asks first; a slice may be as much work.
@@ -268,7 +268,7 @@ impl ContactSpace {
         const ALIGNMENT_ERROR: f64 = 16.0 * f64::EPSILON;
         /// Cuts between slots are no events: within a cluster, any event's orientation is preferred to theirs.
         const SLOT_ERROR: f64 = NARROWEST_BAND / 4.0;
-        let mut events: Vec<Event> = pair_events.iter().flatten().copied().collect();
+        let mut events = pair_events.events.clone();
         let pair_event_count = events.len() as u64;
         let exact = |theta: f64, error: f64| Event { theta, error };
         events.extend(

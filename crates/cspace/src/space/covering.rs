@@ -22,8 +22,8 @@ impl Covering {
         }
     }
 
-    /// The numbers of those that hold a place, in rising order. Places must come in rising order.
-    pub(super) fn at(&mut self, place: f64) -> impl Iterator<Item = usize> + '_ {
+    /// Goes on to a place. Places must come in rising order.
+    pub(super) fn go_to(&mut self, place: f64) {
         self.now.retain(|n| n.1 >= place);
         while let Some(&(start, end, i)) = self.by_start.get(self.begun) {
             if start > place {
@@ -35,6 +35,10 @@ impl Covering {
             }
             self.begun += 1;
         }
+    }
+
+    /// The numbers of those that hold the place gone to, in rising order.
+    pub(super) fn here(&self) -> impl Iterator<Item = usize> + '_ {
         self.now.iter().map(|n| n.0)
     }
 }
@@ -47,7 +51,10 @@ mod tests {
     fn intervals_come_and_go() {
         let mut covering =
             Covering::new([(0.5, 2.0), (0.0, 1.0), (1.5, 1.75), (0.25, 9.0)].into_iter());
-        let mut at = |place| covering.at(place).collect::<Vec<_>>();
+        let mut at = |place| {
+            covering.go_to(place);
+            covering.here().collect::<Vec<_>>()
+        };
         assert_eq!(at(-1.0), []);
         assert_eq!(at(0.75), [0, 1, 3]);
         assert_eq!(at(1.6), [0, 2, 3]);

@@ -89,7 +89,12 @@ impl<'a> CellExtents<'a> {
         sheet: u32,
         cluster: u32,
     ) -> Self {
-        let at = Placing::new(geometry, sheet, clusters.at(cluster));
+        let at = Placing::turned_by(
+            geometry,
+            sheet,
+            clusters.at(cluster),
+            clusters.turn(cluster),
+        );
         Self {
             speed: at.speed(),
             at,

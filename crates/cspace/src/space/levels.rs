@@ -8,15 +8,14 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use crate::contact::{Bow, Carrier, Geometry, Seam, wrap};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Rotation, Vector};
+use crate::parallel;
 use crate::union_find::UnionFind;
 
 use super::branch::{Branch, Coincidence};
-use super::cells::{Cell, VerticalContact};
+use super::cells::VerticalContact;
 use super::clusters::Clusters;
 use super::covering::Covering;
 use super::extent::{CellExtents, Side};
@@ -70,6 +69,53 @@ struct Stretch {
     certain: bool,
 }
 
+/// Groups of sheets that lie on one level are handled so many at a time by one thread.
+const CHUNK: usize = 16;
+
+/// A sheet that lies on a level; those on one level have one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Level {
+    number: u32,
+    /// The cluster at which that is.
+    at: u32,
+    sheet: u32,
+}
+
+/// What is kept from level to level, for its room.
+#[derive(Default)]
+struct Work {
+    /// Cells that end on the level, and those that begin.
+    ending: Vec<u32>,
+    beginning: Vec<u32>,
+    /// The same as pieces of the track.
+    below: Vec<Piece>,
+    above: Vec<Piece>,
+    /// The ends of all pieces, in order.
+    marks: Vec<f64>,
+    /// Stretches of the track with the cells that continue each other there, on its face along the normal and on the other;
+    /// neighbours of one pair of cells are one.
+    stretches: [Vec<Stretch>; 2],
+}
+
+/// A place on a track.
+struct Place {
+    coordinate: f64,
+    point: Point,
+    /// The track's normal there.
+    normal: Vector,
+}
+
+impl Place {
+    fn new(track: &Track, on: Point, coordinate: f64) -> Self {
+        let point = track.point(on, coordinate);
+        Self {
+            coordinate,
+            point,
+            normal: track.normal(point),
+        }
+    }
+}
+
 impl Piece {
     fn covers(&self, track: &Track, place: f64) -> bool {
         track.difference(place, self.mid).abs() < self.half
@@ -92,6 +138,31 @@ impl Track {
                 zero,
             } => wrap((p - center).angle() - zero) * radius.abs(),
             Self::Bow(bow) => bow.place(p),
+        }
+    }
+
+    /// The point at a coordinate, given one of a line.
+    fn point(&self, on: Point, coordinate: f64) -> Point {
+        match *self {
+            Self::Line { normal } => {
+                let along = normal.left();
+                on + along * (coordinate - along.dot(on - Point::ORIGIN))
+            }
+            Self::Circle {
+                center,
+                radius,
+                zero,
+            } => center + Vector::from_angle(zero + coordinate / radius.abs()) * radius.abs(),
+            Self::Bow(bow) => bow.point(coordinate),
+        }
+    }
+
+    /// The normal at a point of it.
+    fn normal(&self, p: Point) -> Vector {
+        match *self {
+            Self::Line { normal } => normal,
+            Self::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
+            Self::Bow(bow) => bow.normal_at(p),
         }
     }
 
@@ -127,12 +198,15 @@ impl Track {
 
 impl Levels<'_> {
     /// Adds the contacts across all levels.
-    pub(super) fn connect(&self, groups: &[(u32, Vec<u32>)], out: &mut Vec<VerticalContact>) {
-        let found: Vec<Vec<VerticalContact>> = groups
-            .par_iter()
-            .with_min_len(16)
-            .map(|(at, sheets)| self.connect_group(*at, sheets))
-            .collect();
+    pub(super) fn connect(&self, groups: &[Level], out: &mut Vec<VerticalContact>) {
+        let groups: Vec<&[Level]> = groups.chunk_by(|a, b| a.number == b.number).collect();
+        let found = parallel::chunks(&groups, CHUNK, |_, groups| {
+            let (mut work, mut out) = (Work::default(), Vec::new());
+            for group in groups {
+                self.connect_group(group, &mut work, &mut out);
+            }
+            out
+        });
         out.extend(found.into_iter().flatten());
     }
 
@@ -144,8 +218,8 @@ impl Levels<'_> {
         CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at)
     }
 
-    /// Sheets that share a curve at a cluster: by the seams at which they begin and end, and by coincidence.
-    pub(super) fn groups(&self, coincidences: &[Coincidence]) -> Vec<(u32, Vec<u32>)> {
+    /// Sheets that share a curve at a cluster, by the seams at which they begin and end and by coincidence: sorted.
+    pub(super) fn groups(&self, coincidences: &[Coincidence]) -> Vec<Level> {
         let sheets = &self.geometry.contacts.sheets;
         let mut seams: Vec<(Seam, u32, u32)> = Vec::new();
         for c in &self.cells.cells {
@@ -183,23 +257,32 @@ impl Levels<'_> {
         for c in coincidences {
             sets.union(node(c.at, c.first), node(c.at, c.second));
         }
-        let mut members: Vec<(u32, u32)> =
-            (0..nodes.len() as u32).map(|i| (sets.find(i), i)).collect();
-        members.sort_unstable();
-        members
-            .chunk_by(|a, b| a.0 == b.0)
-            .map(|group| {
-                let at = nodes[group[0].1 as usize].0;
-                (at, group.iter().map(|m| nodes[m.1 as usize].1).collect())
+        let mut levels: Vec<Level> = (0..)
+            .zip(&nodes)
+            .map(|(i, &(at, sheet))| Level {
+                number: sets.find(i),
+                at,
+                sheet,
             })
-            .collect()
+            .collect();
+        levels.sort_unstable();
+        levels
     }
 
-    fn connect_group(&self, at: u32, group: &[u32]) -> Vec<VerticalContact> {
-        let mut out = Vec::new();
-        let (mut ending, mut beginning) = (Vec::new(), Vec::new());
-        for &sheet in group {
-            for (i, c) in self.cells.of(sheet).filter(|(i, _)| self.counts(*i)) {
+    fn connect_group(&self, group: &[Level], work: &mut Work, out: &mut Vec<VerticalContact>) {
+        let Work {
+            ending,
+            beginning,
+            below,
+            above,
+            marks,
+            stretches,
+        } = work;
+        let at = group[0].at;
+        ending.clear();
+        beginning.clear();
+        for level in group {
+            for (i, c) in self.cells.of(level.sheet).filter(|(i, _)| self.counts(*i)) {
                 if c.to == at {
                     ending.push(i);
                 }
@@ -210,13 +293,12 @@ impl Levels<'_> {
         }
         // What is blocked below and above is so anyway.
         let matters = |&i: &u32| !self.cells.cells[i as usize].blocked;
-        let none_matters = !ending.iter().chain(&beginning).any(matters);
+        let none_matters = !ending.iter().chain(&*beginning).any(matters);
         if ending.is_empty() || beginning.is_empty() || none_matters {
-            return out;
+            return;
         }
-        let theta = self.clusters.at(at);
-        let turn = Rotation::by(theta);
-        let first = &self.geometry.contacts.sheets[group[0] as usize];
+        let (theta, turn) = (self.clusters.at(at), self.clusters.turn(at));
+        let first = &self.geometry.contacts.sheets[group[0].sheet as usize];
         let track = match first.carrier(turn.cos, turn.sin) {
             Carrier::Line { normal, .. } => Track::Line {
                 normal: Vector::new(normal.0, normal.1),
@@ -228,43 +310,38 @@ impl Levels<'_> {
             },
             Carrier::Bow(bow) => Track::Bow(bow),
         };
-        let pieces = |cells: &[u32], side: Side| -> Vec<Piece> {
-            cells
-                .chunk_by(|&a, &b| self.sheet_of(a) == self.sheet_of(b))
-                .flat_map(|same| self.pieces(same, at, side, &track))
-                .collect()
-        };
-        let (below, above) = (
-            pieces(&ending, Side::Below),
-            pieces(&beginning, Side::Above),
+        self.pieces(ending, at, Side::Below, &track, below);
+        self.pieces(beginning, at, Side::Above, &track, above);
+        marks.clear();
+        marks.extend(
+            (below.iter().chain(&*above))
+                .flat_map(|p| [p.mid - p.half, p.mid + p.half])
+                .map(|m| track.difference(m, 0.0)),
         );
-        let mut marks: Vec<f64> = below
-            .iter()
-            .chain(&above)
-            .flat_map(|p| [p.mid - p.half, p.mid + p.half])
-            .map(|m| track.difference(m, 0.0))
-            .collect();
         // A circle is cut open where its coordinate jumps.
         if let Track::Circle { radius, .. } = track {
             let half_turn = core::f64::consts::PI * radius.abs();
             marks.extend([-half_turn, half_turn]);
         }
-        marks.sort_by(f64::total_cmp);
-        let (theta_below, theta_above) = self.clusters.just_beside(at);
-        for along in [true, false] {
-            // Stretches of the track with the cells that continue each other there; neighbours of one pair are one.
-            let mut stretches: Vec<Stretch> = Vec::new();
-            let (mut near_below, mut near_above) = (track.covering(&below), track.covering(&above));
-            for w in marks.windows(2) {
-                if w[1] - w[0] <= SHORTEST_OVERLAP {
-                    continue;
-                }
-                let middle = 0.5 * (w[0] + w[1]);
-                let p = self.point(&track, first.start.at(turn), middle);
-                let low = near_below.at(middle).map(|i| &below[i]);
-                let low = self.outermost(low, &track, middle, p, along, theta_below);
-                let high = near_above.at(middle).map(|i| &above[i]);
-                let high = self.outermost(high, &track, middle, p, along, theta_above);
+        marks.sort_unstable_by(f64::total_cmp);
+        let (just_below, just_above) = self.clusters.just_beside(at);
+        let (turn_below, turn_above) = (Rotation::by(just_below), Rotation::by(just_above));
+        let (mut near_below, mut near_above) = (track.covering(below), track.covering(above));
+        stretches.iter_mut().for_each(Vec::clear);
+        let start = first.start.at(turn);
+        for w in marks.windows(2) {
+            if w[1] - w[0] <= SHORTEST_OVERLAP {
+                continue;
+            }
+            let middle = 0.5 * (w[0] + w[1]);
+            let place = Place::new(&track, start, middle);
+            near_below.go_to(middle);
+            near_above.go_to(middle);
+            let low = near_below.here().map(|i| &below[i]);
+            let low = self.outermost(low, &track, &place, turn_below);
+            let high = near_above.here().map(|i| &above[i]);
+            let high = self.outermost(high, &track, &place, turn_above);
+            for ((low, high), stretches) in low.into_iter().zip(high).zip(&mut *stretches) {
                 let (Some(low), Some(high)) = (low, high) else {
                     continue;
                 };
@@ -288,59 +365,49 @@ impl Levels<'_> {
                     }),
                 }
             }
-            for Stretch {
-                lower,
-                upper,
-                from,
-                to,
-                certain,
-            } in stretches
-            {
-                // Along the lower cell's own curve, from its middle.
-                let sheet = &self.geometry.contacts.sheets[self.sheet_of(lower) as usize];
-                let middle = self.point(&track, first.start.at(turn), 0.5 * (from + to));
-                let place = sheet.curve(theta, turn).position(middle);
-                let half = 0.5 * (to - from);
-                out.push(VerticalContact {
-                    lower,
-                    upper,
-                    at,
-                    lo: place - half,
-                    hi: place + half,
-                    certain,
-                });
-            }
         }
-        out
-    }
-
-    fn point(&self, track: &Track, on: Point, coordinate: f64) -> Point {
-        match *track {
-            Track::Line { normal } => {
-                let along = normal.left();
-                on + along * (coordinate - along.dot(on - Point::ORIGIN))
+        out.extend(stretches.iter().flatten().map(|s| {
+            // Along the lower cell's own curve, from its middle.
+            let sheet = &self.geometry.contacts.sheets[self.sheet_of(s.lower) as usize];
+            let middle = track.point(start, 0.5 * (s.from + s.to));
+            let place = sheet.curve(theta, turn).position(middle);
+            let half = 0.5 * (s.to - s.from);
+            VerticalContact {
+                lower: s.lower,
+                upper: s.upper,
+                at,
+                lo: place - half,
+                hi: place + half,
+                certain: s.certain,
             }
-            Track::Circle {
-                center,
-                radius,
-                zero,
-            } => center + Vector::from_angle(zero + coordinate / radius.abs()) * radius.abs(),
-            Track::Bow(bow) => bow.point(coordinate),
-        }
+        }));
     }
 
     fn sheet_of(&self, cell: u32) -> u32 {
         self.cells.cells[cell as usize].sheet
     }
 
-    /// The pieces of a track that are cells of one sheet.
-    fn pieces(&self, cells: &[u32], at: u32, side: Side, track: &Track) -> Vec<Piece> {
-        let theta = self.clusters.at(at);
+    /// The pieces of a track that are cells.
+    fn pieces(&self, cells: &[u32], at: u32, side: Side, track: &Track, out: &mut Vec<Piece>) {
+        out.clear();
+        for same in cells.chunk_by(|&a, &b| self.sheet_of(a) == self.sheet_of(b)) {
+            self.pieces_of_sheet(same, at, side, track, out);
+        }
+    }
+
+    /// The same, of one sheet.
+    fn pieces_of_sheet(
+        &self,
+        cells: &[u32],
+        at: u32,
+        side: Side,
+        track: &Track,
+        out: &mut Vec<Piece>,
+    ) {
         let index = self.sheet_of(cells[0]);
         let sheet = &self.geometry.contacts.sheets[index as usize];
-        let curve = sheet.curve(theta, Rotation::by(theta));
+        let curve = sheet.curve(self.clusters.at(at), self.clusters.turn(at));
         let mut extents = self.extents(index, at);
-        let mut out = Vec::with_capacity(cells.len());
         for &cell in cells {
             let e = extents.of(&self.cells.cells[cell as usize], side);
             let p = curve.point(0.5 * (e.lo + e.hi));
@@ -370,42 +437,38 @@ impl Levels<'_> {
                 });
             }
         }
-        out
     }
 
-    /// The piece that faces free space at a place, just off the level, on one of the two faces of the track.
+    /// The pieces that face free space at a place, just off the level, on the face of the track along its normal and on the other.
     fn outermost<'p>(
         &self,
         pieces: impl Iterator<Item = &'p Piece>,
         track: &Track,
-        place: f64,
-        p: Point,
-        along: bool,
-        theta: f64,
-    ) -> Option<&'p Piece> {
-        let outward = match *track {
-            Track::Line { normal } => normal,
-            Track::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
-            Track::Bow(bow) => bow.normal_at(p),
-        };
-        let outward = if along { outward } else { -outward };
-        let turn = Rotation::by(theta);
-        let mut best: Option<(f64, &Piece)> = None;
-        let mut ceiling = f64::INFINITY;
-        for q in pieces.filter(|q| q.covers(track, place)) {
-            let h = self.height(&self.cells.cells[q.cell as usize], p, outward, turn);
-            if q.along != along {
-                ceiling = ceiling.min(h);
-            } else if best.is_none_or(|b| h > b.0) {
-                best = Some((h, q));
+        place: &Place,
+        turn: Rotation,
+    ) -> [Option<&'p Piece>; 2] {
+        let mut highest: Option<(f64, &Piece)> = None;
+        let mut lowest: Option<(f64, &Piece)> = None;
+        for q in pieces.filter(|q| q.covers(track, place.coordinate)) {
+            let h = self.height(q.cell, place.point, place.normal, turn);
+            if q.along && highest.is_none_or(|b| h > b.0) {
+                highest = Some((h, q));
+            } else if !q.along && lowest.is_none_or(|b| h < b.0) {
+                lowest = Some((h, q));
             }
         }
-        best.filter(|b| b.0 < ceiling).map(|b| b.1)
+        // What faces each other leaves no room unless it is apart.
+        match (highest, lowest) {
+            (Some(a), Some(b)) if a.0 >= b.0 => [None; 2],
+            _ => [highest, lowest].map(|outer| outer.map(|o| o.1)),
+        }
     }
 
     /// How far outward from a point the carrier of a cell's sheet lies.
-    fn height(&self, cell: &Cell, p: Point, outward: Vector, turn: Rotation) -> f64 {
-        match self.geometry.contacts.sheets[cell.sheet as usize].carrier(turn.cos, turn.sin) {
+    fn height(&self, cell: u32, p: Point, outward: Vector, turn: Rotation) -> f64 {
+        match self.geometry.contacts.sheets[self.sheet_of(cell) as usize]
+            .carrier(turn.cos, turn.sin)
+        {
             Carrier::Line { normal, through } => {
                 let n = Vector::new(normal.0, normal.1);
                 n.dot(Point::new(through.0, through.1) - p) / n.dot(outward)

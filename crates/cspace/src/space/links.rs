@@ -1,9 +1,7 @@
 //! Neighbours of patches: contacts of cells in one slab, copied to all.
 
-use rayon::prelude::*;
-
 use crate::contact::Curve;
-use crate::geometry::Rotation;
+use crate::parallel;
 use crate::slice::CurveGeometry;
 
 use super::cells::VerticalContact;
@@ -52,6 +50,9 @@ impl Links<'_> {
             let first = links.len();
             for f in group {
                 self.copies(f, patches, &mut links);
+            }
+            if links.len() < first + 2 {
+                continue;
             }
             let mut own = links.split_off(first);
             own.sort_by(|a, b| {
@@ -145,16 +146,15 @@ impl Links<'_> {
 
     /// Neighbours across critical orientations.
     pub(super) fn vertical(&self) -> Vec<VerticalLink> {
-        let mut links: Vec<VerticalLink> = (self.shells.vertical.par_chunks(CHUNK))
-            .flat_map_iter(|contacts| {
-                let mut links = Vec::new();
-                for v in contacts {
-                    self.lifted(v, &mut links);
-                }
-                links
-            })
-            .collect();
-        links.par_sort_by(|a, b| {
+        let lifted = parallel::chunks(&self.shells.vertical, CHUNK, |_, contacts| {
+            let mut links = Vec::new();
+            for v in contacts {
+                self.lifted(v, &mut links);
+            }
+            links
+        });
+        let mut links = lifted.concat();
+        parallel::sort_by(&mut links, |a, b| {
             a.theta
                 .total_cmp(&b.theta)
                 .then((a.lower, a.upper).cmp(&(b.lower, b.upper)))
@@ -175,7 +175,8 @@ impl Links<'_> {
         };
         let theta = self.linker.clusters.at(v.at);
         let sheet = self.linker.sheet(v.lower);
-        let curve = sheet.curve(theta, Rotation::by(theta));
+        // Within one chain nothing happens, so that most contacts need no curve.
+        let mut curve = None;
         // A little more than there are: rounding is not to lose one.
         for slabs in self.lifts.shifts(theta - 0.1, theta + 0.1) {
             let at = self.lifts.orientation(place, slabs);
@@ -187,16 +188,18 @@ impl Links<'_> {
             let (Some(below), Some(above)) = (below, above) else {
                 continue;
             };
-            // Within one chain nothing happens, unless it meets itself around the turn without being closed.
+            // Unless a chain meets itself around the turn without being closed, nothing happens within it.
             let chain = &self.chains.chains[lower.chain as usize];
             if below == above && (chain.closed || chain.last != v.lower) {
                 continue;
             }
+            let curve =
+                curve.get_or_insert_with(|| sheet.curve(theta, self.linker.clusters.turn(v.at)));
             links.push(VerticalLink {
                 lower: below,
                 upper: above,
                 theta: at,
-                overlap: self.overlap(&curve, v, slabs, at),
+                overlap: self.overlap(curve, v, slabs, at),
             });
         }
     }

@@ -19,8 +19,17 @@ pub(super) struct Placing<'a> {
 
 impl<'a> Placing<'a> {
     pub(super) fn new(geometry: &'a Geometry, index: u32, theta: f64) -> Self {
+        Self::turned_by(geometry, index, theta, Rotation::by(theta))
+    }
+
+    /// The same given the rotation by the orientation.
+    pub(super) fn turned_by(
+        geometry: &'a Geometry,
+        index: u32,
+        theta: f64,
+        turn: Rotation,
+    ) -> Self {
         let sheet = &geometry.contacts.sheets[index as usize];
-        let turn = Rotation::by(theta);
         let (half, mid_angle) = if sheet.is_circle() {
             let (from, to) = (sheet.start_angle.at(theta), sheet.end_angle.at(theta));
             (

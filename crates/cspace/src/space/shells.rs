@@ -1,9 +1,8 @@
 //! Shells: cells that hang together, and whether they bound free space.
 
-use rayon::prelude::*;
-
 use crate::contact::{Carrier, Geometry};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::parallel;
 use crate::union_find::UnionFind;
 
 use super::branch::{Branch, Coincidence};
@@ -196,18 +195,13 @@ impl ShellFinder<'_> {
             }
         }
         members.sort_unstable();
-        let verdicts: Vec<Verdict> = members
-            .chunk_by(|a, b| a.shell == b.shell)
-            .collect::<Vec<_>>()
-            .par_iter()
-            .with_min_len(4)
-            .map(|shell| {
-                let blocked = blocked_shell[shell[0].shell as usize];
-                self.judge_shell(cells, shell, blocked, &blocked_ring)
-            })
-            .collect();
+        let open: Vec<&[Member]> = members.chunk_by(|a, b| a.shell == b.shell).collect();
+        let verdicts = parallel::map(&open, 4, |shell| {
+            let blocked = blocked_shell[shell[0].shell as usize];
+            self.judge_shell(cells, shell, blocked, &blocked_ring)
+        });
         shells.free = vec![false; cells.len()];
-        for (shell, verdict) in members.chunk_by(|a, b| a.shell == b.shell).zip(verdicts) {
+        for (shell, verdict) in open.iter().zip(verdicts) {
             shells.judged += 1;
             shells.tests += verdict.tests;
             shells.conflicts += usize::from(verdict.conflict);

@@ -1,8 +1,7 @@
 //! Cutting each sheet into cells by a sweep over orientation.
 
-use rayon::prelude::*;
-
 use crate::contact::Geometry;
+use crate::parallel;
 
 use super::active::Active;
 use super::branch::Branch;
@@ -34,6 +33,24 @@ fn listed(list: &[(u32, u32)], sheet: u32) -> impl Iterator<Item = u32> + '_ {
         .map(|p| p.1)
 }
 
+/// Sheets swept at a time by one thread.
+const CHUNK: usize = 32;
+
+/// What is kept from sheet to sheet, for its room.
+#[derive(Default)]
+struct Work {
+    /// Clusters at which cells of the sheet may begin or end.
+    times: Vec<u32>,
+    /// Those at which all do.
+    splits: Vec<u32>,
+    /// Cells that have begun and not ended, in order of travel.
+    open: Vec<u32>,
+    /// What bounds those of the next interval.
+    keys: Vec<(u32, u32)>,
+    /// Cells that end where the interval begins.
+    closing: Vec<u32>,
+}
+
 /// The cells of all sheets, sorted by sheet, and which continue each other within a sheet.
 #[derive(Debug, Default)]
 pub(super) struct Cells {
@@ -53,11 +70,13 @@ impl Cells {
 
 impl Sweep<'_> {
     pub(super) fn run(&self, runs: &[SheetRun]) -> Cells {
-        let parts: Vec<Cells> = runs
-            .par_iter()
-            .with_min_len(32)
-            .map(|run| self.sheet(run))
-            .collect();
+        let parts = parallel::chunks(runs, CHUNK, |_, runs| {
+            let (mut work, mut cells) = (Work::default(), Cells::default());
+            for run in runs {
+                self.sheet(run, &mut work, &mut cells);
+            }
+            cells
+        });
         let mut all = Cells::default();
         for part in parts {
             let offset = all.cells.len() as u32;
@@ -79,27 +98,35 @@ impl Sweep<'_> {
         all
     }
 
-    fn sheet(&self, run: &SheetRun) -> Cells {
+    /// Adds the cells of a sheet.
+    fn sheet(&self, run: &SheetRun, work: &mut Work, out: &mut Cells) {
+        let Work {
+            times,
+            splits,
+            open,
+            keys,
+            closing,
+        } = work;
         let clusters = self.clusters;
         let (first, last) = (clusters.index(run.lo), clusters.index(run.hi));
         let mine = self.on_sheet.of(run.sheet);
-        let mut times = vec![first, last];
+        times.clear();
+        times.extend([first, last]);
         let within = |t: &u32| first < *t && *t < last;
         for &b in mine {
             let b = &self.branches[b as usize];
             times.extend([b.from, b.to].iter().filter(|t| within(t)));
         }
         times.extend(listed(self.passings, run.sheet).filter(within));
-        let splits: Vec<u32> = listed(self.splits, run.sheet).filter(within).collect();
-        times.extend(&splits);
+        splits.clear();
+        splits.extend(listed(self.splits, run.sheet).filter(within));
+        times.extend(&*splits);
         times.sort_unstable();
         times.dedup();
 
         let mut gaps = Gaps::of(self.geometry, run.sheet);
-        let mut out = Cells::default();
-        let mut open: Vec<u32> = Vec::new();
+        open.clear();
         let mut active = Active::new(self.branches, mine);
-        let (mut keys, mut closing): (Vec<(u32, u32)>, Vec<u32>) = (Vec::new(), Vec::new());
         for w in times.windows(2) {
             let (t0, t1) = (w[0], w[1]);
             gaps.arrange(
@@ -119,7 +146,7 @@ impl Sweep<'_> {
             let same = |c: u32, key: &(u32, u32)| !split && same(c, key);
             let kept_before = open
                 .iter()
-                .zip(&keys)
+                .zip(&*keys)
                 .take_while(|(c, k)| same(**c, k))
                 .count();
             let room = open.len().min(keys.len()) - kept_before;
@@ -148,19 +175,18 @@ impl Sweep<'_> {
             }
             let new = new_first..out.cells.len() as u32;
             if t0 != first && !split {
-                self.connect(run.sheet, t0, &closing, new.clone(), &mut out);
+                self.connect(run.sheet, t0, closing, new.clone(), out);
             }
             open.splice(kept_before..kept_to, new);
-            for &c in &open {
+            for &c in &*open {
                 out.cells[c as usize].to = t1;
             }
         }
-        for &c in &open {
+        for &c in &*open {
             let cell = &mut out.cells[c as usize];
             cell.blocked |= run.hi_blocked;
             cell.at_top = !run.hi_blocked;
         }
-        out
     }
 
     /// Cells that end and cells that begin at one cluster continue each other where they overlap.

@@ -5,11 +5,10 @@
 
 use std::collections::HashMap;
 
-use rayon::prelude::*;
-
 use crate::contact::Geometry;
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::{Event, TrigPolynomial};
+use crate::parallel;
 
 use super::active::Active;
 use super::branch::{Branch, Encounter};
@@ -52,6 +51,9 @@ impl OnSheet {
     }
 }
 
+/// Sheets searched at a time by one thread.
+const CHUNK: usize = 32;
+
 /// All orientations at which branches pass each other on a sheet where that can matter, with the sheet.
 pub(super) fn triple_events(
     geometry: &Geometry,
@@ -61,10 +63,14 @@ pub(super) fn triple_events(
     clusters: &Clusters,
 ) -> Triples {
     let meetings = Meetings::new(geometry, encounters);
-    let found: Vec<Triples> = (0..geometry.contacts.sheets.len() as u32)
-        .into_par_iter()
-        .with_min_len(32)
-        .fold(Triples::default, |mut all, sheet| {
+    let found = parallel::chunks(&geometry.contacts.sheets, CHUNK, |first, sheets| {
+        let mut all = Triples::default();
+        for sheet in (first as u32..).take(sheets.len()) {
+            let list = on_sheet.of(sheet);
+            // Two branches at least, that pass each other.
+            if list.len() < 2 {
+                continue;
+            }
             let mut search = Search {
                 geometry,
                 branches,
@@ -75,11 +81,11 @@ pub(super) fn triple_events(
                 concurrencies: HashMap::new(),
                 found: Triples::default(),
             };
-            search.run(on_sheet.of(sheet));
+            search.run(list);
             all.append(search.found);
-            all
-        })
-        .collect();
+        }
+        all
+    });
     let mut all = Triples::default();
     for f in found {
         all.append(f);
@@ -124,7 +130,7 @@ impl Triples {
                 .then(a.event.theta.total_cmp(&b.event.theta))
                 .then(a.sheet.cmp(&b.sheet))
         };
-        self.events.par_sort_unstable_by(order);
+        parallel::sort_unstable_by(&mut self.events, order);
         let same = |a: &Meeting, b: &Meeting| {
             a.three == b.three && b.event.theta - a.event.theta <= SAME_MEETING
         };
@@ -163,9 +169,6 @@ struct Window<'a> {
 
 impl Search<'_> {
     fn run(&mut self, list: &[u32]) {
-        if list.len() < 2 {
-            return;
-        }
         let mut times: Vec<u32> = list
             .iter()
             .flat_map(|&b| [self.branches[b as usize].from, self.branches[b as usize].to])

@@ -1,0 +1,115 @@
+//! Work divided among threads, unless there is but one or too little to divide.
+//!
+//! A call into a thread pool from outside wakes a thread and waits for it, which takes longer than some stages of a small
+//! pair. With one thread all is done by the caller.
+
+use core::cmp::Ordering;
+
+use rayon::prelude::*;
+
+fn is_alone() -> bool {
+    rayon::current_num_threads() == 1
+}
+
+/// Runs work of several stages within the pool, so that its doors are not passed again at every stage.
+pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    if is_alone() {
+        work()
+    } else {
+        rayon::scope(|_| work())
+    }
+}
+
+/// What `work` makes of every item, in their order; no thread is given fewer than `least`.
+pub(crate) fn map<T: Sync, R: Send>(
+    items: &[T],
+    least: usize,
+    work: impl Fn(&T) -> R + Sync + Send,
+) -> Vec<R> {
+    if items.len() < 2 * least || is_alone() {
+        return items.iter().map(work).collect();
+    }
+    let items = items.par_iter().with_min_len(least);
+    items.map(work).collect()
+}
+
+/// What `work` makes of every so many items in a row, given the number of the first of them; in their order.
+pub(crate) fn chunks<T: Sync, R: Send>(
+    items: &[T],
+    size: usize,
+    work: impl Fn(usize, &[T]) -> R + Sync,
+) -> Vec<R> {
+    let work = |(i, chunk)| work(i * size, chunk);
+    if items.len() <= size || is_alone() {
+        return items.chunks(size).enumerate().map(work).collect();
+    }
+    items.par_chunks(size).enumerate().map(work).collect()
+}
+
+/// What both make.
+pub(crate) fn join<A: Send, B: Send>(
+    first: impl FnOnce() -> A + Send,
+    second: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    if is_alone() {
+        (first(), second())
+    } else {
+        rayon::join(first, second)
+    }
+}
+
+/// Sorts; what is equal stays in its order.
+pub(crate) fn sort_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Sync) {
+    if is_alone() {
+        items.sort_by(order);
+    } else {
+        items.par_sort_by(order);
+    }
+}
+
+/// Sorts by an order in which equal is the same: what is equal may come in any order.
+pub(crate) fn sort_unstable_by<T: Send>(
+    items: &mut [T],
+    order: impl Fn(&T, &T) -> Ordering + Sync,
+) {
+    if is_alone() {
+        items.sort_unstable_by(order);
+    } else {
+        items.par_sort_unstable_by(order);
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// What comes out is in order and the same with any number of threads.
+    #[test]
+    fn threads_do_not_matter() {
+        let items: Vec<u64> = (0..5000).map(|i| i * 7919 % 5003).collect();
+        let work = || {
+            let (mut by_tens, mut sorted) = (items.clone(), items.clone());
+            sort_by(&mut by_tens, |a, b| (a / 10).cmp(&(b / 10)));
+            sort_unstable_by(&mut sorted, u64::cmp);
+            let firsts = chunks(&items, 7, |first, chunk| (first, chunk.to_vec()));
+            let (doubled, none) = join(|| map(&items, 3, |i| 2 * i), || map(&[0; 0], 3, |i| *i));
+            (by_tens, sorted, firsts, doubled, none)
+        };
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            pool.build().unwrap().install(|| within(work))
+        };
+        let alone = with(1);
+        assert_eq!(alone, with(3));
+        let mut by_tens = items.clone();
+        by_tens.sort_by_key(|i| i / 10);
+        assert_eq!(alone.0, by_tens);
+        assert!(alone.1.is_sorted());
+        for (first, chunk) in &alone.2 {
+            assert_eq!(&items[*first..*first + chunk.len()], &chunk[..]);
+        }
+        assert!(alone.3.iter().zip(&items).all(|(d, i)| *d == 2 * i));
+        assert_eq!((alone.2.len(), alone.4.len()), (5000usize.div_ceil(7), 0));
+    }
+}
