@@ -13,6 +13,7 @@ use super::bow::Level;
 use super::carrier::Carrier;
 use super::sheet::{SharedEnds, Sheet};
 use super::spiral::Spiral;
+use super::ties::{ALIGNMENT_ERROR, Ties};
 
 /// What vanishes.
 #[derive(Clone, Copy)]
@@ -32,14 +33,19 @@ const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
 /// The largest error with which a root is reported, radians: that of all events.
 const LARGEST_ERROR: f64 = 1e-6;
 
+/// Errors are estimates.
+const MARGIN: f64 = 4.0;
+
 /// Calls `found` with every event of the pair between two orientations.
 pub(crate) fn bow_events(
     f: &Sheet,
     g: &Sheet,
     shared: &SharedEnds,
+    ties: &Ties,
     (lo, hi): (f64, f64),
     mut found: impl FnMut(Event),
 ) {
+    let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let [f_end_shared, f_start_shared] = shared.corners.map(|c| c.is_some());
     let mut all: Vec<Condition<'_>> = Vec::with_capacity(6);
     if !f_start_shared {
@@ -56,7 +62,15 @@ pub(crate) fn bow_events(
         (false, false) => all.extend([true, false].map(|s| Condition::Alike(f, g, s))),
     }
     for condition in all {
-        condition.roots(lo, hi, &mut found);
+        if let Some(theta) = ties.about(mid).find(|&t| condition.touches(t)) {
+            let tie = Event {
+                theta,
+                error: ALIGNMENT_ERROR,
+            };
+            tie.within(mid, half).into_iter().for_each(&mut found);
+        } else {
+            condition.roots(mid, half, &mut found);
+        }
     }
 }
 
@@ -119,13 +133,18 @@ impl Condition<'_> {
         self.at(cos, sin)
     }
 
-    /// Finds the roots between two orientations.
-    fn roots(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
+    /// Whether it touches zero at an orientation, as far as rounding can tell, and is not constant.
+    fn touches(&self, theta: f64) -> bool {
+        let (here, size) = self.series(theta);
+        let error = MARGIN * LENGTH_ERROR * size;
+        let turned = error * self.pace();
+        here.value.abs() <= error && here.slope.abs() <= turned && here.bend.abs() > turned
+    }
+
+    /// Finds the roots in the interval (mid − half, mid + half).
+    fn roots(&self, mid: f64, half: f64, found: &mut impl FnMut(Event)) {
         /// Each step squares what is wrong.
         const STEPS: usize = 4;
-        /// Errors are estimates.
-        const MARGIN: f64 = 4.0;
-        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let Some(first) = offsets(&self.series(mid).0) else {
             return;
         };
@@ -248,7 +267,8 @@ mod tests {
                     continue;
                 }
                 let (mut ours, mut theirs) = (Vec::new(), Vec::new());
-                bow_events(f, g, &shared, (lo, hi), |e| ours.push(e));
+                let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
+                bow_events(f, g, &shared, &ties, (lo, hi), |e| ours.push(e));
                 let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
                 conditions(&plain(f), &plain(g), &shared, |t| {
                     let found = |e| theirs.push(e);

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::contact::{
-    Crossing, Curve, CurveShape, Geometry, Level, bow_events, conditions, crossing, roots,
+    Crossing, Curve, CurveShape, Geometry, Level, Ties, bow_events, conditions, crossing, roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Event;
@@ -54,12 +54,17 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> Vec<Vec<Eve
             let (mid, half) = (0.5 * (run.lo + run.hi), 0.5 * (run.hi - run.lo));
             let (sin, cos) = mid.sin_cos();
             let mut events = Vec::new();
+            let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
             if f.is_flat() || g.is_flat() {
-                bow_events(f, g, &shared, (run.lo, run.hi), |e| events.push(e));
+                bow_events(f, g, &shared, &ties, (run.lo, run.hi), |e| events.push(e));
                 return events;
             }
             conditions(f, g, &shared, |t| {
-                t.roots(mid, cos, sin, half, |e| events.push(e));
+                if let Some(tie) = t.touch().and_then(|e| ties.explain(e)) {
+                    events.extend(tie.within(mid, half));
+                } else {
+                    t.roots(mid, cos, sin, half, |e| events.push(e));
+                }
             });
             events
         })

@@ -91,7 +91,7 @@ pub(super) struct Passing<'a> {
 impl Passing<'_> {
     /// The difference of the places of the two branches; `None` where they cannot meet.
     ///
-    /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius squared.
+    /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius.
     fn difference<T: Real>(&self, cos: T, sin: T) -> T {
         let sheets = &self.geometry.contacts.sheets;
         let f = &sheets[self.sheet as usize];
@@ -102,7 +102,7 @@ impl Passing<'_> {
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
-            p.0 * q.1 - p.1 * q.0
+            (p.0 * q.1 - p.1 * q.0) * T::constant(1.0 / f.radius.abs())
         } else {
             p.0 - q.0
         }
@@ -139,7 +139,7 @@ impl Passing<'_> {
     /// nothing: by enclosures of the difference of the places themselves.
     fn isolate_places(&self, lo: f64, hi: f64, budget: &mut u32, found: &mut impl FnMut(Event)) {
         *budget = budget.saturating_sub(1);
-        /// Places are told apart down to this width (radians), or this difference (length, or length times radius).
+        /// Places are told apart down to this width (radians), or this difference (length).
         const NARROWEST: f64 = 1e-6;
         const SAME_PLACE: f64 = 1e-11;
         /// The width with large arcs, which touch at no more orientations than they turn.
@@ -212,7 +212,7 @@ impl Passing<'_> {
     /// The root in an interval: of the smooth function first, by Newton's rule within a bracket; then, if it is these two
     /// branches that meet there and not others of the same sheets, of the difference of their places.
     fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64, found: &mut impl FnMut(Event)) {
-        /// Branches further apart than this (length, or length times radius) at the root are not those that meet.
+        /// Branches further apart than this (length) at the root are not those that meet.
         const NEAR: f64 = 1e-4;
         /// Steps shorter than this are rounding, radians.
         const SAME: f64 = 1e-15;
