@@ -54,13 +54,7 @@ pub(crate) fn bow_events(
     if !f_end_shared {
         all.extend([Condition::End(&f.end, g), Condition::End(&g.start, f)]);
     }
-    match (f.is_circle(), g.is_circle()) {
-        (true, true) => {}
-        (false, true) => all.extend([true, false].map(|s| Condition::Circle(f, g, s))),
-        (true, false) => all.extend([true, false].map(|s| Condition::Circle(g, f, s))),
-        (false, false) if f.is_line() && g.is_line() => {}
-        (false, false) => all.extend([true, false].map(|s| Condition::Alike(f, g, s))),
-    }
+    all.extend(tangencies(f, g));
     for condition in all {
         if let Some(theta) = ties.about(mid).find(|&t| condition.touches(t)) {
             let tie = Event {
@@ -72,6 +66,35 @@ pub(crate) fn bow_events(
             condition.roots(mid, half, &mut found);
         }
     }
+}
+
+/// What vanishes where two curves are tangent, of which one is told by a point or moves with a large arc.
+fn tangencies<'a>(f: &'a Sheet, g: &'a Sheet) -> impl Iterator<Item = Condition<'a>> {
+    let of = move |side: bool| match (f.is_circle(), g.is_circle()) {
+        (true, true) => None,
+        (false, true) => Some(Condition::Circle(f, g, side)),
+        (true, false) => Some(Condition::Circle(g, f, side)),
+        (false, false) if f.is_line() && g.is_line() => None,
+        (false, false) => Some(Condition::Alike(f, g, side)),
+    };
+    [true, false].into_iter().filter_map(of)
+}
+
+/// Whether two curves, of which one is told by a point or moves with a large arc, are tangent at every orientation: contacts of
+/// one feature with two others that follow each other smoothly.
+///
+/// The condition is α cos θ + β sin θ + γ = 0: if it is so at three orientations far from each other, it is so at all.
+pub(crate) fn always_touch(f: &Sheet, g: &Sheet) -> bool {
+    let mid = 0.5 * (f.lo.max(g.lo) + f.hi.min(g.hi));
+    /// As far as bows may be followed, radians.
+    const APART: f64 = 0.1;
+    tangencies(f, g).any(|condition| {
+        [-APART, 0.0, APART].into_iter().all(|d| {
+            let (sin, cos) = (mid + d).sin_cos();
+            let (value, size) = condition.at(cos, sin);
+            value.abs() <= MARGIN * LENGTH_ERROR * size * condition.pace()
+        })
+    })
 }
 
 impl Condition<'_> {

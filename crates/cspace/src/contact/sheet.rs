@@ -4,6 +4,7 @@ use crate::feature::tolerance::{LARGEST_CIRCLE, SAME_CARRIER};
 use crate::geometry::{Point, Rotation, Vector};
 
 use super::bow::Bow;
+use super::bow_events::always_touch;
 use super::carrier::Carrier;
 use super::curve::{Curve, CurveShape};
 use super::function::ContactFunction;
@@ -129,7 +130,7 @@ impl Sheet {
     /// makes of it.
     fn always_tangent(&self, other: &Self) -> bool {
         if self.is_flat() || other.is_flat() {
-            return false;
+            return always_touch(self, other);
         }
         let (line, circle) = match (self.is_circle(), other.is_circle()) {
             (false, false) => return false,

@@ -23,6 +23,12 @@ use super::sheet::Sheet;
 /// Error of the orientation at which two normals oppose each other, radians.
 pub(crate) const ALIGNMENT_ERROR: f64 = 16.0 * f64::EPSILON;
 
+/// Error with which such a tangency is told, radians: about 3e-8.
+///
+/// Its orientation is known much better. But nearer to it than the square root of the rounding, places at which the two curves
+/// cross cannot be told apart, and so nothing is to be looked at there.
+const TIE_ERROR: f64 = 1.0 / (1u64 << 25) as f64;
+
 /// The orientations at which two contacts touch by their making, each up to whole turns: none unless both features differ and
 /// follow each other. Two loops of two features each have four.
 #[derive(Debug, Clone, Copy)]
@@ -73,7 +79,7 @@ impl Ties {
             .find(|t| (t - event.theta).abs() <= slack)
             .map(|theta| Event {
                 theta,
-                error: ALIGNMENT_ERROR,
+                error: TIE_ERROR,
             })
     }
 }

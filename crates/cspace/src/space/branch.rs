@@ -60,11 +60,11 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> Vec<Vec<Eve
                 return events;
             }
             conditions(f, g, &shared, |t| {
-                if let Some(tie) = t.touch().and_then(|e| ties.explain(e)) {
-                    events.extend(tie.within(mid, half));
-                } else {
-                    t.roots(mid, cos, sin, half, |e| events.push(e));
-                }
+                let tie = t.touch().and_then(|e| ties.explain(e));
+                t.roots(mid, cos, sin, half, |e| {
+                    let known = tie.filter(|t| t.error < e.error);
+                    events.extend(known.map_or(Some(e), |t| t.within(mid, half)));
+                });
             });
             events
         })
