@@ -282,8 +282,8 @@ fn swallowtail_with_itself() {
     assert_eq!(wrong(&parts), []);
 }
 
+/// Play below the resolution is none, and leaves no open boundary.
 #[test]
-#[ignore = "known: play below the resolution that is not nothing leaves an open boundary"]
 fn disc_in_a_socket_by_1e_11() {
     let parts = parts("tests/regression/disc_in_a_socket_by_1e-11.toml");
     assert_eq!(wrong(&parts), []);
@@ -397,6 +397,71 @@ fn flat_sides() {
             ),
         ),
     ]);
+}
+
+/// Ends of arcs whose normals oppose each other touch by their making: at orientations that are told apart, however large the
+/// radii are that cancel there.
+#[test]
+fn ends_of_arcs_that_touch_by_their_making() {
+    let name = "bent_bar_and_slot_of_nearly_equal_radii";
+    certain(&[
+        (
+            name,
+            Configuration::new(
+                -3.0428052132753485e-6,
+                -0.7000000433394351,
+                6.525235021466986e-9,
+            ),
+        ),
+        (
+            name,
+            Configuration::new(
+                1.0000000009123706,
+                0.5803771827564458,
+                -3.323078517975089e-8,
+            ),
+        ),
+    ]);
+    let all = [-1e-7, -3e-8, -3e-9, 3e-9, 3e-8, 1e-7];
+    assert_eq!(open_curves(name, &all), [0, 0]);
+    let name = "sides_of_radius_3e6_between_corners";
+    certain(&[
+        (
+            name,
+            Configuration::new(0.7499999735570713, 0.296802385622668, -1.5707964550834848),
+        ),
+        (
+            name,
+            Configuration::new(
+                -0.34697008831755716,
+                0.7499999862921358,
+                3.2320052796557563e-9,
+            ),
+        ),
+        (
+            name,
+            Configuration::new(0.7499999816161798, 0.2775678271431522, 3.1415925042529667),
+        ),
+    ]);
+}
+
+/// A pocket one of whose walls is an arc on an arc of nearly its radius: places on that contact circle, of 2e-6, are told apart.
+#[test]
+fn hollow_arc_with_a_play_of_1e_6() {
+    let name = "hollow_arc_with_a_play_of_1e-6";
+    // From every point about here all of the part is seen: that much larger about it, the hole has room on all sides.
+    let from = (1.95, -0.2);
+    let at = Configuration::new(1e-6 * from.0, 1e-6 * from.1, 0.0);
+    certain(&[(name, at)]);
+    let [fixed, moving] = parts(&format!("tests/regression/{name}.toml"));
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    assert_eq!(space.classify(at), Some(Classification::Free));
+    assert_eq!(space.free_regions().len(), 2);
+    let slicer = Slicer::new(&fixed, &moving);
+    for theta in [-5e-7, -1e-8, 0.0, 1e-8, 5e-7] {
+        let loops = [space.slice(theta), slicer.slice(theta)].map(|s| s.loops.len());
+        assert_eq!(loops, [2, 2], "{theta}");
+    }
 }
 
 /// What is told of a large arc is written and read back.
