@@ -293,6 +293,33 @@ impl Sheet {
         Spiral::new(self.fixed_point, -self.moving_point.to_vector())
     }
 
+    /// The centre of its circle, if that of another sheet is so near to it that places where the circles cross would be lost in the
+    /// rounding of the two centres; and how near.
+    ///
+    /// Two arcs of a part of 1e-9 sizes touch an arc of the other on circles as near as that. Where they cross is told by the
+    /// direction from one centre to the other, and that by the difference of two spirals, in which nothing cancels.
+    pub(crate) fn close_to(&self, other: &Self) -> Option<(Spiral, f64)> {
+        /// Centres nearer than this are close (length): farther ones are known to 1e-10 of their distance.
+        const CLOSE: f64 = 1.0 / (1u64 << 20) as f64;
+        if !(self.is_circle() && other.is_circle()) {
+            return None;
+        }
+        let (c, d) = (self.center(), other.center());
+        let apart = (d.u - c.u).length() + (d.w - c.w).length();
+        (0.0 < apart && apart < CLOSE).then_some((c, apart))
+    }
+
+    /// The same circle, seen from a place that moves: in a frame that does not turn and has that place for its origin.
+    pub(crate) fn about(&self, place: &Spiral) -> Self {
+        Self {
+            fixed_point: self.fixed_point - place.u.to_vector(),
+            moving_point: self.moving_point + place.w,
+            start: self.start.about(place),
+            end: self.end.about(place),
+            ..*self
+        }
+    }
+
     /// Its curve at one orientation.
     pub(crate) fn curve(&self, theta: f64, turn: Rotation) -> Curve {
         let (start, end) = (self.start.at(turn), self.end.at(turn));

@@ -83,3 +83,90 @@ impl Ties {
             })
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::super::condition::conditions;
+    use super::super::pair::Geometry;
+    use super::*;
+    use crate::geometry::Rotation;
+    use crate::part::{Part, Vertex};
+
+    /// A part of lines and of arcs that bulge either way, one of them of another radius than its neighbour goes on with.
+    fn part(name: &str, size: f64, bulges: [f64; 5]) -> Part {
+        let corners = [
+            (-1.0, -1.0),
+            (1.0, -0.9),
+            (1.1, 1.0),
+            (0.2, 1.3),
+            (-0.9, 0.8),
+        ];
+        let vertex = |(&(x, y), &b): (&(f64, f64), &f64)| Vertex::new(x * size, y * size, b);
+        let outline = corners.iter().zip(&bulges).map(vertex).collect();
+        Part::new(name, vec![outline]).unwrap()
+    }
+
+    /// Conditions that touch zero where two joints say so: their value is none to both sides, to second order, and
+    /// nowhere else; and no other condition of the pair is taken for one.
+    #[test]
+    fn conditions_of_neighbours_touch_where_normals_oppose() {
+        let fixed = part("fixed", 1.0, [0.0, 0.3, -0.2, 0.0, 0.4]);
+        let moving = part("moving", 0.6, [0.2, 0.0, -0.3, 0.1, 0.0]);
+        let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+        let sheets = &geometry.contacts.sheets;
+        let (mut explained, mut sloping) = (0, 0);
+        for (i, f) in sheets.iter().enumerate() {
+            for g in &sheets[..i] {
+                let shared = f.shared_ends(g, geometry.contacts.first_vertex_name);
+                if shared.tangent {
+                    continue;
+                }
+                let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
+                let all: Vec<f64> = ties.about(0.0).collect();
+                if f.fixed == g.fixed || f.moving == g.moving {
+                    assert!(all.is_empty());
+                }
+                conditions(f, g, &shared, |t| {
+                    let at = |theta: f64| {
+                        let turn = Rotation::by(theta);
+                        t.alpha * turn.cos + t.beta * turn.sin + t.gamma
+                    };
+                    let Some(tie) = t.touch().and_then(|e| ties.explain(e)) else {
+                        // A simple root, or none.
+                        sloping += usize::from(at(0.3) != 0.0);
+                        return;
+                    };
+                    explained += 1;
+                    let amplitude = t.alpha.hypot(t.beta);
+                    let rounding = 1e-14 * t.scale;
+                    assert!(at(tie.theta).abs() <= rounding, "{t:?}");
+                    for d in [1e-3, 0.1, 1.0, 3.0] {
+                        let expected = amplitude * (1.0 - f64::cos(d));
+                        for side in [d, -d] {
+                            let off = at(tie.theta + side).abs() - expected;
+                            assert!(off.abs() <= rounding, "{t:?} {side} {off}");
+                        }
+                    }
+                });
+            }
+        }
+        assert!(explained > 50 && sloping > 1000, "{explained} {sloping}");
+    }
+
+    /// An orientation that only comes near is none of them.
+    #[test]
+    fn what_is_beside_is_not_explained() {
+        let ties = Ties {
+            orientations: [1.0, 0.0, 0.0, 0.0],
+            count: 1,
+        };
+        let event = |theta, error| Event { theta, error };
+        assert_eq!(ties.explain(event(1.0 + 2e-12, 1e-12)), None);
+        let found = ties.explain(event(1.0 + TAU + 1e-12, 2e-12)).unwrap();
+        assert!((found.theta - 1.0 - TAU).abs() < 1e-14);
+        assert_eq!(found.error, TIE_ERROR);
+        let none = Ties { count: 0, ..ties };
+        assert_eq!(none.explain(event(1.0, 1.0)), None);
+    }
+}

@@ -142,6 +142,7 @@ impl Trig {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
@@ -184,6 +185,19 @@ mod tests {
     fn has_none_when_constant_or_out_of_reach() {
         assert!(roots(cosine(1e-15, 0.0, 1.0)).is_empty());
         assert!(roots(cosine(1.0, 1.1, 1.0)).is_empty());
+    }
+
+    /// A function touches zero from below where it is largest, from above where it is least; and not where it passes.
+    #[test]
+    fn tells_where_it_touches() {
+        let touch = |alpha, gamma| cosine(alpha, gamma, 1.0).touch();
+        let from_below = touch(1.0, -1.0 + 2e-16).unwrap();
+        assert!(from_below.theta.abs() < 1e-15 && from_below.error < 1e-14);
+        let from_above = touch(1.0, 1.0 - 2e-16).unwrap();
+        assert!((from_above.theta - PI).abs() < 1e-15);
+        assert_eq!(touch(1.0, -1.0 + 1e-13), None);
+        assert_eq!(touch(1.0, 0.0), None);
+        assert_eq!(touch(1e-16, 0.0), None);
     }
 
     /// Interval and root may be one point: rounding is not to lose it.

@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use crate::contact::{
-    Crossing, Curve, CurveShape, Geometry, Level, Ties, bow_events, conditions, crossing, roots,
+    Crossing, Curve, CurveShape, Geometry, Level, Sheet, Ties, bow_events, conditions, crossing,
+    roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Event;
@@ -332,14 +333,19 @@ fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<
         &contacts.sheets[run.second as usize],
     );
     let turn = Rotation::by(theta);
-    let (f, g) = (fs.curve(theta, turn), gs.curve(theta, turn));
+    let origin = fs.close_to(gs).map(|c| c.0);
+    let curve = |sheet: &Sheet| match origin {
+        Some(o) => sheet.about(&o).curve(theta, turn),
+        None => sheet.curve(theta, turn),
+    };
+    let (f, g) = (curve(fs), curve(gs));
     let mut found: [Option<Crossing>; 2] = [None; 2];
     for root in 0..roots(&f, &g) {
         found[usize::from(root)] = crossing(&f, &g, root);
     }
     let shared = fs.shared_ends(gs, contacts.first_vertex_name);
     for spiral in shared.corners.into_iter().flatten() {
-        let p = spiral.at(turn);
+        let p = origin.map_or(spiral, |o| spiral.about(&o)).at(turn);
         let distance = |c: &Option<Crossing>| c.map_or(f64::INFINITY, |c| c.point.distance(p));
         let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
         found[nearest] = None;

@@ -4,7 +4,7 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Carrier, Geometry, place_on};
+use crate::contact::{Carrier, Geometry, Sheet, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
 use crate::number::{Ball, Dual, Event, Jet, Real, TrigPolynomial};
@@ -97,8 +97,13 @@ impl Passing<'_> {
         let f = &sheets[self.sheet as usize];
         let carrier = f.carrier(cos, sin);
         let place = |b: &Branch| {
-            let g = sheets[b.other(self.sheet) as usize].carrier(cos, sin);
-            place_on(&carrier, &g, b.root, b.second == self.sheet)
+            let g = &sheets[b.other(self.sheet) as usize];
+            let (swapped, root) = (b.second == self.sheet, b.root);
+            if let Some((o, _)) = f.close_to(g) {
+                let about = |s: &Sheet| s.about(&o).carrier(cos, sin);
+                return place_on(&about(f), &about(g), root, swapped);
+            }
+            place_on(&carrier, &g.carrier(cos, sin), root, swapped)
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
