@@ -152,7 +152,7 @@ mod tests {
             0.1,
             0.1_f64.cos(),
             0.1_f64.sin(),
-            core::f64::consts::PI,
+            PI,
             |e| all.push(e),
         );
         all
