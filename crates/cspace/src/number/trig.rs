@@ -148,13 +148,7 @@ mod tests {
 
     fn roots(t: Trig) -> Vec<Event> {
         let mut all = Vec::new();
-        t.roots(
-            0.1,
-            0.1_f64.cos(),
-            0.1_f64.sin(),
-            PI,
-            |e| all.push(e),
-        );
+        t.roots(0.1, 0.1_f64.cos(), 0.1_f64.sin(), PI, |e| all.push(e));
         all
     }
 
