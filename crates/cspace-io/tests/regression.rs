@@ -282,8 +282,8 @@ fn swallowtail_with_itself() {
     assert_eq!(wrong(&parts), []);
 }
 
+/// Play below the resolution is none, and leaves no open boundary.
 #[test]
-#[ignore = "known: play below the resolution that is not nothing leaves an open boundary"]
 fn disc_in_a_socket_by_1e_11() {
     let parts = parts("tests/regression/disc_in_a_socket_by_1e-11.toml");
     assert_eq!(wrong(&parts), []);
@@ -333,7 +333,6 @@ fn open_curves(name: &str, orientations: &[f64]) -> [usize; 2] {
 }
 
 #[test]
-#[ignore = "known: within 1e-9 rad of a touch of second order, slices from scratch have curves without a successor"]
 fn part_in_a_hole_of_its_shape() {
     let about = 15f64.to_radians();
     let all = [-1e-11, -1e-12, 0.0, 1e-12, 1e-11, 1e-9].map(|d| about + d);
@@ -347,7 +346,6 @@ fn slot_with_nearly_smooth_joints() {
 }
 
 #[test]
-#[ignore = "known: a conflict, and curves without a successor between critical orientations 1e-6 rad apart"]
 fn two_polygons_beside_30_degrees() {
     let about = -30f64.to_radians();
     let all = [1e-6, 3e-6, 3.3e-6].map(|d| about + d);
@@ -356,7 +354,6 @@ fn two_polygons_beside_30_degrees() {
 
 /// Between two critical orientations so near that the error of one covers both, one slice stands for all.
 #[test]
-#[ignore = "known: within the error of a critical orientation beside a tangency, up to 1e-6 rad, answers are wrong by as much"]
 fn beside_tangencies() {
     certain(&[(
         "half_disc_on_a_long_side",
@@ -397,6 +394,71 @@ fn flat_sides() {
             ),
         ),
     ]);
+}
+
+/// Ends of arcs whose normals oppose each other touch by their making: at orientations that are told apart, however large the
+/// radii are that cancel there.
+#[test]
+fn ends_of_arcs_that_touch_by_their_making() {
+    let name = "bent_bar_and_slot_of_nearly_equal_radii";
+    certain(&[
+        (
+            name,
+            Configuration::new(
+                -3.0428052132753485e-6,
+                -0.7000000433394351,
+                6.525235021466986e-9,
+            ),
+        ),
+        (
+            name,
+            Configuration::new(
+                1.0000000009123706,
+                0.5803771827564458,
+                -3.323078517975089e-8,
+            ),
+        ),
+    ]);
+    let all = [-1e-7, -3e-8, -3e-9, 3e-9, 3e-8, 1e-7];
+    assert_eq!(open_curves(name, &all), [0, 0]);
+    let name = "sides_of_radius_3e6_between_corners";
+    certain(&[
+        (
+            name,
+            Configuration::new(0.7499999735570713, 0.296802385622668, -1.5707964550834848),
+        ),
+        (
+            name,
+            Configuration::new(
+                -0.34697008831755716,
+                0.7499999862921358,
+                3.2320052796557563e-9,
+            ),
+        ),
+        (
+            name,
+            Configuration::new(0.7499999816161798, 0.2775678271431522, 3.1415925042529667),
+        ),
+    ]);
+}
+
+/// A pocket one of whose walls is an arc on an arc of nearly its radius: places on that contact circle, of 2e-6, are told apart.
+#[test]
+fn hollow_arc_with_a_play_of_1e_6() {
+    let name = "hollow_arc_with_a_play_of_1e-6";
+    // From every point about here all of the part is seen: that much larger about it, the hole has room on all sides.
+    let from = (1.95, -0.2);
+    let at = Configuration::new(1e-6 * from.0, 1e-6 * from.1, 0.0);
+    certain(&[(name, at)]);
+    let [fixed, moving] = parts(&format!("tests/regression/{name}.toml"));
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    assert_eq!(space.classify(at), Some(Classification::Free));
+    assert_eq!(space.free_regions().len(), 2);
+    let slicer = Slicer::new(&fixed, &moving);
+    for theta in [-5e-7, -1e-8, 0.0, 1e-8, 5e-7] {
+        let loops = [space.slice(theta), slicer.slice(theta)].map(|s| s.loops.len());
+        assert_eq!(loops, [2, 2], "{theta}");
+    }
 }
 
 /// What is told of a large arc is written and read back.

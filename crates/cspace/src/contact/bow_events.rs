@@ -13,6 +13,7 @@ use super::bow::Level;
 use super::carrier::{Carrier, dot, minus};
 use super::sheet::{SharedEnds, Sheet};
 use super::spiral::Spiral;
+use super::ties::{ALIGNMENT_ERROR, Ties};
 
 /// What vanishes.
 #[derive(Clone, Copy)]
@@ -28,14 +29,19 @@ enum Condition<'a> {
 /// Error of a length computed from coordinates near the parts.
 const LENGTH_ERROR: f64 = 32.0 * f64::EPSILON;
 
+/// Errors are estimates.
+const MARGIN: f64 = 4.0;
+
 /// Calls `found` with every event of the pair between two orientations.
 pub(crate) fn bow_events(
     f: &Sheet,
     g: &Sheet,
     shared: &SharedEnds,
+    ties: &Ties,
     (lo, hi): (f64, f64),
     mut found: impl FnMut(Event),
 ) {
+    let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let [f_end_shared, f_start_shared] = shared.corners.map(|c| c.is_some());
     let mut all: Vec<Condition<'_>> = Vec::with_capacity(6);
     if !f_start_shared {
@@ -44,16 +50,47 @@ pub(crate) fn bow_events(
     if !f_end_shared {
         all.extend([Condition::End(&f.end, g), Condition::End(&g.start, f)]);
     }
-    match (f.is_circle(), g.is_circle()) {
-        (true, true) => {}
-        (false, true) => all.extend([true, false].map(|s| Condition::Circle(f, g, s))),
-        (true, false) => all.extend([true, false].map(|s| Condition::Circle(g, f, s))),
-        (false, false) if f.is_line() && g.is_line() => {}
-        (false, false) => all.extend([true, false].map(|s| Condition::Alike(f, g, s))),
-    }
+    all.extend(tangencies(f, g));
     for condition in all {
-        condition.roots(lo, hi, &mut found);
+        if let Some(theta) = ties.about(mid).find(|&t| condition.touches(t)) {
+            let tie = Event {
+                theta,
+                error: ALIGNMENT_ERROR,
+            };
+            tie.within(mid, half).into_iter().for_each(&mut found);
+        } else {
+            condition.roots(mid, half, &mut found);
+        }
     }
+}
+
+/// What vanishes where two curves are tangent, of which one is told by a point or moves with a large arc.
+fn tangencies<'a>(f: &'a Sheet, g: &'a Sheet) -> impl Iterator<Item = Condition<'a>> {
+    let of = move |side: bool| match (f.is_circle(), g.is_circle()) {
+        (true, true) => None,
+        (false, true) => Some(Condition::Circle(f, g, side)),
+        (true, false) => Some(Condition::Circle(g, f, side)),
+        (false, false) if f.is_line() && g.is_line() => None,
+        (false, false) => Some(Condition::Alike(f, g, side)),
+    };
+    [true, false].into_iter().filter_map(of)
+}
+
+/// Whether two curves, of which one is told by a point or moves with a large arc, are tangent at every orientation: contacts of
+/// one feature with two others that follow each other smoothly.
+///
+/// The condition is α cos θ + β sin θ + γ = 0: if it is so at three orientations far from each other, it is so at all.
+pub(crate) fn always_touch(f: &Sheet, g: &Sheet) -> bool {
+    let mid = 0.5 * (f.lo.max(g.lo) + f.hi.min(g.hi));
+    /// As far as bows may be followed, radians.
+    const APART: f64 = 0.1;
+    tangencies(f, g).any(|condition| {
+        [-APART, 0.0, APART].into_iter().all(|d| {
+            let (sin, cos) = (mid + d).sin_cos();
+            let (value, size) = condition.at(cos, sin);
+            value.abs() <= MARGIN * LENGTH_ERROR * size * condition.pace()
+        })
+    })
 }
 
 impl Condition<'_> {
@@ -114,13 +151,18 @@ impl Condition<'_> {
         self.at(cos, sin)
     }
 
-    /// Finds the roots between two orientations.
-    fn roots(&self, lo: f64, hi: f64, found: &mut impl FnMut(Event)) {
+    /// Whether it touches zero at an orientation, as far as rounding can tell, and is not constant.
+    fn touches(&self, theta: f64) -> bool {
+        let (here, size) = self.series(theta);
+        let error = MARGIN * LENGTH_ERROR * size;
+        let turned = error * self.pace();
+        here.value.abs() <= error && here.slope.abs() <= turned && here.bend.abs() > turned
+    }
+
+    /// Finds the roots in the interval (mid − half, mid + half).
+    fn roots(&self, mid: f64, half: f64, found: &mut impl FnMut(Event)) {
         /// Each step squares what is wrong.
         const STEPS: usize = 4;
-        /// Errors are estimates.
-        const MARGIN: f64 = 4.0;
-        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let Some(first) = offsets(&self.series(mid).0) else {
             return;
         };
@@ -243,7 +285,8 @@ mod tests {
                     continue;
                 }
                 let (mut ours, mut theirs) = (Vec::new(), Vec::new());
-                bow_events(f, g, &shared, (lo, hi), |e| ours.push(e));
+                let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
+                bow_events(f, g, &shared, &ties, (lo, hi), |e| ours.push(e));
                 let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
                 conditions(&plain(f), &plain(g), &shared, |t| {
                     let found = |e| theirs.push(e);

@@ -342,9 +342,10 @@ impl Builder<'_> {
             SMALLEST_CIRCLE
         };
         if !convex && radius > -smallest {
-            /// Around more than this, the curves before and after the point all but turn back on each other.
+            /// Around more than this, the curves before and after the point all but turn back on each other: they cross if
+            /// there is no play at all.
             const WIDEST: f64 = 0.9 * PI;
-            if radius < smallest && sweep < WIDEST {
+            if radius < 0.0 || (radius < smallest && sweep < WIDEST) {
                 self.points.unite(
                     self.sizes.vertices(ia, ib),
                     [

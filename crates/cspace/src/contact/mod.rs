@@ -14,6 +14,7 @@ mod pair;
 mod sheet;
 mod span;
 mod spiral;
+mod ties;
 mod twist;
 
 pub(crate) use bow::{Bow, Level};
@@ -29,4 +30,5 @@ pub(crate) use pair::{Geometry, Placed};
 pub(crate) use sheet::{EndAngle, SheetKind};
 pub(crate) use sheet::{Seam, SharedEnds, Sheet, WIDEST_SAGITTA};
 pub use spiral::{Spiral, Swing};
+pub(crate) use ties::{ALIGNMENT_ERROR, Ties};
 pub(crate) use twist::{Permutation, Steps, Twist};

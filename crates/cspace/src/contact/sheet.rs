@@ -4,6 +4,7 @@ use crate::feature::tolerance::{LARGEST_CIRCLE, SAME_CARRIER};
 use crate::geometry::{Point, Rotation, Vector};
 
 use super::bow::Bow;
+use super::bow_events::always_touch;
 use super::carrier::Carrier;
 use super::curve::{Curve, CurveShape};
 use super::function::ContactFunction;
@@ -129,7 +130,7 @@ impl Sheet {
     /// makes of it.
     fn always_tangent(&self, other: &Self) -> bool {
         if self.is_flat() || other.is_flat() {
-            return false;
+            return always_touch(self, other);
         }
         let (line, circle) = match (self.is_circle(), other.is_circle()) {
             (false, false) => return false,
@@ -291,6 +292,33 @@ impl Sheet {
     #[inline]
     pub(crate) fn center(&self) -> Spiral {
         Spiral::new(self.fixed_point, -self.moving_point.to_vector())
+    }
+
+    /// The centre of its circle, if that of another sheet is so near to it that places where the circles cross would be lost in the
+    /// rounding of the two centres; and how near.
+    ///
+    /// Two arcs of a part of 1e-9 sizes touch an arc of the other on circles as near as that. Where they cross is told by the
+    /// direction from one centre to the other, and that by the difference of two spirals, in which nothing cancels.
+    pub(crate) fn close_to(&self, other: &Self) -> Option<(Spiral, f64)> {
+        /// Centres nearer than this are close (length): farther ones are known to 1e-10 of their distance.
+        const CLOSE: f64 = 1.0 / (1u64 << 20) as f64;
+        if !(self.is_circle() && other.is_circle()) {
+            return None;
+        }
+        let (c, d) = (self.center(), other.center());
+        let apart = (d.u - c.u).length() + (d.w - c.w).length();
+        (0.0 < apart && apart < CLOSE).then_some((c, apart))
+    }
+
+    /// The same circle, seen from a place that moves: in a frame that does not turn and has that place for its origin.
+    pub(crate) fn about(&self, place: &Spiral) -> Self {
+        Self {
+            fixed_point: self.fixed_point - place.u.to_vector(),
+            moving_point: self.moving_point + place.w,
+            start: self.start.about(place),
+            end: self.end.about(place),
+            ..*self
+        }
     }
 
     /// Its curve at one orientation.

@@ -81,6 +81,15 @@ impl Spiral {
         }
     }
 
+    /// The way to it from another, which does not swing.
+    pub(crate) fn about(&self, other: &Self) -> Self {
+        Self {
+            u: self.u - other.u.to_vector(),
+            w: self.w - other.w,
+            ..*self
+        }
+    }
+
     #[inline(always)]
     pub(crate) fn at(&self, turn: Rotation) -> Point {
         let p = self.u + turn * self.w;

@@ -1,6 +1,6 @@
 //! Roots of α cos θ + β sin θ + γ: every event between two contact curves is one.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 /// A number and a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +33,14 @@ pub(crate) struct Event {
     pub(crate) error: f64,
 }
 
+impl Event {
+    /// The copy of it, by whole turns, in the interval (mid − half, mid + half), if there is one within its error.
+    pub(crate) fn within(self, mid: f64, half: f64) -> Option<Self> {
+        let theta = self.theta - TAU * ((self.theta - mid) / TAU).round();
+        ((theta - mid).abs() <= half + self.error).then_some(Self { theta, ..self })
+    }
+}
+
 /// Error of a coefficient, in units of its scale.
 const COEFFICIENT_ERROR: f64 = 8.0 * f64::EPSILON;
 /// Error of an angle computed from exact coefficients, radians.
@@ -62,6 +70,26 @@ impl Trig {
             most: known(amplitude + gamma),
             least: known(amplitude - gamma),
         }
+    }
+
+    /// The orientation at which the function touches zero, as far as rounding can tell, with the error of that orientation:
+    /// where it is largest or least, which is known much better than the roots that it may have beside.
+    ///
+    /// ```text
+    /// |A + γ| or |A − γ| within its error: at atan2(β, α), or half a turn from there
+    /// ```
+    pub(crate) fn touch(&self) -> Option<Event> {
+        let none = |k: Known| k.value.abs() <= k.error;
+        let aside = match (none(self.most), none(self.least)) {
+            (true, false) => 0.0,
+            (false, true) => PI,
+            _ => return None,
+        };
+        let amplitude = self.alpha.hypot(self.beta);
+        (amplitude > CONSTANT * self.scale).then(|| Event {
+            theta: self.beta.atan2(self.alpha) + aside,
+            error: COEFFICIENT_ERROR * self.scale / amplitude + ANGLE_ERROR,
+        })
     }
 
     /// Calls `found` with every root in the interval (mid − half, mid + half), with its error.
@@ -102,9 +130,8 @@ impl Trig {
         let error = (error + slack / amplitude + ANGLE_ERROR).min(LARGEST_ERROR);
         let middle = self.beta.atan2(self.alpha);
         let mut report = |theta: f64| {
-            let theta = theta - TAU * ((theta - mid) / TAU).round();
-            if (theta - mid).abs() <= half + error {
-                found(Event { theta, error });
+            if let Some(event) = (Event { theta, error }).within(mid, half) {
+                found(event);
             }
         };
         report(middle + aside);
@@ -115,18 +142,13 @@ impl Trig {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
     fn roots(t: Trig) -> Vec<Event> {
         let mut all = Vec::new();
-        t.roots(
-            0.1,
-            0.1_f64.cos(),
-            0.1_f64.sin(),
-            core::f64::consts::PI,
-            |e| all.push(e),
-        );
+        t.roots(0.1, 0.1_f64.cos(), 0.1_f64.sin(), PI, |e| all.push(e));
         all
     }
 
@@ -157,6 +179,19 @@ mod tests {
     fn has_none_when_constant_or_out_of_reach() {
         assert!(roots(cosine(1e-15, 0.0, 1.0)).is_empty());
         assert!(roots(cosine(1.0, 1.1, 1.0)).is_empty());
+    }
+
+    /// A function touches zero from below where it is largest, from above where it is least; and not where it passes.
+    #[test]
+    fn tells_where_it_touches() {
+        let touch = |alpha, gamma| cosine(alpha, gamma, 1.0).touch();
+        let from_below = touch(1.0, -1.0 + 2e-16).unwrap();
+        assert!(from_below.theta.abs() < 1e-15 && from_below.error < 1e-14);
+        let from_above = touch(1.0, 1.0 - 2e-16).unwrap();
+        assert!((from_above.theta - PI).abs() < 1e-15);
+        assert_eq!(touch(1.0, -1.0 + 1e-13), None);
+        assert_eq!(touch(1.0, 0.0), None);
+        assert_eq!(touch(1e-16, 0.0), None);
     }
 
     /// Interval and root may be one point: rounding is not to lose it.

@@ -1,7 +1,7 @@
 //! The contact curves at one orientation, and where they cross.
 
-use crate::contact::{Curve, Geometry, Seam, crossing, roots};
-use crate::geometry::{Point, Rotation};
+use crate::contact::{Curve, CurveShape, Geometry, Seam, Sheet, crossing, roots};
+use crate::geometry::{Point, Rotation, Vector};
 
 /// A contact curve with its crossings.
 pub(super) struct Live {
@@ -142,8 +142,32 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     /// Sines and lengths: two crossings this close to a tangency are closer to each other than their rounding.
     const BLUNT: f64 = 1e-5;
     let mut found: [Option<(Point, bool)>; 2] = [None; 2];
-    for root in 0..roots(&f.curve, &g.curve) {
-        found[usize::from(root)] = crossing(&f.curve, &g.curve, root).map(|c| (c.point, c.enters));
+    // Circles about nearly one centre are crossed as seen from there.
+    let origin = fs.close_to(gs).map(|c| c.0);
+    let seen = |sheet: &Sheet, curve: &Curve| match (origin, curve.shape) {
+        (
+            Some(o),
+            CurveShape::Circle {
+                radius,
+                mid_angle,
+                half,
+                ..
+            },
+        ) => Curve {
+            shape: CurveShape::Circle {
+                center: sheet.about(&o).center().at(turn),
+                radius,
+                mid_angle,
+                half,
+            },
+            ..*curve
+        },
+        _ => *curve,
+    };
+    let (fc, gc) = (seen(fs, &f.curve), seen(gs, &g.curve));
+    let back = origin.map_or(Vector::ZERO, |o| o.at(turn).to_vector());
+    for root in 0..roots(&fc, &gc) {
+        found[usize::from(root)] = crossing(&fc, &gc, root).map(|c| (c.point + back, c.enters));
     }
     // Where curves are all but tangent, two crossings may be taken for each other.
     let blunt = |p: Point| {

@@ -1,8 +1,8 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
 use crate::contact::{
-    Crossing, Curve, CurveShape, Geometry, Level, SharedEnds, bow_events, conditions, crossing,
-    roots,
+    Crossing, Curve, CurveShape, Geometry, Level, SharedEnds, Sheet, Ties, bow_events, conditions,
+    crossing, roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Event;
@@ -72,11 +72,16 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
             };
             let (mid, half) = (0.5 * (run.lo + run.hi), 0.5 * (run.hi - run.lo));
             let (sin, cos) = mid.sin_cos();
+            let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
             if f.is_flat() || g.is_flat() {
-                bow_events(f, g, &shared, (run.lo, run.hi), |e| events.push(e));
+                bow_events(f, g, &shared, &ties, (run.lo, run.hi), |e| events.push(e));
             } else {
                 conditions(f, g, &shared, |t| {
-                    t.roots(mid, cos, sin, half, |e| events.push(e));
+                    let tie = t.touch().and_then(|e| ties.explain(e));
+                    t.roots(mid, cos, sin, half, |e| {
+                        let known = tie.filter(|t| t.error < e.error);
+                        events.extend(known.map_or(Some(e), |t| t.within(mid, half)));
+                    });
                 });
             }
             found.until.push(events.len());
@@ -213,6 +218,31 @@ impl Tracer<'_> {
         for w in self.times.windows(2) {
             let now = crossings_between(self.geometry, run, clusters.between(w[0], w[1]));
             let before = core::mem::replace(&mut apart, now == [None; 2]);
+            if std::env::var("DBG").is_ok() {
+                let t = clusters.between(w[0], w[1]);
+                let turn = Rotation::by(t);
+                eprintln!(
+                    "trace {} {} ({} {} x {} {}) run {:e} {:e} at {:e}: {:?} f {:?} g {:?} c {:?}",
+                    run.first,
+                    run.second,
+                    f.fixed,
+                    f.moving,
+                    g.fixed,
+                    g.moving,
+                    run.lo,
+                    run.hi,
+                    t,
+                    now,
+                    f.curve(t, turn),
+                    g.curve(t, turn),
+                    [0u8, 1].map(
+                        |r| crossing(&f.curve(t, turn), &g.curve(t, turn), r).map(|c| (
+                            f.curve(t, turn).position(c.point),
+                            g.curve(t, turn).position(c.point)
+                        ))
+                    )
+                );
+            }
             if before && apart && passing.binary_search(&w[0]).is_ok() {
                 let short = swallowed(self.geometry, run, clusters.just_beside(w[0]));
                 self.found.swallowed.extend(short.map(|s| (s, w[0])));
@@ -324,14 +354,19 @@ fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<
         &contacts.sheets[run.second as usize],
     );
     let turn = Rotation::by(theta);
-    let (f, g) = (fs.curve(theta, turn), gs.curve(theta, turn));
+    let origin = fs.close_to(gs).map(|c| c.0);
+    let curve = |sheet: &Sheet| match origin {
+        Some(o) => sheet.about(&o).curve(theta, turn),
+        None => sheet.curve(theta, turn),
+    };
+    let (f, g) = (curve(fs), curve(gs));
     let mut found: [Option<Crossing>; 2] = [None; 2];
     for root in 0..roots(&f, &g) {
         found[usize::from(root)] = crossing(&f, &g, root);
     }
     let corners = fs.shared_corners(gs, contacts.first_vertex_name);
     for spiral in corners.into_iter().flatten() {
-        let p = spiral.at(turn);
+        let p = origin.map_or(spiral, |o| spiral.about(&o)).at(turn);
         let distance = |c: &Option<Crossing>| c.map_or(f64::INFINITY, |c| c.point.distance(p));
         let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
         found[nearest] = None;

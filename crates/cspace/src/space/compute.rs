@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 use std::time::Instant;
 
+use crate::contact::ALIGNMENT_ERROR;
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::Event;
 use crate::parallel;
@@ -264,8 +265,6 @@ impl ContactSpace {
 
         progress.stage(Stage::PairEvents)?;
         let pair_events = pair_events(&geometry, &candidates.pairs);
-        /// Error of the orientation at which two normals oppose each other.
-        const ALIGNMENT_ERROR: f64 = 16.0 * f64::EPSILON;
         /// Cuts between slots are no events: within a cluster, any event's orientation is preferred to theirs.
         const SLOT_ERROR: f64 = NARROWEST_BAND / 4.0;
         let mut events = pair_events.events.clone();

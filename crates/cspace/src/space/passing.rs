@@ -4,7 +4,7 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Carrier, Geometry, place_on};
+use crate::contact::{Carrier, Geometry, Sheet, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Vector;
 use crate::number::{Ball, Event, Jet, Real, Series, TrigPolynomial};
@@ -94,18 +94,23 @@ pub(super) struct Passing<'a> {
 impl Passing<'_> {
     /// The difference of the places of the two branches; `None` where they cannot meet.
     ///
-    /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius squared.
+    /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius.
     fn difference<T: Real>(&self, cos: T, sin: T) -> T {
         let sheets = &self.geometry.contacts.sheets;
         let f = &sheets[self.sheet as usize];
         let carrier = f.carrier(cos, sin);
         let place = |b: &Branch| {
-            let g = sheets[b.other(self.sheet) as usize].carrier(cos, sin);
-            place_on(&carrier, &g, b.root, b.second == self.sheet)
+            let g = &sheets[b.other(self.sheet) as usize];
+            let (swapped, root) = (b.second == self.sheet, b.root);
+            if let Some((o, _)) = f.close_to(g) {
+                let about = |s: &Sheet| s.about(&o).carrier(cos, sin);
+                return place_on(&about(f), &about(g), root, swapped);
+            }
+            place_on(&carrier, &g.carrier(cos, sin), root, swapped)
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
-            p.0 * q.1 - p.1 * q.0
+            (p.0 * q.1 - p.1 * q.0) * T::constant(1.0 / f.radius.abs())
         } else {
             p.0 - q.0
         }
@@ -155,7 +160,7 @@ impl Passing<'_> {
         found: &mut impl FnMut(Event),
     ) {
         *budget = budget.saturating_sub(1);
-        /// Places no further apart are one (length, or length times radius).
+        /// Places no further apart are one (length).
         const SAME_PLACE: f64 = 1e-11;
         let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
         let d = self.difference(cos, sin);
@@ -207,7 +212,7 @@ impl Passing<'_> {
     /// The root in an interval: of the smooth function first, by Newton's rule within a bracket; then, if it is these two
     /// branches that meet there and not others of the same sheets, of the difference of their places.
     fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64, found: &mut impl FnMut(Event)) {
-        /// Branches further apart than this (length, or length times radius) at the root are not those that meet.
+        /// Branches further apart than this (length) at the root are not those that meet.
         const NEAR: f64 = 1e-4;
         /// Steps shorter than this are rounding, radians.
         const SAME: f64 = 1e-15;

@@ -1,6 +1,6 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
-use crate::contact::{Carrier, Geometry, place_error, place_on, wrap};
+use crate::contact::{Carrier, Geometry, Sheet, place_error, place_on, wrap};
 use crate::geometry::{Rotation, Vector};
 
 use super::branch::Branch;
@@ -87,15 +87,15 @@ impl<'a> Placing<'a> {
     /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
     /// nearest place to one.
     pub(super) fn place(&self, b: &Branch) -> f64 {
-        let g = self.other_carrier(b);
-        self.length_of(place_on(&self.carrier, &g, b.root, b.second == self.index))
+        let (f, g, _) = self.carriers(b);
+        self.length_of(place_on(&f, &g, b.root, b.second == self.index))
     }
 
     /// The place, not beyond the ends of the curve, and its rounding error.
     pub(super) fn within(&self, b: &Branch) -> (f64, f64) {
-        let g = self.other_carrier(b);
-        let v = place_on(&self.carrier, &g, b.root, b.second == self.index);
-        let error = place_error(&self.carrier, &g, v);
+        let (f, g, apart) = self.carriers(b);
+        let v = place_on(&f, &g, b.root, b.second == self.index);
+        let error = apart * place_error(&f, &g, v);
         let place = self.length_of(v);
         if place.is_nan() {
             return (0.0, f64::INFINITY);
@@ -114,8 +114,8 @@ impl<'a> Placing<'a> {
             Carrier::Circle { radius, .. } => Vector::from_angle(self.mid_angle) * radius.signum(),
         };
         move |b| {
-            let g = self.other_carrier(b);
-            let v = place_on(&self.carrier, &g, b.root, b.second == self.index);
+            let (f, g, _) = self.carriers(b);
+            let v = place_on(&f, &g, b.root, b.second == self.index);
             match self.carrier {
                 Carrier::Line { .. } | Carrier::Bow(_) => v.0,
                 Carrier::Circle { radius, .. } => {
@@ -132,9 +132,18 @@ impl<'a> Placing<'a> {
         }
     }
 
-    fn other_carrier(&self, b: &Branch) -> Carrier<f64> {
-        let other = &self.geometry.contacts.sheets[b.other(self.index) as usize];
-        other.carrier(self.turn.cos, self.turn.sin)
+    /// The carriers of the sheet and of what a branch crosses, about one origin; and the length to which rounding is relative:
+    /// of circles about nearly one centre, how far the centres are apart.
+    fn carriers(&self, b: &Branch) -> (Carrier<f64>, Carrier<f64>, f64) {
+        let sheets = &self.geometry.contacts.sheets;
+        let other = &sheets[b.other(self.index) as usize];
+        let Rotation { cos, sin } = self.turn;
+        let sheet = &sheets[self.index as usize];
+        if let Some((o, apart)) = sheet.close_to(other) {
+            let about = |s: &Sheet| s.about(&o).carrier(cos, sin);
+            return (about(sheet), about(other), apart);
+        }
+        (self.carrier, other.carrier(cos, sin), 1.0)
     }
 
     /// Length of travel from the middle to a place as [`place_on`] gives it.

@@ -298,3 +298,24 @@ fn curves_are_zeros_of_the_contact_function() {
         }
     }
 }
+
+/// Seen from one of two centres that are nearly one, the way to the other is known to its own last bits.
+#[test]
+fn close_circles_are_seen_from_one_of_them() {
+    let f = round(1, (0.7, 0.3), (3e-9, 0.0), -0.25);
+    let g = round(2, (0.7, 0.3), (0.0, 2e-9), -0.25);
+    let (origin, apart) = f.close_to(&g).unwrap();
+    assert!((apart / 13f64.sqrt() - 1e-9).abs() < 1e-23);
+    let turn = Rotation::by(0.3);
+    let seen = g.about(&origin).center().at(turn).to_vector();
+    let expected = turn * Vector::new(-3e-9, 2e-9);
+    assert!((seen - expected).length() < 1e-24);
+    assert!(f.about(&origin).center().at(turn).to_vector().length() < 1e-24);
+    let ends = g.about(&origin).start.at(turn) - (g.start.at(turn) - origin.at(turn).to_vector());
+    assert!(ends.length() < 1e-15);
+    // One centre, centres far apart, or a line.
+    assert_eq!(f.close_to(&f), None);
+    assert_eq!(f.close_to(&round(2, (0.7, 0.3), (0.1, 0.0), -0.25)), None);
+    let line = straight(3, SheetKind::LineRound, 0.1, spiral((0.0, 0.0), (0.0, 0.0)));
+    assert_eq!(f.close_to(&line), None);
+}
