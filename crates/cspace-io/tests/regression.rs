@@ -361,6 +361,15 @@ fn beside_tangencies() {
     )]);
 }
 
+/// At the orientation itself at which a gap closes, whose two sides rounding has brought into the wrong order.
+#[test]
+fn gaps_that_close() {
+    certain(&[(
+        "annular_sector_and_bar_at_75_degrees",
+        Configuration::new(0.24999434314575084, 1.2248002123068442, -1.308996938995747),
+    )]);
+}
+
 /// Arcs whose centres are so far away that places about these are lost; just beside the orientations at which sides align.
 #[test]
 fn flat_sides() {

@@ -400,13 +400,17 @@ impl Slice {
         const DIRECTIONS: u32 = 7;
         /// Curves that face each other further apart than this, as a share of the way to the first, are in the order met.
         const APART: f64 = 1e-7;
+        /// And further than this as a share of the way to the last: what is between may have closed just there.
+        const SLIVER: f64 = 1e-9;
         let mut widest = (f64::NEG_INFINITY, None);
         for k in 0..DIRECTIONS {
             let d = Vector::from_angle(FIRST + STEP * f64::from(k));
             // The nearest curve met from its free side, and from its blocked side.
             let [mut free, mut blocked] = [(f64::INFINITY, 0); 2];
+            let mut last: f64 = 0.0;
             for (i, c) in self.curves.iter().enumerate() {
                 if let Some((t, towards_free)) = c.geometry.hit(position, d) {
+                    last = last.max(t);
                     let side = if towards_free < 0.0 {
                         &mut free
                     } else {
@@ -422,12 +426,12 @@ impl Slice {
             if first.0 == f64::INFINITY {
                 return None;
             }
-            let apart = (free.0 - blocked.0).abs() / first.0;
+            let apart = (free.0 - blocked.0).abs();
             if apart > widest.0 {
                 let curve = first.1;
                 widest = (apart, Some(Met { curve, from_free }));
             }
-            if apart > APART {
+            if apart > APART * first.0 && apart > SLIVER * last {
                 break;
             }
         }
