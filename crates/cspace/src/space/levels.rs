@@ -8,7 +8,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::contact::{Bow, Carrier, Geometry, Seam, wrap};
+use crate::contact::{Carrier, Geometry, Seam};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::parallel;
@@ -17,9 +17,9 @@ use crate::union_find::UnionFind;
 use super::branch::{Branch, Coincidence};
 use super::cells::VerticalContact;
 use super::clusters::Clusters;
-use super::covering::Covering;
 use super::extent::{CellExtents, Side};
 use super::sweep::Cells;
+use super::track::{Piece, Place, Track};
 
 pub(super) struct Levels<'a> {
     pub(super) geometry: &'a Geometry,
@@ -31,32 +31,6 @@ pub(super) struct Levels<'a> {
     /// Among all cells on a level it is not certain which are outermost. Once the others are known to be blocked, a
     /// free cell can be continued by a free cell only.
     pub(super) free: Option<&'a [bool]>,
-}
-
-/// The common curve: a line through a point, or a circle; with the coordinate along it. A large circle is told by a point.
-#[derive(Debug, Clone, Copy)]
-enum Track {
-    Line {
-        normal: Vector,
-    },
-    Circle {
-        center: Point,
-        radius: f64,
-        zero: f64,
-    },
-    Bow(Bow<f64>),
-}
-
-/// A cell that touches the level, as a range of the coordinate.
-#[derive(Debug, Clone, Copy)]
-struct Piece {
-    cell: u32,
-    mid: f64,
-    half: f64,
-    /// Errors of its ends, in the order of the coordinate.
-    errors: (f64, f64),
-    /// Whether its free side is that of the track.
-    along: bool,
 }
 
 /// A stretch of a level over which two cells continue each other.
@@ -95,105 +69,6 @@ struct Work {
     /// Stretches of the track with the cells that continue each other there, on its face along the normal and on the other;
     /// neighbours of one pair of cells are one.
     stretches: [Vec<Stretch>; 2],
-}
-
-/// A place on a track.
-struct Place {
-    coordinate: f64,
-    point: Point,
-    /// The track's normal there.
-    normal: Vector,
-}
-
-impl Place {
-    fn new(track: &Track, on: Point, coordinate: f64) -> Self {
-        let point = track.point(on, coordinate);
-        Self {
-            coordinate,
-            point,
-            normal: track.normal(point),
-        }
-    }
-}
-
-impl Piece {
-    fn covers(&self, track: &Track, place: f64) -> bool {
-        track.difference(place, self.mid).abs() < self.half
-    }
-
-    /// Whether it covers a place with more to spare than its errors.
-    fn certainly_covers(&self, track: &Track, place: f64) -> bool {
-        let off = track.difference(place, self.mid);
-        off - self.errors.0 > -self.half && off + self.errors.1 < self.half
-    }
-}
-
-impl Track {
-    fn coordinate(&self, p: Point) -> f64 {
-        match *self {
-            Self::Line { normal } => normal.left().dot(p - Point::ORIGIN),
-            Self::Circle {
-                center,
-                radius,
-                zero,
-            } => wrap((p - center).angle() - zero) * radius.abs(),
-            Self::Bow(bow) => bow.place(p),
-        }
-    }
-
-    /// The point at a coordinate, given one of a line.
-    fn point(&self, on: Point, coordinate: f64) -> Point {
-        match *self {
-            Self::Line { normal } => {
-                let along = normal.left();
-                on + along * (coordinate - along.dot(on - Point::ORIGIN))
-            }
-            Self::Circle {
-                center,
-                radius,
-                zero,
-            } => center + Vector::from_angle(zero + coordinate / radius.abs()) * radius.abs(),
-            Self::Bow(bow) => bow.point(coordinate),
-        }
-    }
-
-    /// The normal at a point of it.
-    fn normal(&self, p: Point) -> Vector {
-        match *self {
-            Self::Line { normal } => normal,
-            Self::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
-            Self::Bow(bow) => bow.normal_at(p),
-        }
-    }
-
-    /// Which pieces may cover a place. One that reaches over the place where a circle is cut open may cover any.
-    fn covering(&self, pieces: &[Piece]) -> Covering {
-        /// Rounding of an end, of a piece or of the circle: pieces cover a little less than this makes them.
-        const SLACK: f64 = SHORTEST_OVERLAP;
-        let (lowest, highest) = match *self {
-            Self::Line { .. } | Self::Bow(_) => (f64::NEG_INFINITY, f64::INFINITY),
-            Self::Circle { radius, .. } => {
-                let half_turn = core::f64::consts::PI * radius.abs() - SLACK;
-                (-half_turn, half_turn)
-            }
-        };
-        Covering::new(pieces.iter().map(|p| {
-            let mid = self.difference(p.mid, 0.0);
-            let (from, to) = (mid - p.half - SLACK, mid + p.half + SLACK);
-            if lowest < from && to < highest {
-                (from, to)
-            } else {
-                (f64::NEG_INFINITY, f64::INFINITY)
-            }
-        }))
-    }
-
-    fn difference(&self, a: f64, b: f64) -> f64 {
-        match *self {
-            Self::Line { .. } | Self::Bow(_) => a - b,
-            Self::Circle { radius, .. } => wrap((a - b) / radius.abs()) * radius.abs(),
-        }
-    }
 }
 
 impl Levels<'_> {
@@ -299,17 +174,7 @@ impl Levels<'_> {
         }
         let (theta, turn) = (self.clusters.at(at), self.clusters.turn(at));
         let first = &self.geometry.contacts.sheets[group[0].sheet as usize];
-        let track = match first.carrier(turn.cos, turn.sin) {
-            Carrier::Line { normal, .. } => Track::Line {
-                normal: Vector::new(normal.0, normal.1),
-            },
-            Carrier::Circle { center, radius } => Track::Circle {
-                center: Point::new(center.0, center.1),
-                radius,
-                zero: (first.start.at(turn) - Point::new(center.0, center.1)).angle(),
-            },
-            Carrier::Bow(bow) => Track::Bow(bow),
-        };
+        let track = Track::of(first, turn);
         self.pieces(ending, at, Side::Below, &track, below);
         self.pieces(beginning, at, Side::Above, &track, above);
         marks.clear();
@@ -318,11 +183,7 @@ impl Levels<'_> {
                 .flat_map(|p| [p.mid - p.half, p.mid + p.half])
                 .map(|m| track.difference(m, 0.0)),
         );
-        // A circle is cut open where its coordinate jumps.
-        if let Track::Circle { radius, .. } = track {
-            let half_turn = core::f64::consts::PI * radius.abs();
-            marks.extend([-half_turn, half_turn]);
-        }
+        marks.extend(track.cuts().into_iter().flatten());
         marks.sort_unstable_by(f64::total_cmp);
         let (just_below, just_above) = self.clusters.just_beside(at);
         let (turn_below, turn_above) = (Rotation::by(just_below), Rotation::by(just_above));
@@ -411,16 +272,7 @@ impl Levels<'_> {
         for &cell in cells {
             let e = extents.of(&self.cells.cells[cell as usize], side);
             let p = curve.point(0.5 * (e.lo + e.hi));
-            let along = match *track {
-                Track::Line { normal } => normal.dot(curve.normal(p)) > 0.0,
-                Track::Circle { radius, .. } => (sheet.radius > 0.0) == (radius > 0.0),
-                Track::Bow(bow) => bow.normal_at(p).dot(curve.normal(p)) > 0.0,
-            };
-            // On a line travel goes with the coordinate if the normals agree, on a circle if the radius is positive.
-            let forward = match *track {
-                Track::Line { .. } | Track::Bow(_) => along,
-                Track::Circle { .. } => sheet.radius > 0.0,
-            };
+            let (along, forward) = track.ways(sheet, curve.normal(p), p);
             let errors = if forward {
                 (e.lo_error, e.hi_error)
             } else {

@@ -30,6 +30,7 @@ mod slice;
 mod stats;
 mod sweep;
 mod symmetry;
+mod track;
 mod triple;
 mod uncovered;
 
