@@ -4,7 +4,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::{Classification, Classifier, Configuration, ContactSpace, Options};
+use cspace::{Classification, Classifier, Configuration, ContactSpace, Options, Vector};
 use cspace_oracle::{Oracle, Pair, near_contact_about, pair, pairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -222,6 +222,46 @@ fn positions_in_line_with_features() {
             }
         }
     }
+}
+
+/// Positions from which the first ray that is asked goes through a joint of two curves, where it might slip through.
+#[test]
+fn rays_through_joints() {
+    /// The direction of that ray.
+    const FIRST: f64 = 1.234_567_89;
+    let (mut asked, mut mistakes) = (0, Vec::new());
+    let mut rng = ChaCha8Rng::seed_from_u64(13);
+    for name in [
+        "squares",
+        "disc in annulus",
+        "three pegs in three holes",
+        "random 5",
+        "peg in chamfered hole",
+    ] {
+        let pair = pair(name);
+        let space = space_of(&pair);
+        let classifier = space.classifier();
+        let oracle = Oracle::new(&pair.fixed, &pair.moving);
+        for _ in 0..12 {
+            let slice = space.slice(rng.random_range(-PI..PI));
+            for curve in &slice.curves {
+                let way = oracle.size() * rng.random_range(-0.01..2.0);
+                let p = curve.geometry.point(0.0) + Vector::from_angle(FIRST) * -way;
+                let c = Configuration::new(p.x, p.y, slice.theta);
+                let verdict = oracle.judge(c);
+                let sure = verdict.margin > 1e-9 * oracle.size();
+                let overlap = sure.then_some(verdict.overlap);
+                mistakes.extend(wrong(&space, &classifier, c, overlap));
+                asked += 1;
+            }
+        }
+    }
+    assert!(
+        mistakes.is_empty(),
+        "{} of {asked}: {mistakes:#?}",
+        mistakes.len()
+    );
+    assert!(asked > 500, "{asked}");
 }
 
 /// Contact circles that hardly differ cross at places of which rounding, or an enclosure, leaves nothing: circles of one

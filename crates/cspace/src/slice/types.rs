@@ -88,6 +88,7 @@ impl CurveGeometry {
                 start_angle,
                 sweep,
             } => center + Vector::from_angle(start_angle + s * sweep) * radius,
+            Self::FlatArc { start, end, .. } if start == end => start,
             Self::FlatArc { start, end, bulge } => flat(start, end, bulge).at(s),
         }
     }
@@ -142,9 +143,13 @@ impl CurveGeometry {
         }
     }
 
-    /// The unit normal towards free space (right of travel) at fraction `s`.
+    /// The unit normal towards free space (right of travel) at fraction `s`; zero of what is but a point, as a segment is at
+    /// the critical orientation at which it begins.
     pub fn free_normal(&self, s: f64) -> Vector {
         match *self {
+            Self::Segment { start, end } | Self::FlatArc { start, end, .. } if start == end => {
+                Vector::ZERO
+            }
             Self::Segment { start, end } => (end - start).unit().right(),
             Self::Arc {
                 start_angle, sweep, ..
@@ -386,7 +391,8 @@ impl Slice {
     /// from its free side, or none is.
     ///
     /// At a critical orientation two curves that face each other may lie on one carrier, as far as it is known, in either
-    /// order: a ray that meets such two is not asked, as long as there is another.
+    /// order; and where one curve ends and the next begins a ray may slip through: one that meets such two, or passes such
+    /// a place, is not asked, as long as there is another.
     pub fn is_free(&self, position: Point) -> bool {
         self.first_met(position).is_none_or(|met| met.from_free)
     }
@@ -402,6 +408,17 @@ impl Slice {
         const APART: f64 = 1e-7;
         /// And further than this as a share of the way to the last: what is between may have closed just there.
         const SLIVER: f64 = 1e-9;
+        /// A ray that passes a joint of two curves at more than this, as a share of the way to the farthest, does not slip
+        /// through: such ends are within [`TORN`] of each other.
+        const BESIDE: f64 = 2.0 * TORN;
+        let joints: Vec<Vector> = (self.curves.iter())
+            .map(|c| c.geometry.point(0.0) - position)
+            .collect();
+        let farthest = joints
+            .iter()
+            .map(|v| v.length_squared())
+            .fold(0.0, f64::max);
+        let beside = BESIDE * farthest.sqrt();
         let mut widest = (f64::NEG_INFINITY, None);
         for k in 0..DIRECTIONS {
             let d = Vector::from_angle(FIRST + STEP * f64::from(k));
@@ -422,16 +439,24 @@ impl Slice {
                 }
             }
             let from_free = free.0 < blocked.0;
-            let first = if from_free { free } else { blocked };
-            if first.0 == f64::INFINITY {
-                return None;
+            let (first, curve) = if from_free { free } else { blocked };
+            let met = first.is_finite().then_some(Met { curve, from_free });
+            let apart = if met.is_some() {
+                (free.0 - blocked.0).abs()
+            } else {
+                f64::INFINITY
+            };
+            // How near the way to what is met passes a joint.
+            let clear = (joints.iter())
+                .filter(|&&v| (-beside..=first + beside).contains(&d.dot(v)))
+                .map(|&v| d.cross(v).abs())
+                .fold(f64::INFINITY, f64::min);
+            let room = apart.min(clear);
+            if room > widest.0 {
+                widest = (room, met);
             }
-            let apart = (free.0 - blocked.0).abs();
-            if apart > widest.0 {
-                let curve = first.1;
-                widest = (apart, Some(Met { curve, from_free }));
-            }
-            if apart > APART * first.0 && apart > SLIVER * last {
+            let in_order = met.is_none() || apart > (APART * first).max(SLIVER * last);
+            if in_order && clear > beside {
                 break;
             }
         }

@@ -19,6 +19,9 @@ use rows::{Rows, read};
 /// From so many rows on it pays to prepare the space for them: that takes about as long as so many rows without.
 const MANY: usize = 4096;
 
+/// As of a saved space.
+const MOST_BYTES: u64 = 1 << 30;
+
 /// The column that the answer adds.
 const ANSWER: &str = "class";
 
@@ -29,8 +32,13 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let mut bytes = Vec::new();
     std::io::stdin()
         .lock()
+        .take(MOST_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(|e| Failure::input(format_args!("standard input: {e}")))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        let failure = Failure::input("standard input: more than 1 GiB of rows");
+        return Err(failure.help("divide them, and classify one part after the other"));
+    }
     let rows = read(&bytes, &pair, common.result.format)?;
     let space = pair.space()?;
     let classes = classify(&pair, &space, &rows)?;

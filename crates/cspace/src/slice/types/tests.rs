@@ -283,3 +283,19 @@ fn curves_that_face_each_other_on_one_carrier_are_not_asked() {
         }
     }
 }
+
+#[test]
+fn what_is_a_point_has_no_normal() {
+    let p = Point::new(0.3, -0.2);
+    for g in [
+        CurveGeometry::Segment { start: p, end: p },
+        CurveGeometry::FlatArc {
+            start: p,
+            end: p,
+            bulge: 1e-3,
+        },
+    ] {
+        assert_eq!(g.free_normal(0.4), Vector::ZERO);
+        assert_eq!(g.point(0.4), p);
+    }
+}
