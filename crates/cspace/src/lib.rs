@@ -1,5 +1,8 @@
 //! Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 
+// It reads no files and prints nothing.
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
 pub mod axes;
 mod boxes;
 pub(crate) mod contact;

@@ -218,31 +218,6 @@ impl Tracer<'_> {
         for w in self.times.windows(2) {
             let now = crossings_between(self.geometry, run, clusters.between(w[0], w[1]));
             let before = core::mem::replace(&mut apart, now == [None; 2]);
-            if std::env::var("DBG").is_ok() {
-                let t = clusters.between(w[0], w[1]);
-                let turn = Rotation::by(t);
-                eprintln!(
-                    "trace {} {} ({} {} x {} {}) run {:e} {:e} at {:e}: {:?} f {:?} g {:?} c {:?}",
-                    run.first,
-                    run.second,
-                    f.fixed,
-                    f.moving,
-                    g.fixed,
-                    g.moving,
-                    run.lo,
-                    run.hi,
-                    t,
-                    now,
-                    f.curve(t, turn),
-                    g.curve(t, turn),
-                    [0u8, 1].map(
-                        |r| crossing(&f.curve(t, turn), &g.curve(t, turn), r).map(|c| (
-                            f.curve(t, turn).position(c.point),
-                            g.curve(t, turn).position(c.point)
-                        ))
-                    )
-                );
-            }
             if before && apart && passing.binary_search(&w[0]).is_ok() {
                 let short = swallowed(self.geometry, run, clusters.just_beside(w[0]));
                 self.found.swallowed.extend(short.map(|s| (s, w[0])));

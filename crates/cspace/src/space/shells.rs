@@ -241,16 +241,6 @@ impl ShellFinder<'_> {
             some_free = furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
         }
         let conflict = some_free && some_blocked;
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "shell of {} members: blocked {blocked} some_free {some_free} some_blocked {some_blocked} rings {:?}",
-                shell.len(),
-                rings
-                    .iter()
-                    .map(|r| (r.0.len(), r.1, blocked_ring[r.0[0].ring as usize]))
-                    .collect::<Vec<_>>()
-            );
-        }
         let mut free = Vec::with_capacity(shell.len());
         for (ring, tested) in rings {
             if tested.is_none() && conflict {
@@ -355,20 +345,6 @@ impl ShellFinder<'_> {
             if other != cell.sheet && exists && off(&s.carrier(turn.cos, turn.sin), p) <= reach {
                 reach = s.curve(theta, turn).hit(p, normal, reach).unwrap_or(reach);
             }
-        }
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "free? sheet {} ({} {}) left {} right {} from {:e} to {:e} range {lo:e} {hi:e} half {:e} reach {reach:e} -> {}",
-                cell.sheet,
-                sheet.fixed,
-                sheet.moving,
-                cell.left as i32,
-                cell.right as i32,
-                self.clusters.at(cell.from),
-                self.clusters.at(cell.to),
-                curve.half_length(),
-                !self.geometry.overlaps(p + normal * (0.5 * reach), theta)
-            );
         }
         !self.geometry.overlaps(p + normal * (0.5 * reach), theta)
     }
