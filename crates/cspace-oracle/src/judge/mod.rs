@@ -45,12 +45,16 @@ pub struct Oracle {
     size: f64,
     /// Doubles decide what is clearer than this; or what they would be used for, if arcs are flat.
     trust: f64,
-    /// Whether there are arcs so flat that doubles decide nothing: they do not know on which side of its chord an arc is.
-    flat: bool,
+    /// Whether there are arcs so flat, or edges so short, that doubles decide nothing: they do not know on which side of its
+    /// chord an arc is, nor where on a short one it meets a long one.
+    fine: bool,
 }
 
 /// Arcs of a larger radius are flat, in sizes: for doubles they are a few thousand roundings high at the least.
 const FLAT: f64 = 1e3;
+
+/// Edges shorter than this are short, in sizes.
+const SHORT: f64 = 1e-4;
 
 /// Whether two parts overlap at one configuration. For many configurations of a pair use [`Oracle`].
 pub fn judge(fixed: &Part, moving: &Part, c: Configuration) -> Verdict {
@@ -71,6 +75,7 @@ impl Oracle {
             .largest_radius()
             .max(moving_fine.largest_radius());
         let flat = radius > FLAT * size;
+        let shortest = fixed_fine.shortest().min(moving_fine.shortest());
         Self {
             centers,
             fixed: fixed_fine.rough(),
@@ -79,7 +84,7 @@ impl Oracle {
             moving_fine,
             size,
             trust: 1e-13 * (size + if flat { 0.0 } else { radius }),
-            flat,
+            fine: flat || shortest < SHORT * size,
         }
     }
 
@@ -111,7 +116,7 @@ impl Oracle {
             self.shift::<f64>(c)
         };
         let trust = self.trust + 1e-14 * (shift.x.abs() + shift.y.abs());
-        let clear = if self.flat {
+        let clear = if self.fine {
             clear(&self.fixed_fine, &self.moving_finely(c), trust, self.size)
         } else {
             clear(
@@ -144,7 +149,7 @@ impl Oracle {
                 .shared
                 .iter()
                 .map(|&(p, n)| {
-                    if self.flat {
+                    if self.fine {
                         return overlap_beside(&self.fixed_fine, &moving, p, n, self.size, trust);
                     }
                     overlap_beside(&self.fixed, &moving.rough(), p, n, self.size, trust)

@@ -89,6 +89,13 @@ impl<S: Real> Outline<S> {
         best
     }
 
+    /// The length of the shortest chord.
+    pub(super) fn shortest(&self) -> f64 {
+        self.curves.iter().fold(f64::INFINITY, |l, c| {
+            l.min((c.end - c.start).length().to_f64())
+        })
+    }
+
     /// The largest radius of an arc.
     pub(super) fn largest_radius(&self) -> f64 {
         self.curves
