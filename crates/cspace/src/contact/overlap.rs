@@ -109,12 +109,11 @@ fn bounds(curve: &Curve) -> Bounds {
 }
 
 fn cross(f: &Curve, g: &Curve) -> bool {
-    let (half_f, half_g) = (f.half_length(), g.half_length());
-    (0..roots(f, g)).any(|root| {
-        crossing(f, g, root).is_some_and(|c| {
-            f.position(c.point).abs() < half_f && g.position(c.point).abs() < half_g
-        })
-    })
+    /// A crossing where two edges follow each other is on one of them at least (length).
+    const ROUNDING: f64 = 16.0 * f64::EPSILON;
+    let is_on = |curve: &Curve, p: Point| curve.position(p).abs() <= curve.half_length() + ROUNDING;
+    (0..roots(f, g))
+        .any(|root| crossing(f, g, root).is_some_and(|c| is_on(f, c.point) && is_on(g, c.point)))
 }
 
 /// Whether the moving body at position `p` and orientation `theta` overlaps the fixed one.

@@ -119,11 +119,12 @@ impl Trig {
         let (most, least) = (self.most, self.least);
         let up_to = |k: Known| (k.value + k.error).max(0.0);
         let down_to = |k: Known| (k.value - k.error).max(0.0);
-        let about = |k: Known| k.value.max(0.0);
         if up_to(most) == 0.0 || up_to(least) == 0.0 {
             return;
         }
         let angle = |num: f64, den: f64| 2.0 * num.sqrt().atan2(den.sqrt());
+        // What may be nothing is taken for nothing: the middle of two roots, if there are any, is known best.
+        let about = |k: Known| if down_to(k) > 0.0 { k.value } else { 0.0 };
         let aside = angle(about(most), about(least));
         let error = (angle(up_to(most), down_to(least)) - aside)
             .max(aside - angle(down_to(most), up_to(least)));

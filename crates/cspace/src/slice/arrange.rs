@@ -36,8 +36,6 @@ pub(crate) struct FreeGap {
 /// The pieces on the boundary of free space.
 #[derive(Debug)]
 pub(crate) struct Arrangement {
-    /// The orientation it was computed at: the one asked for, or just above.
-    pub(crate) theta: f64,
     pub(crate) gaps: Vec<FreeGap>,
 }
 
@@ -84,10 +82,7 @@ impl Arrangement {
         test: Test,
     ) -> (Self, bool) {
         let turn = Rotation::by(theta);
-        let mut this = Self {
-            theta,
-            gaps: Vec::new(),
-        };
+        let mut this = Self { gaps: Vec::new() };
         let (mut live, live_of_sheet, seams) = live_curves(geometry, sheets, theta, turn);
         cut(&mut live, geometry, turn);
         let consistent = this.keep_free(geometry, &mut live, &live_of_sheet, theta, test);

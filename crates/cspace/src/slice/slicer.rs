@@ -56,8 +56,7 @@ impl Slicer {
             let turned = theta - TAU * ((theta - lo) / TAU).floor();
             (turned, self.slots[slot(turned - lo)].iter().copied())
         });
-        let slice = Slice::from_arrangement(&arrangement, &self.geometry);
-        Slice { theta, ..slice }
+        Slice::from_arrangement(&arrangement, &self.geometry, theta)
     }
 }
 

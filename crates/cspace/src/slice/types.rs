@@ -334,12 +334,15 @@ impl Slice {
         );
         let sheets = geometry.contacts.sheets.len() as u32;
         let arrangement = Arrangement::new(&geometry, theta, |t| (t, 0..sheets));
-        let slice = Self::from_arrangement(&arrangement, &geometry);
-        Self { theta, ..slice }
+        Self::from_arrangement(&arrangement, &geometry, theta)
     }
 
-    pub(crate) fn from_arrangement(arrangement: &Arrangement, geometry: &Geometry) -> Self {
-        let theta = arrangement.theta;
+    /// The arrangement as positions at the orientation that was asked for, of which it may be a little aside.
+    pub(crate) fn from_arrangement(
+        arrangement: &Arrangement,
+        geometry: &Geometry,
+        theta: f64,
+    ) -> Self {
         let curves = arrangement
             .gaps
             .iter()

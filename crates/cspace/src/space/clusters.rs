@@ -24,6 +24,9 @@ pub(super) struct Clusters {
 /// rounding, and what their motion bends, by its square, is less than that.
 const BESIDE: f64 = 1.0 / (1u64 << 20) as f64;
 
+/// Added to the errors of events found between clusters, radians, where it is asked which event is known best.
+const BETWEEN: f64 = 1.0;
+
 impl Clusters {
     pub(super) fn new(events: Vec<Event>) -> Self {
         Self::gather(
@@ -61,11 +64,20 @@ impl Clusters {
         this
     }
 
-    /// These clusters with more events, and where each of the old ones went.
+    /// These clusters with more events that were found between them, and where each of the old ones went.
+    ///
+    /// Where such an event is at the very end of a cluster, it is what is seen there of what happens within it: an event of
+    /// the cluster is known better, however small the other's error looks.
     pub(super) fn with(&self, more: Vec<Event>) -> (Self, Vec<u32>) {
         let mut intervals: Vec<_> = more
             .into_iter()
-            .map(|e| (e.theta - e.error, e.theta + e.error, e))
+            .map(|e| {
+                let between = Event {
+                    error: e.error + BETWEEN,
+                    ..e
+                };
+                (e.theta - e.error, e.theta + e.error, between)
+            })
             .collect();
         intervals.extend((0..self.lo.len()).map(|i| (self.lo[i], self.hi[i], self.best[i])));
         let merged = Self::gather(intervals);

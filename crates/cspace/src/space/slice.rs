@@ -25,7 +25,7 @@ impl ContactSpace {
                 curves.push(SliceCurve {
                     fixed: patch.fixed,
                     moving: patch.moving,
-                    geometry: self.curve(patch, t),
+                    geometry: self.curve_as_at(patch, t, theta),
                     patch: Some(i),
                     next: u32::MAX,
                 });
@@ -87,7 +87,13 @@ impl ContactSpace {
 
     /// The curve of a patch at an orientation of its interval.
     pub(crate) fn curve(&self, patch: &Patch, theta: f64) -> CurveGeometry {
-        let outer = |p: Point| self.frame.outer_from_inner(p, theta).position();
+        self.curve_as_at(patch, theta, theta)
+    }
+
+    /// The curve of a patch at an orientation of its interval, as positions at another that differs from it by turns and
+    /// roundings: of parts drawn far from their origins these are more than the curve changes.
+    pub(crate) fn curve_as_at(&self, patch: &Patch, theta: f64, asked: f64) -> CurveGeometry {
+        let outer = |p: Point| self.frame.outer_from_inner(p, asked).position();
         let start = patch.inner_at(&patch.left, theta);
         let end = patch.inner_at(&patch.right, theta);
         match patch.function {
