@@ -11,8 +11,8 @@ use cspace_oracle::{Case, Oracle};
 pub enum Known {
     /// A pair of a family at a value from which on it goes wrong: the list of `cspace-load`.
     Family(&'static str),
-    /// Beside a tangency a critical orientation is known to 1e-6 rad only: an answer nearer to contact than
-    /// 1e-6 times the size.
+    /// Beside a tangency a critical orientation is known to 1e-6 rad only: a slice may be wrong nearer to contact than
+    /// 1e-6 times the size. Configurations are classified rightly all the same.
     BesideTangency,
     /// The space says itself that it has a conflict, two touches nearly at one orientation that it cannot tell apart: its
     /// cells are decided one by one, and the loops of its slices may be open between the two.
@@ -58,9 +58,7 @@ pub(crate) fn root(amplitude: f64, slope: f64, lengths: f64) -> Option<Known> {
 pub(crate) fn fault(case: &Case, fault: &Fault, conflicts: u64) -> Option<Known> {
     let near = BESIDE_TANGENCY * Oracle::new(&case.fixed, &case.moving).size();
     match fault {
-        Fault::Wrong { verdict, .. } | Fault::Inverse { verdict, .. } if verdict.margin < near => {
-            Some(Known::BesideTangency)
-        }
+        Fault::Slice { verdict, .. } if verdict.margin < near => Some(Known::BesideTangency),
         Fault::Open { .. } | Fault::Loops { .. } if conflicts > 0 => Some(Known::Conflict),
         _ => None,
     }

@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
-    Relation, Rotation, Slicer, Vector, Vertex,
+    Point, Relation, Rotation, Slicer, Vector, Vertex,
 };
 use cspace_io::Model;
 use cspace_oracle::{Oracle, near_contact};
@@ -515,7 +515,34 @@ fn pocket_is_free(file: &str) {
             .slice(at.theta)
             .is_free(at.position())
     );
+    assert!(space.slice(at.theta).is_free(at.position()), "{file}");
     assert_eq!(space.classify(at), Some(Classification::Free), "{file}");
+}
+
+/// Configurations of a file are classified as brute force has it, alone and by a classifier.
+fn classified(file: &str, rows: &[(f64, f64, f64)]) {
+    let [fixed, moving] = parts(file);
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let classifier = space.classifier();
+    let oracle = Oracle::new(&fixed, &moving);
+    for &(x, y, theta) in rows {
+        let at = Configuration::new(x, y, theta);
+        let verdict = oracle.judge(at);
+        assert!(
+            verdict.margin > 1e-10 * oracle.size(),
+            "{file}: {verdict:?}"
+        );
+        let class = if verdict.margin <= space.resolution() {
+            // Then it may be anything, but the same for both.
+            space.classify(at)
+        } else if verdict.overlap {
+            Some(Classification::Blocked)
+        } else {
+            Some(Classification::Free)
+        };
+        assert_eq!(space.classify(at), class, "{file} at {at:?}: {verdict:?}");
+        assert_eq!(classifier.classify(at), class, "{file} at {at:?}");
+    }
 }
 
 /// At θ = 0 the circles of both pins are one; half way to the next event they have moved by more than their radius.
@@ -707,6 +734,92 @@ fn ties_on_fixed_axes() {
     // Two stadiums that are far from each other but for a line of touch: one region, as any way around shows.
     let pair = OnAxes::read("axes_equal_stadiums_far.json");
     assert_eq!(pair.space.regions().len(), 1);
+}
+
+/// At a critical orientation positions are those of the orientation asked for, and not of a place just above.
+#[test]
+fn peg_and_hole_drawn_1e8_away() {
+    let rows = [
+        (2.689842981231048, 99999997.49999745, -core::f64::consts::PI),
+        (
+            -2.1607893564408647,
+            100000002.49999745,
+            -core::f64::consts::PI,
+        ),
+    ];
+    let file = "tests/regression/peg_and_hole_drawn_1e8_away.toml";
+    classified(file, &rows);
+    let [fixed, moving] = parts(file);
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let slicer = Slicer::new(&fixed, &moving);
+    for ((x, y, theta), free) in rows.into_iter().zip([true, false]) {
+        let at = Configuration::new(x, y, theta).position();
+        assert_eq!(space.slice(theta).is_free(at), free);
+        assert_eq!(slicer.slice(theta).is_free(at), free);
+    }
+}
+
+/// An event that may be two, one or none is told where it is known best.
+#[test]
+fn sides_that_meet_at_quarter_turns() {
+    let file = "tests/regression/sides_that_meet_at_quarter_turns.toml";
+    classified(
+        file,
+        &[
+            (1.5185144410375377, 0.12838190163121882, 1.5707963167241776),
+            (-0.8838841102438366, -1.5309287509790979, 1.5707963167241776),
+        ],
+    );
+    let [fixed, moving] = parts(file);
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let off = (space.critical_orientations().iter()).map(|c| (c - quarter).abs());
+    assert!(off.fold(1.0, f64::min) < 1e-10);
+}
+
+#[test]
+fn side_broken_inwards_by_9e_9() {
+    let file = "tests/regression/side_broken_inwards_by_9e-9.toml";
+    classified(file, &[(-0.38770897094439627, 1.2499999981753875, 0.0)]);
+    let [fixed, moving] = parts(file);
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    // Blocked by 4e-10 and free by 6e-10.
+    let slice = space.slice(0.0);
+    assert!(!slice.is_free(Point::new(-0.38770897094439627, 1.2499999981753875)));
+    assert!(slice.is_free(Point::new(-0.38770897094439627, 1.2499999991753875)));
+}
+
+/// A part is grown, and a sharp corner by more than its sides: answers may be wrong within the resolution, not beyond.
+#[test]
+fn corner_of_a_quarter_degree() {
+    let file = "tests/regression/corner_of_a_quarter_degree.toml";
+    let (x, y, theta) = (-1.0042925438184338, 1.6223491991049026, 1.5739215269190339);
+    let beside = |away: f64| (x + away, y, theta);
+    classified(file, &[-3e-9, 0.0, 3e-9, 1e-8].map(beside));
+    let [fixed, moving] = parts(file);
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    assert!((1e-9..4e-9).contains(&space.resolution()));
+}
+
+#[test]
+fn pocket_in_narrow_bands() {
+    let theta = -2.5132740012064794;
+    classified(
+        "tests/regression/pocket_in_narrow_bands.toml",
+        &[(6.457167633145068e-8, -2.7912508543102955e-7, theta)],
+    );
+}
+
+#[test]
+fn tiny_part_whose_joint_is_on_a_side() {
+    classified(
+        "tests/regression/tiny_part_whose_joint_is_on_a_side.toml",
+        &[(
+            -1.9999434342889517,
+            -1.9999999971766882,
+            core::f64::consts::FRAC_PI_2,
+        )],
+    );
 }
 
 #[test]

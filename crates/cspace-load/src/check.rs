@@ -2,7 +2,10 @@
 
 use std::time::Instant;
 
-use cspace::{ComputeError, Configuration, ContactSpace, Options, Progress, Slicer, StageSeconds};
+use cspace::{
+    Classification, ComputeError, Configuration, ContactSpace, Options, Progress, Slicer,
+    StageSeconds,
+};
 use cspace_oracle::{Case, Oracle, Verdict};
 use rand_chacha::ChaCha8Rng;
 
@@ -22,14 +25,22 @@ pub struct Effort {
 /// Something that must not be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fault {
-    /// The contact space says otherwise than brute force.
+    /// A configuration is classified otherwise than by brute force.
     Wrong {
         /// Where.
         at: Configuration,
         /// What brute force says.
         verdict: Verdict,
+    },
+    /// A slice of the contact space says otherwise than brute force, while the configuration is classified rightly: at an
+    /// orientation at which the space does not rely on its patches alone.
+    Slice {
+        /// Where.
+        at: Configuration,
+        /// What brute force says.
+        verdict: Verdict,
         /// Whether the slice from scratch is wrong too.
-        slice_too: bool,
+        scratch_too: bool,
     },
     /// In the middle of a band the slice of the space and that from scratch have different numbers of loops.
     Loops {
@@ -162,12 +173,21 @@ fn inverse(
         // The inverse is rounded.
         let rounding = 16.0 * f64::EPSILON * (c.x.abs() + c.y.abs() + there.x.abs());
         let least = (back.resolution()).max(crate::trial::CERTAIN * oracle.size());
-        verdict.margin > least + rounding
-            && back.slice(there.theta).is_free(there.position()) == verdict.overlap
+        verdict.margin > least + rounding && !is_right(&back, there, *verdict)
     });
     Ok(wrong
         .map(|&(at, verdict)| Fault::Inverse { at, verdict })
         .collect())
+}
+
+/// Whether a configuration is classified as brute force has it.
+pub(crate) fn is_right(space: &ContactSpace, c: Configuration, verdict: Verdict) -> bool {
+    let expected = if verdict.overlap {
+        Classification::Blocked
+    } else {
+        Classification::Free
+    };
+    space.classify(c) == Some(expected)
 }
 
 /// Where the classifier says otherwise than the space it was made from.

@@ -6,9 +6,9 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use cspace::{ComputeError, PartError};
+use cspace::{ComputeError, Configuration, PartError};
 use cspace_load::{Drawn, Effort, Fault, Report, Source, Tally, check, shrink};
-use cspace_oracle::Case;
+use cspace_oracle::{Case, Verdict};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -208,31 +208,38 @@ fn kind(faults: &[Fault]) -> &'static str {
         Fault::Threads => "1-threads",
         Fault::Inverse { .. } => "2-inverse",
         Fault::Classifier { .. } => "3-classifier",
-        Fault::Loops { .. } => "4-loops",
-        Fault::Open { .. } => "5-open",
+        Fault::Slice { .. } => "4-slice",
+        Fault::Loops { .. } => "5-loops",
+        Fault::Open { .. } => "6-open",
     });
     kinds.min().map_or("", |k| &k[2..])
 }
 
 fn describe(fault: &Fault) -> String {
-    match fault {
-        Fault::Wrong {
-            at,
-            verdict,
-            slice_too,
-        } => format!(
-            "wrong at x = {:?}, y = {:?}, theta = {:?}: {} by {:e}{}",
+    let place = |at: &Configuration, verdict: &Verdict| {
+        format!(
+            "wrong at x = {:?}, y = {:?}, theta = {:?}: {} by {:e}",
             at.x,
             at.y,
             at.theta,
             if verdict.overlap { "blocked" } else { "free" },
             verdict.margin,
-            if *slice_too {
+        )
+    };
+    match fault {
+        Fault::Wrong { at, verdict } => place(at, verdict),
+        Fault::Slice {
+            at,
+            verdict,
+            scratch_too,
+        } => {
+            let too = if *scratch_too {
                 "; the slice from scratch too"
             } else {
                 ""
-            }
-        ),
+            };
+            format!("only a slice is {}{too}", place(at, verdict))
+        }
         other => format!("{other:?}"),
     }
 }

@@ -23,10 +23,16 @@ pub struct Tally {
     pub near: u64,
     /// Of the certain ones, free.
     pub free: u64,
-    /// Of the certain ones, the contact space says otherwise.
+    /// Of the certain ones, classified otherwise.
     pub wrong: u64,
     /// Pairs with a wrong configuration.
     pub wrong_pairs: u64,
+    /// Of the certain ones, a slice of the space says otherwise, while they are classified rightly.
+    #[serde(default)]
+    pub slices_wrong: u64,
+    /// Pairs with such slices.
+    #[serde(default)]
+    pub slices_wrong_pairs: u64,
     /// Certain beyond the margin, but nearer to contact than the resolution that the space itself reports: the space says
     /// otherwise, as it may.
     pub within_resolution: u64,
@@ -77,12 +83,16 @@ impl Tally {
         self.slowest = self.slowest.max(report.computed);
         self.largest_bytes = self.largest_bytes.max(report.bytes);
         self.largest_pair = self.largest_pair.max(report.feature_pairs);
-        let mut wrong = false;
+        let (mut wrong, mut slices_wrong) = (false, false);
         for fault in &report.faults {
             match fault {
                 Fault::Wrong { .. } => {
                     self.wrong += 1;
                     wrong = true;
+                }
+                Fault::Slice { .. } => {
+                    self.slices_wrong += 1;
+                    slices_wrong = true;
                 }
                 Fault::Loops { .. } => self.loops_differ += 1,
                 Fault::Open { .. } => self.open += 1,
@@ -92,11 +102,12 @@ impl Tally {
             }
         }
         self.wrong_pairs += u64::from(wrong);
+        self.slices_wrong_pairs += u64::from(slices_wrong);
     }
 
     /// Adds the counts of another.
     pub fn add(&mut self, other: &Self) {
-        let sums: [(&mut u64, u64); 20] = [
+        let sums: [(&mut u64, u64); 22] = [
             (&mut self.pairs, other.pairs),
             (&mut self.refused, other.refused),
             (&mut self.given_up, other.given_up),
@@ -106,6 +117,8 @@ impl Tally {
             (&mut self.free, other.free),
             (&mut self.wrong, other.wrong),
             (&mut self.wrong_pairs, other.wrong_pairs),
+            (&mut self.slices_wrong, other.slices_wrong),
+            (&mut self.slices_wrong_pairs, other.slices_wrong_pairs),
             (&mut self.within_resolution, other.within_resolution),
             (&mut self.bands, other.bands),
             (&mut self.loops_differ, other.loops_differ),
@@ -132,6 +145,7 @@ impl Tally {
     pub fn is_clean(&self) -> bool {
         [
             self.wrong,
+            self.slices_wrong,
             self.loops_differ,
             self.open,
             self.threads_differ,
@@ -147,7 +161,7 @@ impl Tally {
 
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows: [(&str, String); 16] = [
+        let rows: [(&str, String); 17] = [
             (
                 "pairs",
                 format!("{} ({} refused as parts)", self.pairs, self.refused),
@@ -163,6 +177,10 @@ impl fmt::Display for Tally {
             (
                 "wrong",
                 format!("{} in {} pairs", self.wrong, self.wrong_pairs),
+            ),
+            (
+                "only a slice wrong",
+                format!("{} in {} pairs", self.slices_wrong, self.slices_wrong_pairs),
             ),
             ("within the resolution", self.within_resolution.to_string()),
             ("bands sliced from scratch", self.bands.to_string()),

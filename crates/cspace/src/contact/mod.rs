@@ -25,7 +25,7 @@ pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape, wrap};
 pub use function::ContactFunction;
 pub(crate) use overlap::{Body, overlap};
-pub(crate) use pair::{Geometry, Placed};
+pub(crate) use pair::{Bodies, Geometry, Placed};
 #[cfg(feature = "fuzzing")]
 pub(crate) use sheet::{EndAngle, SheetKind};
 pub(crate) use sheet::{Seam, SharedEnds, Sheet, WIDEST_SAGITTA};

@@ -2,7 +2,7 @@
 
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Outline, PairFrame};
-use crate::geometry::{Point, Rotation};
+use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
 use super::build::Contacts;
@@ -124,6 +124,36 @@ impl Geometry {
     pub(crate) fn core(&self, turn: Rotation) -> Option<(Point, f64)> {
         let ((a, ra), (b, rb)) = (self.fixed.disc?, self.moving.disc?);
         Some((a + (-(turn * b.to_vector())), ra + rb))
+    }
+}
+
+/// The parts of a pair as they are tested for overlap, and nothing else.
+#[derive(Debug)]
+pub(crate) struct Bodies {
+    frame: PairFrame,
+    fixed: Body,
+    moving: Body,
+}
+
+impl Bodies {
+    /// Prepares a pair as drawn.
+    pub(crate) fn new(fixed: &Part, moving: &Part) -> Self {
+        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving));
+        Self {
+            frame: outlines.frame,
+            fixed: outlines.fixed_body,
+            moving: outlines.moving_body,
+        }
+    }
+
+    /// Whether the parts overlap at a configuration.
+    pub(crate) fn overlap(&self, c: Configuration) -> bool {
+        overlap(
+            &self.fixed,
+            &self.moving,
+            self.frame.inner_from_outer(c),
+            c.theta,
+        )
     }
 }
 

@@ -64,6 +64,23 @@ impl Outline {
         outline
     }
 
+    /// By how much a part's sharpest corner sticks out for each unit that its sides are grown by.
+    pub(crate) fn longest_mitre(part: &Part, center: Point, scale: f64) -> f64 {
+        let mut longest = 1.0_f64;
+        for boundary in part.loops() {
+            let pieces: Vec<Piece> = boundary
+                .edges()
+                .map(|e| Piece::new(&e, center, scale))
+                .collect();
+            for (i, before) in pieces.iter().enumerate() {
+                if let Corner::Convex { turn } = corner(before, &pieces[(i + 1) % pieces.len()]) {
+                    longest = longest.max(1.0 / (0.5 * turn).cos().max(1.0 / MITRE));
+                }
+            }
+        }
+        longest
+    }
+
     fn add_loop(&mut self, loop_index: u32, pieces: &[Piece], reversed: bool, growth: f64) {
         let n = pieces.len();
         self.feature_count += n;
@@ -111,8 +128,10 @@ impl Outline {
                 Corner::Concave { turn } => {
                     self.feature_count += 1;
                     let further = OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0);
-                    ends[i] = self.carry_on(before, point, n1, growth, further);
-                    starts[j] = self.carry_on(after, point, n2, growth, -further);
+                    // Not beyond the middle of the other edge, under which it runs.
+                    let under = |other: &Piece| further.min(0.5 * other.edge.length());
+                    ends[i] = self.carry_on(before, point, n1, growth, under(after));
+                    starts[j] = self.carry_on(after, point, n2, growth, -under(before));
                 }
             }
         }
@@ -332,8 +351,12 @@ fn corner(before: &Piece, after: &Piece) -> Corner {
     }
 }
 
-/// Below which angle two edges are joined smoothly: what that changes is of the second order, times the radius.
+/// Below which angle two edges are joined smoothly: what that changes is of the second order, times the radius; of two lines
+/// it is of the first, times their length.
 fn smooth(before: &Piece, after: &Piece) -> f64 {
+    if before.arc.is_none() && after.arc.is_none() {
+        return 2.0 * STRAIGHT;
+    }
     let radius = |p: &Piece| match (p.near, p.arc) {
         (Some(_), Some((_, radius))) => radius.abs(),
         _ => 1.0,

@@ -18,12 +18,18 @@ pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 /// the lesser growth by far, and no simple part of the other.
 pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 
-/// Two edges that meet at an angle below this are smoothly joined (radians, about 1.5e-8).
+/// Positions nearer than this to a contact curve are in contact (length, about 7.3e-12): several times what the parts are
+/// grown by, unless they have sharp corners.
+pub(crate) const CONTACT: f64 = 8.0 * GROWTH;
+
+/// Two edges, one of them an arc, that meet at an angle below this are smoothly joined (radians, about 1.5e-8).
 ///
 /// The error made on the boundary is of second order: radius × SMOOTH² / 2, below the rounding of f64.
 pub(crate) const SMOOTH: f64 = 1.0 / (1u64 << 26) as f64;
 
 /// The longest mitre of a grown convex corner, in units of [`GROWTH`]; sharper corners are cut off there.
+///
+/// It is how far a contact of the corner may be off its place: 9.3e-10. The resolution of a pair says so.
 pub(crate) const MITRE: f64 = 1024.0;
 
 /// How far edges that meet in a concave corner are carried on into the material, in units of [`GROWTH`].
@@ -68,7 +74,8 @@ pub(crate) const SAME_CARRIER: f64 = GROWTH / 8.0;
 /// of [`GROWTH`].
 pub(crate) const LARGEST_CIRCLE: f64 = 128.0;
 
-/// An arc that turns by less than this is taken for its chord (radians, about 2.3e-10).
+/// An arc that turns by less than this is taken for its chord, and two lines that meet at less than twice this for one
+/// (radians, about 2.3e-10).
 ///
 /// It is within 2⁻³⁵ ≈ 2.9e-11 of the length of the chord. The orientations at which it touches a line are as many; so there are
 /// some [`NARROWEST_BAND`] of them at least.

@@ -1,5 +1,7 @@
 //! Classifying many configurations.
 
+use core::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::geometry::{Configuration, Point, Rotation};
@@ -18,13 +20,13 @@ const FARTHEST_ORIENTATION: f64 = 1024.0;
 
 /// A [`ContactSpace`] prepared for classifying millions of configurations: 0.1 to 0.2 µs each on one core.
 ///
-/// Orientations are divided into slots, and positions, in the pair's frame, into square cells. A cell is *pure* if no
-/// patch comes to it at any orientation of its slot; then all of it is free, or all is blocked. That is certain, not
-/// sampled: the curves of a patch over an interval of orientations are enclosed by a curve and a distance. The other
-/// cells have lists of the patches that may come to them. There the patches of the list are evaluated at the very
-/// orientation: contact if one is within [`ContactSpace::resolution`], otherwise the first that an axis meets tells,
-/// from cell to cell until one does or the cell is pure. Where the axis passes too close to an end of a patch, another
-/// direction is tried, and at last the slice is made, so the answer is always that of [`ContactSpace::classify`].
+/// Orientations are divided into slots, and positions, in the pair's frame, into square cells. A cell is *pure* if no patch
+/// comes to it at any orientation of its slot; then all of it is free, or all is blocked. That is certain, not sampled: the
+/// curves of a patch over an interval of orientations are enclosed by a curve and a distance. The other cells have lists of
+/// the patches that may come to them. There the patches of the list are evaluated at the very orientation: contact if one is
+/// within 2⁻³⁷ of the size of the pair, otherwise the first that an axis meets tells, from cell to cell until one does or
+/// the cell is pure. Where the axis passes too close to an end of a patch, another direction is tried, and at last the slice
+/// is made, so the answer is always that of [`ContactSpace::classify`].
 ///
 /// There are about 32 mixed cells for each patch, and some 16000 in a small space: 300 to 600 bytes a patch with all
 /// indices. It is built in about half the time that the space took. Building uses all threads, and gives the same result with any
@@ -38,6 +40,8 @@ pub struct Classifier<'a> {
     /// The rounding error of positions (length of the pair's frame). Parts may be drawn so far from their origins that it
     /// exceeds the resolution.
     rounding: f64,
+    /// For every slot the intervals of doubtful orientations that come to it.
+    doubts: Vec<Range<usize>>,
     cells: CellStore,
 }
 
@@ -81,6 +85,7 @@ impl<'a> Classifier<'a> {
         cells.finish(grid.side);
         Self {
             space,
+            doubts: grid.doubts(&space.doubts),
             grid,
             far: far * far,
             rounding: space.frame.rounding(),
@@ -99,6 +104,10 @@ impl<'a> Classifier<'a> {
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
             return self.classify_far(c, square);
         }
+        let doubts = &self.doubts[slot];
+        if !doubts.is_empty() && self.space.doubts.hold_among(c.theta, doubts.clone()) {
+            return self.space.classify(c);
+        }
         let turn = Rotation::by(c.theta);
         let frame = &self.space.frame;
         let p = Point::ORIGIN + (from + turn * frame.moving_center.to_vector()) * frame.scale;
@@ -114,7 +123,7 @@ impl<'a> Classifier<'a> {
 
     /// Number of bytes in memory, without the space itself.
     pub fn bytes(&self) -> usize {
-        size_of::<Self>() + self.cells.bytes()
+        size_of::<Self>() + size_of_val(self.doubts.as_slice()) + self.cells.bytes()
     }
 
     #[inline]
@@ -143,18 +152,17 @@ impl<'a> Classifier<'a> {
         slot: usize,
         patches: &[u32],
     ) -> Option<Classification> {
-        let resolution = self.space.resolution();
-        let theta = self.space.settled(c.theta);
-        let c = Configuration { theta, ..c };
+        let near = self.space.contact_distance();
+        let settled = self.space.settled(c.theta);
         let mut unclear = false;
         for &i in patches {
             let patch = &self.space.patches[i as usize];
             let off = off_carrier(patch, turn, p);
             if off <= self.grid.margin
-                && let Some(theta) = self.space.alive(patch, c.theta)
+                && let Some(alive) = self.space.alive(patch, settled)
             {
-                let curve = self.space.curve(patch, theta);
-                if curve.nearest(c.position()).distance(c.position()) <= resolution {
+                let curve = self.space.curve_as_at(patch, alive, c.theta);
+                if curve.nearest(c.position()).distance(c.position()) <= near {
                     return Some(Classification::Contact);
                 }
                 unclear |= off <= self.rounding;
@@ -163,7 +171,7 @@ impl<'a> Classifier<'a> {
         if unclear {
             return self.space.classify(c);
         }
-        let place = (p, c.theta, turn);
+        let place = (p, settled, turn);
         for direction in Direction::ALL {
             let content = |column, row| self.content(slot, column, row);
             if let Some(free) = walk::is_free(self.space, &self.grid, place, direction, content) {

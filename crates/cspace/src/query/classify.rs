@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::Configuration;
+use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
 
 /// What a configuration is.
@@ -18,9 +19,10 @@ pub enum Classification {
 }
 
 impl ContactSpace {
-    /// Classifies a configuration: contact if a contact curve of its slice is within [`resolution`](Self::resolution),
-    /// otherwise by the side from which a ray meets the first contact curve. `None` outside the window, or if the
-    /// configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
+    /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise
+    /// by the side from which a ray meets the first contact curve. At
+    /// [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are tested for overlap instead. `None`
+    /// outside the window, or if the configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
@@ -76,18 +78,31 @@ impl ContactSpace {
             return None;
         }
         let slice = self.slice(c.theta);
-        let near = slice.curves.iter().any(|curve| {
-            curve.geometry.nearest(c.position()).distance(c.position()) <= self.resolution()
-        });
-        let met = slice.first_met(c.position());
-        let class = if near {
-            Classification::Contact
-        } else if met.is_none_or(|m| m.from_free) {
-            Classification::Free
-        } else {
-            Classification::Blocked
+        let away = |curve: &SliceCurve| {
+            let p = c.position();
+            curve.geometry.nearest(p).distance(p)
         };
-        let patch = met.and_then(|m| slice.curves[m.curve].patch);
+        let nearest =
+            (slice.curves.iter().map(away).enumerate()).min_by(|a, b| a.1.total_cmp(&b.1));
+        let near = nearest.is_some_and(|n| n.1 <= self.contact_distance());
+        let met = slice.first_met(c.position());
+        let by_slice = met.is_none_or(|m| m.from_free);
+        let free = if !near && self.doubts.hold(c.theta) {
+            !self.overlaps(c)
+        } else {
+            by_slice
+        };
+        let class = match (near, free) {
+            (true, _) => Classification::Contact,
+            (false, true) => Classification::Free,
+            (false, false) => Classification::Blocked,
+        };
+        let bounding = if free == by_slice {
+            met.map(|m| m.curve)
+        } else {
+            nearest.map(|n| n.0)
+        };
+        let patch = bounding.and_then(|i| slice.curves[i].patch);
         let region = patch.map_or(UNBOUNDED, |p| self.patches()[p as usize].region);
         Some((class, region))
     }

@@ -1,8 +1,9 @@
 //! A grid over orientations and positions.
 
 use core::f64::consts::{PI, TAU};
+use core::ops::Range;
 
-use crate::space::{ContactSpace, Window};
+use crate::space::{ContactSpace, Doubts, Window};
 
 /// Side of a tile of cells.
 pub(super) const TILE: usize = 8;
@@ -96,8 +97,18 @@ impl Grid {
         Some(((t * self.slot_density) as usize).min(self.slots - 1))
     }
 
+    /// For every slot which of the doubtful orientations it has.
+    pub(super) fn doubts(&self, doubts: &Doubts) -> Vec<Range<usize>> {
+        let turn = |slot: usize| {
+            let (lo, hi) = self.orientations(slot);
+            // The slots of a turn begin where the intervals do.
+            doubts.between(lo - MARGIN, hi + MARGIN)
+        };
+        (0..self.slots).map(turn).collect()
+    }
+
     /// The slots that have orientations between two.
-    pub(super) fn slots_between(&self, lo: f64, hi: f64) -> core::ops::Range<usize> {
+    pub(super) fn slots_between(&self, lo: f64, hi: f64) -> Range<usize> {
         let at = |t: f64| (t - self.lo) * self.slot_density;
         let first = at(lo).floor().max(0.0) as usize;
         let last = at(hi).floor();

@@ -1,4 +1,5 @@
-//! Questions about configurations and motions, answered from the patches alone.
+//! Questions about configurations and motions, answered from the patches; and by the parts themselves where patches are in
+//! doubt.
 
 mod cells;
 mod classifier;

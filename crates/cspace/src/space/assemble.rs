@@ -1,6 +1,7 @@
 //! From free cells to the contact graph: chains of cells become patches, and patches are copied from slab to slab.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::contact::{ContactFunction, Twist};
 use crate::feature::{FeatureName, Outline};
@@ -9,6 +10,7 @@ use crate::part::Part;
 
 use super::cells::END;
 use super::chains::{Chain, Chains, Linker};
+use super::doubt::doubts;
 use super::graph::{ContactSpace, FeatureCounts, Walk, Window};
 use super::lifts::Lifts;
 use super::limits::MOST_PATCHES;
@@ -67,6 +69,14 @@ impl Assembler<'_> {
         let (side_links, vertical_links) =
             parallel::join(|| links.side(&patches), || links.vertical());
         let critical_orientations = lifts.critical_orientations(&chains.chains);
+        let doubts = doubts(
+            &self.linker,
+            self.shells,
+            &lifts,
+            (&patches, &side_links),
+            &critical_orientations,
+            self.window,
+        );
         let walk = Walk::new(patches.len(), &side_links);
         let (more_fixed, more_moving) = self.names.added();
         let mut space = ContactSpace {
@@ -87,6 +97,9 @@ impl Assembler<'_> {
             computed_bands: 0,
             statistics: Statistics::default(),
             walk,
+            doubts,
+            grown: geometry.frame.grown(fixed, moving),
+            bodies: Arc::default(),
         };
         space.computed_bands = lifts.computed_bands(&chains.chains, space.bands().len()) as u32;
         let copying = if steps.slabs == 1 {

@@ -1,12 +1,17 @@
 //! The contact space as a user walks it: patches, links, bands, free regions.
 
+use std::sync::{Arc, OnceLock};
+
 use serde::{Deserialize, Serialize};
 
+use crate::contact::Bodies;
+use crate::feature::tolerance::CONTACT;
 use crate::feature::{Outline, PairFrame};
 use crate::geometry::Configuration;
 use crate::part::Part;
 use crate::slice::CurveGeometry;
 
+use super::doubt::Doubts;
 use super::patch::{Patch, PatchRef};
 use super::stats::Statistics;
 use super::symmetry::PairSymmetry;
@@ -76,6 +81,11 @@ pub struct ContactSpace {
     pub(crate) computed_bands: u32,
     pub(crate) statistics: Statistics,
     pub(crate) walk: Walk,
+    pub(crate) doubts: Doubts,
+    /// How far off their places contacts of sharp corners may be (length of the pair's frame).
+    pub(crate) grown: f64,
+    /// The parts as they are tested for overlap, once a question needs them.
+    pub(crate) bodies: Arc<OnceLock<Bodies>>,
 }
 
 /// Lines, arcs and vertices that are not smooth joints.
@@ -185,6 +195,23 @@ impl ContactSpace {
         &self.critical_orientations
     }
 
+    /// Intervals of orientation in which the patches are not relied upon alone: in ascending order, in [−π, π] for a full turn.
+    ///
+    /// Bands of less than 10⁻⁵ rad are among them, critical orientations that are known to less than 10⁻¹¹ rad, and whatever
+    /// a shell of contact spans that what bounds it and a test of overlap judged differently. There,
+    /// [`classify`](Self::classify) asks the parts themselves; a slice, a link or a motion may be wrong.
+    pub fn doubtful_orientations(&self) -> &[(f64, f64)] {
+        self.doubts.intervals()
+    }
+
+    /// Whether the parts, as they are computed, overlap at a configuration: boundaries intersected, containment tested,
+    /// without patches.
+    pub(crate) fn overlaps(&self, c: Configuration) -> bool {
+        self.bodies
+            .get_or_init(|| Bodies::new(&self.fixed, &self.moving))
+            .overlap(c)
+    }
+
     /// The patches.
     pub fn patches(&self) -> &[Patch] {
         &self.patches
@@ -239,12 +266,16 @@ impl ContactSpace {
 
     /// The resolution in the model's unit of length: clearances below it count as none.
     ///
-    /// With symmetry, how far the parts as drawn are from being symmetric is part of it.
+    /// With symmetry, how far the parts as drawn are from being symmetric is part of it. It is 2⁻³⁷ of the pair's size, and
+    /// more if a part has a corner of less than some 15°: parts are grown, and such a corner by more than its sides.
     pub fn resolution(&self) -> f64 {
-        let grown = self
-            .frame
-            .outer_length(8.0 * crate::feature::tolerance::GROWTH);
-        grown + self.symmetry.deviation
+        self.frame.outer_length(CONTACT + self.grown) + self.symmetry.deviation
+    }
+
+    /// Positions nearer than this to a contact curve are in contact (model length): the resolution, but for what may be
+    /// wrong with the curve.
+    pub(crate) fn contact_distance(&self) -> f64 {
+        self.frame.outer_length(CONTACT)
     }
 
     /// The bands, in order. A space without critical orientations has one.

@@ -11,6 +11,7 @@ mod clusters;
 mod compute;
 mod core;
 mod covering;
+mod doubt;
 mod extent;
 mod gaps;
 mod graph;
@@ -35,6 +36,7 @@ mod triple;
 mod uncovered;
 
 pub use compute::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage};
+pub(crate) use doubt::Doubts;
 pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub(crate) use saved::check_head;

@@ -1,5 +1,7 @@
 //! Contact spaces as plain data, to be written and read.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use crate::contact::{ContactFunction, Spiral};
@@ -8,6 +10,7 @@ use crate::geometry::Point;
 use crate::part::{Part, PartError, Vertex};
 use crate::slice::CurveGeometry;
 
+use super::doubt::Doubts;
 use super::graph::{ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Walk, Window};
 use super::patch::{Boundary, Patch};
 use super::stats::Statistics;
@@ -107,6 +110,9 @@ pub struct SavedSpace {
     /// How many bands were computed; 0 where this is not known.
     #[serde(default)]
     pub computed_bands: u32,
+    /// Intervals of orientation in which the patches are not relied upon alone.
+    #[serde(default)]
+    pub doubtful_orientations: Vec<(f64, f64)>,
     /// Counts and times of the computation.
     pub statistics: Statistics,
 }
@@ -183,6 +189,7 @@ impl ContactSpace {
             free_regions: self.regions.clone(),
             symmetry: self.symmetry,
             computed_bands: self.computed_bands,
+            doubtful_orientations: self.doubts.intervals().to_vec(),
             statistics: self.statistics,
         }
     }
@@ -196,15 +203,17 @@ impl ContactSpace {
         let (fixed, moving) = (saved.fixed.part()?, saved.moving.part()?);
         check(&saved)?;
         let walk = Walk::new(saved.patches.len(), &saved.side_links);
+        let frame = PairFrame {
+            fixed_center: saved.frame.fixed_center,
+            moving_center: saved.frame.moving_center,
+            scale: saved.frame.scale,
+        };
+        let grown = frame.grown(&fixed, &moving);
         Ok(Self {
             fixed,
             moving,
             window: saved.window,
-            frame: PairFrame {
-                fixed_center: saved.frame.fixed_center,
-                moving_center: saved.frame.moving_center,
-                scale: saved.frame.scale,
-            },
+            frame,
             critical_orientations: saved.critical_orientations,
             patches: saved.patches,
             side_links: saved.side_links,
@@ -215,6 +224,9 @@ impl ContactSpace {
             computed_bands: saved.computed_bands,
             statistics: saved.statistics,
             walk,
+            doubts: Doubts::known(saved.doubtful_orientations, saved.window),
+            grown,
+            bodies: Arc::default(),
         })
     }
 }
@@ -328,6 +340,16 @@ fn check_whole(saved: &SavedSpace) -> Result<(), (&'static str, &'static str)> {
     }
     if !c.is_sorted() {
         return Err(("the list of critical orientations", "they are not in order"));
+    }
+    let d = &saved.doubtful_orientations;
+    if !d.iter().all(|&(a, b)| lo <= a && a <= b && b <= hi) {
+        return Err((
+            "the list of doubtful orientations",
+            "one is no interval of the window",
+        ));
+    }
+    if !d.windows(2).all(|w| w[0].1 < w[1].0) {
+        return Err(("the list of doubtful orientations", "they are not in order"));
     }
     Ok(())
 }

@@ -19,6 +19,8 @@ pub(super) struct Shells {
     pub(super) side: Vec<SideContact>,
     pub(super) vertical: Vec<VerticalContact>,
     pub(super) free: Vec<bool>,
+    /// For every cell whether its shell's bounds and tests told different things.
+    pub(super) in_conflict: Vec<bool>,
     /// For every cell the smallest cell of its shell.
     pub(super) shell: Vec<u32>,
     /// How many configurations were tested for overlap.
@@ -92,6 +94,7 @@ impl ShellFinder<'_> {
             side,
             vertical,
             free: Vec::new(),
+            in_conflict: Vec::new(),
             shell,
             tests: 0,
             judged: 0,
@@ -201,14 +204,18 @@ impl ShellFinder<'_> {
             self.judge_shell(cells, shell, blocked, &blocked_ring)
         });
         shells.free = vec![false; cells.len()];
+        let mut conflict = vec![false; cells.len()];
         for (shell, verdict) in open.iter().zip(verdicts) {
             shells.judged += 1;
             shells.tests += verdict.tests;
             shells.conflicts += usize::from(verdict.conflict);
+            conflict[shell[0].shell as usize] = verdict.conflict;
             for (m, free) in shell.iter().zip(verdict.free) {
                 shells.free[m.cell as usize] = free;
             }
         }
+        let of_cell = |&shell: &u32| conflict[shell as usize];
+        shells.in_conflict = shells.shell.iter().map(of_cell).collect();
     }
 
     /// Judges a shell by its cells, of which what bounds them leaves all open. `blocked` tells whether it has others, which

@@ -42,6 +42,8 @@ struct Summary<'a> {
     regions: Regions<'a>,
     resolution: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
+    doubtful_orientations: Option<&'a [(f64, f64)]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     statistics: Option<Statistic>,
     seconds: Seconds,
 }
@@ -205,6 +207,7 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
         free_regions: space.free_regions(),
         regions: Regions::Planar(&[]),
         resolution: space.resolution(),
+        doubtful_orientations: None,
         statistics: None,
         seconds: Seconds::Total { total: seconds },
     };
@@ -239,6 +242,7 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
                 vertical: space.vertical_links().len(),
             };
             summary.regions = Regions::Planar(space.free_regions());
+            summary.doubtful_orientations = Some(space.doubtful_orientations());
             summary.statistics = Some(Statistic::General(space.statistics().into()));
             summary.seconds = Seconds::Stages(space.statistics().seconds);
         }

@@ -205,6 +205,19 @@ fn describe_certainty(text: &mut String, counts: &Counts) -> fmt::Result {
     )
 }
 
+/// At how many orientations the patches are not relied upon alone, if there are any.
+fn describe_doubt(text: &mut String, doubtful: &[(f64, f64)]) -> fmt::Result {
+    if doubtful.is_empty() {
+        return Ok(());
+    }
+    let radians: f64 = doubtful.iter().map(|(lo, hi)| hi - lo).sum();
+    writeln!(
+        text,
+        "  doubtful       {} of orientation, {radians:.1e} rad in all",
+        count(doubtful.len(), "interval", "intervals")
+    )
+}
+
 fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
     match s.window {
         Some(w) if !w.full_turn => writeln!(
@@ -239,6 +252,7 @@ fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
     )?;
     if let Some(Statistic::General(counts)) = &s.statistics {
         describe_certainty(text, counts)?;
+        describe_doubt(text, s.doubtful_orientations.unwrap_or_default())?;
     }
     let Regions::Planar(regions) = s.regions else {
         return Ok(());

@@ -1,0 +1,220 @@
+//! Orientations at which the patches are not relied upon alone.
+//!
+//! Structure is decided between events, and events have errors; where many things happen at nearly one orientation, links
+//! may be wrong. Such places are known, and are told, so that a question about one configuration can be answered by the
+//! parts themselves.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::feature::tolerance::NARROWEST_BAND;
+
+use super::chains::Linker;
+use super::graph::{SideLink, Window};
+use super::lifts::Lifts;
+use super::patch::Patch;
+use super::shells::Shells;
+
+/// Bands narrower than this (radians) are in doubt: critical orientations may be known to 10⁻⁶ rad only.
+const NARROW: f64 = 1e-5;
+
+/// Disjoint intervals of orientation, radians, in ascending order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Doubts {
+    intervals: Vec<(f64, f64)>,
+    full_turn: bool,
+}
+
+impl Doubts {
+    /// The union of intervals: of a full turn within [−π, π], wherever they were, otherwise as they are.
+    pub(crate) fn new(intervals: impl IntoIterator<Item = (f64, f64)>, window: Window) -> Self {
+        let mut all = Vec::new();
+        for (lo, hi) in intervals {
+            // Rounding, of turns and of copies by symmetry.
+            let (lo, hi) = (lo - NARROWEST_BAND, hi + NARROWEST_BAND);
+            if !window.full_turn {
+                all.push((lo.max(window.lo), hi.min(window.hi)));
+            } else if hi - lo >= TAU {
+                all.push((-PI, PI));
+            } else {
+                let turns = TAU * ((lo + PI) / TAU).floor();
+                let (lo, hi) = (lo - turns, hi - turns);
+                all.push((lo, hi.min(PI)));
+                if hi > PI {
+                    all.push((-PI, hi - TAU));
+                }
+            }
+        }
+        all.retain(|&(lo, hi)| lo <= hi);
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut merged: Vec<(f64, f64)> = Vec::new();
+        for (lo, hi) in all {
+            match merged.last_mut() {
+                Some(last) if lo <= last.1 => last.1 = last.1.max(hi),
+                _ => merged.push((lo, hi)),
+            }
+        }
+        Self {
+            intervals: merged,
+            full_turn: window.full_turn,
+        }
+    }
+
+    /// Those that [`intervals`](Self::intervals) told.
+    pub(super) fn known(intervals: Vec<(f64, f64)>, window: Window) -> Self {
+        Self {
+            intervals,
+            full_turn: window.full_turn,
+        }
+    }
+
+    pub(crate) fn intervals(&self) -> &[(f64, f64)] {
+        &self.intervals
+    }
+
+    /// Whether an orientation is in one of them.
+    pub(crate) fn hold(&self, theta: f64) -> bool {
+        self.hold_among(theta, 0..self.intervals.len())
+    }
+
+    /// The same, if it is known which of them come near.
+    #[inline]
+    pub(crate) fn hold_among(&self, theta: f64, near: core::ops::Range<usize>) -> bool {
+        let Some(near) = self.intervals.get(near).filter(|near| !near.is_empty()) else {
+            return false;
+        };
+        let t = if self.full_turn && !(-PI..=PI).contains(&theta) {
+            (theta - TAU * ((theta + PI) / TAU).floor()).clamp(-PI, PI)
+        } else {
+            theta
+        };
+        let next = near.partition_point(|i| i.1 < t);
+        near.get(next).is_some_and(|i| i.0 <= t)
+    }
+
+    /// Which of them have orientations between two, which are not turned.
+    pub(crate) fn between(&self, lo: f64, hi: f64) -> core::ops::Range<usize> {
+        let first = self.intervals.partition_point(|i| i.1 < lo);
+        let end = self.intervals.partition_point(|i| i.0 <= hi);
+        first..end.max(first)
+    }
+}
+
+/// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where
+/// shells were in conflict, in narrow bands, and where a patch is followed by none.
+pub(super) fn doubts(
+    linker: &Linker<'_>,
+    shells: &Shells,
+    lifts: &Lifts<'_>,
+    (patches, side_links): (&[Patch], &[SideLink]),
+    critical_orientations: &[f64],
+    window: Window,
+) -> Doubts {
+    let clusters = linker.clusters;
+    let rough = (0..clusters.len() as u32)
+        .map(|i| (clusters.lo(i), clusters.hi(i)))
+        .filter(|(lo, hi)| hi - lo > NARROWEST_BAND);
+    let in_conflict = (linker.cells.iter().zip(&shells.in_conflict))
+        .filter(|(_, conflict)| **conflict)
+        .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
+    let mut once: Vec<(f64, f64)> = rough.chain(in_conflict).collect();
+    once.sort_by(|a, b| a.0.total_cmp(&b.0));
+    once.dedup_by(|b, a| {
+        let follows = b.0 <= a.1;
+        if follows {
+            a.1 = a.1.max(b.1);
+        }
+        follows
+    });
+    let copies = once.iter().flat_map(|&(lo, hi)| {
+        lifts.shifts(lo, hi).map(move |slabs| {
+            let by = lifts.steps.period(slabs);
+            (lo + by, hi + by)
+        })
+    });
+    let around = (critical_orientations.last())
+        .filter(|_| window.full_turn)
+        .map(|&last| last - TAU);
+    let criticals: Vec<f64> = around
+        .into_iter()
+        .chain(critical_orientations.iter().copied())
+        .collect();
+    let narrow = (criticals.windows(2))
+        .filter(|w| w[1] - w[0] < NARROW)
+        .map(|w| (w[0], w[1]));
+    let open = unlinked(patches, side_links);
+    Doubts::new(copies.chain(narrow).chain(open), window)
+}
+
+/// The orientations at which a patch is followed by none.
+fn unlinked(patches: &[Patch], side_links: &[SideLink]) -> Vec<(f64, f64)> {
+    let mut links: Vec<(u32, f64, f64)> =
+        side_links.iter().map(|l| (l.before, l.lo, l.hi)).collect();
+    links.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut links = links.into_iter().peekable();
+    let mut open = Vec::new();
+    for (i, patch) in (0u32..).zip(patches) {
+        let mut known = patch.lo;
+        let mut until = |to: f64, known: f64| {
+            if to - known > NARROWEST_BAND {
+                open.push((known, to));
+            }
+        };
+        while let Some((_, lo, hi)) = links.next_if(|l| l.0 == i) {
+            until(lo, known);
+            known = known.max(hi);
+        }
+        until(patch.hi, known);
+    }
+    open
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TURN: Window = Window {
+        lo: -1.0,
+        hi: -1.0 + TAU,
+        full_turn: true,
+    };
+
+    #[test]
+    fn intervals_are_joined_and_brought_home() {
+        let doubts = Doubts::new([(0.5, 0.7), (TAU + 0.6, TAU + 0.8), (3.0, 3.3)], TURN);
+        let expected = [(-PI, 3.3 - TAU), (0.5, 0.8), (3.0, PI)];
+        assert_eq!(doubts.intervals().len(), expected.len());
+        for (found, expected) in doubts.intervals().iter().zip(expected) {
+            let off = (found.0 - expected.0).abs() + (found.1 - expected.1).abs();
+            assert!(off < 1e-10, "{found:?} {expected:?}");
+        }
+        for turns in [-2.0, 0.0, 5.0] {
+            let at = |theta: f64| doubts.hold(theta + turns * TAU);
+            assert!(at(0.75) && at(3.2) && at(-3.0) && at(PI), "{turns}");
+            assert!(!at(0.9) && !at(0.4) && !at(-2.9), "{turns}");
+        }
+        assert_eq!(doubts.between(0.0, 1.0), 1..2);
+        assert_eq!(doubts.between(0.9, 2.0), 2..2);
+        assert_eq!(doubts.between(-4.0, 4.0), 0..3);
+    }
+
+    #[test]
+    fn a_window_keeps_its_own() {
+        let window = Window {
+            lo: 4.0,
+            hi: 5.0,
+            full_turn: false,
+        };
+        let doubts = Doubts::new([(3.0, 3.5), (3.9, 4.1), (4.9, 6.0)], window);
+        assert_eq!(doubts.intervals().len(), 2);
+        assert!(doubts.hold(4.05) && doubts.hold(4.0) && doubts.hold(5.0));
+        assert!(!doubts.hold(4.5) && !doubts.hold(4.05 - TAU));
+    }
+
+    #[test]
+    fn all_of_a_turn_is_all() {
+        let doubts = Doubts::new([(0.0, TAU)], TURN);
+        assert_eq!(doubts.intervals(), [(-PI, PI)]);
+        assert!(Doubts::new([], TURN).intervals().is_empty());
+        assert!(!Doubts::new([], TURN).hold(0.0));
+    }
+}
