@@ -1,6 +1,7 @@
 //! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
 
 use crate::boxes::Boxes;
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Bounds, Inside, Part};
@@ -9,7 +10,7 @@ use super::bow::Bow;
 use super::crossing::{crossing, roots};
 use super::curve::{Curve, CurveShape};
 
-/// One part, ready to be tested: its boundary as curves, and one point of every loop.
+/// One part, ready to be tested: its boundary as curves, and two points at every loop.
 #[derive(Debug)]
 pub(crate) struct Body {
     curves: Vec<Curve>,
@@ -45,11 +46,15 @@ impl Body {
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-        let samples = part
-            .loops()
-            .iter()
+        /// How far in the material a point is that is in the material, whatever the parts are grown by (length).
+        const WITHIN: f64 = 4.0 * GROWTH;
+        // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself.
+        let samples = (part.loops().iter())
             .filter_map(|l| l.edges().next())
-            .map(|e| place(e.start))
+            .flat_map(|e| {
+                let (on, outward) = (place(e.at(0.5)), e.direction_at(0.5).right());
+                [on + outward * MOVING_GROWTH, on + outward * -WITHIN]
+            })
             .collect();
         Self {
             boxes: Boxes::new(curves.iter().map(bounds)),
@@ -140,4 +145,60 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
             .samples
             .iter()
             .any(|&q| moving.contains(back * (q - shift)))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::GROWTH;
+    use crate::contact::Bodies;
+    use crate::geometry::Configuration;
+    use crate::part::{Part, Vertex};
+
+    fn square(r: f64) -> Vec<Vertex> {
+        [(-r, -r), (r, -r), (r, r), (-r, r)]
+            .map(|(x, y)| Vertex::line(x, y))
+            .into()
+    }
+
+    fn overlap(fixed: &[Vec<Vertex>], moving: &[Vec<Vertex>], x: f64, theta: f64) -> bool {
+        let part = |name, loops: &[Vec<Vertex>]| Part::new(name, loops.to_vec()).unwrap();
+        let bodies = Bodies::new(&part("fixed", fixed), &part("moving", moving));
+        bodies.overlap(Configuration::new(x, 0.0, theta))
+    }
+
+    /// Where boundaries coincide and nothing crosses, parts of one shape cover each other, a plug fills its hole, and what
+    /// is a little smaller is in it.
+    #[test]
+    fn coincident_boundaries() {
+        let ring = [square(2.0), square(1.0)];
+        let quarters = (0..4).map(|k| f64::from(k) * core::f64::consts::FRAC_PI_2);
+        for theta in quarters {
+            assert!(overlap(&[square(1.0)], &[square(1.0)], 0.0, theta));
+            assert!(overlap(&ring, &ring, 0.0, theta));
+            assert!(overlap(&ring, &[square(1.0)], 0.0, theta));
+            assert!(overlap(&[square(1.0)], &ring, 0.0, theta));
+            assert!(!overlap(&ring, &[square(1.0 - 1e-9)], 0.0, theta));
+            assert!(overlap(&ring, &[square(1.0 - 1e-9)], 2e-9, theta));
+            assert!(!overlap(&[square(1.0)], &[square(1.0)], 2.0 + 1e-9, theta));
+            assert!(overlap(&[square(1.0)], &[square(1.0)], 2.0 - 1e-9, theta));
+        }
+    }
+
+    /// The crossing is where a side of the moving part ends and its arc begins, to the last bit.
+    #[test]
+    fn a_crossing_at_a_joint() {
+        let plate = [square(2.0)];
+        let pill = vec![
+            Vertex::line(-0.5, -0.25),
+            Vertex::new(0.5, -0.25, 1.0),
+            Vertex::line(0.5, 0.25),
+            Vertex::new(-0.5, 0.25, 1.0),
+        ];
+        // What the plate is grown by, in the model's unit.
+        let grown = 4.0 * GROWTH;
+        for x in [2.5 + grown, -2.5 - grown] {
+            assert!(overlap(&plate, core::slice::from_ref(&pill), x, 0.0), "{x}");
+        }
+    }
 }
