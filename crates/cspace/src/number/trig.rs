@@ -123,12 +123,21 @@ impl Trig {
             return;
         }
         let angle = |num: f64, den: f64| 2.0 * num.sqrt().atan2(den.sqrt());
-        // What may be nothing is taken for nothing: the middle of two roots, if there are any, is known best.
-        let about = |k: Known| if down_to(k) > 0.0 { k.value } else { 0.0 };
-        let aside = angle(about(most), about(least));
-        let error = (angle(up_to(most), down_to(least)) - aside)
-            .max(aside - angle(down_to(most), up_to(least)));
-        let error = (error + slack / amplitude + ANGLE_ERROR).min(LARGEST_ERROR);
+        let (farthest, nearest) = (
+            angle(up_to(most), down_to(least)),
+            angle(down_to(most), up_to(least)),
+        );
+        let from = |aside: f64| {
+            let error = (farthest - aside).max(aside - nearest);
+            (aside, error + slack / amplitude + ANGLE_ERROR)
+        };
+        // What may be nothing is taken for nothing: the middle of two roots, if there are any, is known best, unless
+        // that is too far from them.
+        let none = |k: Known| if down_to(k) > 0.0 { k.value } else { 0.0 };
+        let (aside, error) = Some(from(angle(none(most), none(least))))
+            .filter(|(_, error)| *error <= LARGEST_ERROR)
+            .unwrap_or_else(|| from(angle(most.value.max(0.0), least.value.max(0.0))));
+        let error = error.min(LARGEST_ERROR);
         let middle = self.beta.atan2(self.alpha);
         let mut report = |theta: f64| {
             if let Some(event) = (Event { theta, error }).within(mid, half) {
