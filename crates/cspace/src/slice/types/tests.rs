@@ -368,3 +368,33 @@ fn what_is_a_point_has_no_normal() {
         assert_eq!(g.point(0.4), p);
     }
 }
+
+/// Ends that know no successor take the nearest beginnings, each of them once, and none that is far away.
+#[test]
+fn open_ends_are_followed_by_the_nearest_beginnings() {
+    let open = u32::MAX;
+    let hair = 1e-8;
+    // From the right to two ends beside the origin, and back from two beginnings there; the second end is nearer to the
+    // second beginning than to the first, and the first end nearer to that than the second is.
+    let there = |y: f64| segment((1.0, 1.0), (0.0, y));
+    let back = |y: f64| segment((0.0, y), (1.0, 1.0));
+    for order in [[0, 1, 2, 3], [2, 3, 0, 1], [3, 1, 2, 0]] {
+        let pieces = [there(0.0), there(3.0 * hair), back(0.0), back(hair)];
+        let s = slice(&order.map(|i| (pieces[i], open)));
+        let number = |i: usize| order.iter().position(|&o| o == i).unwrap() as u32;
+        let next = |i: usize| s.curves[number(i) as usize].next;
+        assert_eq!((next(0), next(1)), (number(2), number(3)), "{order:?}");
+        assert_eq!(s.loops.len(), 2);
+    }
+    let far = slice(&[(there(0.0), open), (back(1e-3), open)]);
+    assert!(far.curves[0].next as usize >= 2 && far.curves[1].next == 0);
+    // A successor that is known stays, and is not taken away.
+    let kept = slice(&[
+        (there(0.0), 2),
+        (there(hair), open),
+        (back(hair), open),
+        (back(0.5), open),
+    ]);
+    assert_eq!(kept.curves[0].next, 2);
+    assert!(kept.curves[1].next as usize >= 4);
+}
