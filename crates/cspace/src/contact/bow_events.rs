@@ -481,24 +481,31 @@ mod tests {
                 })
             });
             always += usize::from(touch);
+            // Nothing happens where a condition always holds, however fast what it is made of moves.
+            for c in tangencies(f, g) {
+                let still = |d: f64| by_centers(&c, theta + d).abs() < 1e-9;
+                if [-2.0, -0.7, 0.0, 0.9, 2.1].into_iter().all(still) {
+                    c.roots(theta, PI, &mut |e| panic!("{e:?} {f:?} {g:?}"));
+                }
+            }
             assert_eq!(always_touch(f, g), touch, "{f:?} {g:?}");
             assert_eq!(always_touch(g, f), touch, "{f:?} {g:?}");
         }
         assert!(always > 10, "{always}");
     }
 
-    /// The height of a point that goes around the unit circle over a fixed line: sin θ − h.
-    fn height(h: f64) -> (Spiral, Sheet) {
+    /// The height of a point that goes around a circle over a fixed line: size sin θ − h.
+    fn height(size: f64, h: f64) -> (Spiral, Sheet) {
         let geometry = flat_geometry();
         let of = |s: &&Sheet| s.kind == SheetKind::LineRound && !s.is_flat();
         let mut line = *geometry.contacts.sheets.iter().find(of).unwrap();
         line.normal = Vector::new(0.0, 1.0);
         line.start = Spiral::new(Point::new(0.0, h), Vector::ZERO);
-        (Spiral::new(Point::ORIGIN, Vector::new(1.0, 0.0)), line)
+        (Spiral::new(Point::ORIGIN, Vector::new(size, 0.0)), line)
     }
 
     fn roots_of(h: f64, mid: f64, half: f64) -> Vec<Event> {
-        let (point, line) = height(h);
+        let (point, line) = height(1.0, h);
         let mut events = Vec::new();
         Condition::End(&point, &line).roots(mid, half, &mut |e| events.push(e));
         events.sort_by(|a, b| a.theta.total_cmp(&b.theta));
@@ -557,18 +564,38 @@ mod tests {
             assert_eq!(roots_of(h, 1.3, PI).len(), count, "{h}");
         }
         // Where nothing moves nothing happens.
-        let (_, line) = height(0.0);
+        let (_, line) = height(1.0, 0.0);
         for y in [0.0, 1e-16, 0.3] {
             let point = Spiral::new(Point::new(0.4, y), Vector::ZERO);
             Condition::End(&point, &line).roots(0.3, PI, &mut |e| panic!("{e:?}"));
         }
     }
 
+    /// A double root is known the better the more the function bends; a simple one to the rounding of its angle, however fast
+    /// what it is made of moves.
+    #[test]
+    fn errors_of_roots_go_with_slope_and_bend() {
+        let error = |size: f64, h: f64| {
+            let (point, line) = height(size, h);
+            let mut most = 0.0_f64;
+            Condition::End(&point, &line).roots(1.0, PI, &mut |e| most = most.max(e.error));
+            most
+        };
+        // √(2 off / bend), off being some 7e-15.
+        for (size, least, largest) in [(0.1, 1.5e-7, 9e-7), (1.0, 5e-8, 3e-7), (10.0, 1.5e-8, 9e-8)]
+        {
+            let found = error(size, size);
+            assert!((least..largest).contains(&found), "{size} {found}");
+        }
+        let found = error(1e4, 0.0);
+        assert!((f64::EPSILON..1e-14).contains(&found), "{found}");
+    }
+
     /// A function is said to touch zero where both its value and its slope vanish and its bend does not.
     #[test]
     fn touches_are_double_roots() {
         let touches = |h: f64, theta: f64| {
-            let (point, line) = height(h);
+            let (point, line) = height(1.0, h);
             Condition::End(&point, &line).touches(theta)
         };
         assert!(touches(1.0, FRAC_PI_2) && touches(-1.0, -FRAC_PI_2));
@@ -582,7 +609,7 @@ mod tests {
         ] {
             assert!(!touches(h, theta), "{h} {theta}");
         }
-        let (_, line) = height(0.0);
+        let (_, line) = height(1.0, 0.0);
         let still = Spiral::new(Point::new(0.4, 0.0), Vector::ZERO);
         assert!(!Condition::End(&still, &line).touches(0.3));
     }

@@ -76,6 +76,13 @@ fn lines_are_bridged_if_a_circle_is_always_between() {
         }
     }
     assert!(bridged > 0 && never > 0, "{bridged} {at_times} {never}");
+    // What is not a line of either part is computed.
+    for f in sheets {
+        let others = sheets
+            .iter()
+            .filter(|g| !f.is_line() || !g.is_line() || f.kind == g.kind);
+        assert!(others.into_iter().all(|g| !contacts.bridged(f, g)), "{f:?}");
+    }
 }
 
 /// Whether two curves follow each other smoothly.
