@@ -212,7 +212,7 @@ fn slices_at_critical_orientations_are_those_just_above() {
                 slice.curves.iter().map(|c| c.patch).collect()
             };
             let above = patches(all[i] + 0.1 * ALONE);
-            for turns in [0.0, 1.0, -2.0] {
+            for turns in [0.0, 1.0, -2.0, 9.0, -13.0] {
                 let at = all[i] + turns * TAU;
                 for theta in [at, at - ROUNDING * at.abs().max(1.0)] {
                     trial.check(patches(theta) == above, || {
@@ -222,6 +222,38 @@ fn slices_at_critical_orientations_are_those_just_above() {
             }
         }
     });
+}
+
+/// The same of a window, which is not turned.
+#[test]
+fn slices_at_critical_orientations_of_a_window_are_those_just_above() {
+    const ALONE: f64 = 1e-8;
+    let options = Options {
+        window: Some((-1.1, 1.3)),
+        ..Options::default()
+    };
+    let mut tried = 0;
+    for name in ["bar in maze", "random 5", "hexagon in a hexagonal hole"] {
+        let pair = pair(name);
+        let space = ContactSpace::compute(&pair.fixed, &pair.moving, &options).unwrap();
+        let patches = |theta: f64| -> Vec<Option<u32>> {
+            let slice = space.slice(theta);
+            slice.curves.iter().map(|c| c.patch).collect()
+        };
+        let all = space.critical_orientations();
+        for (i, &c) in all.iter().enumerate() {
+            if all.get(i + 1).is_none_or(|next| next - c > ALONE) {
+                let above = patches(c + 0.1 * ALONE);
+                assert_eq!(patches(c), above, "{name} at {c}");
+                assert_eq!(patches(c - 1e-15), above, "{name} below {c}");
+                tried += 1;
+            }
+        }
+        // Beyond the window nothing is asked for, at its end the last of it.
+        assert!(patches(1.3 + 1e-9).is_empty());
+        assert_eq!(patches(1.3), patches(1.3 - 1e-9), "{name}");
+    }
+    assert!(tried > 20, "{tried}");
 }
 
 /// Side links by the patch before, then by orientation; vertical links by orientation.

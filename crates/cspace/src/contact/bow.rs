@@ -209,6 +209,7 @@ impl Bow<f64> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
@@ -253,6 +254,152 @@ mod tests {
                     assert!(bow.point(u).distance(p) < 1e-14);
                     let later = off(&g, bow.point(u + 1e-6));
                     assert_eq!(later < 0.0, enters);
+                }
+            }
+        }
+    }
+
+    /// What a carrier is from one point tells its level at any other.
+    #[test]
+    fn a_level_is_the_same_from_wherever_it_is_seen() {
+        let (near, far) = circle(Point::new(0.3, -3.0), 3.2, 1.4);
+        let line = Carrier::Line {
+            normal: (0.6, -0.8),
+            through: (0.1, 0.05),
+        };
+        let small = Carrier::Circle {
+            center: (0.2, -0.1),
+            radius: -0.6,
+        };
+        for carrier in [line, Carrier::Bow(near), far, small] {
+            for (from, to) in [
+                (Point::new(0.4, 0.7), Point::new(-1.1, 0.2)),
+                (Point::new(-0.3, -0.9), Point::new(0.8, -0.5)),
+            ] {
+                let d = to - from;
+                let seen = Level::of(&carrier, (from.x, from.y));
+                let at = seen.a.0 * d.x + seen.a.1 * d.y + 0.5 * seen.k * d.dot(d) + seen.c;
+                let there = Level::of(&carrier, (to.x, to.y)).c;
+                assert!((at - there).abs() < 1e-14, "{carrier:?}");
+                // Free is away from the centre of a circle, unless its radius is negative.
+                let free = match carrier {
+                    Carrier::Line { normal, through } => {
+                        normal.0 * (to.x - through.0) + normal.1 * (to.y - through.1) > 0.0
+                    }
+                    Carrier::Bow(_) => to.distance(Point::new(0.3, -3.0)) > 3.2,
+                    Carrier::Circle { center, radius } => {
+                        let off = to.distance(Point::new(center.0, center.1)) - radius.abs();
+                        off * radius > 0.0
+                    }
+                };
+                assert_eq!(there > 0.0, free, "{carrier:?}");
+            }
+        }
+    }
+
+    /// A line at a slant crosses an arc that is nearly one where it crosses the tangent, but for second order.
+    #[test]
+    fn crossings_with_lines_are_exact_however_large_the_radius() {
+        for radius in [1e3, 1e6, 1e9, -1e9] {
+            let bow = Bow::new(Point::new(0.2, 0.1), Vector::new(0.0, 1.0), 1.0 / radius);
+            for (angle, enters) in [(0.4_f64, true), (-0.4, false)] {
+                // Through a point 0.7 to the left of where the bow is told.
+                let (sin, cos) = angle.sin_cos();
+                let through = (0.2 - 0.7, 0.1);
+                let line = Carrier::Line {
+                    normal: (sin, cos),
+                    through,
+                };
+                let p = bow.crossed(&Level::of(&line, bow.through), enters).unwrap();
+                // The bow is d²/2r below its tangent there; along the line that is so much further.
+                let (mut x, mut y) = (through.0, through.1);
+                for _ in 0..20 {
+                    let d = x - 0.2;
+                    y = 0.1 - d * d / (radius + (radius * radius - d * d).sqrt() * radius.signum());
+                    x = through.0 - (y - through.1) * cos / sin;
+                }
+                assert!(
+                    p.distance(Point::new(x, y)) < 1e-15,
+                    "{radius} {p:?} {x} {y}"
+                );
+                // It has no other crossing near.
+                assert!(
+                    bow.crossed(&Level::of(&line, bow.through), !enters)
+                        .is_none()
+                );
+            }
+        }
+    }
+
+    /// Circles cross if the distance of their centres is between the difference and the sum of their radii.
+    #[test]
+    fn circles_that_just_touch_are_told_from_those_that_do_not() {
+        const HAIR: f64 = 1e-9;
+        let center = Point::new(0.3, -3.0);
+        for (at, towards) in [(1.2, 1.5), (1.7, 1.5), (1.5, 1.5)] {
+            let (bow, _) = circle(center, 3.0, at);
+            for radius in [0.5, -0.5] {
+                for (distance, inside) in [(3.5, -1.0), (2.5, 1.0)] {
+                    for sign in [-1.0, 1.0] {
+                        let other = center + Vector::from_angle(towards) * (distance + sign * HAIR);
+                        let small = Carrier::Circle {
+                            center: (other.x, other.y),
+                            radius,
+                        };
+                        let level = Level::of(&small, bow.through);
+                        for enters in [true, false] {
+                            let found = bow.crossed(&level, enters).is_some();
+                            assert_eq!(found, sign == inside, "{at} {radius} {distance} {sign}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Places, normals, distances and angles against those of a circle about its centre.
+    #[test]
+    fn a_bow_is_a_circle() {
+        let center = Point::new(0.3, -3.0);
+        for radius in [3.0, -3.0] {
+            let at = 1.4
+                + if radius < 0.0 {
+                    core::f64::consts::PI
+                } else {
+                    0.0
+                };
+            let (bow, _) = circle(center, radius, at);
+            let on = |angle: f64| center + Vector::from_angle(at + angle) * radius;
+            // Travel is to the left of the normal: with the angle on a circle of positive radius.
+            let place = |angle: f64| 2.0 * radius * (0.5 * angle).tan();
+            for angle in [-0.4, -0.1, 0.0, 0.25, 0.45] {
+                let (p, u) = (on(angle), place(angle));
+                assert!((bow.place(p) - u).abs() < 1e-14);
+                assert!(bow.point(u).distance(p) < 1e-14);
+                let normal = Vector::from_angle(at + angle);
+                assert!((bow.normal_at(p) - normal).length() < 1e-14);
+                for off in [-0.3, -1e-3, 0.2] {
+                    assert!((bow.distance(p + normal * off) - off).abs() < 1e-14);
+                }
+                for other in [-0.3, 0.2] {
+                    let (from, to) = (place(other), u);
+                    assert!((bow.angle(from, to) - (angle - other)).abs() < 1e-14);
+                    let turned = if from < to { angle - other } else { 0.0 };
+                    assert!((bow.bulge(from, to) - (0.25 * turned).tan()).abs() < 1e-14);
+                }
+                let (turn, by) = (Rotation::by(0.7), Vector::new(0.4, -0.2));
+                let moved = bow.moved(turn, by);
+                assert!(moved.point(u).distance(turn * p + by) < 1e-14);
+            }
+            for (p, angle) in [(Point::new(0.1, 0.4), 4.5), (Point::new(0.5, -0.3), 1.7)] {
+                let d = Vector::from_angle(angle);
+                let v = center - p;
+                let half = (9.0 - v.cross(d) * v.cross(d)).sqrt();
+                let expected = [v.dot(d) - half, v.dot(d) + half];
+                let mut met = bow.met(p, d);
+                met.sort_by(f64::total_cmp);
+                for (a, b) in met.into_iter().zip(expected) {
+                    assert!((a - b).abs() < 1e-13, "{met:?} {expected:?}");
                 }
             }
         }

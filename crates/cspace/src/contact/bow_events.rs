@@ -227,12 +227,16 @@ fn offsets(s: &Series) -> Option<[f64; 2]> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
+#[allow(clippy::unwrap_used, clippy::panic)]
 mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
     use super::super::condition::conditions;
     use super::super::pair::Geometry;
     use super::super::sheet::SheetKind;
     use super::*;
+    use crate::geometry::{Point, Rotation, Vector};
+    use crate::number::Ball;
     use crate::part::{Part, Vertex};
 
     fn part(name: &str, size: f64, bulges: [f64; 4]) -> Part {
@@ -263,7 +267,7 @@ mod tests {
                 u += inward;
             }
             plain.kind = SheetKind::RoundRound;
-            (plain.fixed_point, plain.moving_point) = (u, crate::Point::ORIGIN + -w);
+            (plain.fixed_point, plain.moving_point) = (u, Point::ORIGIN + -w);
         }
         plain
     }
@@ -304,5 +308,341 @@ mod tests {
             }
         }
         assert!(compared > 200, "{compared}");
+    }
+
+    /// The centre of what a sheet is about its centre, and its signed radius; of a line a point, the normal, and no radius.
+    fn carried(sheet: &Sheet, theta: f64) -> (Point, Vector, Option<f64>) {
+        match plain(sheet).carrier(theta.cos(), theta.sin()) {
+            Carrier::Circle { center, radius } => {
+                (Point::new(center.0, center.1), Vector::ZERO, Some(radius))
+            }
+            Carrier::Line { normal, through } => (
+                Point::new(through.0, through.1),
+                Vector::new(normal.0, normal.1),
+                None,
+            ),
+            Carrier::Bow(_) => unreachable!("a circle about its centre"),
+        }
+    }
+
+    /// All conditions of two sheets.
+    fn all_of<'a>(f: &'a Sheet, g: &'a Sheet) -> Vec<Condition<'a>> {
+        let ends = [(&f.start, g), (&f.end, g), (&g.start, f), (&g.end, f)];
+        (ends.into_iter().map(|(s, of)| Condition::End(s, of)))
+            .chain(tangencies(f, g))
+            .collect()
+    }
+
+    /// What a condition is by centres and radii, as far as these tell it.
+    fn by_centers(condition: &Condition<'_>, theta: f64) -> f64 {
+        match *condition {
+            Condition::End(spiral, sheet) => {
+                let p = Spiral::new(spiral.u + spiral.swing.arm, spiral.turning())
+                    .at(Rotation::by(theta));
+                let (c, n, radius) = carried(sheet, theta);
+                match radius {
+                    None => n.dot(p - c),
+                    // Of one that is no bow it is multiplied with the radius.
+                    Some(r) if sheet.is_circle() => {
+                        0.5 * ((p - c).length_squared() - r * r) * r.signum()
+                    }
+                    Some(r) => 0.5 * ((p - c).length_squared() - r * r) / r,
+                }
+            }
+            Condition::Alike(f, g, alike) => {
+                let ((c, _, r), (d, m, s)) = (carried(f, theta), carried(g, theta));
+                let side = if alike { 1.0 } else { -1.0 };
+                match (r, s) {
+                    (Some(r), Some(s)) => {
+                        let sum = r - side * s;
+                        ((c - d).length_squared() - sum * sum) / (2.0 * r * s * side)
+                    }
+                    (Some(r), None) => (m.dot(c - d) * side + r) / r,
+                    (None, _) => {
+                        // The same with the roles exchanged.
+                        let n = carried(f, theta).1;
+                        let s = s.unwrap();
+                        ((n * side).dot(d - c) + s) / s
+                    }
+                }
+            }
+            Condition::Circle(f, g, outer) => {
+                let ((c, n, r), (d, _, s)) = (carried(f, theta), carried(g, theta));
+                let s = s.unwrap() * if outer { 1.0 } else { -1.0 };
+                match r {
+                    Some(r) => ((c - d).length_squared() - (r + s) * (r + s)) / (-2.0 * r),
+                    None => n.dot(c - d) + s,
+                }
+            }
+        }
+    }
+
+    /// Pairs of sheets with large arcs, and orientations at which both exist.
+    fn flat_pairs(geometry: &Geometry) -> Vec<(&Sheet, &Sheet, [f64; 3])> {
+        let sheets = &geometry.contacts.sheets;
+        let mut pairs = Vec::new();
+        for (i, f) in sheets.iter().enumerate() {
+            for g in &sheets[..i] {
+                let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
+                if lo < hi && (f.is_flat() || g.is_flat()) {
+                    pairs.push((f, g, [0.2, 0.5, 0.9].map(|s| lo + s * (hi - lo))));
+                }
+            }
+        }
+        assert!(pairs.len() > 100, "{}", pairs.len());
+        pairs
+    }
+
+    fn flat_geometry() -> Geometry {
+        let fixed = part("fixed", 1.0, [1e-3, 0.3, -8e-4, 0.0]);
+        let moving = part("moving", 0.6, [6e-4, 0.0, -7e-4, -0.2]);
+        Geometry::new(&fixed, &moving, None, usize::MAX)
+    }
+
+    /// Values and slopes against distances of centres, which tell them to some digits.
+    #[test]
+    fn conditions_are_those_of_centres_and_radii() {
+        let geometry = flat_geometry();
+        for (f, g, orientations) in flat_pairs(&geometry) {
+            for condition in all_of(f, g) {
+                for theta in orientations {
+                    let h = 1e-3;
+                    let at = |t: f64| by_centers(&condition, t);
+                    let (cos, sin) = (theta.cos(), theta.sin());
+                    let value = condition.at(cos, sin).0;
+                    let off = (value - at(theta)).abs();
+                    assert!(off < 1e-9, "{off} {value} {f:?} {g:?}");
+                    let slope = condition.series(theta).0.slope;
+                    let expected = (at(theta + h) - at(theta - h)) / (2.0 * h);
+                    let near = 1e-6 * (1.0 + condition.pace());
+                    assert!((slope - expected).abs() < near, "{slope} {expected}");
+                }
+            }
+        }
+    }
+
+    /// What is said to be the error of a value is about its rounding, as an enclosure tells it.
+    #[test]
+    fn errors_of_values_are_those_of_rounding() {
+        let geometry = flat_geometry();
+        for (f, g, orientations) in flat_pairs(&geometry) {
+            for condition in all_of(f, g) {
+                for theta in orientations {
+                    let (cos, sin) = Ball::new(theta, 0.0).cos_sin();
+                    let (enclosed, size) = condition.at(cos, sin);
+                    let said = MARGIN * LENGTH_ERROR * size * condition.pace();
+                    let bounds = enclosed.radius / said;
+                    assert!((1e-5..10.0).contains(&bounds), "{bounds}");
+                }
+            }
+        }
+    }
+
+    /// Two lines through one point that are all but parallel: the little by which they are not has all its digits.
+    #[test]
+    fn what_is_all_but_tangent_is_known_to_its_own_digits() {
+        let geometry = flat_geometry();
+        let (f, ..) = (flat_pairs(&geometry).into_iter())
+            .find(|(f, ..)| f.is_bow() && f.swing.is_none())
+            .unwrap();
+        for angle in [1e-3_f64, 1e-6, -1e-6] {
+            let mut g = *f;
+            g.normal = Rotation::by(angle) * f.normal;
+            // Bows of one curvature through one point: the squares of half the angle and no more.
+            let value = Condition::Alike(f, &g, true).at(1.0, 0.0).0;
+            let expected = 2.0 * (0.5 * angle).sin().powi(2);
+            assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+        }
+    }
+
+    /// Contacts that are tangent at every orientation, as centres and radii tell, are found to be; and no others.
+    #[test]
+    fn what_always_touches_is_told() {
+        // Two large arcs and a line that go on into each other smoothly.
+        let (a, b) = (0.004_f64, 0.003_f64);
+        let (mut at, mut heading) = (Point::new(-1.0, -1.0), 0.0);
+        let mut outline = Vec::new();
+        for half in [a, b, 0.0] {
+            outline.push(Vertex::new(at.x, at.y, (0.5 * half).tan()));
+            at += Vector::from_angle(heading + half) * 0.7;
+            heading += 2.0 * half;
+        }
+        outline.extend([(at.x, at.y), (1.1, 1.0), (-0.4, 1.2)].map(|(x, y)| Vertex::line(x, y)));
+        let fixed = Part::new("fixed", vec![outline]).unwrap();
+        let moving = part("moving", 0.6, [6e-4, 0.0, -7e-4, -0.2]);
+        let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+        let mut always = 0;
+        for (f, g, [_, theta, _]) in flat_pairs(&geometry) {
+            let touch = [true, false].into_iter().any(|side| {
+                [-2.0, -0.7, 0.0, 0.9, 2.1].into_iter().all(|d| {
+                    tangencies(f, g)
+                        .nth(usize::from(side))
+                        .is_some_and(|c| by_centers(&c, theta + d).abs() < 1e-9)
+                })
+            });
+            always += usize::from(touch);
+            // Nothing happens where a condition always holds, however fast what it is made of moves.
+            for c in tangencies(f, g) {
+                let still = |d: f64| by_centers(&c, theta + d).abs() < 1e-9;
+                if [-2.0, -0.7, 0.0, 0.9, 2.1].into_iter().all(still) {
+                    c.roots(theta, PI, &mut |e| panic!("{e:?} {f:?} {g:?}"));
+                }
+            }
+            assert_eq!(always_touch(f, g), touch, "{f:?} {g:?}");
+            assert_eq!(always_touch(g, f), touch, "{f:?} {g:?}");
+        }
+        assert!(always > 10, "{always}");
+    }
+
+    /// The height of a point that goes around a circle over a fixed line: size sin θ − h.
+    fn height(size: f64, h: f64) -> (Spiral, Sheet) {
+        let geometry = flat_geometry();
+        let of = |s: &&Sheet| s.kind == SheetKind::LineRound && !s.is_flat();
+        let mut line = *geometry.contacts.sheets.iter().find(of).unwrap();
+        line.normal = Vector::new(0.0, 1.0);
+        line.start = Spiral::new(Point::new(0.0, h), Vector::ZERO);
+        (Spiral::new(Point::ORIGIN, Vector::new(size, 0.0)), line)
+    }
+
+    fn roots_of(h: f64, mid: f64, half: f64) -> Vec<Event> {
+        let (point, line) = height(1.0, h);
+        let mut events = Vec::new();
+        Condition::End(&point, &line).roots(mid, half, &mut |e| events.push(e));
+        events.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+        events
+    }
+
+    /// From anywhere on the circle, and to the error that is told; beside a tangency that is the square root of the rounding.
+    #[test]
+    fn roots_are_where_they_are_told_to_be() {
+        let rounding = LENGTH_ERROR;
+        // 1 − h, and the least and the largest error to be expected.
+        for (less, least, largest) in [
+            (0.7, 0.0, 10.0 * rounding),
+            (1.9, 0.0, 30.0 * rounding),
+            (1e-4, 50.0 * rounding, 1e3 * rounding),
+            (1e-10, 5e-11, 5e-9),
+            (1e-12, 5e-10, 5e-8),
+            (4e-15, 5e-8, 1e-6),
+        ] {
+            let h: f64 = 1.0 - less;
+            let apart = (h.recip() * (less * (2.0 - less)).sqrt()).atan();
+            let apart = if h < 0.0 { PI + apart } else { apart };
+            for mid in [FRAC_PI_2 + 0.3, FRAC_PI_2 - 3.0, FRAC_PI_2 + 7.0] {
+                let middle = FRAC_PI_2 + TAU * ((mid - FRAC_PI_2) / TAU).round();
+                let events = roots_of(h, mid, PI);
+                let mut expected =
+                    [middle - apart, middle + apart].map(|t| t - TAU * ((t - mid) / TAU).round());
+                expected.sort_by(f64::total_cmp);
+                assert_eq!(events.len(), 2, "{less} {mid} {events:?}");
+                for (e, t) in events.iter().zip(expected) {
+                    let near = 4.0 * f64::EPSILON * t.abs().max(1.0);
+                    assert!((e.theta - t).abs() <= e.error + near, "{less} {e:?} {t}");
+                    assert!(
+                        e.error >= least && e.error <= largest + near * 8.0,
+                        "{less} {e:?}"
+                    );
+                }
+                // Those of an interval, and no others.
+                for t in expected {
+                    let found = |half: f64| {
+                        roots_of(h, t + 0.1, half)
+                            .iter()
+                            .any(|e| (e.theta - t).abs() < 1e-5)
+                    };
+                    assert!(found(0.1 + 1e-5) && !found(0.1 - 1e-5), "{less}");
+                }
+            }
+        }
+        // What stays clear of the line has none, unless by less than rounding.
+        for (h, count) in [
+            (1.0 + 1e-12, 0),
+            (-1.0 - 1e-9, 0),
+            (1.5, 0),
+            (1.0 + 4.0 * f64::EPSILON, 2),
+        ] {
+            assert_eq!(roots_of(h, 1.3, PI).len(), count, "{h}");
+        }
+        // Where nothing moves nothing happens.
+        let (_, line) = height(1.0, 0.0);
+        for y in [0.0, 1e-16, 0.3] {
+            let point = Spiral::new(Point::new(0.4, y), Vector::ZERO);
+            Condition::End(&point, &line).roots(0.3, PI, &mut |e| panic!("{e:?}"));
+        }
+    }
+
+    /// A double root is known the better the more the function bends; a simple one to the rounding of its angle, however fast
+    /// what it is made of moves.
+    #[test]
+    fn errors_of_roots_go_with_slope_and_bend() {
+        let error = |size: f64, h: f64| {
+            let (point, line) = height(size, h);
+            let mut most = 0.0_f64;
+            Condition::End(&point, &line).roots(1.0, PI, &mut |e| most = most.max(e.error));
+            most
+        };
+        // √(2 off / bend), off being some 7e-15.
+        for (size, least, largest) in [(0.1, 1.5e-7, 9e-7), (1.0, 5e-8, 3e-7), (10.0, 1.5e-8, 9e-8)]
+        {
+            let found = error(size, size);
+            assert!((least..largest).contains(&found), "{size} {found}");
+        }
+        let found = error(1e4, 0.0);
+        assert!((f64::EPSILON..1e-14).contains(&found), "{found}");
+    }
+
+    /// A function is said to touch zero where both its value and its slope vanish and its bend does not.
+    #[test]
+    fn touches_are_double_roots() {
+        let touches = |h: f64, theta: f64| {
+            let (point, line) = height(1.0, h);
+            Condition::End(&point, &line).touches(theta)
+        };
+        assert!(touches(1.0, FRAC_PI_2) && touches(-1.0, -FRAC_PI_2));
+        assert!(touches(1.0 + 1e-15, FRAC_PI_2 + 1e-15));
+        for (h, theta) in [
+            (1.0, FRAC_PI_2 + 1e-11),
+            (1.0 + 1e-11, FRAC_PI_2),
+            (1.0 - 1e-11, FRAC_PI_2),
+            (0.0, 0.0),
+            (0.3, FRAC_PI_2),
+        ] {
+            assert!(!touches(h, theta), "{h} {theta}");
+        }
+        let (_, line) = height(1.0, 0.0);
+        let still = Spiral::new(Point::new(0.4, 0.0), Vector::ZERO);
+        assert!(!Condition::End(&still, &line).touches(0.3));
+    }
+
+    /// With h, h′ and h″ of a sine about any orientation the ways to its two zeros.
+    #[test]
+    fn offsets_lead_to_both_zeros() {
+        for (middle, apart) in [(0.3_f64, 0.8_f64), (-2.0, 0.1), (1.0, 2.9), (0.0, 1.5)] {
+            for theta in [0.0_f64, 0.7, -1.1, 3.0] {
+                for factor in [1.0, -3.0] {
+                    let s = Series {
+                        value: factor * ((theta - middle).cos() - apart.cos()),
+                        slope: -factor * (theta - middle).sin(),
+                        bend: -factor * (theta - middle).cos(),
+                    };
+                    let found = offsets(&s).unwrap();
+                    for expected in [middle - apart, middle + apart] {
+                        let off = |o: f64| {
+                            let d = theta + o - expected;
+                            (d - TAU * (d / TAU).round()).abs()
+                        };
+                        assert!(found.iter().any(|&o| off(o) < 1e-14), "{found:?}");
+                    }
+                    assert!(found.iter().all(|o| o.abs() <= PI));
+                }
+            }
+        }
+        let constant = |value| Series {
+            value,
+            slope: 0.0,
+            bend: 0.0,
+        };
+        assert_eq!(offsets(&constant(0.0)), None);
+        assert_eq!(offsets(&constant(f64::NAN)), None);
     }
 }

@@ -606,3 +606,7 @@ fn large(a: &Feature, b: &Feature) -> (SheetKind, Point, Point, Vector, Swing) {
 }
 
 type SheetEnd = (Spiral, u32, EndAngle);
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;

@@ -166,6 +166,8 @@ mod tests {
         let found = ties.explain(event(1.0 + TAU + 1e-12, 2e-12)).unwrap();
         assert!((found.theta - 1.0 - TAU).abs() < 1e-14);
         assert_eq!(found.error, TIE_ERROR);
+        // Two angles tell an orientation to some last bits, however well the event is known.
+        assert!(ties.explain(event(1.0 + 1e-15, 0.0)).is_some());
         let none = Ties { count: 0, ..ties };
         assert_eq!(none.explain(event(1.0, 1.0)), None);
     }

@@ -247,3 +247,7 @@ fn longest_step(curve: &Curve) -> f64 {
         CurveShape::Bow(bow) => STEP.min(0.5 / bow.curvature.abs()),
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;

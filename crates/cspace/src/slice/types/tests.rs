@@ -21,12 +21,24 @@ fn arc(radius: f64, start_angle: f64, sweep: f64) -> CurveGeometry {
     }
 }
 
+fn flat_arc(a: (f64, f64), b: (f64, f64), bulge: f64) -> CurveGeometry {
+    CurveGeometry::FlatArc {
+        start: Point::new(a.0, a.1),
+        end: Point::new(b.0, b.1),
+        bulge,
+    }
+}
+
 fn pieces() -> Vec<CurveGeometry> {
     let mut all = vec![
         segment((-1.0, 0.3), (0.8, 0.4)),
         segment((0.2, 1.0), (0.5, -0.9)),
         segment((0.9, 0.9), (-0.4, -0.7)),
     ];
+    for bulge in [0.3, -0.2, 1e-3, -1e-3, 1e-9] {
+        all.push(flat_arc((-1.0, 0.3), (0.8, 0.4), bulge));
+        all.push(flat_arc((0.4, 0.9), (-0.1, -0.8), bulge));
+    }
     for k in 0..7 {
         for sweep in [0.4, 1.9, 3.3, 6.0] {
             all.push(arc(0.7, f64::from(k) - 3.1, sweep));
@@ -58,6 +70,63 @@ fn points_and_lengths_are_those_of_the_drawing() {
     ] {
         assert!(g.point(0.0).distance(from) < 1e-15 && g.point(1.0).distance(to) < 1e-15);
         assert!((g.length() - PI).abs() < 1e-15);
+    }
+    for g in pieces() {
+        let walked: f64 = points(&g).windows(2).map(|p| p[0].distance(p[1])).sum();
+        assert!((g.length() - walked).abs() < 1e-5, "{g:?} {walked}");
+    }
+}
+
+/// Half a circle about (1, 2) from its right to its left, by its bulge of 1, and the same the other way.
+#[test]
+fn the_bulge_of_an_arc_is_positive_counter_clockwise() {
+    for (from, to, bulge) in [(1.5, 0.5, 1.0), (0.5, 1.5, -1.0)] {
+        let g = flat_arc((from, 2.0), (to, 2.0), bulge);
+        assert!(g.point(0.5).distance(Point::new(1.0, 2.5)) < 1e-15);
+        assert!((g.length() - FRAC_PI_2).abs() < 1e-15);
+        let outward = Vector::new(0.0, bulge);
+        assert!((g.free_normal(0.5) - outward).length() < 1e-15);
+    }
+}
+
+/// A ray along which both crossings with the circle of a flat arc lie, and one that is parallel to its chord.
+#[test]
+fn rays_meet_a_flat_arc_where_its_circle_is() {
+    // Half an angle φ about the centre (0, −R cos φ) with the chord from (1, 0) to (−1, 0): R = 1/sin φ, bulge tan(φ/2).
+    for half in [1e-4_f64, 0.1, 0.6] {
+        let (radius, below) = (half.sin().recip(), half.tan().recip());
+        let there = flat_arc((1.0, 0.0), (-1.0, 0.0), (0.5 * half).tan());
+        let back = flat_arc((-1.0, 0.0), (1.0, 0.0), -(0.5 * half).tan());
+        for x in [-0.99, -0.4, 0.0, 0.3, 0.99] {
+            let y = (1.0 - x * x) / ((radius * radius - x * x).sqrt() + below);
+            for (g, side) in [(there, 1.0), (back, -1.0)] {
+                // From below and from above, straight.
+                for (from, way) in [(-0.7, 1.0), (1.3, -1.0)] {
+                    let met = g.hit(Point::new(x, from), Vector::new(0.0, way));
+                    let (t, towards) = met.unwrap();
+                    assert!((t - (y - from) * way).abs() < 1e-12, "{g:?} {x} {t}");
+                    assert_eq!(towards > 0.0, way * side > 0.0);
+                }
+                assert!(g.hit(Point::new(x, -0.7), Vector::new(0.0, -1.0)).is_none());
+                assert!(g.hit(Point::new(x, 1.3), Vector::new(0.0, 1.0)).is_none());
+            }
+        }
+        // Through both crossings of the circle with a line parallel to the chord.
+        let y = 0.5 * (0.5 * half).tan();
+        let x = (1.0 - y * y - 2.0 * y * below).sqrt();
+        for (from, way) in [(-3.0, 1.0), (0.0, 1.0), (0.0, -1.0), (3.0, -1.0)] {
+            let (t, towards) = there
+                .hit(Point::new(from, y), Vector::new(way, 0.0))
+                .unwrap();
+            let expected = if from == 0.0 { x } else { 3.0 - x };
+            assert!((t - expected).abs() < 1e-9, "{half} {from}: {t}");
+            assert_eq!(towards > 0.0, from == 0.0);
+        }
+        assert!(
+            there
+                .hit(Point::new(2.0, y), Vector::new(1.0, 0.0))
+                .is_none()
+        );
     }
 }
 
@@ -298,4 +367,34 @@ fn what_is_a_point_has_no_normal() {
         assert_eq!(g.free_normal(0.4), Vector::ZERO);
         assert_eq!(g.point(0.4), p);
     }
+}
+
+/// Ends that know no successor take the nearest beginnings, each of them once, and none that is far away.
+#[test]
+fn open_ends_are_followed_by_the_nearest_beginnings() {
+    let open = u32::MAX;
+    let hair = 1e-8;
+    // From the right to two ends beside the origin, and back from two beginnings there; the second end is nearer to the
+    // second beginning than to the first, and the first end nearer to that than the second is.
+    let there = |y: f64| segment((1.0, 1.0), (0.0, y));
+    let back = |y: f64| segment((0.0, y), (1.0, 1.0));
+    for order in [[0, 1, 2, 3], [2, 3, 0, 1], [3, 1, 2, 0]] {
+        let pieces = [there(0.0), there(3.0 * hair), back(0.0), back(hair)];
+        let s = slice(&order.map(|i| (pieces[i], open)));
+        let number = |i: usize| order.iter().position(|&o| o == i).unwrap() as u32;
+        let next = |i: usize| s.curves[number(i) as usize].next;
+        assert_eq!((next(0), next(1)), (number(2), number(3)), "{order:?}");
+        assert_eq!(s.loops.len(), 2);
+    }
+    let far = slice(&[(there(0.0), open), (back(1e-3), open)]);
+    assert!(far.curves[0].next as usize >= 2 && far.curves[1].next == 0);
+    // A successor that is known stays, and is not taken away.
+    let kept = slice(&[
+        (there(0.0), 2),
+        (there(hair), open),
+        (back(hair), open),
+        (back(0.5), open),
+    ]);
+    assert_eq!(kept.curves[0].next, 2);
+    assert!(kept.curves[1].next as usize >= 4);
 }

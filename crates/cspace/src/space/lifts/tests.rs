@@ -227,11 +227,31 @@ fn half_a_turn_is_the_first_orientation() {
         (4.0, 4.0 - TAU),
         (-4.0 - TAU, TAU - 4.0),
         (PI - 1e-9, PI - 1e-9),
+        (1e-16, 1e-16),
     ] {
         assert!((normalized(theta) - home).abs() < 1e-14, "{theta}");
     }
     let hair = 4.0 * f64::EPSILON;
     for theta in [PI, -PI, PI - hair, -PI - hair, -PI + hair, 3.0 * PI] {
         assert_eq!(normalized(theta), -PI, "{theta}");
+    }
+}
+
+/// Of a window narrower than two such bands, what has more than half of it.
+#[test]
+fn a_copy_has_more_than_the_narrowest_band_in_the_window() {
+    let (clusters, chains) = (clusters(), chains());
+    let (lo, hi) = (chains[0].lo, chains[0].hi);
+    let narrow = 0.05 * NARROWEST_BAND;
+    for (window, copies) in [
+        (window(hi - 0.5 * NARROWEST_BAND, -1.1, false), 0),
+        (window(hi - 2.0 * NARROWEST_BAND, -1.1, false), 1),
+        (window(-3.6, lo + 0.5 * NARROWEST_BAND, false), 0),
+        (window(-3.6, lo + 2.0 * NARROWEST_BAND, false), 1),
+        (window(hi - 0.8 * narrow, hi + 0.2 * narrow, false), 1),
+        (window(hi - 0.2 * narrow, hi + 0.8 * narrow, false), 0),
+    ] {
+        let lifts = Lifts::new(&chains[..1], window, steps(), true, &clusters);
+        assert_eq!(lifts.len(), copies, "{window:?}");
     }
 }
