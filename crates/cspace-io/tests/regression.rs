@@ -810,6 +810,28 @@ fn pocket_in_narrow_bands() {
     );
 }
 
+/// A piece of contact that has free space in its middle only is none.
+#[test]
+fn line_tangent_to_a_pocket() {
+    let [fixed, moving] = parts("tests/regression/line_tangent_to_a_pocket.toml");
+    for window in [None, Some((-0.02, 0.02))] {
+        let options = Options {
+            window,
+            ..Options::default()
+        };
+        let space = ContactSpace::compute(&fixed, &moving, &options).unwrap();
+        for theta in [-0.01, 0.0, 0.013] {
+            let slice = space.slice(theta);
+            assert_eq!(slice.loops.len(), 2, "{window:?} {theta}");
+            let n = slice.curves.len() as u32;
+            assert!(
+                slice.curves.iter().all(|c| c.next < n),
+                "{window:?} {theta}"
+            );
+        }
+    }
+}
+
 #[test]
 fn tiny_part_whose_joint_is_on_a_side() {
     classified(

@@ -17,6 +17,10 @@ use super::shells::Shells;
 /// Bands narrower than this (radians) are in doubt: critical orientations may be known to 10⁻⁶ rad only.
 const NARROW: f64 = 1e-5;
 
+/// So are orientations between two clusters nearer to each other than this (radians), critical or not: a pocket that is lost
+/// leaves no critical orientations. Large pairs have many clusters, so that it is to be little.
+const CROWDED: f64 = 2e-6;
+
 /// Disjoint intervals of orientation, radians, in ascending order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Doubts {
@@ -100,7 +104,7 @@ impl Doubts {
 }
 
 /// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where
-/// shells were in conflict, in narrow bands, and where a patch is followed by none.
+/// many events crowd, where shells were in conflict, in narrow bands, and where a patch is followed by none.
 pub(super) fn doubts(
     linker: &Linker<'_>,
     shells: &Shells,
@@ -113,10 +117,13 @@ pub(super) fn doubts(
     let rough = (0..clusters.len() as u32)
         .map(|i| (clusters.lo(i), clusters.hi(i)))
         .filter(|(lo, hi)| hi - lo > NARROWEST_BAND);
+    let crowded = (1..clusters.len() as u32)
+        .filter(|&i| clusters.lo(i) - clusters.hi(i - 1) < CROWDED)
+        .map(|i| (clusters.lo(i - 1), clusters.hi(i)));
     let in_conflict = (linker.cells.iter().zip(&shells.in_conflict))
         .filter(|(_, conflict)| **conflict)
         .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
-    let mut once: Vec<(f64, f64)> = rough.chain(in_conflict).collect();
+    let mut once: Vec<(f64, f64)> = rough.chain(crowded).chain(in_conflict).collect();
     once.sort_by(|a, b| a.0.total_cmp(&b.0));
     once.dedup_by(|b, a| {
         let follows = b.0 <= a.1;

@@ -252,7 +252,11 @@ impl ShellFinder<'_> {
         for (ring, tested) in rings {
             if tested.is_none() && conflict {
                 tests += ring.len();
-                free.extend(ring.iter().map(|m| self.is_free(&cells[m.cell as usize])));
+                let open = |m: &Member| self.is_free_throughout(&cells[m.cell as usize]);
+                free.extend(ring.iter().map(open));
+            } else if tested == Some(true) && conflict {
+                let largest = &cells[self.largest(cells, ring) as usize];
+                free.resize(free.len() + ring.len(), self.is_free_throughout(largest));
             } else {
                 free.resize(free.len() + ring.len(), tested.unwrap_or(some_free));
             }
@@ -328,9 +332,21 @@ impl ShellFinder<'_> {
         )
     }
 
-    /// An honest test beside the middle of a cell: half way to the next contact curve on its free side, the parts
-    /// must not overlap.
+    /// An honest test beside the middle of a cell.
     fn is_free(&self, cell: &Cell) -> bool {
+        self.is_free_at(cell, 0.5)
+    }
+
+    /// Tests beside several places of a cell: in its middle it may touch free space that another curve bounds.
+    fn is_free_throughout(&self, cell: &Cell) -> bool {
+        [0.5, 0.27, 0.81]
+            .iter()
+            .all(|&share| self.is_free_at(cell, share))
+    }
+
+    /// An honest test beside a place of a cell, by its share of the length: half way to the next contact curve on its free
+    /// side, the parts must not overlap.
+    fn is_free_at(&self, cell: &Cell, share: f64) -> bool {
         /// How far the free side is looked at, in the pair's frame.
         const STEP: f64 = 1.0 / 256.0;
         let theta = self.middle(cell);
@@ -339,7 +355,7 @@ impl ShellFinder<'_> {
         let sheets = &self.geometry.contacts.sheets;
         let sheet = &sheets[cell.sheet as usize];
         let curve = sheet.curve(theta, turn);
-        let p = curve.point(0.5 * (lo + hi));
+        let p = curve.point(lo + share * (hi - lo));
         let normal: Vector = curve.normal(p);
         let mut reach = if !sheet.is_line() {
             STEP.min(0.5 * sheet.radius.abs())
