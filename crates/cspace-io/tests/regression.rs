@@ -832,6 +832,18 @@ fn line_tangent_to_a_pocket() {
     }
 }
 
+/// A shell of a slice in which a tie joins free and blocked curves is tested where it lies furthest out, too.
+#[test]
+fn blocked_and_free_curves_in_one_shell() {
+    let [fixed, moving] = parts("tests/regression/blocked_and_free_curves_in_one_shell.toml");
+    let slicer = Slicer::new(&fixed, &moving);
+    for beside in [0.0, 1e-10, 1e-9, 1e-8] {
+        let slice = slicer.slice(core::f64::consts::FRAC_PI_4 + beside);
+        assert_eq!(slice.loops.len(), 2, "{beside}");
+        assert_eq!(slice.curves.len(), 39, "{beside}");
+    }
+}
+
 #[test]
 fn tiny_part_whose_joint_is_on_a_side() {
     classified(

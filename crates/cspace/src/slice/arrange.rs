@@ -177,6 +177,13 @@ impl Arrangement {
                 let free = is_free(geometry, live, i as usize, from + 0.5 * length, theta);
                 // What is too short to be told from nothing contradicts nothing.
                 consistent &= !(free && shell_blocked[root]) || length < TIED;
+                if !free && doubt[root] {
+                    // What lies furthest out is free, unless all is blocked.
+                    let of_shell = |gap: u32| shells.find(gap) as usize == root;
+                    if let Some((i, position)) = furthest(live, of_shell) {
+                        consistent &= !is_free(geometry, live, i, position, theta);
+                    }
+                }
                 shell_blocked[root] |= !free;
             }
         }
@@ -222,6 +229,25 @@ impl Arrangement {
         // Far away all is free, and something bounds that.
         consistent && !self.gaps.is_empty()
     }
+}
+
+/// Of some gaps the one whose middle is furthest from the middle of the pair: its curve, and where on it.
+fn furthest(live: &[Live], mut of: impl FnMut(u32) -> bool) -> Option<(usize, f64)> {
+    let mut best: Option<(f64, (usize, f64))> = None;
+    for (i, l) in live.iter().enumerate() {
+        for g in 0..=l.cuts.len() {
+            let (from, to) = l.gap_range(g);
+            let middle = 0.5 * (from + to);
+            if to - from < TIED || !of(l.first_gap + g as u32) {
+                continue;
+            }
+            let distance = l.curve.point(middle).to_vector().length_squared();
+            if best.is_none_or(|b| distance > b.0) {
+                best = Some((distance, (i, middle)));
+            }
+        }
+    }
+    best.map(|b| b.1)
 }
 
 /// An honest test beside a gap: the parts must not overlap half way to the next contact curve on the free side.
