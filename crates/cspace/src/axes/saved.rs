@@ -213,6 +213,9 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
     }
 }
 
+/// Motions are lengths of the pair's frame, in which the parts have size 1, or radians: they are far below this.
+const FARTHEST: f64 = 1e12;
+
 impl SavedAxesSpace {
     /// Whether everything that is referred to is there.
     fn check(&self) -> Result<(), SavedAxesError> {
@@ -236,9 +239,10 @@ impl SavedAxesSpace {
         let within = |i: u32, n: usize| (i as usize) < n;
         let range = |r: &core::ops::Range<u32>, n: usize| r.start <= r.end && r.end as usize <= n;
         let optional = |i: Option<u32>, n: usize| i.is_none_or(|i| within(i, n));
-        let ordered = |(lo, hi): (f64, f64)| lo.is_finite() && hi.is_finite() && lo <= hi;
+        let near = |x: f64| x.abs() <= FARTHEST;
+        let ordered = |(lo, hi): (f64, f64)| near(lo) && near(hi) && lo <= hi;
         let mut pieces = self.pieces.iter();
-        let level = |p: &Piece| p.start.y().is_finite() && p.end.y().is_finite();
+        let level = |p: &Piece| near(p.start.y()) && near(p.end.y());
         sound(
             pieces.all(|p| within(p.pair, self.pairs.len()) && ordered(p.x_range()) && level(p)),
             "pieces",
@@ -255,6 +259,12 @@ impl SavedAxesSpace {
             }),
             "gaps",
         )?;
+        let mut regions = self.regions.iter();
+        let placed = |r: &Region| {
+            let numbers = [r.sample, r.x, r.y];
+            numbers.iter().all(|&(a, b)| near(a) && near(b))
+        };
+        sound(regions.all(placed), "regions")?;
         let mut bands = self.bands.iter();
         sound(
             !self.bands.is_empty()
