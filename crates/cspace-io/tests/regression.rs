@@ -856,6 +856,15 @@ fn tiny_part_whose_joint_is_on_a_side() {
     );
 }
 
+/// Upright curves just beyond the ends of others mark these, although their boxes do not touch.
+#[test]
+fn slice_from_scratch_beside_a_tie() {
+    let [fixed, moving] = parts("tests/regression/slice_from_scratch_beside_a_tie.toml");
+    let slicer = Slicer::new(&fixed, &moving);
+    let loops = |theta: f64| slicer.slice(theta).loops.len();
+    assert_eq!(loops(0.7853981633964483), loops(0.7853));
+}
+
 #[test]
 #[ignore = "known: pockets of outlines with re-entrant corners and arcs are lost at a play of 2e-7"]
 fn lobes_in_their_negative_of_play_2e_7() {

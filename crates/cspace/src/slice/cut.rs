@@ -111,9 +111,10 @@ pub(super) fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) {
     let mut order: Vec<u32> = (0..live.len() as u32).collect();
     order.sort_by(|&a, &b| live[a as usize].lo.x.total_cmp(&live[b as usize].lo.x));
     for (n, &i) in order.iter().enumerate() {
+        // What is just beyond the end of a curve marks both.
         let (x, y0, y1) = {
             let l = &live[i as usize];
-            (l.hi.x, l.lo.y, l.hi.y)
+            (l.hi.x + TIED, l.lo.y - TIED, l.hi.y + TIED)
         };
         for &j in &order[n + 1..] {
             let m = &live[j as usize];
