@@ -149,27 +149,28 @@ impl Trial<'_> {
         if self.kept.len() < KEPT && self.rng.random_bool(0.5) {
             self.kept.push((c, verdict));
         }
-        let by_slice = slice.is_free(c.position()) != verdict.overlap;
-        let classified = by_slice && !self.report.certain.is_multiple_of(CLASSIFIED);
-        if classified || is_right(self.space, c, verdict) && by_slice {
+        let slice_right = slice.is_free(c.position()) != verdict.overlap;
+        if slice_right && !self.report.certain.is_multiple_of(CLASSIFIED) {
+            return;
+        }
+        let right = is_right(self.space, c, verdict);
+        if slice_right && right {
             return;
         }
         if verdict.margin <= self.space.resolution() {
             self.report.within_resolution += 1;
             return;
         }
-        self.report
-            .faults
-            .push(if is_right(self.space, c, verdict) {
-                let scratch = self.slicer.slice(c.theta);
-                Fault::Slice {
-                    at: c,
-                    verdict,
-                    scratch_too: scratch.is_free(c.position()) == verdict.overlap,
-                }
-            } else {
-                Fault::Wrong { at: c, verdict }
-            });
+        self.report.faults.push(if right {
+            let scratch = self.slicer.slice(c.theta);
+            Fault::Slice {
+                at: c,
+                verdict,
+                scratch_too: scratch.is_free(c.position()) == verdict.overlap,
+            }
+        } else {
+            Fault::Wrong { at: c, verdict }
+        });
     }
 
     /// Anywhere, near critical orientations, at multiples of 15°, and near what is worth a look.

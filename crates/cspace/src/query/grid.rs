@@ -99,12 +99,12 @@ impl Grid {
 
     /// For every slot which of the doubtful orientations it has.
     pub(super) fn doubts(&self, doubts: &Doubts) -> Vec<Range<usize>> {
-        let turn = |slot: usize| {
+        // The slots of a turn begin where the intervals do.
+        let near = |slot: usize| {
             let (lo, hi) = self.orientations(slot);
-            // The slots of a turn begin where the intervals do.
             doubts.between(lo - MARGIN, hi + MARGIN)
         };
-        (0..self.slots).map(turn).collect()
+        (0..self.slots).map(near).collect()
     }
 
     /// The slots that have orientations between two.

@@ -89,10 +89,9 @@ impl Clusters {
         self.lo.len()
     }
 
-    /// How many are wider than the narrowest band.
-    pub(super) fn rough(&self) -> usize {
-        let wide = |(lo, hi): (&f64, &f64)| hi - lo > NARROWEST_BAND;
-        self.lo.iter().zip(&self.hi).filter(|&w| wide(w)).count()
+    /// Those that are wider than the narrowest band.
+    pub(super) fn rough(&self) -> impl Iterator<Item = u32> + '_ {
+        (0..self.len() as u32).filter(|&i| self.hi(i) - self.lo(i) > NARROWEST_BAND)
     }
 
     /// The cluster an orientation belongs to: the last that does not begin after it.

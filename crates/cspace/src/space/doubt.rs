@@ -49,16 +49,8 @@ impl Doubts {
             }
         }
         all.retain(|&(lo, hi)| lo <= hi);
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut merged: Vec<(f64, f64)> = Vec::new();
-        for (lo, hi) in all {
-            match merged.last_mut() {
-                Some(last) if lo <= last.1 => last.1 = last.1.max(hi),
-                _ => merged.push((lo, hi)),
-            }
-        }
         Self {
-            intervals: merged,
+            intervals: union(all),
             full_turn: window.full_turn,
         }
     }
@@ -114,24 +106,14 @@ pub(super) fn doubts(
     window: Window,
 ) -> Doubts {
     let clusters = linker.clusters;
-    let rough = (0..clusters.len() as u32)
-        .map(|i| (clusters.lo(i), clusters.hi(i)))
-        .filter(|(lo, hi)| hi - lo > NARROWEST_BAND);
+    let rough = clusters.rough().map(|i| (clusters.lo(i), clusters.hi(i)));
     let crowded = (1..clusters.len() as u32)
         .filter(|&i| clusters.lo(i) - clusters.hi(i - 1) < CROWDED)
         .map(|i| (clusters.lo(i - 1), clusters.hi(i)));
     let in_conflict = (linker.cells.iter().zip(&shells.in_conflict))
         .filter(|(_, conflict)| **conflict)
         .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
-    let mut once: Vec<(f64, f64)> = rough.chain(crowded).chain(in_conflict).collect();
-    once.sort_by(|a, b| a.0.total_cmp(&b.0));
-    once.dedup_by(|b, a| {
-        let follows = b.0 <= a.1;
-        if follows {
-            a.1 = a.1.max(b.1);
-        }
-        follows
-    });
+    let once = union(rough.chain(crowded).chain(in_conflict).collect());
     let copies = once.iter().flat_map(|&(lo, hi)| {
         lifts.shifts(lo, hi).map(move |slabs| {
             let by = lifts.steps.period(slabs);
@@ -150,6 +132,19 @@ pub(super) fn doubts(
         .map(|w| (w[0], w[1]));
     let open = unlinked(patches, side_links);
     Doubts::new(copies.chain(narrow).chain(open), window)
+}
+
+/// The same orientations as disjoint intervals, in ascending order.
+fn union(mut intervals: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
+    intervals.dedup_by(|b, a| {
+        let follows = b.0 <= a.1;
+        if follows {
+            a.1 = a.1.max(b.1);
+        }
+        follows
+    });
+    intervals
 }
 
 /// The orientations at which a patch is followed by none.
