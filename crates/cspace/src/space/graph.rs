@@ -267,7 +267,7 @@ impl ContactSpace {
     /// The resolution in the model's unit of length: clearances below it count as none.
     ///
     /// With symmetry, how far the parts as drawn are from being symmetric is part of it. It is 2⁻³⁷ of the pair's size, and
-    /// more if a part has a corner of less than some 15°: parts are grown, and such a corner by more than its sides.
+    /// more if a part has a corner of less than some 30°: parts are grown, and such a corner by more than its sides.
     pub fn resolution(&self) -> f64 {
         self.frame.outer_length(CONTACT + self.grown) + self.symmetry.deviation
     }
