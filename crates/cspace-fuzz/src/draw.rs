@@ -130,27 +130,12 @@ pub fn nearly_tied(bytes: &mut Bytes<'_>) -> Result<Case, PartError> {
     Ok(case)
 }
 
-/// The pair of a family at one of its values, or near it.
-pub struct Member {
-    /// The family's name.
-    pub family: &'static str,
-    /// The value.
-    pub value: f64,
-    /// The pair.
-    pub case: Case,
-}
-
-/// A pair of one of the families that run into the degenerate.
+/// A pair of one of the families that run into the degenerate, at one of its values or near it.
 ///
 /// # Errors
 /// If the outlines are no parts.
-pub fn member(bytes: &mut Bytes<'_>) -> Result<Member, PartError> {
+pub fn member(bytes: &mut Bytes<'_>) -> Result<Case, PartError> {
     let families = families();
     let family = &families[bytes.below(families.len())];
-    let value = family.draw(bytes);
-    Ok(Member {
-        family: family.name,
-        value,
-        case: family.build(value)?,
-    })
+    family.build(family.draw(bytes))
 }

@@ -23,14 +23,12 @@ mod axes;
 pub mod draw;
 pub mod exact;
 mod finding;
-mod known;
 mod pipeline;
 mod predicates;
 mod reader;
 mod slice;
 
 pub use finding::Finding;
-pub use known::Known;
 
 /// One thing to fuzz.
 #[derive(Debug, Clone, Copy)]

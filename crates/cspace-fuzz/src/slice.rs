@@ -4,7 +4,7 @@ use cspace::{Configuration, ContactSpace, Options, Slice, Slicer};
 use cspace_oracle::{Case, Oracle};
 
 use crate::draw::{Bytes, nearly_tied};
-use crate::{Finding, area, known};
+use crate::{Finding, area};
 
 /// Pairs with more edges of one part times those of the other are left to other tests: they take long.
 const MOST_EDGES: usize = 400;
@@ -15,7 +15,7 @@ const CLEAR: f64 = 1e-6;
 
 /// How far apart curves that follow each other may be, as a share of the size: those that all but touch cross at a place
 /// known only to the square root of the rounding.
-const CLOSED: f64 = 1e-7;
+const CLOSED: f64 = 1e-6;
 
 /// The same of areas, as a share of the square of the size: what [`CLEAR`] makes of the boundary's length.
 const SAME_AREA: f64 = 1e-4;
@@ -40,7 +40,6 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
         return Ok(0);
     }
     let found = |said: String| Finding::new(said).about(&case.fixed, &case.moving, None);
-    let slicer = Slicer::new(&case.fixed, &case.moving);
     let slice = if of_space {
         let options = Options {
             window: Some((theta - WINDOW, theta + WINDOW)),
@@ -50,29 +49,22 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
             .map_err(|e| found(format!("no contact space about {theta:?}: {e}")))?;
         space.slice(theta)
     } else {
-        slicer.slice(theta)
+        Slicer::new(&case.fixed, &case.moving).slice(theta)
     };
+    if slice.doubtful {
+        return Ok(0);
+    }
     let size = case.fixed.size().max(case.moving.size());
-    if let Err(said) = closed(&slice, size) {
-        let beside = [-1.0, 1.0].map(|s| slicer.slice(theta + s * known::AT_A_TIE));
-        if !of_space && beside.iter().all(|s| closed(s, size).is_ok()) {
-            return Ok(0); // Known::SliceAtATie
-        }
-        let of = source(of_space);
-        return Err(found(format!("the slice {of} at {theta:?}: {said}")));
-    }
-    judge(&case, &slice, &mut bytes).map_err(|said| {
-        let of = source(of_space);
-        found(format!("the slice {of} at {theta:?}: {said}"))
-    })
-}
-
-fn source(of_space: bool) -> &'static str {
-    if of_space {
-        "of the space"
-    } else {
-        "from scratch"
-    }
+    closed(&slice, size)
+        .and_then(|()| judge(&case, &slice, &mut bytes))
+        .map_err(|said| {
+            let of = if of_space {
+                "of the space"
+            } else {
+                "from scratch"
+            };
+            found(format!("the slice {of} at {theta:?}: {said}"))
+        })
 }
 
 /// Whether every curve begins where the one before it ends.

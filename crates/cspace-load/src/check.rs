@@ -32,17 +32,15 @@ pub enum Fault {
         /// What brute force says.
         verdict: Verdict,
     },
-    /// A slice of the contact space says otherwise than brute force, while the configuration is classified rightly: at an
-    /// orientation at which the space does not rely on its patches alone.
-    Slice {
+    /// A slice from scratch that is not doubtful says otherwise than brute force.
+    Scratch {
         /// Where.
         at: Configuration,
         /// What brute force says.
         verdict: Verdict,
-        /// Whether the slice from scratch is wrong too.
-        scratch_too: bool,
     },
-    /// In the middle of a band the slice of the space and that from scratch have different numbers of loops.
+    /// In the middle of a band the slice of the space and that from scratch have different numbers of loops, and neither is
+    /// doubtful.
     Loops {
         /// The orientation.
         theta: f64,
@@ -53,7 +51,7 @@ pub enum Fault {
         /// The width of the band.
         width: f64,
     },
-    /// A curve of a slice of the space does not begin where the one before it ends.
+    /// A curve of a slice of the space that is not doubtful does not begin where the one before it ends.
     Open {
         /// The orientation.
         theta: f64,
@@ -89,8 +87,16 @@ pub struct Report {
     pub free: u64,
     /// Otherwise than the oracle says, but nearer to contact than [`ContactSpace::resolution`].
     pub within_resolution: u64,
-    /// Bands compared.
+    /// Slices taken from the contact space.
+    pub slices: u64,
+    /// Those of them that are doubtful.
+    pub doubtful_slices: u64,
+    /// Configurations that these tell otherwise than the oracle, while they are classified rightly.
+    pub doubtful_wrong: u64,
+    /// Bands sliced from scratch.
     pub bands: u64,
+    /// Those of them of which one of the two slices is doubtful: loops are not counted.
+    pub doubtful_bands: u64,
     /// Shells decided cell by cell.
     pub conflicts: u64,
     /// Whether the thorough checks were done.

@@ -25,7 +25,6 @@
 
 pub mod check;
 pub mod draw;
-mod known;
 pub mod outline;
 pub mod shrink;
 pub mod tally;
@@ -33,6 +32,5 @@ mod trial;
 
 pub use check::{Effort, Fault, Report, check};
 pub use draw::{Drawn, Source};
-pub use known::known;
 pub use shrink::shrink;
 pub use tally::Tally;

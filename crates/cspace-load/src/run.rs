@@ -208,7 +208,7 @@ fn kind(faults: &[Fault]) -> &'static str {
         Fault::Threads => "1-threads",
         Fault::Inverse { .. } => "2-inverse",
         Fault::Classifier { .. } => "3-classifier",
-        Fault::Slice { .. } => "4-slice",
+        Fault::Scratch { .. } => "4-scratch",
         Fault::Loops { .. } => "5-loops",
         Fault::Open { .. } => "6-open",
     });
@@ -228,17 +228,8 @@ fn describe(fault: &Fault) -> String {
     };
     match fault {
         Fault::Wrong { at, verdict } => place(at, verdict),
-        Fault::Slice {
-            at,
-            verdict,
-            scratch_too,
-        } => {
-            let too = if *scratch_too {
-                "; the slice from scratch too"
-            } else {
-                ""
-            };
-            format!("only a slice is {}{too}", place(at, verdict))
+        Fault::Scratch { at, verdict } => {
+            format!("the slice from scratch is {}", place(at, verdict))
         }
         other => format!("{other:?}"),
     }

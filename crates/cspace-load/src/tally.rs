@@ -27,20 +27,32 @@ pub struct Tally {
     pub wrong: u64,
     /// Pairs with a wrong configuration.
     pub wrong_pairs: u64,
-    /// Of the certain ones, a slice of the space says otherwise, while they are classified rightly.
+    /// Slices taken from contact spaces.
     #[serde(default)]
-    pub slices_wrong: u64,
-    /// Pairs with such slices.
+    pub slices: u64,
+    /// Of these, doubtful.
     #[serde(default)]
-    pub slices_wrong_pairs: u64,
+    pub doubtful_slices: u64,
+    /// Of the certain configurations, told otherwise by these slices, while they are classified rightly.
+    #[serde(default)]
+    pub doubtful_wrong: u64,
+    /// Pairs with such configurations.
+    #[serde(default)]
+    pub doubtful_wrong_pairs: u64,
     /// Certain beyond the margin, but nearer to contact than the resolution that the space itself reports: the space says
     /// otherwise, as it may.
     pub within_resolution: u64,
     /// Bands compared with slices from scratch.
     pub bands: u64,
-    /// Of these, the numbers of loops differ.
+    /// Of these, one of the two slices is doubtful.
+    #[serde(default)]
+    pub doubtful_bands: u64,
+    /// Configurations that a slice from scratch tells otherwise than the oracle, and is not doubtful.
+    #[serde(default)]
+    pub scratch_wrong: u64,
+    /// Bands of which the numbers of loops differ.
     pub loops_differ: u64,
-    /// Slices in which a curve does not begin where the one before it ends.
+    /// Slices in which a curve does not begin where the one before it ends, and that are not doubtful.
     pub open: u64,
     /// Pairs with shells that were decided cell by cell.
     pub conflict_pairs: u64,
@@ -76,24 +88,26 @@ impl Tally {
         self.near += report.near;
         self.free += report.free;
         self.within_resolution += report.within_resolution;
+        self.slices += report.slices;
+        self.doubtful_slices += report.doubtful_slices;
+        self.doubtful_wrong += report.doubtful_wrong;
+        self.doubtful_wrong_pairs += u64::from(report.doubtful_wrong > 0);
         self.bands += report.bands;
+        self.doubtful_bands += report.doubtful_bands;
         self.conflicts += report.conflicts;
         self.conflict_pairs += u64::from(report.conflicts > 0);
         self.thorough += u64::from(report.thorough);
         self.slowest = self.slowest.max(report.computed);
         self.largest_bytes = self.largest_bytes.max(report.bytes);
         self.largest_pair = self.largest_pair.max(report.feature_pairs);
-        let (mut wrong, mut slices_wrong) = (false, false);
+        let mut wrong = false;
         for fault in &report.faults {
             match fault {
                 Fault::Wrong { .. } => {
                     self.wrong += 1;
                     wrong = true;
                 }
-                Fault::Slice { .. } => {
-                    self.slices_wrong += 1;
-                    slices_wrong = true;
-                }
+                Fault::Scratch { .. } => self.scratch_wrong += 1,
                 Fault::Loops { .. } => self.loops_differ += 1,
                 Fault::Open { .. } => self.open += 1,
                 Fault::Threads => self.threads_differ += 1,
@@ -102,12 +116,11 @@ impl Tally {
             }
         }
         self.wrong_pairs += u64::from(wrong);
-        self.slices_wrong_pairs += u64::from(slices_wrong);
     }
 
     /// Adds the counts of another.
     pub fn add(&mut self, other: &Self) {
-        let sums: [(&mut u64, u64); 22] = [
+        let sums: [(&mut u64, u64); 26] = [
             (&mut self.pairs, other.pairs),
             (&mut self.refused, other.refused),
             (&mut self.given_up, other.given_up),
@@ -117,10 +130,14 @@ impl Tally {
             (&mut self.free, other.free),
             (&mut self.wrong, other.wrong),
             (&mut self.wrong_pairs, other.wrong_pairs),
-            (&mut self.slices_wrong, other.slices_wrong),
-            (&mut self.slices_wrong_pairs, other.slices_wrong_pairs),
+            (&mut self.slices, other.slices),
+            (&mut self.doubtful_slices, other.doubtful_slices),
+            (&mut self.doubtful_wrong, other.doubtful_wrong),
+            (&mut self.doubtful_wrong_pairs, other.doubtful_wrong_pairs),
             (&mut self.within_resolution, other.within_resolution),
             (&mut self.bands, other.bands),
+            (&mut self.doubtful_bands, other.doubtful_bands),
+            (&mut self.scratch_wrong, other.scratch_wrong),
             (&mut self.loops_differ, other.loops_differ),
             (&mut self.open, other.open),
             (&mut self.conflict_pairs, other.conflict_pairs),
@@ -145,7 +162,7 @@ impl Tally {
     pub fn is_clean(&self) -> bool {
         [
             self.wrong,
-            self.slices_wrong,
+            self.scratch_wrong,
             self.loops_differ,
             self.open,
             self.threads_differ,
@@ -161,7 +178,7 @@ impl Tally {
 
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows: [(&str, String); 17] = [
+        let rows: [(&str, String); 18] = [
             (
                 "pairs",
                 format!("{} ({} refused as parts)", self.pairs, self.refused),
@@ -179,11 +196,21 @@ impl fmt::Display for Tally {
                 format!("{} in {} pairs", self.wrong, self.wrong_pairs),
             ),
             (
-                "only a slice wrong",
-                format!("{} in {} pairs", self.slices_wrong, self.slices_wrong_pairs),
+                "doubtful slices",
+                format!(
+                    "{} of {}, wrong at {} in {} pairs",
+                    self.doubtful_slices,
+                    self.slices,
+                    self.doubtful_wrong,
+                    self.doubtful_wrong_pairs
+                ),
             ),
             ("within the resolution", self.within_resolution.to_string()),
-            ("bands sliced from scratch", self.bands.to_string()),
+            (
+                "bands sliced from scratch",
+                format!("{} ({} doubtful)", self.bands, self.doubtful_bands),
+            ),
+            ("slices from scratch wrong", self.scratch_wrong.to_string()),
             ("other number of loops", self.loops_differ.to_string()),
             ("loops not closed", self.open.to_string()),
             (

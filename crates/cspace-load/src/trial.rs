@@ -58,19 +58,20 @@ impl Trial<'_> {
             let c = near.configuration;
             let window = self.space.window();
             if window.full_turn || (window.lo..=window.hi).contains(&c.theta) {
-                self.judged(&self.space.slice(c.theta), c, near.verdict, true);
+                let slice = self.of_space(c.theta);
+                self.judged(&slice, c, near.verdict, true);
             }
         }
         for i in 0..(n - searched).div_ceil(POSITIONS) {
             let theta = self.orientation(i);
-            let slice = self.space.slice(theta);
-            self.closed(&slice);
+            let slice = self.of_space(theta);
             for k in 0..POSITIONS {
-                match k % 5 {
-                    0 | 1 => self.beside_a_curve(&slice, &slice),
-                    2 | 3 => self.beside_a_contact(&slice),
-                    _ => self.anywhere(&slice),
-                }
+                let (p, near) = match k % 5 {
+                    0 | 1 => (self.beside_a_curve(&slice), true),
+                    2 | 3 => (self.beside_a_contact(theta), true),
+                    _ => (Some(self.anywhere(theta)), false),
+                };
+                self.ask(&slice, p, near);
             }
         }
     }
@@ -89,23 +90,41 @@ impl Trial<'_> {
                 continue;
             }
             self.report.bands += 1;
-            let slice = self.space.slice(theta);
-            self.closed(&slice);
-            let other = self.slicer.slice(theta);
+            let slice = self.of_space(theta);
+            let scratch = self.slicer.slice(theta);
             // Where the space has lost a curve it is not asked beside its own.
             for _ in 0..POSITIONS {
-                self.beside_a_curve(&slice, &other);
+                let p = self.beside_a_curve(&scratch);
+                if let Some((at, verdict)) = self.ask(&slice, p, true)
+                    && !scratch.doubtful
+                    && verdict.margin > self.space.resolution()
+                    && scratch.is_free(at.position()) == verdict.overlap
+                {
+                    self.report.faults.push(Fault::Scratch { at, verdict });
+                }
             }
-            let (space, scratch) = (slice.loops.len(), other.loops.len());
-            if space != scratch {
+            if slice.doubtful || scratch.doubtful {
+                self.report.doubtful_bands += 1;
+            } else if slice.loops.len() != scratch.loops.len() {
                 self.report.faults.push(Fault::Loops {
                     theta,
-                    space,
-                    scratch,
+                    space: slice.loops.len(),
+                    scratch: scratch.loops.len(),
                     width,
                 });
             }
         }
+    }
+
+    /// The slice of the space, which must be closed.
+    fn of_space(&mut self, theta: f64) -> Slice {
+        let slice = self.space.slice(theta);
+        self.report.slices += 1;
+        self.report.doubtful_slices += u64::from(slice.doubtful);
+        if !slice.doubtful {
+            self.closed(&slice);
+        }
+        slice
     }
 
     fn closed(&mut self, slice: &Slice) {
@@ -129,19 +148,26 @@ impl Trial<'_> {
         f.to_vector().length() + m.to_vector().length()
     }
 
-    fn ask(&mut self, slice: &Slice, p: Point, near: bool) {
+    /// Asks about a position; tells what the oracle says of it, if that is certain.
+    fn ask(
+        &mut self,
+        slice: &Slice,
+        p: Option<Point>,
+        near: bool,
+    ) -> Option<(Configuration, Verdict)> {
+        let p = p.filter(|p| p.is_finite())?;
         let c = Configuration::new(p.x, p.y, slice.theta);
-        if p.is_finite() {
-            self.judged(slice, c, self.oracle.judge(c), near);
-        }
+        let verdict = self.oracle.judge(c);
+        self.judged(slice, c, verdict, near).then_some((c, verdict))
     }
 
-    fn judged(&mut self, slice: &Slice, c: Configuration, verdict: Verdict, near: bool) {
+    /// Tells whether the verdict counts.
+    fn judged(&mut self, slice: &Slice, c: Configuration, verdict: Verdict, near: bool) -> bool {
         self.report.asked += 1;
         let size = self.oracle.size();
         let rounding = ROUNDINGS * (c.x.abs() + c.y.abs() + self.drawn());
         if verdict.margin <= CERTAIN * size + rounding {
-            return;
+            return false;
         }
         self.report.certain += 1;
         self.report.near += u64::from(near);
@@ -151,26 +177,20 @@ impl Trial<'_> {
         }
         let slice_right = slice.is_free(c.position()) != verdict.overlap;
         if slice_right && !self.report.certain.is_multiple_of(CLASSIFIED) {
-            return;
+            return true;
         }
         let right = is_right(self.space, c, verdict);
         if slice_right && right {
-            return;
+            return true;
         }
         if verdict.margin <= self.space.resolution() {
             self.report.within_resolution += 1;
-            return;
-        }
-        self.report.faults.push(if right {
-            let scratch = self.slicer.slice(c.theta);
-            Fault::Slice {
-                at: c,
-                verdict,
-                scratch_too: scratch.is_free(c.position()) == verdict.overlap,
-            }
+        } else if !right || !slice.doubtful {
+            self.report.faults.push(Fault::Wrong { at: c, verdict });
         } else {
-            Fault::Wrong { at: c, verdict }
-        });
+            self.report.doubtful_wrong += 1;
+        }
+        true
     }
 
     /// Anywhere, near critical orientations, at multiples of 15°, and near what is worth a look.
@@ -214,39 +234,33 @@ impl Trial<'_> {
         STEPS[self.rng.random_range(0..STEPS.len())] * self.sign() * self.oracle.size()
     }
 
-    /// Asks a slice beside one of its curves, or of those of another slice at its orientation.
-    fn beside_a_curve(&mut self, slice: &Slice, with: &Slice) {
-        if with.curves.is_empty() {
-            return self.beside_a_contact(slice);
+    /// A position beside a curve of a slice.
+    fn beside_a_curve(&mut self, slice: &Slice) -> Option<Point> {
+        if slice.curves.is_empty() {
+            return self.beside_a_contact(slice.theta);
         }
-        let curve = with.curves[self.rng.random_range(0..with.curves.len())].geometry;
+        let curve = slice.curves[self.rng.random_range(0..slice.curves.len())].geometry;
         let s = self.rng.random_range(0.0..1.0);
-        let p = curve.point(s) + curve.free_normal(s) * self.step();
-        self.ask(slice, p, true);
+        Some(curve.point(s) + curve.free_normal(s) * self.step())
     }
 
     /// A corner of one part beside an edge of the other: the space is not asked where that is.
-    fn beside_a_contact(&mut self, slice: &Slice) {
+    fn beside_a_contact(&mut self, theta: f64) -> Option<Point> {
         let on_fixed = self.rng.random_bool(0.5);
         let s = self.rng.random_range(0.0..1.0);
         let (u, v) = if on_fixed { (s, 0.0) } else { (0.0, s) };
-        let Some(e) = some_edge(&self.case.fixed, self.rng) else {
-            return;
-        };
-        let Some(f) = some_edge(&self.case.moving, self.rng) else {
-            return;
-        };
-        let touching = carrying(f.at(v), e.at(u), slice.theta);
+        let e = some_edge(&self.case.fixed, self.rng)?;
+        let f = some_edge(&self.case.moving, self.rng)?;
+        let touching = carrying(f.at(v), e.at(u), theta);
         let normal = if on_fixed {
             e.direction_at(u).right()
         } else {
-            cspace::Rotation::by(slice.theta) * f.direction_at(v).left()
+            cspace::Rotation::by(theta) * f.direction_at(v).left()
         };
-        let p = touching + normal * self.step();
-        self.ask(slice, p, true);
+        Some(touching + normal * self.step())
     }
 
-    fn anywhere(&mut self, slice: &Slice) {
+    fn anywhere(&mut self, theta: f64) -> Point {
         let size = self.oracle.size();
         let notable = &self.case.notable;
         let (about, reach) = if !notable.is_empty() && self.rng.random_bool(0.5) {
@@ -257,13 +271,12 @@ impl Trial<'_> {
             let middle = carrying(
                 self.oracle.moving_center(),
                 self.oracle.fixed_center(),
-                slice.theta,
+                theta,
             );
             (middle, 1.0)
         };
         let mut share = || reach * size * self.rng.random_range(-1.0..1.0);
-        let p = about + Vector::new(share(), share());
-        self.ask(slice, p, false);
+        about + Vector::new(share(), share())
     }
 }
 

@@ -122,6 +122,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result 
         count(slice.loops.len(), "loop", "loops"),
         count(slice.curves.len(), "curve", "curves")
     )?;
+    if slice.doubtful {
+        writeln!(text, "doubtful: curves may be missing, or not there")?;
+    }
     for (i, l) in slice.loops.iter().enumerate() {
         writeln!(text, "\nloop {i}: {}", count(l.len(), "curve", "curves"))?;
         for &c in l {

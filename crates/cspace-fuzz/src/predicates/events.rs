@@ -3,10 +3,11 @@
 use cspace::fuzzing::{Carrier, Curve, events};
 use cspace::{Point, Spiral, Vector};
 
+use super::capped::is_capped;
 use super::trig::{Exact, interval};
+use crate::Finding;
 use crate::draw::Bytes;
 use crate::exact::Dyadic;
-use crate::{Finding, known};
 
 /// A condition that varies by less than this, times the lengths it is made of, counts as constant: |u + R w|² = d² varies
 /// by 4 |u| |w|, and is known to some roundings of the squares of the lengths of the pair's frame, in which they are 4 at most.
@@ -204,7 +205,7 @@ pub(super) fn run(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
             exact.square().near().sqrt(),
             exact.discriminant().near().max(0.0).sqrt(),
         );
-        if known::root(amplitude, slope, lengths).is_some() {
+        if is_capped(amplitude, slope, lengths) {
             continue;
         }
         for root in exact.roots() {

@@ -1,6 +1,7 @@
 //! What decides signs, roots and meetings, against exact arithmetic.
 
 mod ball;
+mod capped;
 mod events;
 mod loops;
 mod polynomial;

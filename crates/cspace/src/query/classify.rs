@@ -87,7 +87,7 @@ impl ContactSpace {
         let near = nearest.is_some_and(|n| n.1 <= self.contact_distance());
         let met = slice.first_met(c.position());
         let by_slice = met.is_none_or(|m| m.from_free);
-        let free = if !near && self.doubts.hold(c.theta) {
+        let free = if !near && slice.doubtful {
             !self.overlaps(c)
         } else {
             by_slice

@@ -6,6 +6,7 @@
 //! hang together at crossings and shared ends in shells; one honest test of overlap decides each shell.
 
 use crate::contact::{Curve, CurveShape, Geometry};
+use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Rotation;
 use crate::union_find::UnionFind;
 
@@ -34,9 +35,11 @@ pub(crate) struct FreeGap {
 }
 
 /// The pieces on the boundary of free space.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Arrangement {
     pub(crate) gaps: Vec<FreeGap>,
+    /// Whether no orientation as near as the narrowest band is without contradiction.
+    pub(crate) doubtful: bool,
 }
 
 /// What is tested for overlap.
@@ -65,13 +68,16 @@ impl Arrangement {
         let scale = theta.abs().max(1.0);
         for step in STEPS {
             let (above, sheets) = at(theta + step * scale);
-            let (this, certain) = Self::at(geometry, sheets, above, Test::Shells);
+            let (mut this, certain) = Self::at(geometry, sheets, above, Test::Shells);
             if certain {
+                this.doubtful = step > NARROWEST_BAND;
                 return this;
             }
         }
         // A touch of second order: what bounds the gaps tells nothing.
-        Self::at(geometry, sheets, theta, Test::Gaps).0
+        let (mut this, _) = Self::at(geometry, sheets, theta, Test::Gaps);
+        this.doubtful = true;
+        this
     }
 
     /// Computes the slice at just this orientation, and tells whether nothing contradicts it.
@@ -82,7 +88,7 @@ impl Arrangement {
         test: Test,
     ) -> (Self, bool) {
         let turn = Rotation::by(theta);
-        let mut this = Self { gaps: Vec::new() };
+        let mut this = Self::default();
         let (mut live, live_of_sheet, seams) = live_curves(geometry, sheets, theta, turn);
         cut(&mut live, geometry, turn);
         let consistent = this.keep_free(geometry, &mut live, &live_of_sheet, theta, test);

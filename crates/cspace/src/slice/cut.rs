@@ -170,9 +170,10 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     for root in 0..roots(&fc, &gc) {
         found[usize::from(root)] = crossing(&fc, &gc, root).map(|c| (c.point + back, c.enters));
     }
-    // Where curves are all but tangent, two crossings may be taken for each other.
+    // Where curves are all but tangent, two crossings may be taken for each other; not so seen from their own centre.
     let blunt = |p: Point| {
-        f.may_hold(p, BLUNT)
+        origin.is_none()
+            && f.may_hold(p, BLUNT)
             && g.may_hold(p, BLUNT)
             && f.curve.normal(p).cross(g.curve.normal(p)).abs() < BLUNT
     };
@@ -191,7 +192,12 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
         }
         let (s, t) = (f.curve.position(p), g.curve.position(p));
         let sine = f.curve.normal(p).cross(g.curve.normal(p)).abs();
-        let near = TIED + ROUNDING / sine.max(ROUNDING);
+        let angle = if origin.is_some() {
+            1.0
+        } else {
+            sine.max(ROUNDING)
+        };
+        let near = TIED + ROUNDING / angle;
         if s.abs() < f.half && t.abs() < g.half {
             cuts.push((root, enters, s, t, near));
         }

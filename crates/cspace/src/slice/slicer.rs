@@ -49,7 +49,7 @@ impl Slicer {
     /// An orientation that is not finite has an empty slice.
     pub fn slice(&self, theta: f64) -> Slice {
         if !theta.is_finite() {
-            return Slice::from_curves(theta, Vec::new(), &self.geometry.frame);
+            return Slice::from_curves(theta, Vec::new(), false, &self.geometry.frame);
         }
         let lo = self.geometry.contacts.span.lo;
         let arrangement = Arrangement::new(&self.geometry, theta, |theta| {

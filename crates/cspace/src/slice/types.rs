@@ -69,6 +69,13 @@ pub struct Slice {
     pub curves: Vec<SliceCurve>,
     /// Closed loops, each as indices of its curves in order of travel, beginning with the smallest.
     pub loops: Vec<Vec<u32>>,
+    /// Whether the curves are not to be relied upon.
+    ///
+    /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations). Of a slice from
+    /// scratch: what bounds curves and tests of overlap contradict each other here and up to 10⁻¹¹ rad above. Of either: a
+    /// curve does not begin where the one before it ends.
+    #[serde(default)]
+    pub doubtful: bool,
 }
 
 /// Whether an arc that turns from `start_angle` by `sweep` comes past a direction; all radians.
@@ -363,12 +370,18 @@ impl Slice {
                 }
             })
             .collect();
-        Self::from_curves(theta, curves, &geometry.frame)
+        Self::from_curves(theta, curves, arrangement.doubtful, &geometry.frame)
     }
 
     /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
-    pub(crate) fn from_curves(theta: f64, mut curves: Vec<SliceCurve>, frame: &PairFrame) -> Self {
-        close(&mut curves, frame.outer_length(TORN));
+    pub(crate) fn from_curves(
+        theta: f64,
+        mut curves: Vec<SliceCurve>,
+        doubtful: bool,
+        frame: &PairFrame,
+    ) -> Self {
+        let torn = frame.outer_length(TORN);
+        close(&mut curves, torn);
         let mut seen = vec![false; curves.len()];
         let mut loops = Vec::new();
         for first in 0..curves.len() {
@@ -383,8 +396,13 @@ impl Slice {
                 loops.push(walk);
             }
         }
+        let is_open = |c: &SliceCurve| {
+            let next = curves.get(c.next as usize);
+            next.is_none_or(|n| c.geometry.point(1.0).distance(n.geometry.point(0.0)) > torn)
+        };
         Self {
             theta,
+            doubtful: doubtful || curves.iter().any(is_open),
             curves,
             loops,
         }

@@ -12,7 +12,8 @@ use super::patch::Patch;
 impl ContactSpace {
     /// The slice at an orientation, in closed form: every patch that exists there contributes one curve.
     ///
-    /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves.
+    /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
+    /// a [doubtful orientation](Self::doubtful_orientations) says so; that of [`Slice::compute`] may be certain there.
     pub fn slice(&self, theta: f64) -> Slice {
         let mut curves = Vec::new();
         let mut number = vec![u32::MAX; self.patches.len()];
@@ -41,7 +42,7 @@ impl ContactSpace {
                 curve.next = number[link.after as usize];
             }
         }
-        Slice::from_curves(theta, curves, &self.frame)
+        Slice::from_curves(theta, curves, self.doubts.hold(theta), &self.frame)
     }
 
     /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.

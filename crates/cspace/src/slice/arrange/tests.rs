@@ -115,7 +115,7 @@ fn crossings_nearer_than_their_errors_are_tied() {
                 },
             );
         }
-        let mut all = Arrangement { gaps: Vec::new() };
+        let mut all = Arrangement::default();
         all.keep_free(&geometry, &mut live, &live_of_sheet, theta, Test::Shells);
         live[i].tied
     };

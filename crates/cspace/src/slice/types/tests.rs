@@ -281,7 +281,7 @@ fn slice(pieces: &[(CurveGeometry, u32)]) -> Slice {
             next,
         })
         .collect();
-    Slice::from_curves(0.0, curves, &frame())
+    Slice::from_curves(0.0, curves, false, &frame())
 }
 
 /// That of the plane itself.
@@ -324,7 +324,7 @@ fn positions_are_free_outside_of_what_is_blocked() {
         }
     }
     assert!(free > 1000 && blocked > 1000);
-    assert!(Slice::from_curves(0.0, Vec::new(), &frame()).is_free(middle));
+    assert!(Slice::from_curves(0.0, Vec::new(), false, &frame()).is_free(middle));
 }
 
 /// Two curves on one carrier that face each other, in either order, with the disc around them blocked: what is within
@@ -397,4 +397,27 @@ fn open_ends_are_followed_by_the_nearest_beginnings() {
     ]);
     assert_eq!(kept.curves[0].next, 2);
     assert!(kept.curves[1].next as usize >= 4);
+}
+
+/// What does not join is doubtful, whatever else is known: an end beyond the distance at which curves are joined, or one
+/// that is followed by a curve elsewhere.
+#[test]
+fn slices_that_are_open_are_doubtful() {
+    let p = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));
+    let side = |i: usize, j: usize, off: f64| CurveGeometry::Segment {
+        start: p[i] + Vector::new(off, 0.0),
+        end: p[j],
+    };
+    let doubtful = |off: f64, next: u32| {
+        let sides = [
+            (side(0, 1, 0.0), 1),
+            (side(1, 2, off), 2),
+            (side(2, 0, 0.0), next),
+        ];
+        slice(&sides).doubtful
+    };
+    assert!(!doubtful(0.0, 0) && !doubtful(1e-7, 0));
+    assert!(!doubtful(0.0, u32::MAX));
+    assert!(doubtful(1e-5, 0) && doubtful(-0.5, u32::MAX));
+    assert!(doubtful(0.0, 1));
 }
