@@ -13,6 +13,23 @@ pub(crate) enum Carrier<T> {
     Bow(Bow<T>),
 }
 
+impl Carrier<f64> {
+    /// How far a point is off it.
+    pub(crate) fn off(&self, p: Point) -> f64 {
+        match *self {
+            Self::Line { normal, through } => {
+                let v = p - Point::new(through.0, through.1);
+                Vector::new(normal.0, normal.1).dot(v).abs()
+            }
+            Self::Circle { center, radius } => {
+                let v = p - Point::new(center.0, center.1);
+                (v.length() - radius.abs()).abs()
+            }
+            Self::Bow(bow) => bow.distance(p).abs(),
+        }
+    }
+}
+
 #[inline(always)]
 pub(super) fn minus<T: Real>(a: (T, T), b: (T, T)) -> (T, T) {
     (a.0 - b.0, a.1 - b.1)

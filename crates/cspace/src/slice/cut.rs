@@ -178,6 +178,16 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
             && f.curve.normal(p).cross(g.curve.normal(p)).abs() < BLUNT
     };
     let mut tied = found.iter().flatten().any(|c| blunt(c.0));
+    // What comes from upon one line or circle to the other may cross it at its end, unseen.
+    let grazes = |l: &Live, on: &Live| {
+        let carrier = on.curve.carrier();
+        [l.curve.start, l.curve.end].into_iter().any(|p| {
+            on.may_hold(p, TIED)
+                && carrier.off(p) < ROUNDING
+                && l.curve.normal(p).cross(on.curve.normal(p)).abs() < BLUNT
+        })
+    };
+    tied |= found == [None; 2] && (grazes(f, g) || grazes(g, f));
     for spiral in shared.corners.into_iter().flatten() {
         let p = spiral.at(turn);
         let distance = |c: &Option<(Point, bool)>| c.map_or(f64::INFINITY, |c| c.0.distance(p));

@@ -1,7 +1,7 @@
 //! Shells: cells that hang together, and whether they bound free space.
 
-use crate::contact::{Carrier, Geometry};
-use crate::geometry::{Point, Rotation, Vector};
+use crate::contact::Geometry;
+use crate::geometry::{Rotation, Vector};
 use crate::parallel;
 use crate::union_find::UnionFind;
 
@@ -365,25 +365,10 @@ impl ShellFinder<'_> {
         for other in self.candidates.around(theta, p, reach) {
             let s = &sheets[other as usize];
             let exists = s.lo <= theta && theta <= s.hi;
-            if other != cell.sheet && exists && off(&s.carrier(turn.cos, turn.sin), p) <= reach {
+            if other != cell.sheet && exists && s.carrier(turn.cos, turn.sin).off(p) <= reach {
                 reach = s.curve(theta, turn).hit(p, normal, reach).unwrap_or(reach);
             }
         }
         !self.geometry.overlaps(p + normal * (0.5 * reach), theta)
-    }
-}
-
-/// How far a point is off a carrier.
-fn off(carrier: &Carrier<f64>, p: Point) -> f64 {
-    match *carrier {
-        Carrier::Line { normal, through } => {
-            let v = p - Point::new(through.0, through.1);
-            Vector::new(normal.0, normal.1).dot(v).abs()
-        }
-        Carrier::Circle { center, radius } => {
-            let v = p - Point::new(center.0, center.1);
-            (v.length_squared().sqrt() - radius.abs()).abs()
-        }
-        Carrier::Bow(bow) => bow.distance(p).abs(),
     }
 }
