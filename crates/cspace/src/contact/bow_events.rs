@@ -292,7 +292,7 @@ mod tests {
                 let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
                 bow_events(f, g, &shared, &ties, (lo, hi), |e| ours.push(e));
                 let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-                conditions(&plain(f), &plain(g), &shared, |t| {
+                conditions(&plain(f), &plain(g), &shared, |t, _| {
                     let found = |e| theirs.push(e);
                     t.roots(mid, mid.cos(), mid.sin(), half, found);
                 });

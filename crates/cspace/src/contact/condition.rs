@@ -10,30 +10,45 @@ use crate::number::{Known, Trig};
 use super::sheet::{SharedEnds, Sheet, SheetKind};
 use super::spiral::Spiral;
 
-/// Calls `take` with every condition of the pair.
-pub(crate) fn conditions(f: &Sheet, g: &Sheet, shared: &SharedEnds, mut take: impl FnMut(Trig)) {
+/// What happens where a condition of two contact curves holds.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Happening<'a> {
+    /// An end of a curve passes over the carrier of the other.
+    Passing { end: &'a Spiral, over: &'a Sheet },
+    /// The carriers are tangent: at this distance of a centre from the line, along its normal, or of the centres.
+    Tangency(f64),
+}
+
+/// Calls `take` with every condition of the pair, and what happens there.
+pub(crate) fn conditions(
+    f: &Sheet,
+    g: &Sheet,
+    shared: &SharedEnds,
+    mut take: impl FnMut(Trig, Happening<'_>),
+) {
     let [f_end_shared, f_start_shared] = shared.corners.map(|c| c.is_some());
-    if !f_start_shared {
-        take(on_carrier(&f.start, g));
-    }
-    if !f_end_shared {
-        take(on_carrier(&f.end, g));
-    }
+    let mut passing = |shared: bool, end, over| {
+        if !shared {
+            take(on_carrier(end, over), Happening::Passing { end, over });
+        }
+    };
+    passing(f_start_shared, &f.start, g);
+    passing(f_end_shared, &f.end, g);
     // The end of f that is shared is the start of g, and the other way round.
-    if !f_end_shared {
-        take(on_carrier(&g.start, f));
-    }
-    if !f_start_shared {
-        take(on_carrier(&g.end, f));
-    }
+    passing(f_end_shared, &g.start, f);
+    passing(f_start_shared, &g.end, f);
     match (f.is_circle(), g.is_circle()) {
         (false, false) => {}
         (false, true) => line_tangent(f, g, &mut take),
         (true, false) => line_tangent(g, f, &mut take),
         (true, true) => {
             let (r, s) = (f.radius.abs(), g.radius.abs());
-            take(centers_apart(f, g, r + s));
-            take(centers_apart(f, g, r - s));
+            for distance in [r + s, r - s] {
+                take(
+                    apart(&f.center(), &g.center(), distance.abs()),
+                    Happening::Tangency(distance),
+                );
+            }
         }
     }
 }
@@ -99,13 +114,13 @@ fn apart(p: &Spiral, q: &Spiral, distance: f64) -> Trig {
     }
 }
 
-fn line_tangent(line: &Sheet, circle: &Sheet, take: &mut impl FnMut(Trig)) {
-    take(height(&circle.center(), line, circle.radius));
-    take(height(&circle.center(), line, -circle.radius));
-}
-
-fn centers_apart(f: &Sheet, g: &Sheet, distance: f64) -> Trig {
-    apart(&f.center(), &g.center(), distance.abs())
+fn line_tangent(line: &Sheet, circle: &Sheet, take: &mut impl FnMut(Trig, Happening<'_>)) {
+    for distance in [circle.radius, -circle.radius] {
+        take(
+            height(&circle.center(), line, distance),
+            Happening::Tangency(distance),
+        );
+    }
 }
 
 fn size(spiral: &Spiral) -> f64 {

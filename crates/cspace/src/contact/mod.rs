@@ -16,6 +16,7 @@ mod span;
 mod spiral;
 mod ties;
 mod twist;
+mod within;
 
 pub(crate) use bow::{Bow, Level};
 pub(crate) use bow_events::bow_events;
@@ -32,3 +33,4 @@ pub(crate) use sheet::{Seam, SharedEnds, Sheet, WIDEST_SAGITTA};
 pub use spiral::{Spiral, Swing};
 pub(crate) use ties::{ALIGNMENT_ERROR, Ties};
 pub(crate) use twist::{Permutation, Steps, Twist};
+pub(crate) use within::within_ends;

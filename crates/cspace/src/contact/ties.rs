@@ -127,7 +127,7 @@ mod tests {
                 if f.fixed == g.fixed || f.moving == g.moving {
                     assert!(all.is_empty());
                 }
-                conditions(f, g, &shared, |t| {
+                conditions(f, g, &shared, |t, _| {
                     let at = |theta: f64| {
                         let turn = Rotation::by(theta);
                         t.alpha * turn.cos + t.beta * turn.sin + t.gamma

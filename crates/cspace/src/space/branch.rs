@@ -2,7 +2,7 @@
 
 use crate::contact::{
     Crossing, Curve, CurveShape, Geometry, Level, SharedEnds, Sheet, Ties, bow_events, conditions,
-    crossing, roots,
+    crossing, roots, within_ends,
 };
 use crate::geometry::Rotation;
 use crate::number::Event;
@@ -43,14 +43,18 @@ impl Branch {
 #[derive(Debug, Default)]
 pub(super) struct PairEvents {
     pub(super) events: Vec<Event>,
-    /// For every pair the events of it and those before.
-    until: Vec<usize>,
+    /// Events of the carriers, beyond the curves: of several at once it is asked whether the carriers are one.
+    beyond: Vec<Event>,
+    /// For every pair how many there are of it and those before, and how many beyond.
+    until: Vec<[usize; 2]>,
 }
 
 impl PairEvents {
-    fn of(&self, pair: usize) -> &[Event] {
-        let from = pair.checked_sub(1).map_or(0, |before| self.until[before]);
-        &self.events[from..self.until[pair]]
+    /// Those of a pair, and those beyond its curves.
+    fn of(&self, pair: usize) -> [&[Event]; 2] {
+        let from = (pair.checked_sub(1)).map_or([0; 2], |before| self.until[before]);
+        let to = self.until[pair];
+        [&self.events[from[0]..to[0]], &self.beyond[from[1]..to[1]]]
     }
 }
 
@@ -59,7 +63,7 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
     let contacts = &geometry.contacts;
     let found = parallel::chunks(pairs, CHUNK, |_, runs| {
         let mut found = PairEvents::default();
-        let events = &mut found.events;
+        let (events, beyond) = (&mut found.events, &mut found.beyond);
         for run in runs {
             let (f, g) = (
                 &contacts.sheets[run.first as usize],
@@ -76,23 +80,29 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
             if f.is_flat() || g.is_flat() {
                 bow_events(f, g, &shared, &ties, (run.lo, run.hi), |e| events.push(e));
             } else {
-                conditions(f, g, &shared, |t| {
+                conditions(f, g, &shared, |t, happening| {
                     let tie = t.touch().and_then(|e| ties.explain(e));
                     t.roots(mid, cos, sin, half, |e| {
+                        if !within_ends(f, g, &happening, &t, e) {
+                            beyond.push(e);
+                            return;
+                        }
                         let known = tie.filter(|t| t.error < e.error);
                         events.extend(known.map_or(Some(e), |t| t.within(mid, half)));
                     });
                 });
             }
-            found.until.push(events.len());
+            found.until.push([events.len(), beyond.len()]);
         }
         found
     });
     let mut all = PairEvents::default();
     for f in found {
-        let before = all.events.len();
+        let before = [all.events.len(), all.beyond.len()];
         all.events.extend(f.events);
-        all.until.extend(f.until.into_iter().map(|n| before + n));
+        all.beyond.extend(f.beyond);
+        all.until
+            .extend((f.until.into_iter()).map(|n| [before[0] + n[0], before[1] + n[1]]));
     }
     all
 }
@@ -166,7 +176,7 @@ struct Tracer<'a> {
 }
 
 impl Tracer<'_> {
-    fn trace(&mut self, run: &PairRun, events: &[Event]) {
+    fn trace(&mut self, run: &PairRun, [events, beyond]: [&[Event]; 2]) {
         let clusters = self.clusters;
         let (from, to) = (clusters.index(run.lo), clusters.index(run.hi));
         self.times.clear();
@@ -181,7 +191,10 @@ impl Tracer<'_> {
             .collect();
         // When carriers coincide, both ends of each curve are on the other's carrier: four events at once.
         const EVENTS_AT_ONCE: usize = 3;
-        let at_once = (self.times.chunk_by(|a, b| a == b))
+        let mut all = self.times.clone();
+        all.extend(beyond.iter().map(|e| clusters.index(e.theta)));
+        all.sort_unstable();
+        let at_once = (all.chunk_by(|a, b| a == b))
             .filter(|c| c.len() >= EVENTS_AT_ONCE)
             .map(|c| c[0]);
         // A curve of a line comes and goes with all its length; some of the four may then be just beyond.
