@@ -92,3 +92,44 @@ fn goes_on_ever(f: &Sheet, g: &Sheet, at: [f64; 4]) -> bool {
         goes_on(&a, &b) || goes_on(&b, &a)
     })
 }
+
+/// Where two arcs follow each other the circle of the first lies between a line and that of the second, which is a curve to
+/// be computed as any other.
+#[test]
+fn a_line_and_a_circle_are_not_bridged() {
+    // Each corner is an eighth of a turn with one radius and then one with another.
+    let (wide, tight) = (0.4, 0.2);
+    let (mut at, mut way) = (Point::new(1.0, -0.3), Vector::new(0.0, 1.0));
+    let mut outline = Vec::new();
+    for _ in 0..4 {
+        outline.push(Vertex::line(at.x, at.y));
+        at += way;
+        for radius in [wide, tight] {
+            outline.push(Vertex::new(at.x, at.y, (PI / 16.0).tan()));
+            let turned = Rotation::by(0.25 * PI) * way;
+            at += (turned.right() - way.right()) * radius;
+            way = turned;
+        }
+    }
+    let fixed = Part::new("fixed", vec![outline]).unwrap();
+    let moving = rounded("moving", 0.4, 0.1, 0.2);
+    let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+    let contacts = &geometry.contacts;
+    let mut between = 0;
+    for f in contacts.sheets.iter().filter(|s| s.is_line()) {
+        for g in contacts.sheets.iter().filter(|s| s.is_circle()) {
+            let theta = 0.5 * (f.lo.max(g.lo) + f.hi.min(g.hi));
+            if f.lo.max(g.lo) >= f.hi.min(g.hi) {
+                continue;
+            }
+            let (a, b) = (curve(f, theta), curve(g, theta));
+            between += usize::from(contacts.sheets.iter().any(|c| {
+                let there = c.is_circle() && c.lo < theta && theta < c.hi;
+                let c = curve(c, theta);
+                there && goes_on(&a, &c) && goes_on(&c, &b)
+            }));
+            assert!(!contacts.bridged(f, g) && !contacts.bridged(g, f));
+        }
+    }
+    assert!(between > 0);
+}

@@ -136,3 +136,35 @@ fn crossings_nearer_than_their_errors_are_tied() {
         );
     }
 }
+
+/// A whole shell is free or none of it, so that every gap for itself is what its shell is.
+#[test]
+fn gaps_tested_one_by_one_are_those_of_free_shells() {
+    let fixed = polygon(
+        "notched",
+        &[
+            (-2.0, -1.0),
+            (2.0, -1.0),
+            (2.0, 1.0),
+            (0.7, 1.0),
+            (0.1, -0.4),
+            (-0.6, 1.0),
+            (-2.0, 1.0),
+        ],
+    );
+    let moving = polygon("moving", &[(-0.2, -0.1), (0.2, -0.1), (0.1, 0.3)]);
+    let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+    for theta in [-2.0, 0.3, 1.1, 2.5] {
+        let by = |test| {
+            let sheets = 0..geometry.contacts.sheets.len() as u32;
+            let (all, certain) = Arrangement::at(&geometry, sheets, theta, test);
+            assert!(certain);
+            all.gaps
+        };
+        let gaps = by(Test::Gaps);
+        assert_eq!(gaps, by(Test::Shells), "{theta}");
+        // Some of them are pieces that do not reach the end of their curve.
+        let cut = |g: &FreeGap| matches!(g.to, GapEnd::Crossing(..));
+        assert!(gaps.iter().any(cut), "{theta}");
+    }
+}
