@@ -374,8 +374,11 @@ fn curves_that_face_each_other_on_one_carrier_are_not_asked() {
     }
 }
 
+/// A segment from one point to another.
+type Piece = [(f64, f64); 2];
+
 /// A loop by corners that are told along the first ray and across it, in sizes; its ends need not meet.
-fn around(size: f64, pieces: &[((f64, f64), (f64, f64))]) -> Slice {
+fn around(size: f64, pieces: &[Piece]) -> Slice {
     let at = |(x, y): (f64, f64)| {
         let v = first_ray() * (x * size) + first_ray().left() * (y * size);
         (v.x, v.y)
@@ -383,7 +386,7 @@ fn around(size: f64, pieces: &[((f64, f64), (f64, f64))]) -> Slice {
     let n = pieces.len() as u32;
     let pieces = (1..).zip(pieces);
     let all: Vec<_> = pieces
-        .map(|(next, &(a, b))| (segment(at(a), at(b)), next % n))
+        .map(|(next, &[a, b])| (segment(at(a), at(b)), next % n))
         .collect();
     slice(&all)
 }
@@ -396,9 +399,9 @@ fn rays_do_not_slip_through_torn_corners() {
         let torn = around(
             size,
             &[
-                ((1.0, gap), (-1.0, 1.0)),
-                ((-1.0, 1.0), (-1.0, -1.0)),
-                ((-1.0, -1.0), (1.0, -gap)),
+                [(1.0, gap), (-1.0, 1.0)],
+                [(-1.0, 1.0), (-1.0, -1.0)],
+                [(-1.0, -1.0), (1.0, -gap)],
             ],
         );
         assert!(!torn.is_free(Point::ORIGIN), "{size}");
@@ -417,14 +420,14 @@ fn rays_do_not_meet_what_sticks_out_of_a_corner() {
     };
     for size in [1e-3, 1.0, 1e3] {
         let corners = [
-            ((-1.0, -1.0), (1.0, -1.0)),
-            ((1.0, -1.0), (1.0, 0.0)),
-            ((1.0 - hair, 0.0), (2.0, 0.0)),
-            ((2.0, 0.0), (2.0, 2.0)),
-            ((2.0, 2.0), (-1.0, 2.0)),
-            ((-1.0, 2.0), (-1.0, -1.0)),
+            [(-1.0, -1.0), (1.0, -1.0)],
+            [(1.0, -1.0), (1.0, 0.0)],
+            [(1.0 - hair, 0.0), (2.0, 0.0)],
+            [(2.0, 0.0), (2.0, 2.0)],
+            [(2.0, 2.0), (-1.0, 2.0)],
+            [(-1.0, 2.0), (-1.0, -1.0)],
         ];
-        let notched = around(size, &corners.map(|(a, b)| (turned(a), turned(b))));
+        let notched = around(size, &corners.map(|corner| corner.map(turned)));
         assert!(!notched.is_free(Point::ORIGIN), "{size}");
     }
 }
