@@ -264,3 +264,31 @@ fn arcs_that_just_fit_have_a_point() {
         }
     }
 }
+
+/// Of all curves of a pair: what is walked along one is in its box, and of a bow no further from the chord than its sheet says;
+/// nor is the box of a bow much larger.
+#[test]
+fn curves_are_in_their_boxes() {
+    let geometry = bulging();
+    let mut bows = 0;
+    for s in &geometry.contacts.sheets {
+        let c = curve(s, s.lo + 0.3 * (s.hi - s.lo));
+        let (lo, hi) = c.bounds();
+        let chord = (c.end - c.start).unit();
+        let (mut off, mut inside) = (0.0_f64, f64::INFINITY);
+        for k in -50..=50 {
+            let p = c.point(c.half_length() * f64::from(k) / 50.0);
+            off = off.max(chord.cross(p - c.start).abs());
+            for room in [p.x - lo.x, hi.x - p.x, p.y - lo.y, hi.y - p.y] {
+                assert!(room > -1e-13, "{c:?} {room}");
+                inside = inside.min(room);
+            }
+        }
+        if s.is_bow() {
+            bows += 1;
+            assert!(off <= s.height() + 1e-14, "{off} {}", s.height());
+            assert!(inside <= 2.0 * off + 1e-13, "{off} {inside}");
+        }
+    }
+    assert!(bows > 20, "{bows}");
+}
