@@ -331,6 +331,22 @@ mod tests {
         }
     }
 
+    /// Rays to a place on an arc that is nearly a line.
+    #[test]
+    fn rays_are_exact_however_large_the_radius() {
+        for radius in [1e3, 1e6, 1e9, -1e9] {
+            let bow = Bow::new(Point::new(0.2, 0.1), Vector::new(0.0, 1.0), 1.0 / radius);
+            let x = 0.7;
+            let below = x * x / (radius + (radius * radius - x * x).sqrt() * radius.signum());
+            let place = Point::new(0.2 + x, 0.1 - below);
+            for angle in [0.4, 1.5, 2.6, 4.0, 5.5] {
+                let d = Vector::from_angle(angle);
+                let met = bow.met(place - d * 0.9, d);
+                assert!(met.iter().any(|t| (t - 0.9).abs() < 1e-14), "{met:?}");
+            }
+        }
+    }
+
     /// Circles cross if the distance of their centres is between the difference and the sum of their radii.
     #[test]
     fn circles_that_just_touch_are_told_from_those_that_do_not() {

@@ -449,9 +449,11 @@ mod tests {
             let mut g = *f;
             g.normal = Rotation::by(angle) * f.normal;
             // Bows of one curvature through one point: the squares of half the angle and no more.
-            let value = Condition::Alike(f, &g, true).at(1.0, 0.0).0;
+            let condition = Condition::Alike(f, &g, true);
             let expected = 2.0 * (0.5 * angle).sin().powi(2);
-            assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+            for value in [condition.at(1.0, 0.0).0, condition.series(0.0).0.value] {
+                assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+            }
         }
     }
 
@@ -510,6 +512,37 @@ mod tests {
         Condition::End(&point, &line).roots(mid, half, &mut |e| events.push(e));
         events.sort_by(|a, b| a.theta.total_cmp(&b.theta));
         events
+    }
+
+    /// A circle that stands still.
+    fn round(center: Point, radius: f64) -> Sheet {
+        let geometry = flat_geometry();
+        let mut round = *(geometry.contacts.sheets.iter())
+            .find(|s| s.is_circle())
+            .unwrap();
+        (round.fixed_point, round.moving_point, round.radius) = (center, Point::ORIGIN, radius);
+        round
+    }
+
+    /// A line, and a circle about a point that goes around a circle: tangent at two orientations and no more.
+    #[test]
+    fn touching_at_two_orientations_is_not_touching_always() {
+        let (_, mut line) = height(1.0, 0.0);
+        let mut circle = round(Point::ORIGIN, 0.3);
+        circle.moving_point = Point::new(-1.0, 0.0);
+        // At these and half a turn less them.
+        for at in [0.0, FRAC_PI_2 - 0.05, FRAC_PI_2 + 0.05] {
+            line.start = Spiral::new(Point::new(0.0, at.sin() + 0.3), Vector::ZERO);
+            let holds = |d: f64| {
+                let value = |c: Condition<'_>| c.series(at + d).0.value;
+                tangencies(&line, &circle).any(|c| value(c).abs() < 1e-14)
+            };
+            assert!(holds(0.0) && holds(PI - 2.0 * at) && !holds(0.3));
+            let mut during = circle;
+            (during.lo, during.hi, line.lo, line.hi) = (at - 0.2, at + 0.2, at - 0.2, at + 0.2);
+            assert!(!always_touch(&line, &during), "{at}");
+            assert!(!always_touch(&during, &line), "{at}");
+        }
     }
 
     /// From anywhere on the circle, and to the error that is told; beside a tangency that is the square root of the rounding.
@@ -591,6 +624,37 @@ mod tests {
         assert!((f64::EPSILON..1e-14).contains(&found), "{found}");
     }
 
+    /// Places on a circle are known as those on a line, however large its radius.
+    #[test]
+    fn errors_of_roots_on_circles_are_those_on_lines() {
+        for radius in [1.0, 5.0, 50.0] {
+            // The point goes around the origin, through which the circle goes upright.
+            let circle = round(Point::new(radius, 0.0), radius);
+            let point = Spiral::new(Point::ORIGIN, Vector::new(1.0, 0.0));
+            let mut events = Vec::new();
+            let condition = Condition::End(&point, &circle);
+            condition.roots(1.0, PI, &mut |e| events.push(e));
+            assert_eq!(events.len(), 2);
+            for e in events {
+                let off = (e.theta.cos() - 0.5 / radius).abs();
+                assert!(off <= e.error, "{radius} {off} {e:?}");
+                assert!((1.0..20.0).contains(&(e.error / LENGTH_ERROR)), "{e:?}");
+            }
+        }
+    }
+
+    /// A root that may be in the interval is one of it.
+    #[test]
+    fn intervals_are_as_wide_as_errors() {
+        let h = 1.0 - 1e-12;
+        // The other of the two is on the other side.
+        for (root, way) in roots_of(h, 1.0, PI).into_iter().zip([-0.1, 0.1]) {
+            let mid = root.theta + way;
+            let found = |beyond: f64| !roots_of(h, mid, 0.1 - beyond * root.error).is_empty();
+            assert!(found(0.5) && found(-0.5) && !found(1.5));
+        }
+    }
+
     /// A function is said to touch zero where both its value and its slope vanish and its bend does not.
     #[test]
     fn touches_are_double_roots() {
@@ -609,7 +673,14 @@ mod tests {
         ] {
             assert!(!touches(h, theta), "{h} {theta}");
         }
-        let (_, line) = height(1.0, 0.0);
+        // What moves fast turns fast, and what is told with the radius is known to as much less.
+        let (point, line) = height(1e3, 1e3);
+        assert!(Condition::End(&point, &line).touches(FRAC_PI_2));
+        let (point, line) = height(1.0, 0.0);
+        for (off, expected) in [(2e-14, true), (1e-12, false)] {
+            let above = round(Point::new(0.0, 51.0 + off), 50.0);
+            assert_eq!(Condition::End(&point, &above).touches(FRAC_PI_2), expected);
+        }
         let still = Spiral::new(Point::new(0.4, 0.0), Vector::ZERO);
         assert!(!Condition::End(&still, &line).touches(0.3));
     }
@@ -636,6 +707,19 @@ mod tests {
                     assert!(found.iter().all(|o| o.abs() <= PI));
                 }
             }
+        }
+        // From one of the two zeros: there is no way to it, and one to the other.
+        let from_zero = Series {
+            value: 0.0,
+            slope: 0.6,
+            bend: -0.8,
+        };
+        let found = offsets(&from_zero).unwrap();
+        for expected in [0.0, 2.0 * f64::atan(0.75)] {
+            assert!(
+                found.iter().any(|o| (o - expected).abs() < 1e-15),
+                "{found:?}"
+            );
         }
         let constant = |value| Series {
             value,

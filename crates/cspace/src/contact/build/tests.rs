@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::contact::{Curve, Geometry};
+use crate::feature::FeatureKind;
 use crate::geometry::Rotation;
 use crate::part::{Part, Vertex};
 
@@ -91,4 +92,203 @@ fn goes_on_ever(f: &Sheet, g: &Sheet, at: [f64; 4]) -> bool {
         let (a, b) = (curve(f, theta), curve(g, theta));
         goes_on(&a, &b) || goes_on(&b, &a)
     })
+}
+
+/// Where two arcs follow each other the circle of the first lies between a line and that of the second, which is a curve to
+/// be computed as any other.
+#[test]
+fn a_line_and_a_circle_are_not_bridged() {
+    // Each corner is an eighth of a turn with one radius and then one with another.
+    let (wide, tight) = (0.4, 0.2);
+    let (mut at, mut way) = (Point::new(1.0, -0.3), Vector::new(0.0, 1.0));
+    let mut outline = Vec::new();
+    for _ in 0..4 {
+        outline.push(Vertex::line(at.x, at.y));
+        at += way;
+        for radius in [wide, tight] {
+            outline.push(Vertex::new(at.x, at.y, (PI / 16.0).tan()));
+            let turned = Rotation::by(0.25 * PI) * way;
+            at += (turned.right() - way.right()) * radius;
+            way = turned;
+        }
+    }
+    let fixed = Part::new("fixed", vec![outline]).unwrap();
+    let moving = rounded("moving", 0.4, 0.1, 0.2);
+    let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+    let contacts = &geometry.contacts;
+    let mut between = 0;
+    for f in contacts.sheets.iter().filter(|s| s.is_line()) {
+        for g in contacts.sheets.iter().filter(|s| s.is_circle()) {
+            let theta = 0.5 * (f.lo.max(g.lo) + f.hi.min(g.hi));
+            if f.lo.max(g.lo) >= f.hi.min(g.hi) {
+                continue;
+            }
+            let (a, b) = (curve(f, theta), curve(g, theta));
+            between += usize::from(contacts.sheets.iter().any(|c| {
+                let there = c.is_circle() && c.lo < theta && theta < c.hi;
+                let c = curve(c, theta);
+                there && goes_on(&a, &c) && goes_on(&c, &b)
+            }));
+            assert!(!contacts.bridged(f, g) && !contacts.bridged(g, f));
+        }
+    }
+    assert!(between > 0);
+}
+
+/// Two parts with arcs of both kinds, small and large.
+fn bulging() -> Geometry {
+    let part = |name: &str, size: f64, bulges: [f64; 5]| {
+        let corners = [
+            (-1.0, -1.0),
+            (1.0, -0.9),
+            (1.1, 1.0),
+            (0.3, 1.3),
+            (-0.4, 1.2),
+        ];
+        let outline = corners
+            .into_iter()
+            .zip(bulges)
+            .map(|((x, y), bulge)| Vertex::new(x * size, y * size, bulge))
+            .collect();
+        Part::new(name, vec![outline]).unwrap()
+    };
+    let fixed = part("fixed", 1.0, [4e-4, 0.3, 0.0, -2e-4, -0.4]);
+    let moving = part("moving", 0.6, [2e-4, -0.2, 0.0, -1e-4, 0.25]);
+    Geometry::new(&fixed, &moving, None, usize::MAX)
+}
+
+/// A line next to a concave arc is in its material.
+#[test]
+fn lines_touch_what_is_convex() {
+    let geometry = bulging();
+    let mut kinds = [0; 2];
+    for s in geometry.contacts.sheets.iter().filter(|s| s.is_line()) {
+        let (kind, round) = if s.kind == SheetKind::LineRound {
+            (0, &geometry.moving.features[s.moving as usize])
+        } else {
+            (1, &geometry.fixed.features[s.fixed as usize])
+        };
+        assert_ne!(round.name.kind, FeatureKind::ConcaveArc);
+        kinds[kind] += 1;
+    }
+    assert!(kinds.into_iter().all(|n| n > 0));
+}
+
+/// Wherever two arcs touch, their centres are as far apart as both radii together, concave ones negative; and the curve's normal
+/// is that of the fixed arc.
+#[test]
+fn centres_of_arcs_that_touch_are_their_radii_apart() {
+    let geometry = bulging();
+    let mut kinds = [0; 3];
+    for s in geometry.contacts.sheets.iter().filter(|s| !s.is_line()) {
+        let (a, b) = (
+            &geometry.fixed.features[s.fixed as usize],
+            &geometry.moving.features[s.moving as usize],
+        );
+        let theta = s.lo + 0.3 * (s.hi - s.lo);
+        let c = curve(s, theta);
+        let radius = a.radius() + b.radius();
+        for at in [-0.9, 0.0, 0.7] {
+            let p = c.point(at * c.half_length());
+            let center = p + (Rotation::by(theta) * b.center().to_vector());
+            let apart = center - a.center();
+            assert!((apart.length() - radius.abs()).abs() < 1e-9, "{a:?} {b:?}");
+            let normal = apart.unit() * radius.signum();
+            assert!((c.normal(p) - normal).length() < 1e-9, "{a:?} {b:?}");
+        }
+        if !a.is_vertex() && !b.is_vertex() {
+            kinds[usize::from(a.near.is_some()) + usize::from(b.near.is_some())] += 1;
+        }
+    }
+    assert!(kinds.into_iter().all(|n| n > 0), "{kinds:?}");
+}
+
+/// An arc in a fillet: with play it goes around a circle, if it just fits there is one point, and if it is too large nothing; of
+/// large arcs play is what it is along them. Half of a fillet that is all but a half circle is no place for one that has none.
+#[test]
+fn arcs_that_just_fit_have_a_point() {
+    for (radius, sweep) in [(0.5, 1.5), (0.5, 0.95 * PI), (300.0, 4e-3)] {
+        let limit = if radius < 1.0 {
+            SMALLEST_CIRCLE
+        } else {
+            SMALLEST_CIRCLE / sweep
+        };
+        for play in [-10.0, -0.5, 0.5, 10.0] {
+            let half = |r: f64| r * f64::sin(0.5 * sweep);
+            let bulge = f64::tan(0.25 * sweep);
+            let (outer, inner) = (half(radius), half(radius - 2.0 * play * limit));
+            let fixed = [
+                (-1.0, -1.0, 0.0),
+                (1.0, -1.0, 0.0),
+                (1.0, -outer, -bulge),
+                (1.0, outer, 0.0),
+                (1.0, 1.0, 0.0),
+                (-1.0, 1.0, 0.0),
+            ];
+            let moving = [(0.0, -inner, bulge), (0.0, inner, 0.0), (-0.6, 0.1, 0.0)];
+            let part = |name: &str, corners: &[(f64, f64, f64)]| {
+                let of = |&(x, y, b): &(f64, f64, f64)| Vertex::new(x, y, b);
+                Part::new(name, vec![corners.iter().map(of).collect()]).unwrap()
+            };
+            let (fixed, moving) = (part("fixed", &fixed), part("moving", &moving));
+            let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+            let contacts = &geometry.contacts;
+            let of = |o: &Outline, kind| {
+                let found = o.features.iter().position(|f| f.name.kind == kind);
+                found.unwrap() as u32
+            };
+            let ia = of(&geometry.fixed, FeatureKind::ConcaveArc);
+            let ib = of(&geometry.moving, FeatureKind::ConvexArc);
+            let (a, b) = (
+                &geometry.fixed.features[ia as usize],
+                &geometry.moving.features[ib as usize],
+            );
+            // Drawn at half the size, and grown by a little.
+            let less = -(a.radius() + b.radius());
+            assert!((less / limit - play).abs() < 0.3, "{} {play}", less / limit);
+            let circles = contacts.sheets.iter();
+            let circles = circles.filter(|s| (s.fixed, s.moving) == (ia, ib)).count();
+            assert_eq!(circles > 0, play > 1.0, "{radius} {sweep} {play}");
+            let name = |end: u32| contacts.points.name(end);
+            let sizes = &contacts.sizes;
+            let point = name(sizes.vertices(ia, ib));
+            let united = [
+                sizes.fixed_joint(a.start, ib),
+                sizes.fixed_joint(a.end, ib),
+                sizes.moving_joint(ia, b.start),
+                sizes.moving_joint(ia, b.end),
+            ]
+            .map(|end| name(end) == point);
+            let fits = play == 0.5 || (play == -0.5 && sweep < 0.9 * PI);
+            assert_eq!(united, [fits; 4], "{radius} {sweep} {play}");
+        }
+    }
+}
+
+/// Of all curves of a pair: what is walked along one is in its box, and of a bow no further from the chord than its sheet says;
+/// nor is the box of a bow much larger.
+#[test]
+fn curves_are_in_their_boxes() {
+    let geometry = bulging();
+    let mut bows = 0;
+    for s in &geometry.contacts.sheets {
+        let c = curve(s, s.lo + 0.3 * (s.hi - s.lo));
+        let (lo, hi) = c.bounds();
+        let chord = (c.end - c.start).unit();
+        let (mut off, mut inside) = (0.0_f64, f64::INFINITY);
+        for k in -50..=50 {
+            let p = c.point(c.half_length() * f64::from(k) / 50.0);
+            off = off.max(chord.cross(p - c.start).abs());
+            for room in [p.x - lo.x, hi.x - p.x, p.y - lo.y, hi.y - p.y] {
+                assert!(room > -1e-13, "{c:?} {room}");
+                inside = inside.min(room);
+            }
+        }
+        if s.is_bow() {
+            bows += 1;
+            assert!(off <= s.height() + 1e-14, "{off} {}", s.height());
+            assert!(inside <= 2.0 * off + 1e-13, "{off} {inside}");
+        }
+    }
+    assert!(bows > 20, "{bows}");
 }

@@ -75,9 +75,8 @@ fn rooms_of_one_arc_are_free() {
     }
 }
 
-/// Crossings that may be in either order mark their curve; others, and one alone, do not.
-#[test]
-fn crossings_nearer_than_their_errors_are_tied() {
+/// A triangle and a block with a notch.
+fn notched() -> Geometry {
     let fixed = polygon(
         "notched",
         &[
@@ -91,7 +90,13 @@ fn crossings_nearer_than_their_errors_are_tied() {
         ],
     );
     let moving = polygon("moving", &[(-0.2, -0.1), (0.2, -0.1), (0.1, 0.3)]);
-    let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
+    Geometry::new(&fixed, &moving, None, usize::MAX)
+}
+
+/// Crossings that may be in either order mark their curve; others, and one alone, do not.
+#[test]
+fn crossings_nearer_than_their_errors_are_tied() {
+    let geometry = notched();
     let theta = 0.3;
     let turn = Rotation::by(theta);
     // With one more crossing this far beyond the first of a curve, the two of them with some errors.
@@ -134,5 +139,102 @@ fn crossings_nearer_than_their_errors_are_tied() {
             expected,
             "{further} {errors:?}"
         );
+    }
+}
+
+/// A whole shell is free or none of it, so that every gap for itself is what its shell is.
+#[test]
+fn gaps_tested_one_by_one_are_those_of_free_shells() {
+    let geometry = notched();
+    for theta in [-2.0, 0.3, 1.1, 2.5] {
+        let by = |test| {
+            let sheets = 0..geometry.contacts.sheets.len() as u32;
+            let (all, certain) = Arrangement::at(&geometry, sheets, theta, test);
+            assert!(certain);
+            all.gaps
+        };
+        let gaps = by(Test::Gaps);
+        assert_eq!(gaps, by(Test::Shells), "{theta}");
+        // Some of them are pieces that do not reach the end of their curve.
+        let cut = |g: &FreeGap| matches!(g.to, GapEnd::Crossing(..));
+        assert!(gaps.iter().any(cut), "{theta}");
+    }
+}
+
+/// The curves with their crossings, their gaps numbered on.
+fn cut_curves(geometry: &Geometry, theta: f64) -> (Vec<Live>, Vec<u32>) {
+    let turn = Rotation::by(theta);
+    let sheets = 0..geometry.contacts.sheets.len() as u32;
+    let (mut live, live_of_sheet, _) = live_curves(geometry, sheets, theta, turn);
+    cut(&mut live, geometry, turn);
+    let mut count = 0;
+    for l in &mut live {
+        l.cuts.sort_by(|a, b| a.position.total_cmp(&b.position));
+        l.first_gap = count;
+        count += l.cuts.len() as u32 + 1;
+    }
+    (live, live_of_sheet)
+}
+
+/// Of a shell in doubt both the longest and the outermost gap are tested; where both are blocked or the longest is free,
+/// nothing contradicts.
+#[test]
+fn shells_in_doubt_are_what_they_are_without() {
+    let geometry = notched();
+    for theta in [-2.0, 0.3, 1.1, 2.5] {
+        let by = |tied: bool| {
+            let (mut live, live_of_sheet) = cut_curves(&geometry, theta);
+            for l in &mut live {
+                l.tied |= tied;
+            }
+            let mut all = Arrangement { gaps: Vec::new() };
+            assert!(all.keep_free(&geometry, &mut live, &live_of_sheet, theta, Test::Shells));
+            all.gaps
+        };
+        assert_eq!(by(true), by(false), "{theta}");
+    }
+}
+
+/// Of all gaps, and of any one alone, that whose middle is furthest out; but none that is a point.
+#[test]
+fn the_furthest_gap_is_told_by_its_middle() {
+    let geometry = notched();
+    for theta in [-2.0, 0.3, 1.1, 2.5] {
+        let (mut live, _) = cut_curves(&geometry, theta);
+        // Middles by walking from cut to cut, with the gap each belongs to.
+        let mut middles = Vec::new();
+        for (i, l) in live.iter().enumerate() {
+            let ends: Vec<f64> = (core::iter::once(-l.half))
+                .chain(l.cuts.iter().map(|c| c.position))
+                .chain([l.half])
+                .collect();
+            for (g, e) in (0..).zip(ends.windows(2)) {
+                let middle = e[0] + 0.5 * (e[1] - e[0]);
+                let distance = l.curve.point(middle).distance(Point::ORIGIN);
+                middles.push((distance, l.first_gap + g, i, middle));
+            }
+        }
+        let same = |found: Option<(usize, f64)>, (_, _, i, middle): (f64, u32, usize, f64)| {
+            found.is_some_and(|f| f.0 == i && (f.1 - middle).abs() < 1e-15)
+        };
+        for &m in &middles {
+            assert!(same(furthest(&live, |gap| gap == m.1), m), "{theta}");
+        }
+        middles.sort_by(|a, b| b.0.total_cmp(&a.0));
+        while let Some(&m) = middles.first() {
+            let left: Vec<u32> = middles.iter().map(|m| m.1).collect();
+            assert!(
+                same(furthest(&live, |gap| left.contains(&gap)), m),
+                "{theta}"
+            );
+            middles.remove(0);
+        }
+        assert_eq!(furthest(&live, |_| false), None);
+        // Two crossings in one place.
+        let i = live.iter().position(|l| !l.cuts.is_empty()).unwrap();
+        let twice = live[i].cuts[0];
+        live[i].cuts.insert(0, twice);
+        let point = live[i].first_gap + 1;
+        assert_eq!(furthest(&live, |gap| gap == point), None);
     }
 }

@@ -112,3 +112,70 @@ fn orientations_at_which_curves_begin_or_end_are_told() {
         assert!(!told(pair[0] + 1e-12));
     }
 }
+
+/// Of one curve: where it begins and ends is told, unless the turn is cut there; and there the lower end belongs to it.
+#[test]
+fn a_curve_alone_tells_where_it_begins_and_ends() {
+    let fixed = polygon(
+        "fixed",
+        &[(-1.0, -0.9), (1.1, -1.0), (0.9, 1.0), (-0.8, 0.7)],
+    );
+    let moving = polygon("moving", &[(-0.2, -0.1), (0.2, -0.1), (0.1, 0.3)]);
+    // The whole turn, and a window some thousand turns away, where orientations are known to less.
+    let far = 1000.0 * PI;
+    for window in [None, Some((far - 2.0, far + 2.0))] {
+        let geometry = Geometry::new(&fixed, &moving, window, usize::MAX);
+        let span = geometry.contacts.span;
+        let (mut inner, mut wrapped) = (0, 0);
+        for (i, s) in (0..).zip(&geometry.contacts.sheets) {
+            let of = |theta: f64| {
+                let (live, _, told) = live_curves(&geometry, i..i + 1, theta, Rotation::by(theta));
+                (live.len(), told)
+            };
+            let length = s.hi - s.lo;
+            assert!(!of(s.lo + 0.3 * length).1 && of(s.lo - 1e-9) == (0, false));
+            let rounding = 2e-15 * s.lo.abs().max(1.0);
+            for end in [s.lo, s.hi] {
+                let cut = window.is_none() && (end == span.lo || end == span.hi);
+                *(if cut { &mut wrapped } else { &mut inner }) += 1;
+                for off in [-rounding, 0.0, rounding] {
+                    assert_eq!(of(end + off).1, !cut, "{i} {end} {off}");
+                }
+                assert!(!of(end + 1e-9).1 && !of(end - 1e-9).1, "{i} {end}");
+            }
+            assert_eq!(of(s.hi).0, 0);
+            if window.is_none() && s.lo == span.lo {
+                assert_eq!(of(s.lo).0, of(s.lo + 1e-9).0);
+                wrapped += of(s.lo).0;
+            }
+        }
+        assert!(inner > 10 && (wrapped > 0) == window.is_none());
+    }
+}
+
+/// Both bottom corners of a block in a flat valley, each on its side of it: the flatter it is, the less is known where their
+/// curves cross.
+#[test]
+fn flat_crossings_are_known_to_less() {
+    let moving = polygon("moving", &[(-0.2, -0.1), (0.2, -0.1), (0.1, 0.3)]);
+    for rise in [0.3, 1e-2, 1e-4] {
+        let valley = [
+            (-1.0, -1.0),
+            (1.0, -1.0),
+            (1.0, rise),
+            (0.0, 0.0),
+            (-1.0, rise),
+        ];
+        let live = cut_at(&geometry(&polygon("valley", &valley), &moving), 0.0);
+        let angle = 2.0 * f64::atan(rise);
+        let lowest = (live.iter().enumerate())
+            .flat_map(|(i, l)| l.cuts.iter().map(move |c| (i, c)))
+            .find(|&(i, c)| live[i].curve.point(c.position).x.abs() < 1e-9)
+            .unwrap()
+            .1;
+        // Across, a rounding is that much longer along.
+        let along = ROUNDING / angle.sin();
+        let bounds = along.max(TIED)..2.0 * along.max(TIED);
+        assert!(bounds.contains(&lowest.error), "{rise}");
+    }
+}

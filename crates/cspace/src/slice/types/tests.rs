@@ -130,6 +130,21 @@ fn rays_meet_a_flat_arc_where_its_circle_is() {
     }
 }
 
+/// Flat arcs, and nothing else, are edges of parts as well.
+#[test]
+fn a_flat_arc_is_an_edge() {
+    for g in pieces() {
+        let flat = matches!(g, CurveGeometry::FlatArc { .. });
+        assert_eq!(g.edge().is_some(), flat);
+        if let Some(e) = g.edge() {
+            let area: f64 = (points(&g).windows(2))
+                .map(|p| 0.5 * (p[0] - e.start).cross(p[1] - e.start))
+                .sum();
+            assert!((e.segment_area() - area).abs() < 1e-6, "{g:?} {area}");
+        }
+    }
+}
+
 #[test]
 fn free_space_is_on_the_right_of_travel() {
     for g in pieces() {
@@ -327,29 +342,93 @@ fn positions_are_free_outside_of_what_is_blocked() {
     assert!(Slice::from_curves(0.0, Vec::new(), false, &frame()).is_free(middle));
 }
 
+/// The direction in which the first ray goes.
+fn first_ray() -> Vector {
+    Vector::from_angle(1.234_567_89)
+}
+
 /// Two curves on one carrier that face each other, in either order, with the disc around them blocked: what is within
 /// is told by the rays that miss the two.
 #[test]
 fn curves_that_face_each_other_on_one_carrier_are_not_asked() {
-    let direction = Vector::from_angle(1.234_567_89);
-    let across = direction.left();
+    let direction = first_ray();
     let p = Point::new(0.3, -0.2);
     let gate = |at: f64, turn: f64| {
-        let q = p + direction * at;
-        let (a, b) = (q - across * (0.1 * turn), q + across * (0.1 * turn));
+        let across = direction.left() * (0.5 * at * turn);
+        let (a, b) = (p + direction * at - across, p + direction * at + across);
         segment((a.x, a.y), (b.x, b.y))
     };
-    for free in [true, false] {
+    // As shares of the radius: where they are, and how far apart. In front of one's nose what counts is the radius.
+    let gates = [(0.2, 1e-12), (0.2, 1e-8), (1e-3, 5e-10)];
+    for (size, free) in [1e-3, 1.0, 1e3].map(|s| [(s, true), (s, false)]).concat() {
         // The outermost circle faces inwards if what is within is free.
-        let around = arc(1.0, 0.0, if free { -TAU } else { TAU });
-        for order in [1e-12, -1e-12] {
+        let around = arc(size, 0.0, if free { -TAU } else { TAU });
+        for (at, apart) in gates.map(|(at, d)| [(at, d), (at, -d)]).concat() {
             let s = slice(&[
                 (around, 0),
-                (gate(0.2, 1.0), 1),
-                (gate(0.2 + order, -1.0), 2),
+                (gate(size * at, 1.0), 1),
+                (gate(size * (at + apart), -1.0), 2),
             ]);
-            assert_eq!(s.is_free(p), free);
+            assert_eq!(s.is_free(p), free, "{size} {at} {apart}");
         }
+    }
+}
+
+/// A segment from one point to another.
+type Piece = [(f64, f64); 2];
+
+/// A loop by corners that are told along the first ray and across it, in sizes; its ends need not meet.
+fn around(size: f64, pieces: &[Piece]) -> Slice {
+    let at = |(x, y): (f64, f64)| {
+        let v = first_ray() * (x * size) + first_ray().left() * (y * size);
+        (v.x, v.y)
+    };
+    let n = pieces.len() as u32;
+    let pieces = (1..).zip(pieces);
+    let all: Vec<_> = pieces
+        .map(|(next, &[a, b])| (segment(at(a), at(b)), next % n))
+        .collect();
+    slice(&all)
+}
+
+/// The first ray leaves a blocked triangle through a corner at which the sides do not quite meet.
+#[test]
+fn rays_do_not_slip_through_torn_corners() {
+    let gap = 0.25 * TORN;
+    for size in [1e-3, 1.0, 1e3] {
+        let torn = around(
+            size,
+            &[
+                [(1.0, gap), (-1.0, 1.0)],
+                [(-1.0, 1.0), (-1.0, -1.0)],
+                [(-1.0, -1.0), (1.0, -gap)],
+            ],
+        );
+        assert!(!torn.is_free(Point::ORIGIN), "{size}");
+    }
+}
+
+/// A blocked square with a notch, a side of which goes beyond the notch's corner by a hair: the first ray meets that hair from
+/// its free side.
+#[test]
+fn rays_do_not_meet_what_sticks_out_of_a_corner() {
+    let hair = 0.5 * TORN;
+    // The ray goes the way of both axes, to the middle of the hair, from the origin.
+    let turned = |(x, y): (f64, f64)| {
+        let (x, y) = (x - 0.5 + 0.5 * hair, y + 0.5);
+        (0.5 * (x + y), 0.5 * (y - x))
+    };
+    for size in [1e-3, 1.0, 1e3] {
+        let corners = [
+            [(-1.0, -1.0), (1.0, -1.0)],
+            [(1.0, -1.0), (1.0, 0.0)],
+            [(1.0 - hair, 0.0), (2.0, 0.0)],
+            [(2.0, 0.0), (2.0, 2.0)],
+            [(2.0, 2.0), (-1.0, 2.0)],
+            [(-1.0, 2.0), (-1.0, -1.0)],
+        ];
+        let notched = around(size, &corners.map(|corner| corner.map(turned)));
+        assert!(!notched.is_free(Point::ORIGIN), "{size}");
     }
 }
 

@@ -125,10 +125,10 @@ fn orientations_are_phases_some_slabs_further() {
                 assert_eq!(lifts.orientation(place(cluster, slabs + 1), up - 1), theta);
             }
         }
-        assert_eq!(
-            lifts.orientation(place(3, 0), 1),
-            lifts.orientation(place(0, 0), 2)
-        );
+        for up in -40..40 {
+            let (end, start) = (place(3, 0), place(0, 0));
+            assert_eq!(lifts.orientation(end, up), lifts.orientation(start, up + 1));
+        }
     }
 }
 
@@ -192,6 +192,11 @@ fn critical_orientations_are_the_ends_of_copies_within() {
         assert_eq!(lifts.computed_bands(&chains, 99), 3);
         assert_eq!(lifts.computed_bands(&chains[..1], 99), 2);
         assert_eq!(lifts.computed_bands(&chains[4..], 99), 1);
+        let begins = [
+            chain(place(0, 0), place(1, 0), false),
+            chain(place(2, 0), place(1, 1), false),
+        ];
+        assert_eq!(lifts.computed_bands(&begins, 99), 3);
     }
 }
 
