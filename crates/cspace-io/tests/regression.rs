@@ -568,6 +568,18 @@ fn l_in_l_of_play_5e_8() {
     pocket_is_free("tests/regression/l_in_l_of_play_5e-8.toml");
 }
 
+/// Circles on which round corners touch are tangent to lines that they do not reach, to the square root of rounding just
+/// then: the pocket went under in that. The bar fits in two ways, and each is one region.
+#[test]
+fn rounded_bar_in_its_own_shape_of_play_1e_7() {
+    let file = "tests/regression/rounded_bar_in_its_own_shape_of_play_1e-7.toml";
+    pocket_is_free(file);
+    let [fixed, moving] = parts(file);
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let caged = space.free_regions().iter().filter(|r| !r.unbounded);
+    assert_eq!(caged.count(), 2);
+}
+
 /// Two pins in holes, and a star in its own shape, with the plays that README promises.
 #[test]
 fn pockets_of_small_play() {

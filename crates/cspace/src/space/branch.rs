@@ -365,3 +365,7 @@ fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<
             .map(|c| c.enters)
     })
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;

@@ -187,7 +187,7 @@ fn shells_in_doubt_are_what_they_are_without() {
             for l in &mut live {
                 l.tied |= tied;
             }
-            let mut all = Arrangement { gaps: Vec::new() };
+            let mut all = Arrangement::default();
             assert!(all.keep_free(&geometry, &mut live, &live_of_sheet, theta, Test::Shells));
             all.gaps
         };
