@@ -46,6 +46,18 @@ fn a_full_device_is_told() {
         1,
         &["/dev/full", "No space left"],
     );
+    // A mesh that was not written is not told of.
+    let dir = tempfile::tempdir().unwrap();
+    let mesh = dir.path().join("mesh.ply");
+    std::os::unix::fs::symlink("/dev/full", &mesh).unwrap();
+    let output = run_to(
+        Stdio::piped(),
+        &["export", &file, "-o", mesh.to_str().unwrap()],
+    );
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.starts_with("error: ") && said.contains("No space left"));
+    assert!(!said.contains("vertices"), "{said}");
 }
 
 /// `cspace … | head -1`: the reader takes one line and goes away.
