@@ -59,7 +59,10 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
                 tolerance: args.tolerance,
             };
             let space = pair.contact_space("a surface")?;
-            let mesh = Mesh::new(&space, &options);
+            let mesh = Mesh::new(&space, &options).map_err(|e| {
+                Failure::work(format_args!("{}: {e}", path.display()))
+                    .help("give a larger --tolerance; of a saved space, compute it again")
+            })?;
             let encoding = if args.ascii {
                 Encoding::Ascii
             } else {
