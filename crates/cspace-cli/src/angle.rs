@@ -11,7 +11,10 @@ pub(crate) fn parse(text: &str) -> Result<f64, String> {
         .or_else(|| cspace_io::parse_angle(text))
         .filter(|a| a.is_finite())
         .ok_or_else(|| {
-            format!("{text:?} is no angle: give radians, or a number with a unit such as 18deg")
+            format!(
+                "{} is no angle: give radians, or a number with a unit such as 18deg",
+                shown::quoted(text)
+            )
         })?;
     if angle.abs() > LARGEST_ANGLE {
         return Err(format!(

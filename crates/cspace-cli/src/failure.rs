@@ -1,5 +1,6 @@
 //! Why a command ends without having done its work.
 
+use std::borrow::Cow;
 use std::fmt::Display;
 use std::io::Write;
 use std::path::Path;
@@ -57,9 +58,9 @@ impl Failure {
     /// Prints to stderr, control characters escaped. Where nobody listens nothing can be done.
     pub(crate) fn print(&self) {
         let mut err = std::io::stderr().lock();
-        let _ = writeln!(err, "error: {}", shown::text(&self.message));
+        let _ = writeln!(err, "error: {}", harmless(&self.message));
         if let Some(help) = &self.help {
-            let _ = writeln!(err, "  help: {}", shown::text(help));
+            let _ = writeln!(err, "  help: {}", harmless(help));
         }
     }
 }
@@ -67,7 +68,18 @@ impl Failure {
 /// Says on stderr what a user should know of work that is done all the same.
 pub(crate) fn note(message: impl Display) {
     let message = message.to_string();
-    let _ = writeln!(std::io::stderr(), "note: {}", shown::text(&message));
+    let _ = writeln!(std::io::stderr(), "note: {}", harmless(&message));
+}
+
+/// Nobody reads more characters than that. Names may be as long as files.
+const LONGEST: usize = 10_000;
+
+/// The text with its control characters escaped, and its beginning if it is enormous.
+fn harmless(message: &str) -> Cow<'_, str> {
+    match message.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", shown::text(&message[..end])).into(),
+        None => shown::text(message),
+    }
 }
 
 impl From<ModelError> for Failure {

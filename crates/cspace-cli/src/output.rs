@@ -99,6 +99,66 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
     Ok(())
 }
 
+/// That the output is not the file that is read, under whatever name: writing would destroy it.
+pub(crate) fn check_apart(path: Option<&Path>, input: &Path) -> Result<(), Failure> {
+    match path {
+        Some(path) if is_same_file(path, input) => Err(over_input(path, "the file that is read")),
+        _ => Ok(()),
+    }
+}
+
+/// That the output is not the file that standard input comes from.
+#[cfg(unix)]
+pub(crate) fn check_apart_from_stdin(path: Option<&Path>) -> Result<(), Failure> {
+    use std::fs::File;
+    use std::os::fd::AsFd;
+    let Some(path) = path else {
+        return Ok(());
+    };
+    let stdin = std::io::stdin().as_fd().try_clone_to_owned();
+    let input = stdin.and_then(|fd| File::from(fd).metadata());
+    match (std::fs::metadata(path), input) {
+        (Ok(output), Ok(input)) if is_same(&output, &input) => {
+            Err(over_input(path, "the file that standard input comes from"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Which file it is cannot be known.
+#[cfg(not(unix))]
+pub(crate) fn check_apart_from_stdin(_: Option<&Path>) -> Result<(), Failure> {
+    Ok(())
+}
+
+fn over_input(path: &Path, what: &str) -> Failure {
+    let message = format_args!("{}: the output is {what}", path.display());
+    Failure::input(message).help("give another path after -o; nothing was written")
+}
+
+/// Of what is no regular file, such as a terminal, nothing is destroyed.
+#[cfg(unix)]
+fn is_same_file(a: &Path, b: &Path) -> bool {
+    match (std::fs::metadata(a), std::fs::metadata(b)) {
+        (Ok(a), Ok(b)) => is_same(&a, &b),
+        _ => false,
+    }
+}
+
+#[cfg(unix)]
+fn is_same(a: &std::fs::Metadata, b: &std::fs::Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino())
+}
+
+#[cfg(not(unix))]
+fn is_same_file(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b && a.is_file(),
+        _ => false,
+    }
+}
+
 fn is_replaceable(path: &Path) -> bool {
     std::fs::metadata(path).map_or(true, |m| m.is_file())
 }

@@ -28,6 +28,37 @@ pub fn text(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
+/// So many characters of what a file or a user says are repeated: enough to find it.
+const LONGEST: usize = 60;
+
+/// The text, or its beginning if it is long.
+///
+/// ```
+/// use cspace_io::shown;
+/// assert_eq!(shown::cut("pawl"), "pawl");
+/// assert_eq!(shown::cut(&"z".repeat(1000)), "z".repeat(60) + "…");
+/// ```
+pub fn cut(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => Cow::Owned(format!("{}…", &text[..end])),
+        None => Cow::Borrowed(text),
+    }
+}
+
+/// The text in quotes, as Rust writes it; its beginning if it is long.
+///
+/// ```
+/// use cspace_io::shown;
+/// assert_eq!(shown::quoted("pa\twl"), r#""pa\twl""#);
+/// assert_eq!(shown::quoted(&"z".repeat(1000)), format!("{:?}…", "z".repeat(60)));
+/// ```
+pub fn quoted(text: &str) -> String {
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{:?}…", &text[..end]),
+        None => format!("{text:?}"),
+    }
+}
+
 /// A number with all its digits, but no row of noughts: from 10¹⁵ on, and below 10⁻⁵, with an exponent.
 ///
 /// With a precision, so many digits follow the point in either form.

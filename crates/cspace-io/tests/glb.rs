@@ -83,7 +83,7 @@ fn mesh(model: &str, window: Option<(f64, f64)>) -> Mesh {
         ..Options::default()
     };
     let space = ContactSpace::compute(part(pair.fixed), part(pair.moving), &options).unwrap();
-    Mesh::new(&space, &MeshOptions { tolerance: 0.005 })
+    Mesh::new(&space, &MeshOptions { tolerance: 0.005 }).unwrap()
 }
 
 /// Every triangle is there, with its patch and turned as it was, but those that single precision makes flat; and what the

@@ -114,6 +114,9 @@ fn what_does_not_fit_together_is_refused() {
         ("/window/hi", json!(1e9), "window"),
         ("/frame/scale", json!(0), "scale"),
         ("/frame/scale", json!(1e-310), "scale"),
+        ("/frame/scale", json!(1), "scale"),
+        ("/frame/fixed_center/y", json!(8), "centre"),
+        ("/frame/moving_center/x", json!(1e-6), "centre"),
         ("/features/fixed", json!(1_000_000), "features"),
         ("/critical_orientations/0", json!(4), "critical"),
         ("/critical_orientations/1", json!(-3.2), "critical"),
@@ -141,6 +144,30 @@ fn what_does_not_fit_together_is_refused() {
         .to_string()
         .replacen("\"lo\":", "\"lo\":1e999, \"x\":", 1);
     assert!(refusal(&text).contains("out of range"));
+}
+
+/// Another place of one end of one patch, or another circle, is seen at its neighbours.
+#[test]
+fn patches_that_do_not_fit_are_refused() {
+    let good: Value = serde_json::from_str(&saved::to_json(&space())).unwrap();
+    let mut leaves = Vec::new();
+    collect(&good, String::new(), &mut leaves);
+    let parts = ["/left/spiral/", "/right/spiral/", "/function/center/"];
+    let is_place = |at: &&String| parts.iter().any(|p| at.contains(p));
+    let places: Vec<&String> = leaves
+        .iter()
+        .filter(|at| at.starts_with("/patches/"))
+        .filter(is_place)
+        .collect();
+    assert!(places.len() > 100);
+    for at in places {
+        let mut bad = good.clone();
+        let value = bad.pointer_mut(at).unwrap();
+        *value = json!(value.as_f64().unwrap() + 0.1);
+        let said = refusal(&bad.to_string());
+        let is_told = ["patch ", "side link "].iter().any(|w| said.contains(w));
+        assert!(is_told && said.contains("is damaged"), "{at}: {said}");
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@
 
 mod args;
 mod findings;
+mod output;
 mod run;
 mod state;
 mod watch;
@@ -11,35 +12,44 @@ mod watch;
 use std::process::ExitCode;
 
 use clap::Parser;
+use cspace_io::shown;
 use cspace_load::Source;
 use cspace_oracle::families;
 
 use args::Args;
+use output::{note, print};
 use state::State;
 
 fn main() -> ExitCode {
     let args = Args::parse();
-    if args.list {
-        println!("{}", cspace_load::draw::TIES);
-        for family in families() {
-            println!("{} ({} values)", family.name, family.values.len());
-        }
-        return ExitCode::SUCCESS;
-    }
-    match load(&args) {
+    let result = if args.list {
+        list().map(|()| true)
+    } else {
+        load(&args)
+    };
+    match result {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(message) => {
-            eprintln!("error: {message}");
+            note(format_args!("error: {}", shown::text(&message)));
             ExitCode::from(2)
         }
     }
 }
 
+fn list() -> Result<(), String> {
+    let mut text = format!("{}\n", cspace_load::draw::TIES);
+    for family in families() {
+        text += &format!("{} ({} values)\n", family.name, family.values.len());
+    }
+    print(&text)
+}
+
 /// Whether nothing was found that must not be.
 fn load(args: &Args) -> Result<bool, String> {
     let mut state = match &args.state {
-        Some(path) if path.exists() => State::read(path)?,
+        // What cannot even be looked at is told by reading it.
+        Some(path) if path.try_exists().unwrap_or(true) => State::read(path)?,
         _ => State::new(args.seed, args.family.clone()),
     };
     if let Some(family) = &args.family
@@ -54,7 +64,7 @@ fn load(args: &Args) -> Result<bool, String> {
     }
     ctrlc::set_handler(run::stop).map_err(|e| format!("interrupts cannot be caught: {e}"))?;
     run::run(args, &source, &mut state)?;
-    println!("seed {}, next pair {}", state.seed, state.next);
-    print!("{}", state.tally);
+    let (seed, next) = (state.seed, state.next);
+    print(&format!("seed {seed}, next pair {next}\n{}", state.tally))?;
     Ok(state.tally.is_clean())
 }

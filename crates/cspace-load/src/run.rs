@@ -14,6 +14,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::args::Args;
 use crate::findings;
+use crate::output::note;
 use crate::state::State;
 use crate::watch::{Deadline, PATIENCE, Watch};
 
@@ -42,7 +43,7 @@ pub(crate) fn run(args: &Args, source: &Source, state: &mut State) -> Result<(),
     let begin = Instant::now();
     let workers = match args.threads {
         0 => thread::available_parallelism().map_or(1, usize::from),
-        n => n,
+        n => usize::from(n),
     };
     let last = args.only.map_or(args.pairs, |number| number + 1);
     let in_time = || {
@@ -73,10 +74,10 @@ pub(crate) fn run(args: &Args, source: &Source, state: &mut State) -> Result<(),
                     shown = Instant::now();
                     let t = &state.tally;
                     let rate = t.pairs as f64 / t.seconds;
-                    eprintln!(
+                    note(format_args!(
                         "pair {}: {} certain, {} wrong in {} pairs, {} conflicts, {rate:.1} pairs a processor second",
                         state.next, t.certain, t.wrong, t.wrong_pairs, t.conflicts
-                    );
+                    ));
                 }
             }
             Ok(())
@@ -136,7 +137,7 @@ fn one(args: &Args, number: u64, mut drawn: Drawn) -> Option<Tally> {
         return Some(tally);
     };
     let effort = Effort {
-        configurations: args.per_pair,
+        configurations: args.per_pair as usize,
         bands: BANDS,
         thorough: number.is_multiple_of(args.thorough),
     };
@@ -237,14 +238,14 @@ fn describe(fault: &Fault) -> String {
 
 /// Writes a finding, if a folder was given, and says so.
 fn tell(args: &Args, number: u64, drawn: &Drawn, kind: &str, said: &[String]) {
-    eprintln!(
+    note(format_args!(
         "pair {number} ({}): {kind}: {}",
         drawn.name,
         said.first().map_or("", String::as_str)
-    );
+    ));
     if let (Some(folder), Ok(case)) = (&args.findings, &drawn.case)
         && let Err(error) = findings::write(folder, number, &drawn.name, kind, case, said)
     {
-        eprintln!("{error}");
+        note(error);
     }
 }

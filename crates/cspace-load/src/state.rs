@@ -1,10 +1,14 @@
 //! How far it went, in a file.
 
-use std::io::Write;
+use std::fs::File;
+use std::io::{Read, Write};
 use std::path::Path;
 
 use cspace_load::Tally;
 use serde::{Deserialize, Serialize};
+
+/// A state has some twenty numbers; what is larger is none.
+const MOST_BYTES: u64 = 1 << 20;
 
 /// What it takes to go on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,7 +36,17 @@ impl State {
 
     pub(crate) fn read(path: &Path) -> Result<Self, String> {
         let failed = |e: &dyn core::fmt::Display| format!("{}: {e}", path.display());
-        let text = std::fs::read_to_string(path).map_err(|e| failed(&e))?;
+        // A pipe might never say anything, a device might never end.
+        if !std::fs::metadata(path).map_err(|e| failed(&e))?.is_file() {
+            return Err(failed(&"a state is a regular file"));
+        }
+        let file = File::open(path).map_err(|e| failed(&e))?;
+        let mut text = String::new();
+        let mut bounded = file.take(MOST_BYTES + 1);
+        let length = bounded.read_to_string(&mut text).map_err(|e| failed(&e))?;
+        if length as u64 > MOST_BYTES {
+            return Err(failed(&"it is too large for a state"));
+        }
         serde_json::from_str(&text).map_err(|e| failed(&e))
     }
 

@@ -6,6 +6,8 @@ use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Progress, Stage};
 
+use crate::output::note;
+
 /// A pair that takes longer is reported.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -66,7 +68,10 @@ impl Watch {
                     && at.since.elapsed() > PATIENCE
                 {
                     at.told = true;
-                    eprintln!("pair {} ({}) takes over {PATIENCE:?}", at.number, at.name);
+                    let (number, name) = (at.number, &at.name);
+                    note(format_args!(
+                        "pair {number} ({name}) takes over {PATIENCE:?}"
+                    ));
                     slow(at.number);
                 }
             }

@@ -40,6 +40,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let kind = kind(path)?;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
+    let mut said = None;
     let bytes = match kind {
         Kind::Json => pair.as_file()?.into_bytes(),
         Kind::Svg if pair.class() == PairClass::FixedAxes && !pair.is_planar() => {
@@ -58,7 +59,10 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
                 tolerance: args.tolerance,
             };
             let space = pair.contact_space("a surface")?;
-            let mesh = Mesh::new(&space, &options);
+            let mesh = Mesh::new(&space, &options).map_err(|e| {
+                Failure::work(format_args!("{}: {e}", path.display()))
+                    .help("give a larger --tolerance; of a saved space, compute it again")
+            })?;
             let encoding = if args.ascii {
                 Encoding::Ascii
             } else {
@@ -67,7 +71,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
             if kind == Kind::Stl && !mesh.fits_single_precision() {
                 return Err(single(path, &GlbError::Coordinate));
             }
-            report(&mesh, path);
+            said = Some(report(&mesh, path));
             match kind {
                 Kind::Obj => obj(&mesh).into_bytes(),
                 Kind::Stl => stl(&mesh, encoding),
@@ -76,7 +80,12 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
             }
         }
     };
-    output::write(Some(path), &bytes)
+    output::write(Some(path), &bytes)?;
+    if let Some(said) = said {
+        // Where nobody listens nothing is lost.
+        let _ = writeln!(std::io::stderr(), "{said}");
+    }
+    Ok(())
 }
 
 /// That a mesh does not fit the format.
@@ -121,12 +130,10 @@ fn pictures(title: String, space: &ContactSpace, limit: u32) -> String {
     })
 }
 
-/// What a reader of the mesh should know, on stderr.
-fn report(mesh: &Mesh, path: &Path) {
+/// What a reader of the mesh should know.
+fn report(mesh: &Mesh, path: &Path) -> String {
     let openings = mesh.openings();
-    // Where nobody listens nothing is lost.
-    let _ = writeln!(
-        std::io::stderr(),
+    format!(
         "{}: {}, {}, at most {:.2e} from the surface, {}",
         shown::text(&path.to_string_lossy()),
         count(mesh.vertices.len(), "vertex", "vertices"),
@@ -140,5 +147,5 @@ fn report(mesh: &Mesh, path: &Path) {
                 openings.edges
             ),
         }
-    );
+    )
 }

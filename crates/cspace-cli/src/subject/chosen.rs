@@ -23,6 +23,14 @@ impl Chosen<'_> {
         self.part(|p| p.moving, PairSpace::moving)
     }
 
+    /// The file of the model with a colon, to begin a message with; empty if the space was read.
+    pub(super) fn file(&self) -> String {
+        match self.subject {
+            Subject::Model { path, .. } => format!("{}: ", path.display()),
+            Subject::Saved(_) => String::new(),
+        }
+    }
+
     /// As `--pair` takes them.
     pub(crate) fn names(&self) -> String {
         format!("{},{}", self.fixed().name(), self.moving().name())

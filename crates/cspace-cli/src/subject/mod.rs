@@ -66,7 +66,9 @@ impl Subject {
 
     /// Reads the file, and sets up what all commands need.
     pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
-        output::check(common.result.output.as_deref())?;
+        let output = common.result.output.as_deref();
+        output::check(output)?;
+        output::check_apart(output, &common.file)?;
         catch_interrupts();
         set_threads(common.threads)?;
         let path = common.file.clone();

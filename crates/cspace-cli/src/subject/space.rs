@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use cspace::axes::Role;
 use cspace::{
     AxesError, ComputeError, ContactSpace, Options, PairError, PairSpace, Relation, Slice, Symmetry,
 };
@@ -96,6 +97,18 @@ impl Chosen<'_> {
             make(format_args!("pair {}: {error}", self.names()))
         };
         let input = || failure(|a| Failure::input(a));
+        let axis = |error: &AxesError| {
+            let part = match error.part() {
+                Role::Fixed => self.fixed(),
+                Role::Moving => self.moving(),
+            };
+            Failure::input(format_args!(
+                "{}part {:?} of the pair {}: {error}",
+                self.file(),
+                part.name(),
+                self.names()
+            ))
+        };
         let work = || failure(|a| Failure::work(a));
         match error {
             PairError::Compute(ComputeError::Window { .. }) => {
@@ -113,10 +126,10 @@ impl Chosen<'_> {
             PairError::Window { .. } => input().help(
                 "leave the window out, or name a pair that has orientations with --pair; limit the motion with `range`, or compute all of x, y and theta with --general",
             ),
-            PairError::Axes(AxesError::TooFar { .. }) => {
-                input().help("draw the pivot nearer to the parts, or use --general")
+            PairError::Axes(error @ AxesError::TooFar { .. }) => {
+                axis(error).help("draw the pivot nearer to the parts, or use --general")
             }
-            PairError::Axes(_) => input().help("change the part's motion in the model"),
+            PairError::Axes(error) => axis(error).help("change the part's motion in the model"),
             _ => work(),
         }
     }

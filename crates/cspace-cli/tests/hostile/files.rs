@@ -151,10 +151,21 @@ fn numbers_have_limits() {
     let output = run_to(std::process::Stdio::piped(), &["info", &file]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("revolute about (1e300, -1e308)"), "{text}");
+    let words = [
+        "far.toml: part \"a\" of the pair a,b",
+        "the fixed part's centre is",
+        "at most 32 times",
+    ];
+    fails(&["compute", &file], 2, &words);
+    let said = run_to(std::process::Stdio::piped(), &["compute", &file]).stderr;
+    assert!(!String::from_utf8(said).unwrap().contains("inf"));
+    let (a, b) = (part("a").replace("[1e300, -1e308]", "[1, 1]"), part("b"));
+    let b = b.replace("[1e300, -1e308]", "[40, 0.5]");
+    let file = folder.write("b.toml", &(a + &b));
     fails(
         &["compute", &file],
         2,
-        &["far.toml", "centre"].map(|w| if w == "far.toml" { "a,b" } else { w }),
+        &["b.toml: part \"b\"", "the moving part's", "39.5 times"],
     );
 }
 

@@ -46,6 +46,18 @@ fn a_full_device_is_told() {
         1,
         &["/dev/full", "No space left"],
     );
+    // A mesh that was not written is not told of.
+    let dir = tempfile::tempdir().unwrap();
+    let mesh = dir.path().join("mesh.ply");
+    std::os::unix::fs::symlink("/dev/full", &mesh).unwrap();
+    let output = run_to(
+        Stdio::piped(),
+        &["export", &file, "-o", mesh.to_str().unwrap()],
+    );
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.starts_with("error: ") && said.contains("No space left"));
+    assert!(!said.contains("vertices"), "{said}");
 }
 
 /// `cspace … | head -1`: the reader takes one line and goes away.
@@ -129,6 +141,59 @@ fn failures_leave_what_was_there() {
         assert_eq!(std::fs::read_to_string(&out).unwrap(), "before", "{args:?}");
         assert_eq!(names(dir.path()), ["out.ply"], "{args:?}");
     }
+}
+
+/// What is read is not written over, under whatever name.
+#[test]
+fn inputs_are_not_written_over() {
+    let dir = tempfile::tempdir().unwrap();
+    let place = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let (file, saved) = (place("m.toml"), place("s.json"));
+    std::fs::copy(model("peg_hole"), &file).unwrap();
+    let written = run_to(Stdio::null(), &["export", &file, "-o", &saved]);
+    assert!(written.status.success());
+    let (linked, hard) = (place("link.toml"), place("hard.toml"));
+    std::os::unix::fs::symlink(&file, &linked).unwrap();
+    std::fs::hard_link(&file, &hard).unwrap();
+    let round = format!("{}/./m.toml", dir.path().display());
+    let before = |name: &str| std::fs::read(name).unwrap();
+    let (model_before, saved_before) = (before(&file), before(&saved));
+    for args in [
+        &["compute", &file, "-o", &file][..],
+        &["compute", &file, "-o", &round],
+        &["compute", &file, "-o", &linked],
+        &["compute", &linked, "-o", &file],
+        &["compute", &file, "-o", &hard],
+        &["info", &file, "-o", &file],
+        &["slice", &file, "--theta", "0", "-o", &file],
+        &["classify", &file, "-o", &file],
+        &["export", &saved, "-o", &saved],
+    ] {
+        let output = args[args.len() - 1];
+        let words = [output, "the output is the file that is read", "  help: "];
+        fails(args, 2, &words);
+        assert_eq!(before(&file), model_before, "{args:?}");
+        assert_eq!(before(&saved), saved_before, "{args:?}");
+    }
+    let rows = place("rows.csv");
+    std::fs::write(&rows, "x,y,theta\n0,0,0\n").unwrap();
+    let output = Command::new(PROGRAM)
+        .args(["classify", &file, "-o", &rows])
+        .stdin(File::open(&rows).unwrap())
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("rows.csv") && said.contains("standard input"));
+    assert_eq!(before(&rows), b"x,y,theta\n0,0,0\n");
+    // A device is no file that could be lost.
+    let to_null = run_to(Stdio::null(), &["info", &file, "-o", "/dev/null"]);
+    assert!(to_null.status.success());
+    let names = names(dir.path());
+    assert_eq!(
+        names,
+        ["hard.toml", "link.toml", "m.toml", "rows.csv", "s.json"]
+    );
 }
 
 /// Whenever an interrupt comes, what is there is whole: the old file or the new one, and nothing beside it.

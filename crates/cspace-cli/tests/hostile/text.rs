@@ -51,6 +51,46 @@ fn arguments_are_shown_escaped() {
     assert!(!output.stderr.contains(&0x1b));
 }
 
+/// What is repeated of it is short.
+#[test]
+fn enormous_rows_and_names_are_cut() {
+    const LENGTH: usize = 5_000_000;
+    let (long, file) = ("z".repeat(LENGTH), model("peg_hole"));
+    for rows in [
+        "\0".repeat(LENGTH),
+        long.clone(),
+        format!("x,y,theta\n0,{long},0\n"),
+        format!("x,y,theta\n0,0,{long}\n"),
+        format!("x,y,theta,{long},{long}\n0,0,0,1,2\n"),
+    ] {
+        let output = assert_cmd::Command::new(PROGRAM)
+            .args(["classify", &file, "--format", "json"])
+            .write_stdin(rows)
+            .output()
+            .unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said.len() < 1000 && said.contains('…'), "{}", said.len());
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("a.json");
+    let loops = "[[[0, 0], [1, 0], [1, 1], [0, 1]]]";
+    for text in [
+        format!(r#"{{"format": "{long}"}}"#),
+        format!(
+            r#"{{"part": [{{"name": "{long}", "loops": {loops}}}, {{"name": "b", "loops": {loops}}}]}}"#
+        ),
+    ] {
+        std::fs::write(&file, text).unwrap();
+        let output = run_to(
+            Stdio::piped(),
+            &["compute", file.to_str().unwrap(), "--pair", "b,c"],
+        );
+        assert_eq!(output.status.code(), Some(2));
+        assert!(output.stderr.len() < 20_000, "{}", output.stderr.len());
+    }
+}
+
 #[test]
 fn rows_are_shown_escaped() {
     use assert_cmd::Command;

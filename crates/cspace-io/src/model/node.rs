@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, btree_map::Entry};
 use std::fmt;
 
-use crate::shown;
+use crate::shown::{self, quoted};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 /// The key under which the TOML reader hands over a date.
@@ -41,15 +41,6 @@ impl Node {
             },
             Self::Table(_) => "a table".into(),
         }
-    }
-}
-
-/// Text in quotes, cut when it is long.
-pub(super) fn quoted(text: &str) -> String {
-    const LONGEST: usize = 60;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{:?}…", &text[..end]),
-        None => format!("{text:?}"),
     }
 }
 

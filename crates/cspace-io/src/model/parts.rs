@@ -6,10 +6,11 @@ use cspace::{Part, PartError, Point, Vector, Vertex};
 
 use super::error::ModelError;
 use super::mechanism::{Motion, PartEntry};
-use super::node::{Node, quoted};
+use super::node::Node;
 use super::place::Place;
 use super::suggest::nearest;
 use super::table::{Result, Table, number};
+use crate::shown::quoted;
 
 /// How outlines are written.
 const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";

@@ -6,11 +6,12 @@ use cspace::Point;
 
 use super::error::ModelError;
 use super::mechanism::{Joint, JointKind, Motion, Pair, PartEntry};
-use super::node::{Node, quoted};
+use super::node::Node;
 use super::parts::direction;
 use super::place::Place;
 use super::suggest::nearest;
 use super::table::{Result, Table};
+use crate::shown::quoted;
 
 /// The index of the part that the text at a place names.
 fn part_index(place: &Place, name: &str, parts: &[PartEntry]) -> Result<usize> {

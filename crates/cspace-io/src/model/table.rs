@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::error::ModelError;
-use super::node::{Node, quoted};
+use super::node::Node;
 use super::place::Place;
 use super::suggest::nearest;
 use crate::angle::{LARGEST_ANGLE, parse_angle};
-use crate::shown;
+use crate::shown::{self, quoted};
 
 /// A table of the file, with its place.
 pub(super) struct Table<'a> {

@@ -12,9 +12,12 @@ pub(super) fn is_plain(what: &str, text: &str, file: &str) -> Result<(), ModelEr
     if !text.contains(char::is_control) {
         return Ok(());
     }
-    let text = shown::text(text);
+    let text = shown::cut(text);
     Err(wrong(
-        &format!("the {what} has a control character: \"{text}\""),
+        &format!(
+            "the {what} has a control character: \"{}\"",
+            shown::text(&text)
+        ),
         file,
     ))
 }

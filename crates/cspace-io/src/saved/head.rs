@@ -5,9 +5,9 @@ use serde::de::IgnoredAny;
 use serde_json::value::RawValue;
 
 use super::wrong;
-use crate::ModelError;
 use crate::file::without_mark;
 use crate::model::no_json;
+use crate::{ModelError, shown};
 
 /// The format of the text, if it is one of those wanted, in the version that is read.
 pub(super) fn head<'t>(
@@ -25,7 +25,7 @@ pub(super) fn head<'t>(
     let format = match (head.format, head.format.and_then(as_text)) {
         (_, Some(f)) if wanted.contains(&f.as_str()) => f,
         (_, Some(found)) => {
-            let wanted = wanted[0];
+            let (found, wanted) = (shown::cut(&found).into_owned(), wanted[0]);
             return Err(wrong(SavedError::Format { found, wanted }.to_string()));
         }
         (Some(found), None) => {
@@ -58,12 +58,7 @@ pub(super) fn as_text(value: &RawValue) -> Option<String> {
 
 /// A value as it stands in the file, its beginning if it is long.
 pub(super) fn cut(value: &RawValue) -> String {
-    const LONGEST: usize = 60;
-    let text = value.get();
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
+    shown::cut(value.get()).into_owned()
 }
 
 /// A structure would be read from a list, too.

@@ -59,7 +59,7 @@ struct Arrays {
 ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
 /// };
 /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
-/// let bytes = glb(&Mesh::new(&space, &MeshOptions { tolerance: 0.01 }))?;
+/// let bytes = glb(&Mesh::new(&space, &MeshOptions { tolerance: 0.01 })?)?;
 /// assert_eq!(&bytes[..8], b"glTF\x02\0\0\0");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

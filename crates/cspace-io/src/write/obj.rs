@@ -15,7 +15,7 @@ use super::mesh::{Mesh, Triangle};
 ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
 /// };
 /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
-/// let mesh = Mesh::new(&space, &MeshOptions { tolerance: 0.01 });
+/// let mesh = Mesh::new(&space, &MeshOptions { tolerance: 0.01 })?;
 /// let text = obj(&mesh);
 /// assert_eq!(text.lines().filter(|l| l.starts_with("v ")).count(), mesh.vertices.len());
 /// assert_eq!(text.lines().filter(|l| l.starts_with("f ")).count(), mesh.triangles.len());

@@ -19,7 +19,7 @@ use super::ply::Encoding;
 ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
 /// };
 /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
-/// let mesh = Mesh::new(&space, &MeshOptions { tolerance: 0.01 });
+/// let mesh = Mesh::new(&space, &MeshOptions { tolerance: 0.01 })?;
 /// let bytes = stl(&mesh, Encoding::Binary);
 /// let count = u32::from_le_bytes([bytes[80], bytes[81], bytes[82], bytes[83]]);
 /// assert_eq!(bytes.len(), 84 + 50 * count as usize);

@@ -114,7 +114,8 @@ pub enum AxesError {
     },
     /// A pivot is so far from the parts that positions lose the resolution by rounding.
     #[error(
-        "the {part} part's centre is {times:.0e} times the parts' size away from them (at most {limit:.0e}); let the part slide instead"
+        "the {part} part's centre is {} the parts' size away from them (at most {limit} times); let the part slide instead",
+        Times(*times)
     )]
     TooFar {
         /// Whose axis it is.
@@ -134,4 +135,32 @@ pub enum AxesError {
         /// The most that is accepted.
         limit: u32,
     },
+}
+
+impl AxesError {
+    /// Whose axis it is.
+    pub const fn part(&self) -> Role {
+        match *self {
+            Self::NotFinite { part }
+            | Self::NoDirection { part }
+            | Self::EmptyRange { part, .. }
+            | Self::TooFar { part, .. }
+            | Self::TooManyTurns { part, .. } => part,
+        }
+    }
+}
+
+/// How often, in words that are right of what is beyond all numbers, too.
+struct Times(f64);
+
+impl core::fmt::Display for Times {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self.0 {
+            // Rounded up, so that it is not told to be within the limit.
+            x if x < 1e4 => write!(f, "{} times", (x * 10.0).ceil() / 10.0),
+            x if x.is_finite() => write!(f, "{x:.0e} times"),
+            // The square is beyond all numbers.
+            _ => f.write_str("more than 1e150 times"),
+        }
+    }
 }

@@ -16,6 +16,8 @@ use super::patch::{Boundary, Patch};
 use super::stats::Statistics;
 use super::symmetry::PairSymmetry;
 
+mod fit;
+
 /// The version of the format that this library writes, and the only one it reads.
 pub const SAVED_VERSION: u32 = 1;
 
@@ -197,17 +199,26 @@ impl ContactSpace {
     /// The space that plain data describe; nothing is computed again.
     ///
     /// # Errors
-    /// If the data are of another format or version, or refer to what is not there.
+    /// If the data are of another format or version, refer to what is not there, or do not fit the parts.
     pub fn from_saved(saved: SavedSpace) -> Result<Self, SavedError> {
         check_head(&saved.format, FORMAT, saved.version)?;
         let (fixed, moving) = (saved.fixed.part()?, saved.moving.part()?);
         check(&saved)?;
-        let walk = Walk::new(saved.patches.len(), &saved.side_links);
+        fit::check_frame(&saved, &fixed, &moving).map_err(|why| SavedError::Whole {
+            what: "the frame",
+            why,
+        })?;
         let frame = PairFrame {
             fixed_center: saved.frame.fixed_center,
             moving_center: saved.frame.moving_center,
             scale: saved.frame.scale,
         };
+        let reach = frame.reach(&fixed, &moving);
+        each("patch", &saved.patches, |p| fit::check_ends(p, reach))?;
+        each("side link", &saved.side_links, |l| {
+            fit::check_link(&saved.patches, l)
+        })?;
+        let walk = Walk::new(saved.patches.len(), &saved.side_links);
         let grown = frame.grown(&fixed, &moving);
         Ok(Self {
             fixed,

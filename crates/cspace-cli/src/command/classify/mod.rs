@@ -27,6 +27,7 @@ const ANSWER: &str = "class";
 
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let common = &args.common;
+    output::check_apart_from_stdin(common.result.output.as_deref())?;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
     let mut bytes = Vec::new();

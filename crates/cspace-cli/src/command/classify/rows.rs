@@ -52,7 +52,7 @@ pub(super) fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Ro
                 angle::parse(text)
             } else {
                 let number = text.parse::<f64>().ok().filter(|x| x.is_finite());
-                number.ok_or_else(|| format!("{text:?} is no number"))
+                number.ok_or_else(|| format!("{} is no number", shown::quoted(text)))
             };
             value.map_err(|why| {
                 Failure::input(format_args!(
@@ -122,7 +122,8 @@ fn no_answers(header: &csv::StringRecord) -> Result<(), Failure> {
 
 fn named_twice(name: &str) -> Failure {
     Failure::input(format_args!(
-        "standard input, line 1: the column {name} is named twice"
+        "standard input, line 1: the column {} is named twice",
+        shown::cut(name)
     ))
     .help("name every column once")
 }
@@ -162,8 +163,8 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
                 ""
             };
             let failure = Failure::input(format_args!(
-                "standard input, line 1: the columns are {:?}, and a configuration of the {class} pair {}{method} is {wanted}",
-                found.join(","),
+                "standard input, line 1: the columns are {}, and a configuration of the {class} pair {}{method} is {wanted}",
+                shown::quoted(&found.join(",")),
                 pair.names()
             ));
             Err(if by_axes {

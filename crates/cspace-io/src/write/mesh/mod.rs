@@ -12,4 +12,4 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-pub use surface::{Mesh, MeshOptions, Openings, Triangle};
+pub use surface::{Mesh, MeshError, MeshOptions, Openings, Triangle};

@@ -56,6 +56,22 @@ impl Default for MeshOptions {
     }
 }
 
+/// Why there is no mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// The tolerance asks for too much, or a saved space is damaged and no triangles come near its surface.
+    #[error("the mesh would have more than {limit} vertices")]
+    TooManyVertices {
+        /// The most that are made.
+        limit: u32,
+    },
+}
+
+/// Meshes of the finest tolerance have some millions of vertices. With more, files are larger than a gigabyte, and the mesh
+/// takes several of memory.
+const MOST_VERTICES: u32 = 1 << 24;
+
 /// Points of a critical level that are nearer to each other than this share of the size are one.
 const MERGE: f64 = 1e-11;
 
@@ -75,12 +91,17 @@ struct Mesher<'a> {
     tolerance: f64,
     scale: f64,
     mesh: Mesh,
+    /// Vertices that the mesh may have.
+    most: u32,
     /// Numbers in the mesh of the vertices of the level last finished.
     numbers: Vec<Option<u32>>,
 }
 
 impl Mesh {
     /// The surface of a contact space.
+    ///
+    /// # Errors
+    /// If it would have more than 2²⁴ vertices.
     ///
     /// ```
     /// use cspace::{ContactSpace, Options, Part, Vertex};
@@ -90,21 +111,31 @@ impl Mesh {
     ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
     /// };
     /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
-    /// let mesh = Mesh::new(&space, &MeshOptions { tolerance: 0.01 });
+    /// let mesh = Mesh::new(&space, &MeshOptions { tolerance: 0.01 })?;
     /// assert_eq!(mesh.openings().elsewhere, 0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn new(space: &ContactSpace, options: &MeshOptions) -> Self {
+    pub fn new(space: &ContactSpace, options: &MeshOptions) -> Result<Self, MeshError> {
+        Self::limited(space, options, MOST_VERTICES)
+    }
+
+    /// The same with at most so many vertices.
+    pub(super) fn limited(
+        space: &ContactSpace,
+        options: &MeshOptions,
+        most: u32,
+    ) -> Result<Self, MeshError> {
         let size = space.fixed().size().max(space.moving().size());
         let mut mesher = Mesher {
             space,
             tolerance: options.tolerance * size,
             scale: space.to_saved().frame.scale,
             mesh: Self::default(),
+            most,
             numbers: Vec::new(),
         };
-        mesher.run(size, options.tolerance);
-        mesher.mesh
+        mesher.run(size, options.tolerance)?;
+        Ok(mesher.mesh)
     }
 
     /// Whether every coordinate is finite in single precision, which is all that some formats have.
@@ -148,7 +179,7 @@ impl Mesh {
 }
 
 impl Mesher<'_> {
-    fn run(&mut self, size: f64, share: f64) {
+    fn run(&mut self, size: f64, share: f64) -> Result<(), MeshError> {
         let window = self.space.window();
         let (lo, hi) = if window.full_turn {
             (-PI, PI)
@@ -169,7 +200,7 @@ impl Mesher<'_> {
             .map(|w| Structure::at(self.space, 0.5 * (w[0] + w[1])))
             .collect();
         let (Some(first), Some(last)) = (structures.first(), structures.last()) else {
-            return;
+            return Ok(());
         };
         // A chord of an arc of this many radians about a centre at most a size away keeps half the tolerance.
         let longest = (4.0 * share).sqrt();
@@ -214,10 +245,11 @@ impl Mesher<'_> {
                 } else {
                     self.inner_level(to, structure, step)
                 };
-                self.fill(structure, &below, &above, 0);
+                self.fill(structure, &below, &above, 0)?;
                 below = above;
             }
         }
+        Ok(())
     }
 
     fn inner_level(&self, theta: f64, structure: &Structure, step: f64) -> Level {
@@ -242,7 +274,13 @@ impl Mesher<'_> {
     }
 
     /// Fills the slab between two levels, of which the lower has its numbers; then the upper one has.
-    fn fill(&mut self, structure: &Structure, below: &Level, above: &Level, depth: u32) {
+    fn fill(
+        &mut self,
+        structure: &Structure,
+        below: &Level,
+        above: &Level,
+        depth: u32,
+    ) -> Result<(), MeshError> {
         let slab = Slab {
             structure,
             below,
@@ -254,12 +292,15 @@ impl Mesher<'_> {
         if deviation > self.tolerance && depth < DEEPEST && thick {
             let step = 0.5 * (above.theta - below.theta);
             let level = self.inner_level(middle, structure, step);
-            self.fill(structure, below, &level, depth + 1);
-            self.fill(structure, &level, above, depth + 1);
-            return;
+            self.fill(structure, below, &level, depth + 1)?;
+            return self.fill(structure, &level, above, depth + 1);
         }
         self.mesh.deviation = self.mesh.deviation.max(deviation);
         let upper = self.number(above, above.theta);
+        let limit = self.most;
+        if self.mesh.vertices.len() > limit as usize {
+            return Err(MeshError::TooManyVertices { limit });
+        }
         let lower = std::mem::replace(&mut self.numbers, upper);
         for (i, &patch) in structure.patches.iter().enumerate() {
             let (Some(low), Some(high)) = (below.above.get(i), above.below.get(i)) else {
@@ -281,6 +322,7 @@ impl Mesher<'_> {
                 }
             });
         }
+        Ok(())
     }
 
     /// Puts the vertices that rows of a level use into the mesh.

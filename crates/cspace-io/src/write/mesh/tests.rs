@@ -2,7 +2,7 @@
 
 use cspace::{ContactSpace, Options, Part, Vertex};
 
-use super::{Mesh, MeshOptions};
+use super::{Mesh, MeshError, MeshOptions};
 use crate::Model;
 
 const TOLERANCE: f64 = 1e-3;
@@ -42,7 +42,8 @@ fn check_within(name: &str, space: &ContactSpace, exact: f64) {
         &MeshOptions {
             tolerance: TOLERANCE,
         },
-    );
+    )
+    .unwrap();
     let openings = mesh.openings();
     assert_eq!(openings.elsewhere, 0, "{name}: {openings:?}");
     assert!(openings.at_ends > 0, "{name}");
@@ -177,4 +178,21 @@ fn shipped_models_are_closed() {
             &space(part(pair.fixed), part(pair.moving), pair.window),
         );
     }
+}
+
+/// As many vertices as are allowed, and no more.
+#[test]
+fn a_mesh_has_a_limit() {
+    let space =
+        ContactSpace::compute(&square("a", 2.0), &square("b", 1.0), &Options::default()).unwrap();
+    let options = MeshOptions { tolerance: 1e-2 };
+    let mesh = Mesh::new(&space, &options).unwrap();
+    let limit = mesh.vertices.len() as u32;
+    assert_eq!(Mesh::limited(&space, &options, limit), Ok(mesh));
+    let limit = limit - 1;
+    let error = Mesh::limited(&space, &options, limit);
+    assert_eq!(error, Err(MeshError::TooManyVertices { limit }));
+    // One that asks for more than any machine has ends, too.
+    let options = MeshOptions { tolerance: 0.0 };
+    assert!(Mesh::limited(&space, &options, 100_000).is_err());
 }

@@ -1,0 +1,97 @@
+//! Whether saved patches lie where contacts of the saved parts can be.
+
+use crate::feature::PairFrame;
+use crate::geometry::Point;
+use crate::part::{Corresponding, Part};
+use crate::space::graph::SideLink;
+use crate::space::patch::Patch;
+
+use super::{Check, SavedFrame, SavedSpace, ensure};
+
+/// Lengths of the pair's frame are known better than that.
+const SLACK: f64 = 1e-6;
+
+/// That the frame is the one in which a computation of these parts writes patches.
+pub(super) fn check_frame(saved: &SavedSpace, fixed: &Part, moving: &Part) -> Check {
+    let SavedFrame {
+        fixed_center,
+        moving_center,
+        scale,
+    } = saved.frame;
+    let frame = PairFrame {
+        fixed_center,
+        moving_center,
+        scale,
+    };
+    let near = |a: Point, b: Point| a.distance(b) * scale <= SLACK.min(frame.rounding());
+    let is_center = |part: &Part, center: Point| {
+        // With one slab all was computed about the centres of the boxes.
+        let by_symmetry = |by| {
+            let symmetrized = part.symmetrized(by);
+            symmetrized.is_some_and(|s| near(s.center, center))
+        };
+        near(PairFrame::center(part), center)
+            || (saved.symmetry.slabs > 1
+                && (by_symmetry(Corresponding::Outlines) || by_symmetry(Corresponding::Vertices)))
+    };
+    ensure(
+        is_center(fixed, fixed_center) && is_center(moving, moving_center),
+        "a centre is not that of the part",
+    )?;
+    let computed = PairFrame::scale_of([(fixed, fixed_center), (moving, moving_center)]);
+    // Where the radius is a power of two, its rounding decides which of two scales is taken.
+    let radius = |part: &Part, center: Point| {
+        let about = PairFrame {
+            fixed_center: center,
+            moving_center: center,
+            scale,
+        };
+        0.5 * about.reach(part, part)
+    };
+    let radius = radius(fixed, fixed_center).max(radius(moving, moving_center));
+    let is_rounded = (0.5 - SLACK..=0.5 + SLACK).contains(&radius)
+        || (1.0 - SLACK..=1.0 + SLACK).contains(&radius);
+    let is_scale =
+        scale == computed || is_rounded && (scale == 2.0 * computed || 2.0 * scale == computed);
+    ensure(is_scale, "the scale is not that of the parts")
+}
+
+/// Places of patches are known better than 10⁻⁶ there, in the pair's frame; what is off by more belongs to other patches.
+const OFF: f64 = 1e-3;
+
+/// Where an interval is looked at. At its very ends carriers may coincide, and their crossing is not known.
+fn inside(lo: f64, hi: f64) -> [f64; 3] {
+    [0.25, 0.5, 0.75].map(|share| lo + share * (hi - lo))
+}
+
+/// That a patch begins and ends on its own contact surface, where the parts can touch.
+pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
+    for theta in inside(p.lo, p.hi) {
+        for boundary in [&p.left, &p.right] {
+            let place = p.inner_at(boundary, theta);
+            ensure(
+                place.to_vector().length() <= reach + OFF,
+                "it ends where the parts cannot touch",
+            )?;
+            ensure(
+                p.function.value(place, theta).abs() <= OFF,
+                "it does not end on its contact surface",
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// That where one patch ends the next one begins.
+pub(super) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
+    let [before, after] = [link.before, link.after].map(|i| patches.get(i as usize));
+    let (Some(before), Some(after)) = (before, after) else {
+        return Err("there is no such patch");
+    };
+    for theta in inside(link.lo, link.hi) {
+        let end = before.inner_at(&before.right, theta);
+        let begin = after.inner_at(&after.left, theta);
+        ensure(end.distance(begin) <= OFF, "its patches do not meet")?;
+    }
+    Ok(())
+}
