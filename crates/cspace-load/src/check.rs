@@ -60,6 +60,8 @@ pub enum Fault {
     },
     /// One thread and two give different contact spaces.
     Threads,
+    /// The space is not read back as plain data.
+    Saved,
     /// The inverse pair says otherwise than brute force.
     Inverse {
         /// Where, as a configuration of the pair itself.
@@ -157,6 +159,11 @@ pub fn check(
         report.faults.extend(classifier(&space, &kept));
         if !same_with_two_threads(case, &options, &space, progress)? {
             report.faults.push(Fault::Threads);
+        }
+        if !ContactSpace::from_saved(space.to_saved())
+            .is_ok_and(|s| s.to_saved() == space.to_saved())
+        {
+            report.faults.push(Fault::Saved);
         }
     }
     Ok(report)

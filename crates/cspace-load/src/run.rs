@@ -207,6 +207,7 @@ fn kind(faults: &[Fault]) -> &'static str {
     let kinds = faults.iter().map(|f| match f {
         Fault::Wrong { .. } => "0-wrong",
         Fault::Threads => "1-threads",
+        Fault::Saved => "1-saved",
         Fault::Inverse { .. } => "2-inverse",
         Fault::Classifier { .. } => "3-classifier",
         Fault::Scratch { .. } => "4-scratch",

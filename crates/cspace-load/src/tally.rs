@@ -62,6 +62,9 @@ pub struct Tally {
     pub thorough: u64,
     /// Of these, one thread and two give different results.
     pub threads_differ: u64,
+    /// Of these, the space is not read back as plain data.
+    #[serde(default)]
+    pub saved_differ: u64,
     /// Configurations at which the inverse pair says otherwise than the oracle.
     pub inverse_wrong: u64,
     /// Configurations at which the classifier says otherwise than the slice.
@@ -111,6 +114,7 @@ impl Tally {
                 Fault::Loops { .. } => self.loops_differ += 1,
                 Fault::Open { .. } => self.open += 1,
                 Fault::Threads => self.threads_differ += 1,
+                Fault::Saved => self.saved_differ += 1,
                 Fault::Inverse { .. } => self.inverse_wrong += 1,
                 Fault::Classifier { .. } => self.classifier_differs += 1,
             }
@@ -120,7 +124,7 @@ impl Tally {
 
     /// Adds the counts of another.
     pub fn add(&mut self, other: &Self) {
-        let sums: [(&mut u64, u64); 26] = [
+        let sums: [(&mut u64, u64); 27] = [
             (&mut self.pairs, other.pairs),
             (&mut self.refused, other.refused),
             (&mut self.given_up, other.given_up),
@@ -144,6 +148,7 @@ impl Tally {
             (&mut self.conflicts, other.conflicts),
             (&mut self.thorough, other.thorough),
             (&mut self.threads_differ, other.threads_differ),
+            (&mut self.saved_differ, other.saved_differ),
             (&mut self.inverse_wrong, other.inverse_wrong),
             (&mut self.classifier_differs, other.classifier_differs),
             (&mut self.panics, other.panics),
@@ -166,6 +171,7 @@ impl Tally {
             self.loops_differ,
             self.open,
             self.threads_differ,
+            self.saved_differ,
             self.inverse_wrong,
             self.classifier_differs,
             self.panics,
@@ -219,10 +225,13 @@ impl fmt::Display for Tally {
             ),
             ("pairs looked at thoroughly", self.thorough.to_string()),
             (
-                "threads, inverse, classifier",
+                "threads, saved, inverse, classifier",
                 format!(
-                    "{} differ, {} wrong, {} differ",
-                    self.threads_differ, self.inverse_wrong, self.classifier_differs
+                    "{} and {} differ, {} wrong, {} differ",
+                    self.threads_differ,
+                    self.saved_differ,
+                    self.inverse_wrong,
+                    self.classifier_differs
                 ),
             ),
             ("panics", self.panics.to_string()),
@@ -242,7 +251,7 @@ impl fmt::Display for Tally {
             ("processor time", format!("{:.0} s", self.seconds)),
         ];
         for (name, value) in rows {
-            writeln!(f, "{name:<30}{value}")?;
+            writeln!(f, "{name:<37}{value}")?;
         }
         Ok(())
     }
