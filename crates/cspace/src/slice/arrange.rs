@@ -7,7 +7,7 @@
 
 use crate::contact::{Curve, CurveShape, Geometry};
 use crate::feature::tolerance::NARROWEST_BAND;
-use crate::geometry::Rotation;
+use crate::geometry::{Rotation, Vector};
 use crate::union_find::UnionFind;
 
 use super::cut::{Cut, Live, TIED, cut, live_curves};
@@ -193,6 +193,18 @@ impl Arrangement {
                 shell_blocked[root] |= !free;
             }
         }
+        // Of curves with a crossing in doubt every piece is looked at: where one was lost, shells hang together wrongly.
+        for (i, l) in live.iter().enumerate().filter(|(_, l)| l.tied) {
+            for g in 0..=l.cuts.len() {
+                let (from, to) = l.gap_range(g);
+                let middle = 0.5 * (from + to);
+                let blocked = shell_blocked[shells.find(l.first_gap + g as u32) as usize];
+                let told = blocked || room(live, i, middle).1 > ROOM;
+                if to - from > ROOM && told {
+                    consistent &= is_free(geometry, live, i, middle, theta) != blocked;
+                }
+            }
+        }
         let mut number = vec![u32::MAX; count as usize];
         for (i, l) in live.iter().enumerate() {
             for g in 0..=l.cuts.len() {
@@ -256,8 +268,19 @@ fn furthest(live: &[Live], mut of: impl FnMut(u32) -> bool) -> Option<(usize, f6
     best.map(|b| b.1)
 }
 
+/// Gaps shorter than this, and those with a curve nearer than this on their free side, are not looked at one by one (length):
+/// what is there is known no better than the crossings.
+const ROOM: f64 = 1e-9;
+
 /// An honest test beside a gap: the parts must not overlap half way to the next contact curve on the free side.
 fn is_free(geometry: &Geometry, live: &[Live], i: usize, position: f64, theta: f64) -> bool {
+    let (normal, reach) = room(live, i, position);
+    let p = live[i].curve.point(position);
+    !geometry.overlaps(p + normal * (0.5 * reach), theta)
+}
+
+/// The normal at a place of a curve, and how far it is along it to the next contact curve.
+fn room(live: &[Live], i: usize, position: f64) -> (Vector, f64) {
     let curve = &live[i].curve;
     let p = curve.point(position);
     let normal = curve.normal(p);
@@ -267,7 +290,7 @@ fn is_free(geometry: &Geometry, live: &[Live], i: usize, position: f64, theta: f
             reach = l.curve.hit(p, normal, reach).unwrap_or(reach);
         }
     }
-    !geometry.overlaps(p + normal * (0.5 * reach), theta)
+    (normal, reach)
 }
 
 /// How far from a curve its free side is looked at: not beyond the middle of the circle it goes around.
