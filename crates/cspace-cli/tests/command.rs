@@ -230,6 +230,29 @@ fn slice_names_features_and_draws() {
     assert!(std::fs::read_to_string(out).unwrap().starts_with("<svg"));
 }
 
+/// Where the patches of a space are in doubt, a slice of them says so; that of the model itself need not be.
+#[test]
+fn slices_say_that_they_are_doubtful() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = format!(
+        "{}/../../tests/regression/rounded_bar_in_its_own_shape_of_play_1e-7.toml",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let space = dir.path().join("space.json");
+    let space = space.to_str().unwrap();
+    printed(&["export", &file, "-o", space]);
+    let doubtful = |file: &str, theta: &str| {
+        let slice = json(&["slice", file, "--theta", theta, "--format", "json"]);
+        let doubtful = slice["doubtful"].as_bool().unwrap();
+        let text = printed(&["slice", file, "--theta", theta]);
+        assert_eq!(text.contains("\ndoubtful: "), doubtful, "{text}");
+        doubtful
+    };
+    assert!(doubtful(space, "1e-7"));
+    assert!(!doubtful(space, "0.5"));
+    assert!(!doubtful(&file, "1e-8") && !doubtful(&file, "0.5"));
+}
+
 const CONFIGURATIONS: &str = "theta,name,x,y\n0,engaged,42,56\n0,inside,0,0\n1,far,1000,0\n";
 
 #[test]

@@ -190,7 +190,7 @@ fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fm
     Ok(())
 }
 
-/// How many decisions were certain at once, and what became of the others.
+/// How many decisions were certain at once, and how the others were made.
 fn describe_certainty(text: &mut String, counts: &Counts) -> fmt::Result {
     let d = &counts.decisions;
     let at_once = (d.passings - d.passings_by_places)
@@ -198,8 +198,9 @@ fn describe_certainty(text: &mut String, counts: &Counts) -> fmt::Result {
         + (d.overlaps - d.overlaps_uncertain);
     writeln!(
         text,
-        "  certainty      {at_once} decisions at once, {} by enclosures, {} left to the resolution, {}",
+        "  certainty      {at_once} decisions at once, {} by enclosures, {} by tests of overlap, {} left to the resolution, {}",
         d.passings_by_places,
+        d.shells,
         d.orientations_rough + d.overlaps_uncertain,
         count(counts.conflicts as usize, "conflict", "conflicts")
     )
