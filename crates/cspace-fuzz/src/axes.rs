@@ -77,7 +77,7 @@ pub(crate) fn run(case: &Case, bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
     };
     let space = match FixedAxesSpace::compute(&case.fixed, axes[0], &case.moving, axes[1]) {
         Ok(space) => space,
-        Err(AxesError::TooFar { .. }) => return Ok(0),
+        Err(AxesError::TooFar { .. } | AxesError::NearlyParallel { .. }) => return Ok(0),
         Err(error) => return Err(found(format!("no space: {error}"))),
     };
     let oracle = Oracle::new(&case.fixed, &case.moving);

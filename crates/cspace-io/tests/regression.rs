@@ -998,6 +998,15 @@ fn parallel_slides_one_with_a_range() {
     pair.assert_right(&[(-2.92, -1.92), (-2.5, -2.0)]);
 }
 
+/// Where the partition contradicts itself both parts are moved a hair; their slides were tilted apart then, and met
+/// a hundred million sizes away.
+#[test]
+fn stars_along_one_line() {
+    let pair = OnAxes::read("axes_stars_along_one_line.toml");
+    assert!(pair.space.resolution() < 1e-6);
+    pair.assert_right(&[(-2.76, -5.29), (0.0, 2.5), (5.0, 7.2), (0.0, 1.0)]);
+}
+
 /// Sides drawn with sines and cosines, parallel to a direction of motion but for the last bit.
 #[test]
 fn upright_to_the_last_bit() {

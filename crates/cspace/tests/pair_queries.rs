@@ -236,6 +236,30 @@ fn axes_that_are_none_are_refused() {
     ));
 }
 
+/// Slides that meet a thousand million sizes away are refused, unless a range ends them or they are parallel.
+#[test]
+fn slides_that_are_all_but_parallel_are_refused() {
+    let (a, b) = (disc("a", RADII.0, 0.0), disc("b", RADII.1, 5.0));
+    let compute = |fixed: Axis, angle: f64| {
+        let moving = Axis::prismatic(Vector::from_angle(0.3 + angle));
+        let relation = Relation::Axes { fixed, moving };
+        PairSpace::compute(&a, &b, relation, &Options::default())
+    };
+    let slide = Axis::prismatic(Vector::from_angle(0.3));
+    for angle in [1e-9, -1e-7, core::f64::consts::PI + 1e-9] {
+        let refused = compute(slide, angle);
+        assert!(
+            matches!(
+                refused,
+                Err(PairError::Axes(AxesError::NearlyParallel { .. }))
+            ),
+            "{angle}"
+        );
+        assert!(compute(slide.within(-9.0, 9.0), angle).is_ok());
+    }
+    assert!(compute(slide, 0.0).is_ok() && compute(slide, 1e-5).is_ok());
+}
+
 #[test]
 fn windows_that_are_none_are_refused() {
     let (a, b) = (disc("a", RADII.0, 0.0), disc("b", RADII.1, 0.0));

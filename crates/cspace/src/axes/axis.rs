@@ -125,6 +125,17 @@ pub enum AxesError {
         /// The largest that is accepted.
         limit: f64,
     },
+    /// Two slides without ranges are all but parallel: their parts meet so far away that positions lose the resolution by
+    /// rounding.
+    #[error(
+        "the directions of sliding are all but parallel, {angle:.1e} rad apart (at least {least:.1e}, or not at all); give both parts one direction, or one of them a range"
+    )]
+    NearlyParallel {
+        /// The angle between them, radians.
+        angle: f64,
+        /// The least that is accepted.
+        least: f64,
+    },
     /// A range of a turning part has too many turns.
     #[error("the {part} part's range is {turns:.1e} turns long (at most {limit})")]
     TooManyTurns {
@@ -146,6 +157,8 @@ impl AxesError {
             | Self::EmptyRange { part, .. }
             | Self::TooFar { part, .. }
             | Self::TooManyTurns { part, .. } => part,
+            // Of both.
+            Self::NearlyParallel { .. } => Role::Moving,
         }
     }
 }

@@ -83,6 +83,16 @@ impl Motions {
         }
     }
 
+    /// The sine of the angle between the directions, if both parts slide.
+    pub(super) fn between_slides(&self) -> Option<f64> {
+        match (self.first, self.second) {
+            (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
+                Some(d.cross(e).abs())
+            }
+            _ => None,
+        }
+    }
+
     /// The orientation of the second part seen from the first.
     #[inline]
     pub(super) fn theta(&self, x: f64, y: f64) -> f64 {

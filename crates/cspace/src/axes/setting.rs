@@ -12,6 +12,7 @@ use crate::space::as_drawn;
 use super::aside::Aside;
 use super::axis::{AxesError, Axis, AxisMotion, Role};
 use super::body::Bodies;
+use super::condition::INDEPENDENT;
 use super::domain::{Extent, ExtentKind};
 use super::motion::{Motion, Motions};
 use super::repeats::Repeats;
@@ -21,6 +22,9 @@ use super::side::Side;
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
 /// grown by.
 const FARTHEST: f64 = 32.0;
+/// The least angle between two slides of which no range ends the other (radians and sine): at less they meet more than a million
+/// sizes away, where rounding is more than the resolution.
+const LEAST_ANGLE: f64 = 1.0 / (1u64 << 20) as f64;
 /// The longest range of a turning part, in turns.
 const MOST_TURNS: u32 = 1000;
 
@@ -95,11 +99,21 @@ impl Setting {
             symmetric = (symmetric.1, symmetric.0);
             motions = motions.swapped();
         }
+        let unlimited = axes.0.range.is_none() && axes.1.range.is_none();
+        let angle = motions.between_slides().filter(|_| unlimited);
+        if let Some(angle) = angle.filter(|a| (INDEPENDENT..LEAST_ANGLE).contains(a)) {
+            return Err(AxesError::NearlyParallel {
+                angle,
+                least: LEAST_ANGLE,
+            });
+        }
         if !aside.is_none() {
             // Its outline is not about its pivot any more.
             symmetric.0 = None;
+            // Of slides along one line without limits only the difference matters, and is to go on doing so.
+            let apart = angle.is_none_or(|a| a >= INDEPENDENT);
             motions.first = aside.tilted(motions.first, false);
-            motions.second = aside.tilted(motions.second, true);
+            motions.second = aside.tilted(motions.second, apart);
         }
         let unit = |m: &Motion| if m.turns() { 1.0 } else { 1.0 / frame.scale };
         let map = Map {
@@ -293,7 +307,7 @@ fn reach(
             // |x d − y e| is `apart` at most: both are bounded if one is, and so they are if the directions differ.
             let bound = [ranges.0, ranges.1].into_iter().flatten();
             let bound = bound.fold(f64::INFINITY, f64::min) + apart;
-            if cross >= super::condition::INDEPENDENT {
+            if cross >= INDEPENDENT {
                 bound.min(apart / cross)
             } else if bound.is_finite() {
                 bound
