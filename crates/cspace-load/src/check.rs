@@ -160,9 +160,8 @@ pub fn check(
         if !same_with_two_threads(case, &options, &space, progress)? {
             report.faults.push(Fault::Threads);
         }
-        if !ContactSpace::from_saved(space.to_saved())
-            .is_ok_and(|s| s.to_saved() == space.to_saved())
-        {
+        let saved = space.to_saved();
+        if !ContactSpace::from_saved(saved.clone()).is_ok_and(|s| s.to_saved() == saved) {
             report.faults.push(Fault::Saved);
         }
     }

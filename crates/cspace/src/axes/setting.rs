@@ -301,9 +301,8 @@ fn reach(
         _ => 0.0,
     };
     let apart = radius(first) + radius(second) + arm(&motions.first) + arm(&motions.second) + 1.0;
-    match (motions.first, motions.second) {
-        (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
-            let cross = d.cross(e).abs();
+    match motions.between_slides() {
+        Some(cross) => {
             // |x d − y e| is `apart` at most: both are bounded if one is, and so they are if the directions differ.
             let bound = [ranges.0, ranges.1].into_iter().flatten();
             let bound = bound.fold(f64::INFINITY, f64::min) + apart;
@@ -316,7 +315,7 @@ fn reach(
                 apart
             }
         }
-        _ => apart,
+        None => apart,
     }
 }
 

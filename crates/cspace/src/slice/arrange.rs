@@ -7,7 +7,7 @@
 
 use crate::contact::{Curve, CurveShape, Geometry};
 use crate::feature::tolerance::NARROWEST_BAND;
-use crate::geometry::{Rotation, Vector};
+use crate::geometry::{Point, Rotation};
 use crate::union_find::UnionFind;
 
 use super::cut::{Cut, Live, TIED, cut, live_curves};
@@ -194,14 +194,16 @@ impl Arrangement {
             }
         }
         // Of curves with a crossing in doubt every piece is looked at: where one was lost, shells hang together wrongly.
-        for (i, l) in live.iter().enumerate().filter(|(_, l)| l.tied) {
+        // Where all gaps are tested anyway, nothing is to be contradicted.
+        let looked = |l: &Live| l.tied && test == Test::Shells;
+        for (i, l) in live.iter().enumerate().filter(|(_, l)| looked(l)) {
             for g in 0..=l.cuts.len() {
                 let (from, to) = l.gap_range(g);
                 let middle = 0.5 * (from + to);
                 let blocked = shell_blocked[shells.find(l.first_gap + g as u32) as usize];
-                let told = blocked || room(live, i, middle).1 > ROOM;
-                if to - from > ROOM && told {
-                    consistent &= is_free(geometry, live, i, middle, theta) != blocked;
+                let (beside, reach) = beside(live, i, middle);
+                if to - from > ROOM && (blocked || reach > ROOM) {
+                    consistent &= geometry.overlaps(beside, theta) == blocked;
                 }
             }
         }
@@ -274,13 +276,11 @@ const ROOM: f64 = 1e-9;
 
 /// An honest test beside a gap: the parts must not overlap half way to the next contact curve on the free side.
 fn is_free(geometry: &Geometry, live: &[Live], i: usize, position: f64, theta: f64) -> bool {
-    let (normal, reach) = room(live, i, position);
-    let p = live[i].curve.point(position);
-    !geometry.overlaps(p + normal * (0.5 * reach), theta)
+    !geometry.overlaps(beside(live, i, position).0, theta)
 }
 
-/// The normal at a place of a curve, and how far it is along it to the next contact curve.
-fn room(live: &[Live], i: usize, position: f64) -> (Vector, f64) {
+/// Half way to the next contact curve on the free side of a place of a curve, and how far it is to that.
+fn beside(live: &[Live], i: usize, position: f64) -> (Point, f64) {
     let curve = &live[i].curve;
     let p = curve.point(position);
     let normal = curve.normal(p);
@@ -290,7 +290,7 @@ fn room(live: &[Live], i: usize, position: f64) -> (Vector, f64) {
             reach = l.curve.hit(p, normal, reach).unwrap_or(reach);
         }
     }
-    (normal, reach)
+    (p + normal * (0.5 * reach), reach)
 }
 
 /// How far from a curve its free side is looked at: not beyond the middle of the circle it goes around.
