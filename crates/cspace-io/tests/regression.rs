@@ -4,6 +4,7 @@
 
 use core::f64::consts::TAU;
 
+use cspace::pair::PairMotion;
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
     Point, Relation, Rotation, Slicer, Vector, Vertex,
@@ -746,6 +747,52 @@ fn ties_on_fixed_axes() {
     // Two stadiums that are far from each other but for a line of touch: one region, as any way around shows.
     let pair = OnAxes::read("axes_equal_stadiums_far.json");
     assert_eq!(pair.space.regions().len(), 1);
+}
+
+/// The contact function of a line through the pivot of both parts vanishes half a turn from the contact too, in free space or
+/// deep in blocked space.
+#[test]
+fn one_pivot_on_a_side() {
+    let pair = OnAxes::read("axes_one_pivot_on_a_side.toml");
+    let alike: Vec<(f64, f64)> = (-30..30)
+        .map(|k| 0.1 * f64::from(k))
+        .map(|t| (t, t))
+        .collect();
+    pair.assert_right(&alike);
+
+    // A door and a peg.
+    let part = |name, corners: &[(f64, f64)]| {
+        let corners = corners.iter().map(|&(x, y)| Vertex::line(x, y));
+        Part::new(name, vec![corners.collect()]).unwrap()
+    };
+    let fixed = part("peg", &[(-0.1, 3.0), (0.1, 3.0), (0.1, 3.2), (-0.1, 3.2)]);
+    let moving = part("door", &[(0.0, 0.0), (4.0, 0.0), (4.0, 0.5), (0.0, 0.5)]);
+    let turn = Axis::revolute(Point::ORIGIN);
+    let pair = OnAxes {
+        space: FixedAxesSpace::compute(&fixed, turn, &moving, turn).unwrap(),
+        oracle: Oracle::new(&fixed, &moving),
+    };
+    // The lower side, which begins at the pivot, touches the peg's left corner; half a turn before it is far from it.
+    let across = 3.0_f64.atan2(-0.1) - core::f64::consts::PI;
+    let behind: Vec<(f64, f64)> = (-10..10)
+        .map(|k| 0.1 * f64::from(k))
+        .map(|t| (t, t + across))
+        .collect();
+    pair.assert_right(&behind);
+    for (u, v) in behind {
+        assert_eq!(pair.space.region_at(u, v), Some(0));
+    }
+    let still = FixedAxesSpace::compute(&fixed, Axis::FIXED, &moving, turn).unwrap();
+    for rate in [1.0, -1.0] {
+        let times = [&pair.space, &still].map(|space| {
+            let from = (0.0, across - 0.3 * rate);
+            match space.first_contact(from, (0.0, rate), 10.0).unwrap() {
+                PairMotion::Contact(contact) => contact.time,
+                none => panic!("{none:?}"),
+            }
+        });
+        assert!((times[0] - times[1]).abs() < 1e-9, "{times:?}");
+    }
 }
 
 /// At a critical orientation positions are those of the orientation asked for, and not of a place just above.

@@ -9,7 +9,8 @@ use super::space::FixedAxesSpace;
 
 /// Slots of x in which the free boundary's cells are looked up.
 const SLOTS: usize = 1024;
-/// How far a contact within the resolution may lie outside a cell's box (radians or length of the frame).
+/// How far a contact within the resolution may lie outside a cell's box: rounding of a root, and of crossings (radians or
+/// length of the frame).
 pub(super) const NEAR: f64 = 1e-9;
 
 impl FixedAxesSpace {
@@ -40,8 +41,8 @@ impl FixedAxesSpace {
             .branches
             .iter()
             .filter_map(|b| {
-                let value = self.near_cell(b.cell(), x, y, reach.max(NEAR))?;
-                (value.abs() <= reach).then_some((b.patch, value / scale))
+                let value = self.touch(b.cell(), x, y, reach.max(NEAR), reach)?;
+                Some((b.patch, value / scale))
             })
             .collect();
         let nearer = |a: &(u32, f64), b: &(u32, f64)| a.1.abs().total_cmp(&b.1.abs());
@@ -132,8 +133,8 @@ impl FixedAxesSpace {
     pub(super) fn touching(&self, x: f64, y: f64) -> impl Iterator<Item = (u32, f64)> + '_ {
         let resolution = self.resolution() * self.map.frame.scale;
         self.slots[self.slot(x)].iter().filter_map(move |&i| {
-            let value = self.near_cell(i, x, y, NEAR)?;
-            (value.abs() <= resolution).then_some((i, value))
+            let value = self.touch(i, x, y, NEAR, resolution)?;
+            Some((i, value))
         })
     }
 
@@ -147,13 +148,37 @@ impl FixedAxesSpace {
         ((c.from, c.to), (a.min(b), a.max(b)))
     }
 
-    /// The contact function of a cell at a configuration in its box, or no farther from it than `reach`.
-    pub(super) fn near_cell(&self, cell: u32, x: f64, y: f64, reach: f64) -> Option<f64> {
+    /// Whether a configuration is in a cell's box, or no farther from it than `reach`.
+    pub(super) fn in_box(&self, cell: u32, x: f64, y: f64, reach: f64) -> bool {
         let (x_range, y_range) = self.cell_box(cell);
-        self.x.brought(x, x_range, reach)?;
-        self.y.brought(y, y_range, reach)?;
+        self.x.brought(x, x_range, reach).is_some() && self.y.brought(y, y_range, reach).is_some()
+    }
+
+    /// The contact function of a cell at a configuration that touches there: the function vanishes, give or take `within`,
+    /// and no farther than `reach` from the cell's curve.
+    fn touch(&self, cell: u32, x: f64, y: f64, reach: f64, within: f64) -> Option<f64> {
         let (_, p) = self.cell_and_piece(cell);
-        Some(self.pairs[p.pair as usize].condition.value(x, y))
+        let value = self.pairs[p.pair as usize].condition.value(x, y);
+        let near = value.abs() <= within && self.in_box(cell, x, y, reach);
+        (near && self.on_own_root(cell, x, y, within)).then_some(value)
+    }
+
+    /// Whether a configuration at which the contact function of a cell vanishes, give or take `within`, is on its curve.
+    ///
+    /// At one x the function is a parabola or a cosine of y and has a second root, which may be in the cell's box as well,
+    /// deep in blocked space. Between the two it is extreme in the middle.
+    pub(super) fn on_own_root(&self, cell: u32, x: f64, y: f64, within: f64) -> bool {
+        let (c, p) = self.cell_and_piece(cell);
+        if p.vertical {
+            return true;
+        }
+        let at = 0.5 * (c.from + c.to);
+        let at = at + self.x.apart(x, at);
+        let own = p.y(&self.pairs, at.clamp(c.from, c.to));
+        // The shorter way: between the roots that is the side on which the function varies less.
+        let middle = own + 0.5 * self.y.apart(y, own);
+        let condition = &self.pairs[p.pair as usize].condition;
+        condition.value(x, middle).abs() <= within.max(condition.value(x, y).abs())
     }
 
     fn slot(&self, x: f64) -> usize {

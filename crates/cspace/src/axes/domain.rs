@@ -61,6 +61,15 @@ impl Extent {
         }
     }
 
+    /// a − b; where both ends are the same place, the shorter way around.
+    pub(super) fn apart(&self, a: f64, b: f64) -> f64 {
+        if self.is_circle() {
+            wrapped(a - b)
+        } else {
+            a - b
+        }
+    }
+
     /// The value brought into the circle; itself if the ends are not the same place.
     pub(super) fn folded(&self, t: f64) -> f64 {
         if self.is_circle() { self.reduced(t) } else { t }

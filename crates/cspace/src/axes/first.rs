@@ -4,14 +4,12 @@ use crate::pair::{Coordinates, PairContact, PairMotion};
 use crate::query::{Classification, MotionError};
 
 use super::along::{Along, Way};
+use super::classify::NEAR;
 use super::condition::Condition;
 use super::domain::ExtentKind;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
 use super::visits::Visits;
-
-/// How far a contact may lie outside a cell's box: rounding of a root, and of crossings (radians or length of the frame).
-pub(super) const NEAR: f64 = 1e-9;
 
 impl FixedAxesSpace {
     /// The first contact when the parts move from `from` at constant rates (du/dt, dv/dt) for times from 0 to `duration`.
@@ -165,7 +163,9 @@ impl FixedAxesSpace {
 
     fn touches_at(&self, way: &Way, cell: u32, time: f64) -> bool {
         let (u, v) = self.map.outer(way.x + way.dx * time, way.y + way.dy * time);
-        self.placed(u, v)
-            .is_some_and(|(x, y)| self.near_cell(cell, x, y, NEAR).is_some())
+        let resolution = self.resolution() * self.map.frame.scale;
+        self.placed(u, v).is_some_and(|(x, y)| {
+            self.in_box(cell, x, y, NEAR) && self.on_own_root(cell, x, y, resolution)
+        })
     }
 }

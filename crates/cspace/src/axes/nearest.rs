@@ -62,7 +62,7 @@ impl FixedAxesSpace {
             let Some(t) = self.beside(b.cell(), held, moved, along_y) else {
                 continue;
             };
-            let by = difference(extent, t, moved) / rate * unit;
+            let by = extent.apart(t, moved) / rate * unit;
             let found = NearestOnAxes {
                 patch: b.patch,
                 at: if moves_v { (u, v + by) } else { (u + by, v) },
@@ -110,15 +110,6 @@ impl FixedAxesSpace {
     }
 }
 
-/// a − b; where both ends of the extent are one place, the shorter way around.
-fn difference(extent: &Extent, a: f64, b: f64) -> f64 {
-    if extent.is_circle() {
-        extent.difference(a, b)
-    } else {
-        a - b
-    }
-}
-
 /// The value of a range that is nearest to the given.
 fn nearest_of((lo, hi): (f64, f64), t: f64, extent: &Extent) -> f64 {
     if !extent.is_circle() {
@@ -127,7 +118,7 @@ fn nearest_of((lo, hi): (f64, f64), t: f64, extent: &Extent) -> f64 {
     let brought = lo + (t - lo).rem_euclid(TAU);
     if brought <= hi {
         brought
-    } else if difference(extent, t, lo).abs() < difference(extent, t, hi).abs() {
+    } else if extent.apart(t, lo).abs() < extent.apart(t, hi).abs() {
         lo
     } else {
         hi

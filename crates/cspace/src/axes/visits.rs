@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::first::NEAR;
+use super::classify::NEAR;
 
 /// Intervals of time, all of one length, a period apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
