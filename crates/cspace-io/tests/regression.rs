@@ -795,6 +795,17 @@ fn one_pivot_on_a_side() {
     }
 }
 
+/// A curve that has no width but where its range ends does not go on beyond the features.
+#[test]
+fn side_along_the_slide_at_the_limit() {
+    let pair = OnAxes::read("axes_side_along_the_slide_at_the_limit.toml");
+    let (u, v) = pair.space.axes();
+    let (u, v) = (u.range.unwrap(), v.range.unwrap());
+    let along = |t: f64| (u.0, v.0 + t * (v.1 - v.0));
+    let limit: Vec<(f64, f64)> = (0..=50).map(|k| along(f64::from(k) / 50.0)).collect();
+    pair.assert_right(&limit);
+}
+
 /// At a critical orientation positions are those of the orientation asked for, and not of a place just above.
 #[test]
 fn peg_and_hole_drawn_1e8_away() {

@@ -57,7 +57,10 @@ impl Builder<'_> {
                 return None;
             }
             if !piece.vertical {
-                let (from, to) = (piece.y(&self.pairs, x.lo), piece.y(&self.pairs, x.hi));
+                // A monotone piece stays between its ends, however steep it is: rounding at a pole may lead far beyond.
+                let (lowest, highest) = piece.y_range();
+                let at = |x: f64| piece.y(&self.pairs, x).max(lowest).min(highest);
+                let (from, to) = (at(x.lo), at(x.hi));
                 if x0 < x.lo {
                     piece.start = limit(x.lo, from);
                 }

@@ -76,8 +76,10 @@ impl Builder<'_> {
                 });
                 marks.insert(0, (from, None));
                 marks.push((to, None));
+                // With nothing beside it a short one is tested, too.
+                let alone = marks.len() == 2;
                 let margins = |m: &[(f64, Option<&Spot>)]| {
-                    if m[1].0 - m[0].0 < SHORT {
+                    if m[1].0 - m[0].0 < SHORT && !alone {
                         return 0.0;
                     }
                     let x = 0.5 * (m[0].0 + m[1].0);

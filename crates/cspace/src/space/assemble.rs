@@ -134,33 +134,40 @@ impl Assembler<'_> {
         shells
     }
 
-    /// Every copy of every chain.
+    /// Every copy of every chain, those of a block of chains after those of the one before.
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
         let geometry = self.linker.geometry;
         let carried = &geometry.contacts.carried;
-        let firsts = parallel::map(&chains.chains, 256, |c| self.patch(c));
-        let Some(&any) = firsts.first() else {
-            return Vec::new();
-        };
-        let mut patches = vec![any; lifts.len()];
-        // Slab by slab, so that features are carried on step by step.
-        let (mut fixed, mut moving) = (Images::new(&geometry.fixed), Images::new(&geometry.moving));
-        for slab in 0..i64::from(lifts.steps.slabs) {
-            if slab > 0 {
-                fixed.carry(&carried.fixed.features);
-                moving.carry(&carried.moving.features);
-            }
-            let twist = lifts.steps.twist(slab);
-            for (c, (chain, first)) in (0u32..).zip(chains.chains.iter().zip(&firsts)) {
-                let sheet = self.linker.sheet(chain.first);
-                for (slabs, number) in lifts.patches_in(c, slab) {
-                    let mut patch = copied(first, &twist);
-                    (patch.lo, patch.hi) = lifts.interval(chain, slabs);
-                    patch.fixed = self.names.fixed(fixed.name(sheet.fixed));
-                    patch.moving = self.names.moving(moving.name(sheet.moving));
-                    patches[number as usize] = patch;
+        /// Chains whose first copies are held at a time, beside all patches.
+        const BLOCK: usize = 1 << 14;
+        let mut patches = Vec::with_capacity(lifts.len());
+        let mut before = 0;
+        for block in chains.chains.chunks(BLOCK) {
+            let firsts = parallel::map(block, 256, |c| self.patch(c));
+            let copies = (before..).take(block.len());
+            let count: usize = copies.map(|c| lifts.patches(c).count()).sum();
+            patches.resize(patches.len() + count, firsts[0]);
+            // Slab by slab, so that features are carried on step by step.
+            let mut fixed = Images::new(&geometry.fixed);
+            let mut moving = Images::new(&geometry.moving);
+            for slab in 0..i64::from(lifts.steps.slabs) {
+                if slab > 0 {
+                    fixed.carry(&carried.fixed.features);
+                    moving.carry(&carried.moving.features);
+                }
+                let twist = lifts.steps.twist(slab);
+                for (c, (chain, first)) in (before..).zip(block.iter().zip(&firsts)) {
+                    let sheet = self.linker.sheet(chain.first);
+                    for (slabs, number) in lifts.patches_in(c, slab) {
+                        let mut patch = copied(first, &twist);
+                        (patch.lo, patch.hi) = lifts.interval(chain, slabs);
+                        patch.fixed = self.names.fixed(fixed.name(sheet.fixed));
+                        patch.moving = self.names.moving(moving.name(sheet.moving));
+                        patches[number as usize] = patch;
+                    }
                 }
             }
+            before += block.len() as u32;
         }
         patches
     }

@@ -28,7 +28,7 @@ const BESIDE: f64 = 1.0 / (1u64 << 20) as f64;
 const BETWEEN: f64 = 1.0;
 
 impl Clusters {
-    pub(super) fn new(events: Vec<Event>) -> Self {
+    pub(super) fn new(events: impl IntoIterator<Item = Event>) -> Self {
         Self::gather(
             events
                 .into_iter()

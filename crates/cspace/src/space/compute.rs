@@ -254,7 +254,7 @@ impl ContactSpace {
 
         progress.stage(Stage::Candidates)?;
         let cores = Cores::new(&geometry);
-        let Some(candidates) = Candidates::find(&geometry, &cores) else {
+        let Some(mut candidates) = Candidates::find(&geometry, &cores) else {
             return Err(ComputeError::TooManyCrossings {
                 fixed: n,
                 moving: m,
@@ -264,19 +264,22 @@ impl ContactSpace {
         lap(&mut seconds.candidates);
 
         progress.stage(Stage::PairEvents)?;
-        let pair_events = pair_events(&geometry, &candidates.pairs);
+        // What is not needed any more is dropped: a large pair takes as much memory as its largest stage.
+        let pairs = core::mem::take(&mut candidates.pairs);
+        let pair_count = pairs.len() as u64;
+        let pair_events = pair_events(&geometry, &pairs);
         /// Cuts between slots are no events: within a cluster, any event's orientation is preferred to theirs.
         const SLOT_ERROR: f64 = NARROWEST_BAND / 4.0;
-        let mut events = pair_events.events.clone();
-        let pair_event_count = events.len() as u64;
+        let pair_event_count = pair_events.events.len() as u64;
         let exact = |theta: f64, error: f64| Event { theta, error };
-        events.extend(
-            sheets
-                .iter()
-                .flat_map(|s| [exact(s.lo, ALIGNMENT_ERROR), exact(s.hi, ALIGNMENT_ERROR)]),
+        let of_sheets = (sheets.iter())
+            .flat_map(|s| [exact(s.lo, ALIGNMENT_ERROR), exact(s.hi, ALIGNMENT_ERROR)]);
+        let of_slots = (candidates.slots.iter()).map(|&s| exact(s, SLOT_ERROR));
+        let clusters = Clusters::new(
+            (pair_events.events.iter().copied())
+                .chain(of_sheets)
+                .chain(of_slots),
         );
-        events.extend(candidates.slots.iter().map(|&s| exact(s, SLOT_ERROR)));
-        let clusters = Clusters::new(events);
         lap(&mut seconds.pair_events);
 
         progress.stage(Stage::Branches)?;
@@ -285,12 +288,14 @@ impl ContactSpace {
             mut coincidences,
             mut swallowed,
             encounters,
-        } = branches(&geometry, &candidates.pairs, &pair_events, &clusters);
+        } = branches(&geometry, &pairs, &pair_events, &clusters);
+        drop((pairs, pair_events));
         lap(&mut seconds.branches);
 
         progress.stage(Stage::TripleEvents)?;
         let on_sheet = OnSheet::new(sheets.len(), &branches);
         let triples = triple_events(&geometry, &branches, &encounters, &on_sheet, &clusters);
+        drop(encounters);
         let (clusters, moved) = clusters.with(triples.events.iter().map(|m| m.event).collect());
         for b in &mut branches {
             b.from = moved[b.from as usize];
@@ -327,7 +332,8 @@ impl ContactSpace {
             passings: &passings,
             splits: &splits,
         };
-        let cells = sweep.run(&candidates.sheets);
+        let mut cells = sweep.run(&candidates.sheets);
+        drop((on_sheet, passings, splits));
         lap(&mut seconds.cells);
 
         progress.stage(Stage::Shells)?;
@@ -338,13 +344,14 @@ impl ContactSpace {
             candidates: &candidates,
             coincidences: &coincidences,
         };
-        let shells = finder.find(&cells);
+        let shells = finder.find(&mut cells);
+        drop((candidates, coincidences));
         lap(&mut seconds.shells);
 
         progress.stage(Stage::Graph)?;
         let statistics = Statistics {
             sheets: sheets.len() as u64,
-            pairs: candidates.pairs.len() as u64,
+            pairs: pair_count,
             pair_events: pair_event_count,
             triple_events: triples.events.len() as u64,
             clusters: clusters.len() as u64,

@@ -64,7 +64,10 @@ pub(super) struct ShellFinder<'a> {
 }
 
 impl ShellFinder<'_> {
-    pub(super) fn find(&self, cells: &Cells) -> Shells {
+    /// The contacts within sheets become those of the shells: the cells have none any more.
+    pub(super) fn find(&self, cells: &mut Cells) -> Shells {
+        let mut vertical = core::mem::take(&mut cells.vertical);
+        let cells = &*cells;
         let side = self.side_contacts(cells);
         let levels = Levels {
             geometry: self.geometry,
@@ -73,7 +76,6 @@ impl ShellFinder<'_> {
             cells,
             free: None,
         };
-        let mut vertical = cells.vertical.clone();
         levels.connect_wraps(&mut vertical);
         let without_levels = vertical.len();
         let groups = levels.groups(self.coincidences);

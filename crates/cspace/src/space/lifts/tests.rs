@@ -21,7 +21,7 @@ const fn window(lo: f64, hi: f64, full_turn: bool) -> Window {
 
 fn clusters() -> Clusters {
     let event = |theta| Event { theta, error: 0.0 };
-    Clusters::new(PHASES.map(event).to_vec())
+    Clusters::new(PHASES.map(event))
 }
 
 fn steps() -> Steps {
