@@ -21,6 +21,8 @@ const TRIED: usize = 3;
 /// A place no farther than this from the next curve tells nothing (radians or length): it is about what the first part
 /// is grown by.
 const TOO_NEAR: f64 = 1e-11;
+/// A place at least this far from the next curve is clear of all (radians or length): no rounding puts it into another gap.
+const CLEAR: f64 = 1e-8;
 
 pub(super) struct Judge<'a> {
     pub(super) pairs: &'a [Pair],
@@ -37,6 +39,17 @@ pub(super) struct Verdicts {
     pub(super) free: Vec<bool>,
     pub(super) tests: usize,
     pub(super) conflicts: usize,
+    /// Configurations beside cells, clear of all curves, at which the parts overlap.
+    pub(super) overlaps: Vec<(f64, f64)>,
+}
+
+/// The verdict on a chain.
+struct Judged {
+    free: Vec<u32>,
+    tests: usize,
+    /// Whether tests disagreed with each other, or with what is known of the chain.
+    conflict: bool,
+    overlaps: Vec<(f64, f64)>,
 }
 
 impl<'a> Judge<'a> {
@@ -74,17 +87,19 @@ impl<'a> Judge<'a> {
             free: vec![false; n],
             tests: 0,
             conflicts: 0,
+            overlaps: Vec::new(),
         };
         let chain = |i: &u32| arrangement.chain[*i as usize];
         let chains: Vec<&[u32]> = order.chunk_by(|a, b| chain(a) == chain(b)).collect();
-        let judged: Vec<(Vec<u32>, usize, bool)> = chains
+        let judged: Vec<Judged> = chains
             .par_iter()
             .map(|members| self.judge_chain(&arrangement.cells, members))
             .collect();
-        for (free, tests, conflict) in judged {
-            verdicts.tests += tests;
-            verdicts.conflicts += usize::from(conflict);
-            for i in free {
+        for chain in judged {
+            verdicts.tests += chain.tests;
+            verdicts.conflicts += usize::from(chain.conflict);
+            verdicts.overlaps.extend(chain.overlaps);
+            for i in chain.free {
                 verdicts.free[i as usize] = true;
             }
         }
@@ -98,6 +113,7 @@ impl<'a> Judge<'a> {
             free,
             tests: cells.len(),
             conflicts: 0,
+            overlaps: Vec::new(),
         }
     }
 
@@ -107,8 +123,7 @@ impl<'a> Judge<'a> {
             .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
     }
 
-    /// The free cells of a chain, how many tests that took, and whether they disagreed with what is known of it.
-    fn judge_chain(&self, cells: &[Cell], members: &[u32]) -> (Vec<u32>, usize, bool) {
+    fn judge_chain(&self, cells: &[Cell], members: &[u32]) -> Judged {
         let blocked = members.iter().any(|&i| cells[i as usize].blocked);
         let mut open: Vec<(f64, u32)> = members
             .iter()
@@ -116,27 +131,39 @@ impl<'a> Judge<'a> {
             .map(|&i| (self.size(&cells[i as usize]), i))
             .collect();
         open.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut judged = Judged {
+            free: Vec::new(),
+            tests: 0,
+            conflict: false,
+            overlaps: Vec::new(),
+        };
         // The largest cells: a place far enough from other curves is beside one of them, if anywhere.
         let mut verdicts: Vec<bool> = Vec::new();
         for o in &open[..open.len().min(TRIED)] {
-            if let Some((x, y, _)) = self.beside(&cells[o.1 as usize]) {
-                verdicts.push(!self.bodies.overlap(x, y));
+            if let Some((x, y, reach)) = self.beside(&cells[o.1 as usize]) {
+                let free = !self.bodies.overlap(x, y);
+                verdicts.push(free);
+                if !free && reach > CLEAR {
+                    judged.overlaps.push((x, y));
+                }
             }
         }
-        let tests = verdicts.len();
+        judged.tests = verdicts.len();
         if !verdicts.contains(&true) {
-            return (Vec::new(), tests, false);
+            return judged;
         }
         if !blocked && !verdicts.contains(&false) {
-            return (members.to_vec(), tests, false);
+            judged.free = members.to_vec();
+            return judged;
         }
         // All should be free or blocked, and blocked where one is: rounding has gone astray, or something is closer than the resolution.
-        let free = open
-            .iter()
-            .map(|o| o.1)
+        judged.conflict = true;
+        judged.tests += open.len();
+        let free = open.iter().map(|o| o.1);
+        judged.free = free
             .filter(|&i| self.tests_free(&cells[i as usize]))
             .collect();
-        (free, tests + open.len(), true)
+        judged
     }
 
     /// How far a cell reaches.

@@ -202,7 +202,7 @@ impl FixedAxesSpace {
             same,
         );
         space.set_patches(chains);
-        let faults = space.faults(&bodies);
+        let faults = space.faults(&bodies, &verdicts.overlaps);
         Ok((space, faults))
     }
 

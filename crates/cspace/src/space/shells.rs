@@ -19,7 +19,7 @@ pub(super) struct Shells {
     pub(super) side: Vec<SideContact>,
     pub(super) vertical: Vec<VerticalContact>,
     pub(super) free: Vec<bool>,
-    /// For every cell whether its shell's bounds and tests told different things.
+    /// For every cell whether it is where a shell's bounds and tests tell different things.
     pub(super) in_conflict: Vec<bool>,
     /// For every cell the smallest cell of its shell.
     pub(super) shell: Vec<u32>,
@@ -216,8 +216,31 @@ impl ShellFinder<'_> {
                 shells.free[m.cell as usize] = free;
             }
         }
-        let of_cell = |&shell: &u32| conflict[shell as usize];
-        shells.in_conflict = shells.shell.iter().map(of_cell).collect();
+        shells.in_conflict = Self::contradicting(shells, conflict);
+    }
+
+    /// The cells in shells with a conflict that are linked to cells of the other verdict: what is wrong is there. All cells
+    /// of a shell without such, of which tests alone contradict each other.
+    fn contradicting(shells: &Shells, conflict: Vec<bool>) -> Vec<bool> {
+        let mut contradicting = vec![false; conflict.len()];
+        if !conflict.contains(&true) {
+            return contradicting;
+        }
+        let mut unexplained = conflict;
+        let side = shells.side.iter().map(|s| (s.before, s.after));
+        let vertical = (shells.vertical.iter().filter(|v| v.certain)).map(|v| (v.lower, v.upper));
+        for (a, b) in side.chain(vertical) {
+            let shell = shells.shell[a as usize] as usize;
+            if shells.free[a as usize] != shells.free[b as usize] {
+                unexplained[shell] = false;
+                contradicting[a as usize] = true;
+                contradicting[b as usize] = true;
+            }
+        }
+        for (cell, &shell) in contradicting.iter_mut().zip(&shells.shell) {
+            *cell |= unexplained[shell as usize];
+        }
+        contradicting
     }
 
     /// Judges a shell by its cells, of which what bounds them leaves all open. `blocked` tells whether it has others, which
