@@ -102,7 +102,7 @@ fn every_hole_of_a_plate_is_a_region() {
     }
 }
 
-/// What is refused is refused by its numbers, before memory is spent: with a symmetric part by its patches.
+/// What has too many edges is refused before memory is spent.
 #[test]
 fn what_is_too_large_is_refused() {
     let compute = |fixed: &Part, moving: &Part| {
@@ -114,19 +114,10 @@ fn what_is_too_large_is_refused() {
         Err(ComputeError::TooLarge {
             fixed: 3000,
             moving: 3000,
-            limit: 1 << 22
+            limit: 1 << 23
         })
     );
-    let wide = saw("wide", 200_000, 10.0, 1e-4, 5);
     let few = saw("few", 16, 1.0, 0.1, 5);
-    assert_eq!(
-        compute(&wide, &few),
-        Err(ComputeError::TooManyContacts {
-            fixed: 200_000,
-            moving: 16,
-            limit: 1 << 21
-        })
-    );
     let huge = saw("huge", 300_000, 10.0, 1e-4, 5);
     assert_eq!(
         compute(&few, &huge),

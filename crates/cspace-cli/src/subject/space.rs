@@ -114,10 +114,14 @@ impl Chosen<'_> {
             PairError::Compute(ComputeError::Window { .. }) => {
                 input().help("give --theta LO,HI with LO < HI, at most a turn apart")
             }
+            PairError::Compute(ComputeError::TooManyEdges { .. } | ComputeError::TooLarge { .. })
+            | PairError::Axes(AxesError::TooLarge { .. } | AxesError::TooManyCrossings { .. }) => {
+                work().help(
+                    "replace runs of short lines by arcs, leave out what cannot touch, or split a part",
+                )
+            }
             PairError::Compute(
-                ComputeError::TooManyEdges { .. }
-                | ComputeError::TooLarge { .. }
-                | ComputeError::TooManyContacts { .. }
+                ComputeError::TooManyContacts { .. }
                 | ComputeError::TooManyCrossings { .. }
                 | ComputeError::TooManyPatches { .. },
             ) => work().help(

@@ -8,6 +8,7 @@ use crate::union_find::UnionFind;
 
 use super::cross::crossings;
 use super::domain::Extent;
+use super::limits::MOST_MEETINGS;
 use super::names::{Key, Name};
 use super::piece::{Pair, Piece};
 
@@ -55,8 +56,9 @@ pub(super) struct Arrangement {
 }
 
 impl Arrangement {
-    pub(super) fn new(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Self {
-        let crossings = all_crossings(pairs, pieces, y);
+    /// `None` if more pieces may cross than there is room for.
+    pub(super) fn new(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Option<Self> {
+        let crossings = all_crossings(pairs, pieces, y)?;
         let mut on_piece: Vec<(u32, f64, u32, bool)> = Vec::with_capacity(2 * crossings.len());
         for (i, c) in (0u32..).zip(&crossings) {
             for k in 0..2 {
@@ -125,12 +127,12 @@ impl Arrangement {
             sets.union(a.0, b.0);
         }
         let chain = (0..cells.len() as u32).map(|i| sets.find(i)).collect();
-        Self {
+        Some(Self {
             cells,
             joints,
             chain,
             crossings: crossings.len(),
-        }
+        })
     }
 }
 
@@ -141,7 +143,7 @@ const MOST_SHIFTS: i32 = 2;
 /// Rounding of boxes (radians), with room: a quick look before the comparison.
 const ROOM: f64 = 1e-9;
 
-fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Vec<Crossing> {
+fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Option<Vec<Crossing>> {
     let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
     order.sort_by(|&a, &b| {
         let (p, q) = (&pieces[a as usize], &pieces[b as usize]);
@@ -178,17 +180,19 @@ fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Vec<Crossing> 
             }
         }
         active.push((p.end.x, p_lo, p_hi, i));
+        if candidates.len() > MOST_MEETINGS {
+            return None;
+        }
     }
-    candidates
-        .par_iter()
+    let crossings = (candidates.par_iter())
         .with_min_len(64)
         .flat_map_iter(|&(i, j, shift)| {
             let mut found = Vec::new();
             let (p, q) = (&pieces[i as usize], &pieces[j as usize]);
             cross(pairs, pieces, (i, p), (j, q), shift, &mut found);
             found
-        })
-        .collect()
+        });
+    Some(crossings.collect())
 }
 
 fn cross(

@@ -146,6 +146,30 @@ pub enum AxesError {
         /// The most that is accepted.
         limit: u32,
     },
+    /// There are more pairs of edges than can be looked at.
+    #[error(
+        "{fixed} × {moving} edges are too many for one configuration space (at most {limit} pairs)"
+    )]
+    TooLarge {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of pairs.
+        limit: usize,
+    },
+    /// More contact curves may cross than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one configuration space: more than {limit} pairs of contact curves may cross"
+    )]
+    TooManyCrossings {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of pairs of curves.
+        limit: usize,
+    },
 }
 
 impl AxesError {
@@ -158,7 +182,9 @@ impl AxesError {
             | Self::TooFar { part, .. }
             | Self::TooManyTurns { part, .. } => part,
             // Of both.
-            Self::NearlyParallel { .. } => Role::Moving,
+            Self::NearlyParallel { .. } | Self::TooLarge { .. } | Self::TooManyCrossings { .. } => {
+                Role::Moving
+            }
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Whether a partition hangs together.
 
-use super::body::Bodies;
 use super::domain::{Extent, wrapped};
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
@@ -15,10 +14,10 @@ impl FixedAxesSpace {
     /// How often the partition contradicts itself: in the tests made for it, in curves that lead nowhere or to another
     /// region, in regions whose sample is blocked or that are narrower than the resolution, in gaps that hold one of the
     /// configurations at which the parts were found to overlap.
-    pub(super) fn faults(&self, bodies: &Bodies, overlaps: &[(f64, f64)]) -> usize {
+    pub(super) fn faults(&self, overlaps: &[(f64, f64)]) -> usize {
         let curves = (0..self.patches.len()).map(|i| self.faults_of(i));
         let none =
-            |(x, y): (f64, f64)| bodies.overlap(x, y) || self.touching(x, y).next().is_some();
+            |(x, y): (f64, f64)| self.bodies.overlap(x, y) || self.touching(x, y).next().is_some();
         let regions = self.bands.regions.iter().filter(|r| none(r.sample));
         let overlooked = (overlaps.iter()).filter(|(x, y)| self.gap(*x, *y).is_some());
         self.statistics.conflicts + curves.sum::<usize>() + regions.count() + overlooked.count()

@@ -12,6 +12,9 @@ const SLOTS: usize = 1024;
 /// How far a contact within the resolution may lie outside a cell's box: rounding of a root, and of crossings (radians or
 /// length of the frame).
 pub(super) const NEAR: f64 = 1e-9;
+/// A configuration farther than this from a curve whose function vanishes there, but for the resolution, is looked at itself
+/// (radians or length of the frame): the square root of the rounding, which a place beside a tangency may be off.
+const ASTRAY: f64 = 1e-7;
 
 impl FixedAxesSpace {
     /// Classifies a configuration: contact if a contact function of the boundary there is within the
@@ -134,7 +137,9 @@ impl FixedAxesSpace {
         let resolution = self.resolution() * self.map.frame.scale;
         self.slots[self.slot(x)].iter().filter_map(move |&i| {
             let value = self.touch(i, x, y, NEAR, resolution)?;
-            Some((i, value))
+            // A corner that is all but on a pivot is as near to a side everywhere, deep in blocked space too.
+            let strays = self.above_curve(i, x, y).abs() > ASTRAY && self.bodies.overlap(x, y);
+            (!strays).then_some((i, value))
         })
     }
 
@@ -168,17 +173,22 @@ impl FixedAxesSpace {
     /// At one x the function is a parabola or a cosine of y and has a second root, which may be in the cell's box as well,
     /// deep in blocked space. Between the two it is extreme in the middle.
     pub(super) fn on_own_root(&self, cell: u32, x: f64, y: f64, within: f64) -> bool {
-        let (c, p) = self.cell_and_piece(cell);
-        if p.vertical {
-            return true;
-        }
-        let at = 0.5 * (c.from + c.to);
-        let at = at + self.x.apart(x, at);
-        let own = p.y(&self.pairs, at.clamp(c.from, c.to));
+        let (_, p) = self.cell_and_piece(cell);
         // The shorter way: between the roots that is the side on which the function varies less.
-        let middle = own + 0.5 * self.y.apart(y, own);
+        let middle = y - 0.5 * self.above_curve(cell, x, y);
         let condition = &self.pairs[p.pair as usize].condition;
         condition.value(x, middle).abs() <= within.max(condition.value(x, y).abs())
+    }
+
+    /// How far a configuration is above a cell's curve along y, the shorter way around; 0 of one that is vertical.
+    fn above_curve(&self, cell: u32, x: f64, y: f64) -> f64 {
+        let (c, p) = self.cell_and_piece(cell);
+        if p.vertical {
+            return 0.0;
+        }
+        let middle = 0.5 * (c.from + c.to);
+        let x = middle + self.x.apart(x, middle);
+        self.y.apart(y, p.y(&self.pairs, x.clamp(c.from, c.to)))
     }
 
     fn slot(&self, x: f64) -> usize {

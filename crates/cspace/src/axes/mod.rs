@@ -84,6 +84,7 @@ mod equation;
 mod extents;
 mod first;
 mod judge;
+mod limits;
 mod motion;
 mod names;
 mod nearest;

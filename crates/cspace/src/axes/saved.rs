@@ -203,6 +203,7 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
             },
             deviation: setting.deviation,
             aside: s.aside,
+            bodies: setting.bodies,
             slots: Vec::new(),
             patches: s.patches,
             branches: s.branches,

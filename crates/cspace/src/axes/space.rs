@@ -9,11 +9,13 @@ use super::arrange::{Arrangement, Cell};
 use super::aside::Aside;
 use super::axis::{AxesError, Axis};
 use super::bands::{Bands, Graphs, Sweep};
+use super::body::Bodies;
 use super::build::build;
 use super::chain::chains;
 use super::components::regions;
 use super::domain::Extent;
 use super::judge::Judge;
+use super::limits::{MOST_EDGE_PAIRS, MOST_MEETINGS};
 use super::motion::Motions;
 use super::partition::Partition;
 use super::patch::{AxesBranch, AxesPatch};
@@ -38,6 +40,7 @@ pub struct FixedAxesSpace {
     pub(super) bands: Bands,
     pub(super) deviation: f64,
     pub(super) aside: Aside,
+    pub(super) bodies: Bodies,
     pub(super) slots: Vec<Vec<u32>>,
     pub(super) patches: Vec<AxesPatch>,
     pub(super) branches: Vec<AxesBranch>,
@@ -65,13 +68,22 @@ impl FixedAxesSpace {
     /// Both parts are drawn in the assembly's frame at zero motion.
     ///
     /// # Errors
-    /// If an axis has no direction, an empty range, numbers that are not finite, or a pivot far away.
+    /// If an axis has no direction, an empty range, numbers that are not finite, or a pivot far away; if the parts have too
+    /// many edges.
     pub fn compute(
         fixed: &Part,
         fixed_axis: Axis,
         moving: &Part,
         moving_axis: Axis,
     ) -> Result<Self, AxesError> {
+        let edges = (fixed.edges().count(), moving.edges().count());
+        if edges.0.saturating_mul(edges.1) > MOST_EDGE_PAIRS {
+            return Err(AxesError::TooLarge {
+                fixed: edges.0,
+                moving: edges.1,
+                limit: MOST_EDGE_PAIRS,
+            });
+        }
         let at = |aside| Self::compute_aside(fixed, fixed_axis, moving, moving_axis, aside);
         let (mut best, mut fewest) = at(Aside::default())?;
         for aside in Aside::attempts() {
@@ -103,7 +115,13 @@ impl FixedAxesSpace {
         } = Setting::new(fixed, fixed_axis, moving, moving_axis, aside)?;
         let window = scene.repeats.window(&scene.x);
         let (pairs, pieces) = build(&scene);
-        let arrangement = Arrangement::new(&pairs, &pieces, &scene.y);
+        let Some(arrangement) = Arrangement::new(&pairs, &pieces, &scene.y) else {
+            return Err(AxesError::TooManyCrossings {
+                fixed: fixed.edges().count(),
+                moving: moving.edges().count(),
+                limit: MOST_MEETINGS,
+            });
+        };
         let judge = Judge::new(&pairs, &pieces, &bodies, window, scene.y);
         let mut verdicts = judge.verdicts(&arrangement);
         let sweep = |free: &[bool]| {
@@ -179,6 +197,7 @@ impl FixedAxesSpace {
             bands: regions(swept, &scene.y),
             deviation,
             aside,
+            bodies,
             slots: Vec::new(),
             patches: Vec::new(),
             branches: Vec::new(),
@@ -202,7 +221,7 @@ impl FixedAxesSpace {
             same,
         );
         space.set_patches(chains);
-        let faults = space.faults(&bodies, &verdicts.overlaps);
+        let faults = space.faults(&verdicts.overlaps);
         Ok((space, faults))
     }
 
