@@ -222,8 +222,13 @@ fn same_with_two_threads(
         // No more threads are to be had: nothing is found out about them.
         return Ok(true);
     };
-    let other =
-        pool.install(|| ContactSpace::compute_with(&case.fixed, &case.moving, options, progress))?;
+    let compute = || {
+        pool.install(|| ContactSpace::compute_with(&case.fixed, &case.moving, options, progress))
+    };
+    // A thread of a pool that waits for another pool takes up more work of its own meanwhile, one pair within the other, until
+    // its stack is full: so another thread waits.
+    let other = std::thread::scope(|s| s.spawn(compute).join());
+    let other = other.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
     let saved = |space: &ContactSpace| {
         let mut saved = space.to_saved();
         saved.statistics.seconds = StageSeconds::default();

@@ -14,8 +14,6 @@ use rayon::prelude::*;
 /// Configurations asked at each pair: enough to see a region or an arc that is missing, not to find a corner of 1e-8.
 const CONFIGURATIONS: usize = 60;
 const BANDS: usize = 6;
-/// Every so many pairs are also computed the other way round, with two threads, and tried with a classifier.
-const THOROUGH: usize = 5;
 
 struct Silent;
 
@@ -43,7 +41,7 @@ fn outcomes() -> Vec<Outcome> {
             let effort = Effort {
                 configurations: CONFIGURATIONS,
                 bands: BANDS,
-                thorough: i.is_multiple_of(THOROUGH),
+                thorough: true,
             };
             let mut rng = ChaCha8Rng::seed_from_u64(i as u64);
             let came = family
