@@ -806,6 +806,19 @@ fn side_along_the_slide_at_the_limit() {
     pair.assert_right(&limit);
 }
 
+/// A conflict makes doubtful what is beside it, and not all that hangs together with it.
+#[test]
+fn doubt_of_a_conflict() {
+    let pair = parts("tests/regression/bar_over_a_groove_of_a_radius.toml");
+    let space = ContactSpace::compute(&pair[0], &pair[1], &Options::default()).unwrap();
+    assert_eq!(space.statistics().conflicts, 1);
+    let doubt: f64 = (space.doubtful_orientations().iter())
+        .map(|(lo, hi)| hi - lo)
+        .sum();
+    assert!(doubt > 0.0 && doubt < 0.1, "{doubt}");
+    assert_eq!(wrong(&pair), []);
+}
+
 /// Corners that are all but on the pivots of both parts: contacts that depend on so little are lost, which an overlap beside
 /// one of them tells, and a corner touches a side, within the resolution, wherever the parts are.
 #[test]
