@@ -817,6 +817,10 @@ fn doubt_of_a_conflict() {
         .sum();
     assert!(doubt > 0.0 && doubt < 0.1, "{doubt}");
     assert_eq!(wrong(&pair), []);
+    // A slice from scratch has doubts of its own: where a corner passes along the groove, and not beside that.
+    let slicer = Slicer::new(&pair[0], &pair[1]);
+    let doubtful = |theta: f64| slicer.slice(theta).doubtful;
+    assert!(doubtful(TAU / 4.0) && !doubtful(TAU / 4.0 + 0.1));
 }
 
 /// Corners that are all but on the pivots of both parts: contacts that depend on so little are lost, which an overlap beside

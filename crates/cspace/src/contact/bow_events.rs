@@ -108,7 +108,7 @@ impl Condition<'_> {
                 (Level::of(&carrier, spiral.place(cos, sin)).c, size)
             }
             Self::Alike(f, g, alike) => {
-                // |c − d|² = (r ∓ s)² for the centres c = X − r n and d = Y − s m, over −2 r s.
+                // |c − d|² = (r ∓ s)² for the centres c = X − r n and d = Y − s m, over ±2 r s.
                 let ((x, n, k), (y, m, l)) = (straight(f, cos, sin), straight(g, cos, sin));
                 let (v, side) = (minus(x, y), if alike { 1.0 } else { -1.0 });
                 let m = (m.0 * real(side), m.1 * real(side));
