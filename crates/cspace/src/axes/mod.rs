@@ -105,6 +105,7 @@ mod setting;
 mod side;
 mod solve;
 mod space;
+mod straight;
 mod tidy;
 mod unroll;
 mod verticals;

@@ -18,6 +18,7 @@ use super::motion::{Motion, Motions};
 use super::repeats::Repeats;
 use super::scene::Scene;
 use super::side::Side;
+use super::straight::straightened;
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
 /// grown by.
@@ -76,6 +77,9 @@ impl Setting {
         moving_axis: Axis,
         aside: Aside,
     ) -> Result<Self, AxesError> {
+        let straight = (straightened(fixed), straightened(moving));
+        let fixed = straight.0.as_ref().map_or(fixed, |s| &s.0);
+        let moving = straight.1.as_ref().map_or(moving, |s| &s.0);
         let frame = PairFrame::new(fixed, moving);
         let mut motions = Motions {
             first: motion(&fixed_axis, Role::Fixed, &frame)?,
@@ -158,7 +162,10 @@ impl Setting {
             _ => 0.0,
         };
         let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
-        let deviation = symmetric.as_ref().map_or(0.0, |s| s.deviation)
+        let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
+        let bent = of_straight(straight.0) + of_straight(straight.1);
+        let deviation = bent
+            + symmetric.as_ref().map_or(0.0, |s| s.deviation)
             + frame.outer_length(aside.deviation(slides));
         let redrawn = symmetric.map(|s| s.redrawn);
         let name = |f: &Feature| as_drawn(&redrawn, f.name);

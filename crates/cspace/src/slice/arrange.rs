@@ -11,6 +11,7 @@ use crate::geometry::{Point, Rotation};
 use crate::union_find::UnionFind;
 
 use super::cut::{Cut, Live, TIED, cut, live_curves};
+use super::span::Span;
 
 /// What bounds a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -208,7 +209,9 @@ impl Arrangement {
             }
         }
         let mut number = vec![u32::MAX; count as usize];
+        let (mut all, mut bounding) = (Span::NOTHING, Span::NOTHING);
         for (i, l) in live.iter().enumerate() {
+            all = all.and(Span::of_curve(l));
             for g in 0..=l.cuts.len() {
                 let gap = l.first_gap + g as u32;
                 let free = match test {
@@ -221,6 +224,7 @@ impl Arrangement {
                 if !free {
                     continue;
                 }
+                bounding = bounding.and(Span::of_gap(l, g));
                 number[gap as usize] = self.gaps.len() as u32;
                 let sheet = &geometry.contacts.sheets[l.sheet as usize];
                 let end = |c: &Cut| GapEnd::Crossing(live[c.other as usize].sheet, c.root);
@@ -246,8 +250,8 @@ impl Arrangement {
             }
             consistent &= gap.next != u32::MAX;
         }
-        // Far away all is free, and something bounds that.
-        consistent && !self.gaps.is_empty()
+        // Far away all is free, and the outermost curves bound that.
+        consistent && !self.gaps.is_empty() && bounding.reaches(&all, ROOM)
     }
 }
 
@@ -271,7 +275,7 @@ fn furthest(live: &[Live], mut of: impl FnMut(u32) -> bool) -> Option<(usize, f6
 }
 
 /// Gaps shorter than this, and those with a curve nearer than this on their free side, are not looked at one by one (length):
-/// what is there is known no better than the crossings.
+/// what is there is known no better than the crossings. Nor are curves that are so much further out than any that is free.
 const ROOM: f64 = 1e-9;
 
 /// An honest test beside a gap: the parts must not overlap half way to the next contact curve on the free side.

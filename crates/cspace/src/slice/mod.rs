@@ -3,6 +3,7 @@
 mod arrange;
 mod cut;
 mod slicer;
+mod span;
 mod types;
 
 pub use slicer::Slicer;
