@@ -698,7 +698,7 @@ impl OnAxes {
                 (answer != expected).then(|| format!("({u}, {v}) is {expected:?}, not {answer:?}"))
             })
             .collect();
-        assert!(certain > 900, "{certain} certain");
+        assert!(certain > 400, "{certain} certain");
         let statistics = self.space.statistics();
         assert_eq!(wrong, [""; 0], "{} wrong, {statistics:?}", wrong.len());
     }
@@ -819,6 +819,52 @@ fn discs_with_joints_of_1e_10() {
         assert!((length - 2.0 * TAU).abs() < 1e-8, "{theta}: {length}");
         assert!(!slice.is_free(Point::ORIGIN), "{theta}");
     }
+}
+
+/// A shell that leaks into blocked space is told by what lies furthest out of all of it: that is free.
+#[test]
+fn outermost_shell_with_a_leak() {
+    let pair = parts("tests/regression/outermost_shell_with_a_leak.toml");
+    let space = ContactSpace::compute(&pair[0], &pair[1], &Options::default()).unwrap();
+    let outer = space.patches().iter().filter(|p| p.region == 0).count();
+    assert!(outer > 100, "{outer}");
+    for (x, y, theta) in [(1.0, 0.3, 0.0), (0.0, 0.0, 1.0), (3.0, 1.5, 2.0)] {
+        let class = space.classify(Configuration::new(x, y, theta));
+        assert_eq!(class, Some(Classification::Blocked));
+    }
+    assert_eq!(wrong(&pair), []);
+}
+
+/// Pivots and directions that differ by rounding are one: corners and sides there are told apart no better.
+#[test]
+fn axes_that_differ_by_rounding() {
+    for name in [
+        "pivots_1e-12_apart",
+        "corners_1e-12_from_pivots",
+        "slides_parallel_to_5e-13",
+    ] {
+        let pair = OnAxes::read(&format!("axes_{name}.toml"));
+        assert!(pair.space.resolution() < 1e-9, "{name}");
+        pair.assert_right(&[]);
+    }
+}
+
+/// Cells are not turned around by rounding.
+#[test]
+fn crossing_beyond_an_end() {
+    let pair = OnAxes::read("axes_crossing_beyond_an_end.toml");
+    assert_eq!(pair.space.classify(0.0, 0.0), Some(Classification::Contact));
+    pair.assert_right(&[]);
+}
+
+/// What is written is read again, though carriers that all but coincide for 1e-10 rad cross anywhere.
+#[test]
+fn patches_for_1e_10_rad() {
+    let [fixed, moving] = parts("tests/regression/patches_for_1e-10_rad.toml");
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let saved = space.to_saved();
+    let read = ContactSpace::from_saved(saved.clone()).unwrap();
+    assert_eq!(read.to_saved(), saved);
 }
 
 /// Circles are told by their centres on fixed axes: arcs of 1e9 sizes are taken for lines, and the resolution says so.

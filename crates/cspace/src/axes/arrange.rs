@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::union_find::UnionFind;
 
 use super::cross::crossings;
-use super::domain::Extent;
+use super::domain::{Extent, brought_between};
 use super::limits::MOST_MEETINGS;
 use super::names::{Key, Name};
 use super::piece::{Pair, Piece};
@@ -89,6 +89,8 @@ impl Arrangement {
             ends.push((piece.start.key, first, false));
             while let Some(&(_, at, crossing, before)) = on_piece.get(next).filter(|o| o.0 == i) {
                 next += 1;
+                // Rounding may have it just beyond an end.
+                let at = brought_between(at, from, to);
                 open.to = at;
                 open.end = Stop::Crossing(crossing);
                 open.blocked |= !before;
@@ -255,7 +257,7 @@ fn cross_vertical(
     let g_free_above = g.root == 0;
     found.push(Crossing {
         pieces: [i, j],
-        at: [y.clamp(v.start.y(), v.end.y()), x],
+        at: [brought_between(y, v.start.y(), v.end.y()), x],
         // Before the crossing the vertical is below the graph; the graph is left of the vertical.
         outer_before: [!g_free_above, !v_free_right],
     });

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::arrange::Cell;
 use super::body::Bodies;
-use super::domain::Extent;
+use super::domain::{Extent, brought_between};
 use super::piece::{Pair, Piece};
 
 /// Critical values nearer than this are one (radians or length).
@@ -108,7 +108,8 @@ impl Graphs<'_> {
     /// y of a cell at an x within it, or just beyond.
     pub(super) fn at(&self, cell: u32, x: f64) -> f64 {
         let c = &self.cells[cell as usize];
-        self.piece(cell).y(self.pairs, x.clamp(c.from, c.to))
+        self.piece(cell)
+            .y(self.pairs, brought_between(x, c.from, c.to))
     }
 
     /// From and to of a gap at x of its band; in the band's middle the lower end is in the first turn.

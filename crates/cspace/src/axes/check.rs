@@ -20,7 +20,30 @@ impl FixedAxesSpace {
             |(x, y): (f64, f64)| self.bodies.overlap(x, y) || self.touching(x, y).next().is_some();
         let regions = self.bands.regions.iter().filter(|r| none(r.sample));
         let overlooked = (overlaps.iter()).filter(|(x, y)| self.gap(*x, *y).is_some());
-        self.statistics.conflicts + curves.sum::<usize>() + regions.count() + overlooked.count()
+        self.statistics.conflicts
+            + curves.sum::<usize>()
+            + regions.count()
+            + overlooked.count()
+            + self.without_curves()
+    }
+
+    /// How many of some configurations are not what all should be, if no curve parts free from blocked ones: a single test
+    /// has told of the whole plane then.
+    fn without_curves(&self) -> usize {
+        if !self.patches.is_empty() {
+            return 0;
+        }
+        // Spread evenly, in no simple ratio to anything.
+        const TRIED: u32 = 64;
+        const SPREAD: (f64, f64) = (0.754_877_666_246_692_8, 0.569_840_290_998_053_3);
+        let at = |e: &Extent, share: f64| e.lo + share.fract() * (e.hi - e.lo);
+        (1..=TRIED)
+            .map(|k| {
+                let k = f64::from(k);
+                (at(&self.x, k * SPREAD.0), at(&self.y, k * SPREAD.1))
+            })
+            .filter(|&(x, y)| self.bodies.overlap(x, y) == self.gap(x, y).is_some())
+            .count()
     }
 
     fn faults_of(&self, patch: usize) -> usize {

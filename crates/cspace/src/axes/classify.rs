@@ -3,7 +3,7 @@
 use crate::query::Classification;
 
 use super::bands::Graphs;
-use super::domain::ExtentKind;
+use super::domain::{ExtentKind, brought_between};
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
 
@@ -188,7 +188,8 @@ impl FixedAxesSpace {
         }
         let middle = 0.5 * (c.from + c.to);
         let x = middle + self.x.apart(x, middle);
-        self.y.apart(y, p.y(&self.pairs, x.clamp(c.from, c.to)))
+        self.y
+            .apart(y, p.y(&self.pairs, brought_between(x, c.from, c.to)))
     }
 
     fn slot(&self, x: f64) -> usize {

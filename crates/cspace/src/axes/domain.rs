@@ -95,6 +95,11 @@ impl Extent {
     }
 }
 
+/// A value brought between two others, which rounding may have exchanged.
+pub(super) fn brought_between(t: f64, lo: f64, hi: f64) -> f64 {
+    t.max(lo).min(hi)
+}
+
 /// The angle brought to (−π, π] by whole turns.
 pub(super) fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()

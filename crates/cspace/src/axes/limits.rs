@@ -4,5 +4,6 @@
 /// about a minute.
 pub(super) const MOST_EDGE_PAIRS: usize = 1 << 26;
 
-/// The most meetings of two contact curves' boxes: half a gigabyte, and with the crossings found some more; minutes.
-pub(super) const MOST_MEETINGS: usize = 1 << 25;
+/// The most meetings of two contact curves' boxes: a tenth of a gigabyte, and where all of them cross and make cells of their
+/// own one gigabyte, and a minute.
+pub(super) const MOST_MEETINGS: usize = 1 << 23;

@@ -83,6 +83,40 @@ impl Motions {
         }
     }
 
+    /// Makes pivots one that are nearer to each other than `near`, and tells how far that takes any place of the second
+    /// part: its turns about both differ by (1 − R)(c − d).
+    ///
+    /// A corner at both pivots would touch the other part's sides there, or not, wherever the parts are.
+    pub(super) fn join_pivots(&mut self, near: f64) -> f64 {
+        let (Motion::Turn { center: c }, Motion::Turn { center: d }) = (self.first, self.second)
+        else {
+            return 0.0;
+        };
+        let apart = c.distance(d);
+        if apart >= near {
+            return 0.0;
+        }
+        self.second = self.first;
+        2.0 * apart
+    }
+
+    /// Makes slides parallel that are so but for less than `near`, and tells the angle by which the second's direction is
+    /// turned (radians).
+    pub(super) fn join_slides(&mut self, near: f64) -> f64 {
+        let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
+            (self.first, self.second)
+        else {
+            return 0.0;
+        };
+        let angle = d.cross(e).abs();
+        if angle >= near {
+            return 0.0;
+        }
+        let direction = d * d.dot(e).signum();
+        self.second = Motion::Slide { direction };
+        angle
+    }
+
     /// The sine of the angle between the directions, if both parts slide.
     pub(super) fn between_slides(&self) -> Option<f64> {
         match (self.first, self.second) {

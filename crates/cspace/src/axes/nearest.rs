@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::classify::NEAR;
-use super::domain::Extent;
+use super::domain::{Extent, brought_between};
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
 
@@ -85,7 +85,8 @@ impl FixedAxesSpace {
             ((y_range, &self.y), (x_range, &self.x))
         };
         let (lo, hi) = across.0;
-        let s = across.1.brought(held, across.0, NEAR)?.clamp(lo, hi);
+        let s = across.1.brought(held, across.0, NEAR)?;
+        let s = brought_between(s, lo, hi);
         if hi - lo <= NEAR {
             // It stays while the other coordinate moves: the nearest of all that it has.
             return Some(nearest_of(along.0, moved, along.1));
@@ -113,7 +114,7 @@ impl FixedAxesSpace {
 /// The value of a range that is nearest to the given.
 fn nearest_of((lo, hi): (f64, f64), t: f64, extent: &Extent) -> f64 {
     if !extent.is_circle() {
-        return t.clamp(lo, hi);
+        return brought_between(t, lo, hi);
     }
     let brought = lo + (t - lo).rem_euclid(TAU);
     if brought <= hi {

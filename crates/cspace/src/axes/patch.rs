@@ -6,6 +6,7 @@ use crate::feature::FeatureName;
 
 use super::chain::{Chain, end_of, goes_up};
 use super::classify::NEAR;
+use super::domain::brought_between;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
 
@@ -83,7 +84,7 @@ impl FixedAxesSpace {
         let unit = self.map.units();
         let first = |of_u: bool| if of_u { unit.0 } else { unit.1 };
         let of_u = b.form == BranchForm::VOfU;
-        let inner = (t / first(of_u)).clamp(c.from, c.to);
+        let inner = brought_between(t / first(of_u), c.from, c.to);
         let (x, y) = if p.vertical {
             (p.start.x, inner)
         } else {

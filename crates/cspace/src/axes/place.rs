@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::build::Builder;
-use super::domain::ExtentKind;
+use super::domain::{ExtentKind, brought_between};
 use super::names::{Key, Name};
 use super::piece::{End, Pair, Piece};
 
@@ -59,7 +59,7 @@ impl Builder<'_> {
             if !piece.vertical {
                 // A monotone piece stays between its ends, however steep it is: rounding at a pole may lead far beyond.
                 let (lowest, highest) = piece.y_range();
-                let at = |x: f64| piece.y(&self.pairs, x).max(lowest).min(highest);
+                let at = |x: f64| brought_between(piece.y(&self.pairs, x), lowest, highest);
                 let (from, to) = (at(x.lo), at(x.hi));
                 if x0 < x.lo {
                     piece.start = limit(x.lo, from);

@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use super::build::{Builder, Cut, SHORT};
 use super::condition::Condition;
+use super::domain::brought_between;
 use super::extents::{decide, margin};
 use super::names::{Name, Spot};
 use super::piece::{End, Pair, Piece};
@@ -67,7 +68,7 @@ impl Builder<'_> {
                         if above { to + BEYOND } else { to },
                     );
                     if reach.0 <= s.x && s.x <= reach.1 && rises(s.x, s.y) == (root == 0) {
-                        marks.push((s.x.clamp(from, to), Some(s)));
+                        marks.push((brought_between(s.x, from, to), Some(s)));
                     }
                 }
                 marks.sort_by(|(x, s), (y, t)| {

@@ -26,6 +26,10 @@ const FARTHEST: f64 = 32.0;
 /// The least angle between two slides of which no range ends the other (radians and sine): at less they meet more than a million
 /// sizes away, where rounding is more than the resolution.
 const LEAST_ANGLE: f64 = 1.0 / (1u64 << 20) as f64;
+/// Pivots nearer to each other than this (pair's frame) are taken for one: as far as [`Aside`] moves parts.
+const SAME_PIVOT: f64 = 1e-8;
+/// Slides that are parallel but for less than this (radians) are parallel: their sides are told apart no better.
+const SAME_DIRECTION: f64 = 1e-10;
 /// The longest range of a turning part, in turns.
 const MOST_TURNS: u32 = 1000;
 
@@ -85,6 +89,7 @@ impl Setting {
             first: motion(&fixed_axis, Role::Fixed, &frame)?,
             second: motion(&moving_axis, Role::Moving, &frame)?,
         };
+        let joined = motions.join_pivots(SAME_PIVOT);
         let mut symmetric = (
             Symmetric::find(fixed, &fixed_axis),
             Symmetric::find(moving, &moving_axis),
@@ -111,6 +116,7 @@ impl Setting {
                 least: LEAST_ANGLE,
             });
         }
+        let tilt = motions.join_slides(SAME_DIRECTION);
         if !aside.is_none() {
             // Its outline is not about its pivot any more.
             symmetric.0 = None;
@@ -165,6 +171,7 @@ impl Setting {
         let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
         let bent = of_straight(straight.0) + of_straight(straight.1);
         let deviation = bent
+            + frame.outer_length(joined + tilt * slides)
             + symmetric.as_ref().map_or(0.0, |s| s.deviation)
             + frame.outer_length(aside.deviation(slides));
         let redrawn = symmetric.map(|s| s.redrawn);

@@ -33,7 +33,7 @@ pub(super) struct Shells {
     pub(super) conflicts: usize,
 }
 
-/// How many cells of longest duration, or spread over a shell, are looked at for one to test.
+/// How many cells of longest duration are looked at for one to test.
 const TRIED: usize = 8;
 
 /// Durations below this are short, radians: critical orientations that growth alone tells apart are so near to each other.
@@ -265,8 +265,7 @@ impl ShellFinder<'_> {
         let some_blocked = blocked || rings.iter().any(|r| r.1 == Some(false));
         if !some_free && (blocked || tests == 0) {
             // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
-            let some = shell.iter().step_by(shell.len().div_ceil(TRIED));
-            let furthest = some
+            let furthest = (shell.iter())
                 .map(|m| (self.distance(&cells[m.cell as usize]), m.cell))
                 .max_by(|a, b| a.0.total_cmp(&b.0));
             tests += 1;
