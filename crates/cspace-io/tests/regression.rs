@@ -849,6 +849,16 @@ fn axes_that_differ_by_rounding() {
     }
 }
 
+/// An exact fit is blocked, though but a single position of a single motion is one.
+#[test]
+fn corner_past_a_corner() {
+    let pair = OnAxes::read("axes_corner_past_a_corner.toml");
+    let regions = [-0.1, 0.1].map(|v| pair.space.region_at(0.0, v).unwrap());
+    assert_ne!(regions[0], regions[1]);
+    assert_eq!(pair.space.regions().len(), 2);
+    assert_eq!(pair.space.classify(0.0, 0.0), Some(Classification::Contact));
+}
+
 /// Cells are not turned around by rounding.
 #[test]
 fn crossing_beyond_an_end() {

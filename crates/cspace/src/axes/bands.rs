@@ -264,16 +264,36 @@ impl Sweep<'_> {
         }
     }
 
-    /// Gaps of neighbouring bands that share a stretch.
+    /// Gaps of neighbouring bands that share a stretch, of which no vertical cell between them takes all.
     fn links(&self, result: &mut Swept) {
         let mut links = Vec::new();
         let n = result.bands.len();
+        let mut walls: Vec<(f64, (f64, f64))> = (0..self.graphs.cells.len() as u32)
+            .filter(|&i| self.free[i as usize] && self.graphs.piece(i).vertical)
+            .map(|i| {
+                let c = &self.graphs.cells[i as usize];
+                (self.graphs.piece(i).start.x, (c.from, c.to))
+            })
+            .collect();
+        walls.sort_by(|a, b| a.0.total_cmp(&b.0));
         for k in 0..n {
             let last = k + 1 == n;
             if last && !self.x.is_circle() {
                 break;
             }
             let (left, right) = (&result.bands[k], &result.bands[(k + 1) % n]);
+            let from = walls.partition_point(|w| w.0 < left.hi);
+            let walls = if last {
+                [
+                    &walls[from..],
+                    &walls[..walls.partition_point(|w| w.0 <= right.lo)],
+                ]
+            } else {
+                [
+                    &walls[from..walls.partition_point(|w| w.0 <= right.lo)],
+                    &[],
+                ]
+            };
             for a in left.gaps.clone() {
                 let (p, q) = result.spans[a as usize][2];
                 for b in right.gaps.clone() {
@@ -285,7 +305,7 @@ impl Sweep<'_> {
                     };
                     for turns in shifts {
                         let by = TAU * f64::from(turns);
-                        if q.min(s + by) - p.max(r + by) > SHORTEST {
+                        if self.is_open((p.max(r + by), q.min(s + by)), walls) {
                             links.push(Link {
                                 from: a,
                                 to: b,
@@ -298,6 +318,36 @@ impl Sweep<'_> {
             }
         }
         result.links = links;
+    }
+
+    /// Whether walls leave a stretch of y open: what crosses one is blocked, if only on the wall itself.
+    fn is_open(&self, (lo, hi): (f64, f64), walls: [&[(f64, (f64, f64))]; 2]) -> bool {
+        if hi - lo <= SHORTEST {
+            return false;
+        }
+        let mut closed: Vec<(f64, f64)> = Vec::new();
+        for &(_, (from, to)) in walls.into_iter().flatten() {
+            let mut turns = 0.0;
+            if self.graphs.y.is_circle() {
+                turns = TAU * ((lo - to) / TAU).ceil();
+            }
+            while from + turns < hi {
+                closed.push((from + turns, to + turns));
+                if !self.graphs.y.is_circle() {
+                    break;
+                }
+                turns += TAU;
+            }
+        }
+        closed.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut at = lo;
+        for (from, to) in closed {
+            if from - at > SHORTEST {
+                return true;
+            }
+            at = at.max(to);
+        }
+        hi - at > SHORTEST
     }
 
     /// Where every gap is at the ends and in the middle of its band.
