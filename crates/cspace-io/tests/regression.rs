@@ -821,6 +821,23 @@ fn discs_with_joints_of_1e_10() {
     }
 }
 
+/// A pocket whose contacts hang together with blocked ones, by a link that is none, is tested for itself.
+#[test]
+fn pocket_linked_to_blocked_contacts() {
+    let pair = parts("tests/regression/pocket_linked_to_blocked_contacts.toml");
+    let space = ContactSpace::compute(&pair[0], &pair[1], &Options::default()).unwrap();
+    let oracle = Oracle::new(&pair[0], &pair[1]);
+    for (x, y, theta) in [
+        (2.457888724678159, 1.8547342152440576, -1.6908969462317167),
+        (2.432165551251859, 0.9667765945612544, -1.9634954084971574),
+        (1.914846758007145, 1.1834968119308993, -1.923619370490583),
+    ] {
+        let c = Configuration::new(x, y, theta);
+        assert!(!oracle.judge(c).overlap);
+        assert_eq!(space.classify(c), Some(Classification::Free), "{c:?}");
+    }
+}
+
 /// A shell that leaks into blocked space is told by what lies furthest out of all of it: that is free.
 #[test]
 fn outermost_shell_with_a_leak() {

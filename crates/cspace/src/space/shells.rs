@@ -175,10 +175,11 @@ impl ShellFinder<'_> {
 
     /// Decides each shell by what bounds its cells and by honest tests.
     ///
-    /// Cells that follow each other are on the boundary of free space together or not at all, so a ring of cells of which
-    /// what bounds them leaves all open is tested for itself: rings are few. That what continues them in orientation has
-    /// blocked cells does not count against it, for with many curves through one point that may be a false link. Nor do
-    /// cells that follow them for less than [`NARROW`] only, where curves are told apart by growth.
+    /// Cells that follow each other are on the boundary of free space together or not at all, so of each ring of cells those
+    /// that what bounds them leaves open are tested for themselves: rings are few. That what continues or follows them has
+    /// blocked cells does not count against it, for with many curves through one point that may be a false link: a pocket
+    /// of which nothing else tells would be lost. Nor do cells that follow them for less than [`NARROW`] only, where curves
+    /// are told apart by growth.
     fn judge(&self, cells: &[Cell], shells: &mut Shells) {
         let mut rings = UnionFind::new(cells.len());
         for s in &shells.side {
@@ -188,13 +189,11 @@ impl ShellFinder<'_> {
         }
         let ring: Vec<u32> = (0..cells.len() as u32).map(|i| rings.find(i)).collect();
         let mut blocked_shell = vec![false; cells.len()];
-        let mut blocked_ring = vec![false; cells.len()];
         let mut members: Vec<Member> = Vec::new();
         for (cell, c) in (0u32..).zip(cells) {
             let (shell, ring) = (shells.shell[cell as usize], ring[cell as usize]);
             if c.blocked {
                 blocked_shell[shell as usize] = true;
-                blocked_ring[ring as usize] = true;
             } else {
                 members.push(Member { shell, ring, cell });
             }
@@ -203,7 +202,7 @@ impl ShellFinder<'_> {
         let open: Vec<&[Member]> = members.chunk_by(|a, b| a.shell == b.shell).collect();
         let verdicts = parallel::map(&open, 4, |shell| {
             let blocked = blocked_shell[shell[0].shell as usize];
-            self.judge_shell(cells, shell, blocked, &blocked_ring)
+            self.judge_shell(cells, shell, blocked)
         });
         shells.free = vec![false; cells.len()];
         let mut conflict = vec![false; cells.len()];
@@ -244,18 +243,12 @@ impl ShellFinder<'_> {
     }
 
     /// Judges a shell by its cells, of which what bounds them leaves all open. `blocked` tells whether it has others, which
-    /// are blocked, and `blocked_ring` which rings have.
-    fn judge_shell(
-        &self,
-        cells: &[Cell],
-        shell: &[Member],
-        blocked: bool,
-        blocked_ring: &[bool],
-    ) -> Verdict {
-        // What a test says of each ring of which what bounds it says nothing; narrow ones follow from the others.
+    /// are blocked.
+    fn judge_shell(&self, cells: &[Cell], shell: &[Member], blocked: bool) -> Verdict {
+        // What a test says of each ring; narrow ones follow from the others.
         let rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
             .map(|ring| {
-                let open = !blocked_ring[ring[0].ring as usize] && !self.is_narrow(cells, ring);
+                let open = !self.is_narrow(cells, ring);
                 let tested = open.then(|| self.is_free(&cells[self.largest(cells, ring) as usize]));
                 (ring, tested)
             })
