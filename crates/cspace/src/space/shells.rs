@@ -189,11 +189,13 @@ impl ShellFinder<'_> {
         }
         let ring: Vec<u32> = (0..cells.len() as u32).map(|i| rings.find(i)).collect();
         let mut blocked_shell = vec![false; cells.len()];
+        let mut blocked_ring = vec![false; cells.len()];
         let mut members: Vec<Member> = Vec::new();
         for (cell, c) in (0u32..).zip(cells) {
             let (shell, ring) = (shells.shell[cell as usize], ring[cell as usize]);
             if c.blocked {
                 blocked_shell[shell as usize] = true;
+                blocked_ring[ring as usize] = true;
             } else {
                 members.push(Member { shell, ring, cell });
             }
@@ -202,7 +204,7 @@ impl ShellFinder<'_> {
         let open: Vec<&[Member]> = members.chunk_by(|a, b| a.shell == b.shell).collect();
         let verdicts = parallel::map(&open, 4, |shell| {
             let blocked = blocked_shell[shell[0].shell as usize];
-            self.judge_shell(cells, shell, blocked)
+            self.judge_shell(cells, shell, blocked, &blocked_ring)
         });
         shells.free = vec![false; cells.len()];
         let mut conflict = vec![false; cells.len()];
@@ -243,8 +245,14 @@ impl ShellFinder<'_> {
     }
 
     /// Judges a shell by its cells, of which what bounds them leaves all open. `blocked` tells whether it has others, which
-    /// are blocked.
-    fn judge_shell(&self, cells: &[Cell], shell: &[Member], blocked: bool) -> Verdict {
+    /// are blocked, and `blocked_ring` which rings have: those do not hang together as they should.
+    fn judge_shell(
+        &self,
+        cells: &[Cell],
+        shell: &[Member],
+        blocked: bool,
+        blocked_ring: &[bool],
+    ) -> Verdict {
         // What a test says of each ring; narrow ones follow from the others.
         let rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
             .map(|ring| {
@@ -267,7 +275,8 @@ impl ShellFinder<'_> {
         let conflict = some_free && some_blocked;
         let mut free = Vec::with_capacity(shell.len());
         for (ring, tested) in rings {
-            if tested.is_none() && conflict {
+            let apart = tested.is_none() || blocked_ring[ring[0].ring as usize];
+            if apart && conflict {
                 tests += ring.len();
                 let open = |m: &Member| self.is_free_throughout(&cells[m.cell as usize]);
                 free.extend(ring.iter().map(open));
