@@ -6,7 +6,10 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Classification, ComputeError, Configuration, ContactSpace, Options, Part, Vertex};
+use cspace::{
+    AxesError, Axis, Classification, ComputeError, Configuration, ContactSpace, FixedAxesSpace,
+    Options, Part, Point, Vertex,
+};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -118,6 +121,16 @@ fn what_is_too_large_is_refused() {
         })
     );
     let few = saw("few", 16, 1.0, 0.1, 5);
+    let more = saw("more", 8200, 10.0, 0.001, 4);
+    let turn = Axis::revolute(Point::ORIGIN);
+    assert_eq!(
+        FixedAxesSpace::compute(&more, turn, &more, turn).err(),
+        Some(AxesError::TooLarge {
+            fixed: 8200,
+            moving: 8200,
+            limit: 1 << 26
+        })
+    );
     let huge = saw("huge", 300_000, 10.0, 1e-4, 5);
     assert_eq!(
         compute(&few, &huge),

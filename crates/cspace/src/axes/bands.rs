@@ -283,16 +283,11 @@ impl Sweep<'_> {
             }
             let (left, right) = (&result.bands[k], &result.bands[(k + 1) % n]);
             let from = walls.partition_point(|w| w.0 < left.hi);
-            let walls = if last {
-                [
-                    &walls[from..],
-                    &walls[..walls.partition_point(|w| w.0 <= right.lo)],
-                ]
+            let to = walls.partition_point(|w| w.0 <= right.lo);
+            let between = if last {
+                [&walls[from..], &walls[..to]]
             } else {
-                [
-                    &walls[from..walls.partition_point(|w| w.0 <= right.lo)],
-                    &[],
-                ]
+                [&walls[from..to], &[]]
             };
             for a in left.gaps.clone() {
                 let (p, q) = result.spans[a as usize][2];
@@ -305,7 +300,7 @@ impl Sweep<'_> {
                     };
                     for turns in shifts {
                         let by = TAU * f64::from(turns);
-                        if self.is_open((p.max(r + by), q.min(s + by)), walls) {
+                        if self.is_open((p.max(r + by), q.min(s + by)), between) {
                             links.push(Link {
                                 from: a,
                                 to: b,
