@@ -63,12 +63,12 @@ fn thousands_of_teeth_are_told_right() {
 /// Whether polygons overlap: the naive way.
 fn overlap(fixed: &Part, moving: &Part, c: Configuration) -> bool {
     let turn = cspace::Rotation::by(c.theta);
-    let place = |p: cspace::Point| c.position() + (turn * p).to_vector();
-    let back = |p: cspace::Point| turn.inverse() * (cspace::Point::ORIGIN + (p - c.position()));
+    let place = |p: Point| c.position() + (turn * p).to_vector();
+    let back = |p: Point| turn.inverse() * (Point::ORIGIN + (p - c.position()));
     let crossing = moving.edges().any(|m| {
         let (a, b) = (place(m.start), place(m.end));
         fixed.edges().any(|f| {
-            let side = |p: cspace::Point, q: cspace::Point, r| (q - p).cross(r - p) > 0.0;
+            let side = |p: Point, q: Point, r| (q - p).cross(r - p) > 0.0;
             side(a, b, f.start) != side(a, b, f.end)
                 && side(f.start, f.end, a) != side(f.start, f.end, b)
         })

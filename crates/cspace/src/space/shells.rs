@@ -256,8 +256,8 @@ impl ShellFinder<'_> {
         // What a test says of each ring; narrow ones follow from the others.
         let rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
             .map(|ring| {
-                let open = !self.is_narrow(cells, ring);
-                let tested = open.then(|| self.is_free(&cells[self.largest(cells, ring) as usize]));
+                let wide = !self.is_narrow(cells, ring);
+                let tested = wide.then(|| self.is_free(&cells[self.largest(cells, ring) as usize]));
                 (ring, tested)
             })
             .collect();
