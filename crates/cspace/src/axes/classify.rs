@@ -134,9 +134,9 @@ impl FixedAxesSpace {
 
     /// Cells of the free boundary within the resolution of a configuration, with the contact functions' values.
     pub(super) fn touching(&self, x: f64, y: f64) -> impl Iterator<Item = (u32, f64)> + '_ {
-        let resolution = self.resolution() * self.map.frame.scale;
+        let distance = self.contact_distance() * self.map.frame.scale;
         self.slots[self.slot(x)].iter().filter_map(move |&i| {
-            let value = self.touch(i, x, y, NEAR, resolution)?;
+            let value = self.touch(i, x, y, distance, distance)?;
             // A corner that is all but on a pivot is as near to a side everywhere, deep in blocked space too.
             let strays = self.above_curve(i, x, y).abs() > ASTRAY && self.bodies.overlap(x, y);
             (!strays).then_some((i, value))

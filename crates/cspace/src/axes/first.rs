@@ -128,10 +128,10 @@ impl FixedAxesSpace {
             way,
         };
         let mut found = None;
-        let resolution = self.resolution() * self.map.frame.scale;
+        let distance = self.contact_distance() * self.map.frame.scale;
         if starts_touching && self.touches_at(way, cell, 0.0) {
             let (value, slope) = along.distance(0.0);
-            if value.abs() <= resolution && slope < 0.0 {
+            if value.abs() <= distance && slope < 0.0 {
                 return Some(0.0);
             }
         }
@@ -163,9 +163,9 @@ impl FixedAxesSpace {
 
     fn touches_at(&self, way: &Way, cell: u32, time: f64) -> bool {
         let (u, v) = self.map.outer(way.x + way.dx * time, way.y + way.dy * time);
-        let resolution = self.resolution() * self.map.frame.scale;
+        let distance = self.contact_distance() * self.map.frame.scale;
         self.placed(u, v).is_some_and(|(x, y)| {
-            self.in_box(cell, x, y, NEAR) && self.on_own_root(cell, x, y, resolution)
+            self.in_box(cell, x, y, NEAR) && self.on_own_root(cell, x, y, distance)
         })
     }
 }

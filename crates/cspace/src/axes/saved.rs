@@ -202,6 +202,7 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
                 regions: s.regions,
             },
             deviation: setting.deviation,
+            grown: setting.grown,
             aside: s.aside,
             bodies: setting.bodies,
             slots: Vec::new(),

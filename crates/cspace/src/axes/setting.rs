@@ -71,6 +71,8 @@ pub(super) struct Setting {
     pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
     /// How far the parts as computed are from the parts as drawn, in the model's unit of length.
     pub(super) deviation: f64,
+    /// How far off its place a contact may be because sharp corners are grown by more than sides, in the model's unit.
+    pub(super) grown: f64,
 }
 
 impl Setting {
@@ -168,6 +170,7 @@ impl Setting {
             _ => 0.0,
         };
         let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
+        let grown = frame.outer_length(frame.grown(fixed, moving));
         let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
         let bent = of_straight(straight.0) + of_straight(straight.1);
         let deviation = bent
@@ -179,6 +182,7 @@ impl Setting {
         Ok(Self {
             map,
             deviation,
+            grown,
             names: (
                 first.features.iter().map(name).collect(),
                 second.features.iter().map(|f| f.name).collect(),

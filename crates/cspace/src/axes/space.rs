@@ -1,7 +1,7 @@
 //! The configuration space of a pair with fixed axes.
 
 use crate::feature::FeatureName;
-use crate::feature::tolerance::GROWTH;
+use crate::feature::tolerance::CONTACT;
 use crate::geometry::{Configuration, Rotation};
 use crate::part::Part;
 
@@ -39,6 +39,7 @@ pub struct FixedAxesSpace {
     pub(super) free: Vec<bool>,
     pub(super) bands: Bands,
     pub(super) deviation: f64,
+    pub(super) grown: f64,
     pub(super) aside: Aside,
     pub(super) bodies: Bodies,
     pub(super) slots: Vec<Vec<u32>>,
@@ -112,6 +113,7 @@ impl FixedAxesSpace {
             bodies,
             names,
             deviation,
+            grown,
         } = Setting::new(fixed, fixed_axis, moving, moving_axis, aside)?;
         let window = scene.repeats.window(&scene.x);
         let (pairs, pieces) = build(&scene);
@@ -196,6 +198,7 @@ impl FixedAxesSpace {
             free,
             bands: regions(swept, &scene.y),
             deviation,
+            grown,
             aside,
             bodies,
             slots: Vec::new(),
@@ -248,9 +251,16 @@ impl FixedAxesSpace {
     /// The resolution in the model's unit of length: clearances below it count as none.
     ///
     /// Where a part's symmetry about its pivot is used, how far the part as drawn is from being symmetric belongs to it; and
-    /// where parts were moved to break a tie, how far: 10⁻¹⁰ to 10⁻⁸ of the parts' size.
+    /// where parts were moved to break a tie, how far: 10⁻¹⁰ to 10⁻⁸ of the parts' size. It is more if a part has a corner of
+    /// less than some 30°: parts are grown, and such a corner by more than its sides.
     pub fn resolution(&self) -> f64 {
-        self.map.frame.outer_length(8.0 * GROWTH) + self.deviation
+        self.contact_distance() + self.grown
+    }
+
+    /// Configurations at which a contact function is less than this are in contact (model length): the resolution, but for
+    /// what corners are grown by.
+    pub(super) fn contact_distance(&self) -> f64 {
+        self.map.frame.outer_length(CONTACT) + self.deviation
     }
 
     /// Where the moving part is in the fixed part's frame at (u, v).
