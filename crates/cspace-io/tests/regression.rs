@@ -1229,3 +1229,25 @@ fn range_that_ends_near_the_cut() {
     let pair = OnAxes::read("range_that_ends_near_the_cut.toml");
     pair.assert_right(&[(0.4, 0.05), (0.4, 0.03)]);
 }
+
+/// From the middle of a side a ray goes through the joint of two arcs, and beyond them the parts overlap.
+#[test]
+fn pockets_across_a_joint() {
+    for (name, x, y, theta) in [
+        ("pocket_across_a_joint", -0.788, 1.2417, -1.1817127444282312),
+        (
+            "pocket_across_a_joint_aslant",
+            2.471,
+            -3.547,
+            -2.432904753691291,
+        ),
+    ] {
+        let [fixed, moving] = parts(&format!("tests/regression/{name}.toml"));
+        let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+        let scratch = Slicer::new(&fixed, &moving).slice(theta);
+        for slice in [space.slice(theta), scratch] {
+            assert_eq!(slice.loops.len(), 2, "{name}");
+            assert!(slice.is_free(Point::new(x, y)), "{name}");
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use crate::feature::tolerance::JOINT;
 use crate::geometry::{Point, Vector};
 
 use super::bow::{Bow, WIDEST};
@@ -117,12 +118,14 @@ impl Curve {
     }
 
     /// The smallest distance t in (0, `limit`) at which the ray p + t d meets the curve; d is a unit vector.
+    ///
+    /// A ray through the joint of two curves meets both of them.
     pub(crate) fn hit(&self, p: Point, d: Vector, limit: f64) -> Option<f64> {
         let mut best = None;
         let mut take = |t: f64| {
             if t > 0.0
                 && t < best.unwrap_or(limit)
-                && self.position(p + d * t).abs() <= self.half_length()
+                && self.position(p + d * t).abs() <= self.half_length() + JOINT
             {
                 best = Some(t);
             }

@@ -62,6 +62,11 @@ pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;
 /// is known to 1e-6 rad: curves of the band before may be seen in the band after.
 pub(crate) const TORN: f64 = 1e-6;
 
+/// A ray that passes where one curve ends and the next begins nearer than this meets them (length).
+///
+/// It is more than such places are off by rounding; what is free along a ray is told free only up to there.
+pub(crate) const JOINT: f64 = 1e-11;
+
 /// Carriers nearer to each other than this at every orientation are one (length and sine of an angle, 1.1e-13).
 ///
 /// Tips of a gear computed with sines and cosines differ in the last digits; a tenth of [`GROWTH`] tells them from

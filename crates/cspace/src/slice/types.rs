@@ -209,6 +209,16 @@ impl CurveGeometry {
         }
     }
 
+    /// The first distance along the ray at which the curve is met, or where it begins nearer to the ray than `joint`: a ray
+    /// does not slip through where one curve ends and the next begins.
+    pub(crate) fn met(&self, p: Point, d: Vector, joint: f64) -> Option<f64> {
+        let v = self.point(0.0) - p;
+        let along = v.dot(d);
+        let begins = (along > 0.0 && v.cross(d).abs() < joint).then_some(along);
+        let hit = self.hit(p, d).map(|h| h.0);
+        hit.into_iter().chain(begins).reduce(f64::min)
+    }
+
     /// The first distance along the ray from `p` in the unit direction `d` at which the curve is met, and the
     /// product of the direction with the normal towards free space there.
     pub(crate) fn hit(&self, p: Point, d: Vector) -> Option<(f64, f64)> {

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::contact::Steps;
+use crate::feature::tolerance::JOINT;
 use crate::geometry::{Configuration, Point, Vector};
 use crate::slice::{CurveGeometry, Slice, is_on_arc};
 use crate::union_find::UnionFind;
@@ -67,6 +68,7 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
     let n = space.patches.len();
     // One more member stands for all that is far away.
     let far = n as u32;
+    let joint = space.frame.outer_length(JOINT);
     let mut sets = UnionFind::new(n + 1);
     for l in &space.side_links {
         sets.union(l.before, l.after);
@@ -128,13 +130,13 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
                 }
             }
         }
-        nest(&slice, far, |a, b| together.push((a, b)));
+        nest(&slice, far, joint, |a, b| together.push((a, b)));
         for slabs in 0..copying.shifts() {
             for &(a, b) in &together {
                 sets.union(copying.copy(a, slabs, far), copying.copy(b, slabs, far));
             }
         }
-        take(i, sample(&slice, i), &mut done);
+        take(i, sample(&slice, i, joint), &mut done);
         if !shared {
             continue;
         }
@@ -142,7 +144,7 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
             let (p, s) = (&space.patches[j as usize], shell[j as usize] as usize);
             let margin = (slice.theta - p.lo).min(p.hi - slice.theta);
             if !done[s] && passed[s].is_none() && margin > WELL_AWAY * (p.hi - p.lo) {
-                passed[s] = Some((j, sample(&slice, j)));
+                passed[s] = Some((j, sample(&slice, j, joint)));
             }
         }
     }
@@ -181,7 +183,7 @@ pub(super) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
 }
 
 /// Joins every loop with free space outside to what surrounds it.
-fn nest(slice: &Slice, far: u32, mut join: impl FnMut(u32, u32)) {
+fn nest(slice: &Slice, far: u32, joint: f64, mut join: impl FnMut(u32, u32)) {
     for l in &slice.loops {
         // The loop's rightmost point is on its curve furthest right.
         let Some((curve, p)) = l
@@ -201,7 +203,7 @@ fn nest(slice: &Slice, far: u32, mut join: impl FnMut(u32, u32)) {
         let hit = (0u32..)
             .zip(&slice.curves)
             .filter(|(c, _)| !l.contains(c))
-            .filter_map(|(c, g)| g.geometry.hit(p, right).map(|h| (h.0, c)))
+            .filter_map(|(c, g)| g.geometry.met(p, right, joint).map(|t| (t, c)))
             .min_by(|a, b| a.0.total_cmp(&b.0));
         match hit {
             None => join(own, far),
@@ -257,7 +259,7 @@ fn signed_area(slice: &Slice, l: &[u32]) -> f64 {
 }
 
 /// A free configuration beside a patch: half way from the middle of its curve to the next contact.
-fn sample(slice: &Slice, patch: u32) -> Configuration {
+fn sample(slice: &Slice, patch: u32, joint: f64) -> Configuration {
     let Some(curve) = slice.curves.iter().find(|c| c.patch == Some(patch)) else {
         return Configuration::default();
     };
@@ -268,8 +270,7 @@ fn sample(slice: &Slice, patch: u32) -> Configuration {
     let distance = slice
         .curves
         .iter()
-        .filter_map(|c| c.geometry.hit(start, n))
-        .map(|h| h.0)
+        .filter_map(|c| c.geometry.met(start, n, joint))
         .fold(reach, f64::min);
     let q = p + n * (0.5 * distance);
     Configuration::new(q.x, q.y, slice.theta)

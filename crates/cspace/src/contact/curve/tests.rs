@@ -167,3 +167,26 @@ fn a_ray_does_not_meet_what_it_starts_on_or_what_is_at_the_limit() {
         assert_eq!(c.hit(p + up * 2.0, up, 2.5), None);
     }
 }
+
+/// Where one curve ends and the next begins, neither may be met but for rounding.
+#[test]
+fn rays_do_not_slip_through_joints() {
+    let mut slipped = 0;
+    for k in 0..1000 {
+        let angle = 0.137 * f64::from(k);
+        let radius = if k % 2 == 0 { 0.7 } else { -0.7 };
+        let (center, half) = (Point::new(0.3, -0.2), 0.4);
+        let one = circle(center, radius, angle, half);
+        let other = circle(center, radius, angle + 2.0 * half * radius.signum(), half);
+        let p = Point::new(0.2 * (0.3 * angle).sin(), 0.1);
+        let (d, t) = ((one.end - p).unit(), one.end.distance(p));
+        let met = [one, other].map(|c| c.hit(p, d, 10.0));
+        assert!(
+            met.iter().flatten().any(|m| (m - t).abs() < 1e-13),
+            "{angle}: {met:?}, expected {t}"
+        );
+        let ends = |c: &Curve, m: f64| c.position(p + d * m).abs() <= c.half_length();
+        slipped += u32::from(!ends(&one, t) && !ends(&other, t));
+    }
+    assert!(slipped > 10, "{slipped}: no ray is aimed at a joint");
+}

@@ -500,3 +500,36 @@ fn slices_that_are_open_are_doubtful() {
     assert!(doubtful(1e-5, 0) && doubtful(-0.5, u32::MAX));
     assert!(doubtful(0.0, 1));
 }
+
+/// Where one curve ends and the next begins, neither may be met but for rounding.
+#[test]
+fn rays_meet_joints() {
+    let mut slipped = 0;
+    for k in 0..1000 {
+        let angle = 0.137 * f64::from(k);
+        let other = arc(0.7, angle, 0.8);
+        let p = Point::new(0.2 * (0.3 * angle).sin(), 0.1);
+        let joint = other.point(0.0);
+        let away = (joint - p).right();
+        let one = CurveGeometry::Segment {
+            start: joint + away,
+            end: joint,
+        };
+        let (d, t) = ((joint - p).unit(), joint.distance(p));
+        let both = [one, other];
+        let met = both.iter().filter_map(|c| c.met(p, d, 1e-11));
+        let first = met.reduce(f64::min).unwrap();
+        assert!((first - t).abs() < 1e-13, "{angle}: {first}, expected {t}");
+        slipped += u32::from(both.iter().all(|c| c.hit(p, d).is_none()));
+        // What lies behind, and what is passed at a distance, is not met.
+        assert!(
+            both.iter()
+                .all(|c| c.met(joint + d * 2.0, d, 1e-11).is_none())
+        );
+        let aside = p + d.right() * 1e-9;
+        for c in both {
+            assert_eq!(c.met(aside, d, 1e-11), c.hit(aside, d).map(|h| h.0));
+        }
+    }
+    assert!(slipped > 10, "{slipped}: no ray is aimed at a joint");
+}
