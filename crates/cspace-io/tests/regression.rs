@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use cspace::pair::PairMotion;
 use cspace::{
@@ -1249,5 +1249,71 @@ fn pockets_across_a_joint() {
             assert_eq!(slice.loops.len(), 2, "{name}");
             assert!(slice.is_free(Point::new(x, y)), "{name}");
         }
+    }
+}
+
+/// Configurations near contact that are classified wrongly, of those that are certain, and how many there are of these.
+fn misclassified([fixed, moving]: &[Part; 2], window: (f64, f64)) -> (Vec<Configuration>, usize) {
+    let options = Options {
+        window: Some(window),
+        ..Options::default()
+    };
+    let space = ContactSpace::compute(fixed, moving, &options).unwrap();
+    let oracle = Oracle::new(fixed, moving);
+    let least = space.resolution().max(1e-10 * oracle.size());
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let mut certain = 0;
+    let wrong = (near_contact(&oracle, &mut rng, 10_000).into_iter())
+        .filter_map(|near| {
+            let mut c = near.configuration;
+            c.theta = window.0 + (window.1 - window.0) * (c.theta / TAU).rem_euclid(1.0);
+            let verdict = oracle.judge(c);
+            let told = space.classify(c);
+            certain += usize::from(verdict.margin > least);
+            let right = if verdict.overlap {
+                Classification::Blocked
+            } else {
+                Classification::Free
+            };
+            (verdict.margin > least && told != Some(right)).then_some(c)
+        })
+        .collect();
+    (wrong, certain)
+}
+
+/// Two contacts lie on one circle: a ring, open on one side, leaves as much room inside as a closed one outside, which
+/// touches where the other is open.
+#[test]
+fn equal_room_inside_and_outside() {
+    let parts = parts("tests/regression/equal_room_inside_and_outside.toml");
+    let (wrong, certain) = misclassified(&parts, (-PI, PI));
+    assert_eq!(wrong, []);
+    assert!(certain > 5000, "{certain}");
+    // Beyond the circle, where the inner ring is open.
+    let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
+    assert_eq!(space.free_regions().len(), 2);
+    for angle in 0..360 {
+        let out = Vector::from_angle(f64::from(angle).to_radians());
+        for theta in [0.0, 1.0, -2.0] {
+            let at = |r: f64| Configuration::new(r * out.x, r * out.y, theta);
+            let told = [0.19999, 0.20001].map(|r| space.classify(at(r)));
+            let expected = [Classification::Free, Classification::Blocked];
+            assert_eq!(told, expected.map(Some), "{angle} {theta}");
+        }
+    }
+}
+
+/// The same within one loop of each part: nothing separates the contacts, and slices say so.
+#[test]
+fn tongue_with_equal_room_on_both_sides() {
+    let parts = parts("tests/regression/tongue_with_equal_room_on_both_sides.toml");
+    let (wrong, certain) = misclassified(&parts, (-0.2, 0.2));
+    assert_eq!(wrong, []);
+    assert!(certain > 5000, "{certain}");
+    let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
+    let slicer = Slicer::new(&parts[0], &parts[1]);
+    for (theta, doubtful) in [(0.1, true), (-0.05, true), (0.5, false)] {
+        assert_eq!(space.slice(theta).doubtful, doubtful, "{theta}");
+        assert_eq!(slicer.slice(theta).doubtful, doubtful, "{theta}");
     }
 }

@@ -170,7 +170,7 @@ impl Setting {
             _ => 0.0,
         };
         let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
-        let grown = frame.outer_length(frame.grown(fixed, moving));
+        let grown = frame.outer_length(frame.grown((fixed, GROWTH), (moving, MOVING_GROWTH)));
         let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
         let bent = of_straight(straight.0) + of_straight(straight.1);
         let deviation = bent

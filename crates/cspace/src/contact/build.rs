@@ -6,6 +6,7 @@ use crate::feature::tolerance::{NARROWEST_BAND, SMALLEST_CIRCLE};
 use crate::feature::{Feature, Outline, unwrap_near};
 use crate::geometry::{Point, Vector};
 
+use super::doubled::{Doubled, doubled};
 use super::names::{Points, Sizes};
 use super::sheet::{EndAngle, Seam, Sheet, SheetKind};
 use super::span::Span;
@@ -24,6 +25,8 @@ pub(crate) struct Contacts {
     starts: Vec<(u32, u32)>,
     /// How features are permuted from slab to slab.
     pub(crate) carried: Carried,
+    /// Sheets whose curves lie on each other; `None` if there are too many to list.
+    pub(crate) doubled: Option<Vec<Doubled>>,
     sizes: Sizes,
     points: Points,
 }
@@ -118,6 +121,7 @@ impl Contacts {
             list.sort_unstable();
             list
         };
+        let doubled = doubled(fixed, moving, &sheets);
         let (starts, ends) = (index(|s| s.start_name), index(|s| s.end_name));
         Self {
             sheets,
@@ -126,6 +130,7 @@ impl Contacts {
             ends,
             starts,
             carried,
+            doubled,
             sizes,
             points,
         }

@@ -8,6 +8,7 @@ use crate::part::{LoopImage, Part};
 use super::build::Contacts;
 use super::overlap::{Body, overlap};
 use super::span::Span;
+use super::sums::Growths;
 use super::twist::{Carried, LoopImages, Steps};
 
 /// A pair in its own frame: outlines, sheets of contact, and the bodies for tests of overlap.
@@ -20,6 +21,8 @@ pub(crate) struct Geometry {
     /// Folds of the parts about the origin, as far as they were made exactly symmetric.
     pub(crate) fixed_fold: u32,
     pub(crate) moving_fold: u32,
+    /// By how much the sides of the fixed and of the moving part are grown, at most (length).
+    pub(crate) growths: (f64, f64),
     fixed_body: Body,
     moving_body: Body,
 }
@@ -164,16 +167,31 @@ struct Outlines {
     moving: Outline,
     fixed_fold: u32,
     moving_fold: u32,
+    growths: (f64, f64),
     fixed_body: Body,
     moving_body: Body,
+}
+
+/// By how much the sides of two parts are grown, at most, in the pair's frame.
+pub(crate) fn growths(fixed: &Part, moving: &Part) -> (f64, f64) {
+    Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving)).growths
 }
 
 impl Outlines {
     fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
         let outline = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
-        let (a, b) = (outline(fixed, GROWTH), outline(moving, MOVING_GROWTH));
+        let (mut a, mut b) = (outline(fixed, GROWTH), outline(moving, MOVING_GROWTH));
+        let growths = Growths::new(&a, &b);
+        let again = |outline: &mut Outline, p: Placed<'_>, growths: &Growths| {
+            if !growths.are_even() {
+                *outline = Outline::grown_by(p.part, p.center, scale, |l| growths.of(l));
+            }
+        };
+        again(&mut a, fixed, &growths.0);
+        again(&mut b, moving, &growths.1);
         Self {
+            growths: (growths.0.greatest(), growths.1.greatest()),
             frame: PairFrame {
                 fixed_center: fixed.drawn_center,
                 moving_center: moving.drawn_center,
@@ -196,6 +214,7 @@ impl Outlines {
             moving,
             fixed_fold,
             moving_fold,
+            growths,
             fixed_body,
             moving_body,
         } = self;
@@ -206,6 +225,7 @@ impl Outlines {
             contacts,
             fixed_fold,
             moving_fold,
+            growths,
             fixed_body,
             moving_body,
         }

@@ -115,7 +115,7 @@ pub(crate) struct SharedEnds {
 impl Sheet {
     /// Whether two sheets have one circle as carrier at every orientation: arcs on one circle, or equal sums of radii
     /// about the same centres. Their curves do not cross, whatever rounding makes of it.
-    fn same_circle(&self, other: &Self) -> bool {
+    pub(super) fn same_circle(&self, other: &Self) -> bool {
         let apart = |a: Vector, b: Vector| (a - b).length() > SAME_CARRIER;
         let (c, d) = (self.center(), other.center());
         self.is_circle()

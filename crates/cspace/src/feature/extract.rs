@@ -46,6 +46,16 @@ struct End {
 impl Outline {
     /// Features of a part, about `center` and scaled, then grown.
     pub(crate) fn new(part: &Part, center: Point, scale: f64, growth: f64) -> Self {
+        Self::grown_by(part, center, scale, |_| growth)
+    }
+
+    /// The same, each loop grown by a length of its own.
+    pub(crate) fn grown_by(
+        part: &Part,
+        center: Point,
+        scale: f64,
+        growth: impl Fn(u32) -> f64,
+    ) -> Self {
         let mut outline = Self {
             features: Vec::new(),
             joints: Vec::new(),
@@ -58,7 +68,9 @@ impl Outline {
                 .map(|e| Piece::new(&e, center, scale))
                 .collect();
             share_direction_along_lines(&mut pieces);
-            outline.add_loop(loop_index as u32, &pieces, boundary.is_reversed(), growth);
+            let loop_index = loop_index as u32;
+            let growth = growth(loop_index);
+            outline.add_loop(loop_index, &pieces, boundary.is_reversed(), growth);
         }
         outline.disc = inscribed_disc(part, center, scale);
         outline

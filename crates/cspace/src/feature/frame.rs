@@ -1,7 +1,7 @@
 //! The frame in which a pair is computed.
 
 use super::outline::Outline;
-use super::tolerance::{CONTACT, GROWTH, MITRE, MOVING_GROWTH};
+use super::tolerance::{CONTACT, GROWTH, MITRE};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::part::{Edge, Part};
 
@@ -54,7 +54,7 @@ impl PairFrame {
     /// How far from the origin of this frame the moving part can be in contact with the fixed part: no farther than
     /// their radii together, and what they are grown by.
     pub(crate) fn reach(&self, fixed: &Part, moving: &Part) -> f64 {
-        let grown = 2.0 * MITRE * GROWTH;
+        let grown = 4.0 * MITRE * GROWTH;
         let radii =
             radius_about(fixed, self.fixed_center) + radius_about(moving, self.moving_center);
         radii * self.scale + grown
@@ -62,10 +62,12 @@ impl PairFrame {
 
     /// How far off its place a contact of these parts may be, because they are grown, in this frame: the sharper their
     /// corners the more. Nothing where that is within half of [`CONTACT`].
-    pub(crate) fn grown(&self, fixed: &Part, moving: &Part) -> f64 {
+    ///
+    /// Each part comes with how much its sides are grown, at most.
+    pub(crate) fn grown(&self, fixed: (&Part, f64), moving: (&Part, f64)) -> f64 {
         let mitre = |part, center| Outline::longest_mitre(part, center, self.scale);
-        let grown = GROWTH * mitre(fixed, self.fixed_center)
-            + MOVING_GROWTH * mitre(moving, self.moving_center);
+        let grown = fixed.1 * mitre(fixed.0, self.fixed_center)
+            + moving.1 * mitre(moving.0, self.moving_center);
         if grown > 0.5 * CONTACT { grown } else { 0.0 }
     }
 

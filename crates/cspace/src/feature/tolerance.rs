@@ -18,6 +18,13 @@ pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 /// the lesser growth by far, and no simple part of the other.
 pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 
+/// By how much more a loop is grown that is one level above another (length, about 2.3e-13): twice [`SAME_CARRIER`], so that
+/// contacts of both are told apart.
+///
+/// Levels are where the radii of two loops of each part have equal sums, which growing them evenly does not change. All in
+/// all that is less than half of [`CONTACT`]: 2.5 and 1.24 [`GROWTH`].
+pub(crate) const LEVEL: f64 = GROWTH / 4.0;
+
 /// Positions nearer than this to a contact curve are in contact (length, about 7.3e-12): several times what the parts are
 /// grown by, unless they have sharp corners.
 pub(crate) const CONTACT: f64 = 8.0 * GROWTH;

@@ -71,7 +71,7 @@ impl Arrangement {
             let (above, sheets) = at(theta + step * scale);
             let (mut this, certain) = Self::at(geometry, sheets, above, Test::Shells);
             if certain {
-                this.doubtful = step > NARROWEST_BAND;
+                this.doubtful |= step > NARROWEST_BAND;
                 return this;
             }
         }
@@ -160,6 +160,7 @@ impl Arrangement {
                 }
             }
         }
+        self.doubtful = doubled(geometry, live, live_of_sheet, &blocked, theta);
         let mut shell_blocked = vec![false; count as usize];
         let mut doubt = vec![false; count as usize];
         let mut witness: Vec<Option<(u32, f64, f64)>> = vec![None; count as usize];
@@ -253,6 +254,27 @@ impl Arrangement {
         // Far away all is free, and the outermost curves bound that.
         consistent && !self.gaps.is_empty() && bounding.reaches(&all, ROOM)
     }
+}
+
+/// Whether the curves of two contacts lie on each other, and neither is blocked throughout by what bounds it.
+fn doubled(
+    geometry: &Geometry,
+    live: &[Live],
+    live_of_sheet: &[u32],
+    blocked: &[bool],
+    theta: f64,
+) -> bool {
+    let Some(doubled) = &geometry.contacts.doubled else {
+        return true;
+    };
+    let open = |sheet: u32| {
+        let live = live.get(live_of_sheet[sheet as usize] as usize);
+        live.is_some_and(|l| {
+            let first = l.first_gap as usize;
+            blocked[first..=first + l.cuts.len()].contains(&false)
+        })
+    };
+    (doubled.iter()).any(|d| d.lo <= theta && theta <= d.hi && open(d.first) && open(d.second))
 }
 
 /// Of some gaps the one whose middle is furthest from the middle of the pair: its curve, and where on it.

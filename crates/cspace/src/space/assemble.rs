@@ -98,7 +98,9 @@ impl Assembler<'_> {
             statistics: Statistics::default(),
             walk,
             doubts,
-            grown: geometry.frame.grown(fixed, moving),
+            grown: geometry
+                .frame
+                .grown((fixed, geometry.growths.0), (moving, geometry.growths.1)),
             bodies: Arc::default(),
         };
         space.computed_bands = lifts.computed_bands(&chains.chains, space.bands().len()) as u32;

@@ -96,7 +96,7 @@ impl Doubts {
 }
 
 /// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where
-/// many events crowd, where shells were in conflict, in narrow bands, and where a patch is followed by none.
+/// many events crowd, where shells were in conflict, where curves lie on each other, in narrow bands, and where a patch is followed by none.
 pub(super) fn doubts(
     linker: &Linker<'_>,
     shells: &Shells,
@@ -113,7 +113,13 @@ pub(super) fn doubts(
     let in_conflict = (linker.cells.iter().zip(&shells.in_conflict))
         .filter(|(_, conflict)| **conflict)
         .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
-    let once = union(rough.chain(crowded).chain(in_conflict).collect());
+    let doubled = shells.doubled.iter().copied();
+    let once = union(
+        (rough.chain(crowded))
+            .chain(in_conflict)
+            .chain(doubled)
+            .collect(),
+    );
     let copies = once.iter().flat_map(|&(lo, hi)| {
         lifts.shifts(lo, hi).map(move |slabs| {
             let by = lifts.steps.period(slabs);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::contact::{ContactFunction, Spiral};
+use crate::contact::{ContactFunction, Spiral, growths};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::Point;
 use crate::part::{Part, PartError, Vertex};
@@ -219,7 +219,8 @@ impl ContactSpace {
             fit::check_link(&saved.patches, l)
         })?;
         let walk = Walk::new(saved.patches.len(), &saved.side_links);
-        let grown = frame.grown(&fixed, &moving);
+        let growths = growths(&fixed, &moving);
+        let grown = frame.grown((&fixed, growths.0), (&moving, growths.1));
         Ok(Self {
             fixed,
             moving,
