@@ -22,7 +22,7 @@ pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 /// contacts of both are told apart.
 ///
 /// Levels are where the radii of two loops of each part have equal sums, which growing them evenly does not change. All in
-/// all that is less than half of [`CONTACT`]: 2.5 and 1.24 [`GROWTH`].
+/// all that is less than half of [`CONTACT`]: at most 1.75 [`GROWTH`] of the fixed part and 2.24 of the moving one.
 pub(crate) const LEVEL: f64 = GROWTH / 4.0;
 
 /// Positions nearer than this to a contact curve are in contact (length, about 7.3e-12): several times what the parts are

@@ -47,12 +47,11 @@ fn rings_of_equal_room_have_equal_sums() {
     // The groove and the inner ring: 1.25 − 1.5.
     assert!(touch((1, 2), (2, 3)));
     let (f, m) = Growths::new(&fixed, &moving);
-    assert!(!f.are_even() && !m.are_even());
+    assert!(!f.are_even() && m.are_even());
     // As they are grown then, no sums are equal.
     let [fixed, moving] =
         [(vec![2.0, 1.5, 0.5], f), (vec![2.5, 2.25, 1.25, 0.75], m)].map(|(radii, growths)| {
             let part = Part::new("rings", radii.into_iter().map(circle).collect()).unwrap();
-            assert!(growths.greatest() <= GROWTH + 6.0 * LEVEL);
             Outline::grown_by(&part, Point::ORIGIN, 0.125, |l| growths.of(l))
         });
     assert_eq!(equal_sums(&fixed, &moving), Some(Vec::new()));
@@ -69,13 +68,41 @@ fn what_has_no_equal_sums_is_grown_evenly() {
     assert_eq!([m.of(1), m.greatest()], [MOVING_GROWTH; 2]);
 }
 
+/// As many levels as there are, and none for loops that are alike.
 #[test]
-fn levels_follow_what_is_above() {
-    let of = |above: &[(usize, usize)]| levels::<3>(above.iter().copied());
-    assert_eq!(of(&[]), [] as [u8; 0]);
-    assert_eq!(of(&[(2, 0), (2, 0), (1, 1)]), [1, 0, 0]);
-    assert_eq!(of(&[(2, 1), (0, 2)]), [0, 2, 1]);
-    // The fourth begins anew, and loops above each other end.
-    assert_eq!(of(&[(0, 1), (1, 2), (2, 3)]), [0, 1, 2, 0]);
-    assert_eq!(of(&[(0, 1), (1, 0)]).len(), 2);
+fn loops_that_are_listed_together_get_different_levels() {
+    let rings = outline(&[2.0, 1.5, 1.0, 0.5, 0.25], GROWTH);
+    let alike = Alike::new(&rings);
+    assert_eq!(alike.class, [4, 3, 2, 1, 0]);
+    let of = |together: &[(usize, usize)]| alike.levels(together.iter().copied(), 3);
+    assert_eq!(of(&[]), [0; 5]);
+    assert_eq!(of(&[(2, 0), (0, 2), (1, 1)]), [0, 0, 1, 0, 0]);
+    assert_eq!(of(&[(0, 1), (1, 2), (2, 0), (3, 2)]), [0, 0, 2, 1, 0]);
+    let all = (0..4).flat_map(|a| (0..4).map(move |b| (a, b)));
+    assert_eq!(of(&all.collect::<Vec<_>>()), [0, 0, 2, 1, 0]);
+}
+
+/// Three rings' pieces that a third of a turn takes to each other stay alike.
+#[test]
+fn copies_are_grown_alike() {
+    let piece = |k: u8| {
+        let at = |r: f64, a: f64, bulge: f64| {
+            let a = a + f64::from(k) * core::f64::consts::TAU / 3.0;
+            Vertex::new(r * a.cos(), r * a.sin(), bulge)
+        };
+        let bulge = 0.125_f64.tan();
+        vec![
+            at(1.0, 0.0, bulge),
+            at(1.0, 0.5, 0.0),
+            at(0.7, 0.5, -bulge),
+            at(0.7, 0.0, 0.0),
+        ]
+    };
+    let part = Part::new("pieces", (0..3).map(piece).collect()).unwrap();
+    let pieces = Outline::new(&part, Point::ORIGIN, 0.125, GROWTH);
+    let rings = outline(&[1.5, 1.2, 0.5], MOVING_GROWTH);
+    let sums = equal_sums_of_loops(&pieces, &rings).unwrap();
+    assert!(!sums.is_empty());
+    let (p, r) = Growths::new(&pieces, &rings);
+    assert!(p.are_even() && !r.are_even());
 }
