@@ -1317,3 +1317,46 @@ fn tongue_with_equal_room_on_both_sides() {
         assert_eq!(slicer.slice(theta).doubtful, doubtful, "{theta}");
     }
 }
+
+/// Where the contact of one ring ends, that of another goes on along the same circle.
+#[test]
+fn open_rings_of_equal_room() {
+    let parts = parts("tests/regression/open_rings_of_equal_room.toml");
+    let (wrong, certain) = misclassified(&parts, (-0.3, 0.3));
+    assert_eq!(wrong, []);
+    assert!(certain > 5000, "{certain}");
+    let at = Configuration::new(0.0039, 0.01, -0.262);
+    let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
+    assert_eq!(space.classify(at), Some(Classification::Free));
+}
+
+/// Two sides that face each other, one of them of a very flat arc, pass each other at less than 1e-11 rad.
+#[test]
+fn bowed_boxes() {
+    for name in [
+        "bowed_box_in_its_own_hole",
+        "bowed_box_in_a_hole_of_flat_arcs",
+    ] {
+        let parts = parts(&format!("tests/regression/{name}.toml"));
+        let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
+        assert_eq!(space.free_regions().len(), 2, "{name}");
+        let oracle = Oracle::new(&parts[0], &parts[1]);
+        let mut rng = ChaCha8Rng::seed_from_u64(3);
+        let mut free = 0;
+        for _ in 0..3000 {
+            let mut within = |w: f64| rng.random_range(-w..w);
+            let c = Configuration::new(within(6e-5), within(6e-5), within(2e-4));
+            let verdict = oracle.judge(c);
+            if verdict.margin > 1e-9 {
+                let expected = if verdict.overlap {
+                    Classification::Blocked
+                } else {
+                    Classification::Free
+                };
+                assert_eq!(space.classify(c), Some(expected), "{name} {c:?}");
+                free += usize::from(!verdict.overlap);
+            }
+        }
+        assert!(free > 300, "{free}");
+    }
+}

@@ -10,6 +10,7 @@ use crate::parallel;
 
 use super::candidates::PairRun;
 use super::clusters::Clusters;
+use super::pinches::{Pinch, pinched};
 
 /// One crossing of two sheets from one cluster of events to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,6 +133,8 @@ pub(super) struct Traced {
     pub(super) coincidences: Vec<Coincidence>,
     /// Sheets so short that they pass another within one cluster, and where: what they are does not go on beyond.
     pub(super) swallowed: Vec<(u32, u32)>,
+    /// Sheets of which some comes behind another within one cluster.
+    pub(super) pinches: Vec<Pinch>,
     /// Sorted like the branches.
     pub(super) encounters: Vec<Encounter>,
 }
@@ -160,6 +163,7 @@ pub(super) fn branches(
         all.branches.extend(f.branches);
         all.coincidences.extend(f.coincidences);
         all.swallowed.extend(f.swallowed);
+        all.pinches.extend(f.pinches);
         all.encounters.extend(f.encounters);
     }
     all
@@ -232,8 +236,15 @@ impl Tracer<'_> {
             let now = crossings_between(self.geometry, run, clusters.between(w[0], w[1]));
             let before = core::mem::replace(&mut apart, now == [None; 2]);
             if before && apart && passing.binary_search(&w[0]).is_ok() {
-                let short = swallowed(self.geometry, run, clusters.just_beside(w[0]));
-                self.found.swallowed.extend(short.map(|s| (s, w[0])));
+                let (at, beside) = (w[0], clusters.just_beside(w[0]));
+                let short = swallowed(self.geometry, run, beside);
+                self.found.swallowed.extend(short.map(|s| (s, at)));
+                let (f, g) = (run.first, run.second);
+                if short.is_none() && pinched(self.geometry, (f, g), beside) {
+                    let both = [(f, g), (g, f)];
+                    let pinch = |(sheet, other)| Pinch { sheet, at, other };
+                    self.found.pinches.extend(both.map(pinch));
+                }
             }
             for (root, enters) in now.into_iter().enumerate() {
                 match (&mut open[root], enters) {

@@ -287,6 +287,7 @@ impl ContactSpace {
             mut branches,
             mut coincidences,
             mut swallowed,
+            mut pinches,
             encounters,
         } = branches(&geometry, &pairs, &pair_events, &clusters);
         drop((pairs, pair_events));
@@ -307,6 +308,10 @@ impl ContactSpace {
         for (_, at) in &mut swallowed {
             *at = moved[*at as usize];
         }
+        for p in &mut pinches {
+            p.at = moved[p.at as usize];
+        }
+        pinches.sort_unstable();
         let mut splits: Vec<(u32, u32)> = coincidences
             .iter()
             .flat_map(|c| [(c.first, c.at), (c.second, c.at)])
@@ -331,6 +336,7 @@ impl ContactSpace {
             on_sheet: &on_sheet,
             passings: &passings,
             splits: &splits,
+            pinches: &pinches,
         };
         let mut cells = sweep.run(&candidates.sheets);
         drop((on_sheet, passings, splits));

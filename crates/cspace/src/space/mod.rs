@@ -23,6 +23,7 @@ mod links;
 mod meetings;
 mod passing;
 mod patch;
+mod pinches;
 mod placing;
 mod regions;
 mod saved;

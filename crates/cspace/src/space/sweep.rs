@@ -8,8 +8,9 @@ use super::branch::Branch;
 use super::candidates::SheetRun;
 use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
-use super::extent::{CellExtents, Extent, Side};
+use super::extent::{CellExtents, Extent, Shared, Side};
 use super::gaps::Gaps;
+use super::pinches::{Pinch, pinches_of};
 use super::triple::OnSheet;
 
 /// Everything a sweep reads.
@@ -22,6 +23,8 @@ pub(super) struct Sweep<'a> {
     pub(super) passings: &'a [(u32, u32)],
     /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
     pub(super) splits: &'a [(u32, u32)],
+    /// Sheets of which some comes behind another, sorted: cells that do end there.
+    pub(super) pinches: &'a [Pinch],
 }
 
 /// The clusters listed for a sheet.
@@ -121,6 +124,10 @@ impl Sweep<'_> {
         splits.clear();
         splits.extend(listed(self.splits, run.sheet).filter(within));
         times.extend(&*splits);
+        let from = self.pinches.partition_point(|p| p.sheet < run.sheet);
+        let pinches = self.pinches[from..].iter();
+        let pinches = pinches.take_while(|p| p.sheet == run.sheet);
+        times.extend(pinches.map(|p| p.at).filter(within));
         times.sort_unstable();
         times.dedup();
 
@@ -143,7 +150,16 @@ impl Sweep<'_> {
                 (cell.left, cell.right) == *key
             };
             let split = splits.binary_search(&t0).is_ok();
-            let same = |c: u32, key: &(u32, u32)| !split && same(c, key);
+            let pinches = pinches_of(self.pinches, run.sheet, t0);
+            let moves = |c: u32| {
+                !pinches.is_empty() && {
+                    let extent = self
+                        .extents(run.sheet, t0)
+                        .of(&out.cells[c as usize], Side::Below);
+                    self.moves(pinches, 0.5 * (extent.lo + extent.hi))
+                }
+            };
+            let same = |c: u32, key: &(u32, u32)| !split && same(c, key) && !moves(c);
             let kept_before = open
                 .iter()
                 .zip(&*keys)
@@ -189,6 +205,15 @@ impl Sweep<'_> {
         }
     }
 
+    fn extents(&self, sheet: u32, at: u32) -> CellExtents<'_> {
+        CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at)
+    }
+
+    /// Whether a place of a sheet's curve comes behind another or out from there, of those that have some that do.
+    fn moves(&self, pinches: &[Pinch], place: f64) -> bool {
+        (pinches.iter()).any(|p| p.moves(self.geometry, self.clusters, place))
+    }
+
     /// Cells that end and cells that begin at one cluster continue each other where they overlap.
     fn connect(
         &self,
@@ -207,7 +232,8 @@ impl Sweep<'_> {
         if closing.is_empty() || opening.is_empty() || !any_matters {
             return;
         }
-        let mut extents = CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at);
+        let pinches = pinches_of(self.pinches, sheet, at);
+        let mut extents = self.extents(sheet, at);
         let upper: Vec<(u32, Extent)> = opening
             .map(|c| (c, extents.of(&cells[c as usize], Side::Above)))
             .collect();
@@ -215,7 +241,9 @@ impl Sweep<'_> {
             let b = extents.of(&cells[lower as usize], Side::Below);
             for &(upper, a) in &upper {
                 if matters(lower) || matters(upper) {
-                    vertical.extend(b.shared_with(&a).map(|shared| VerticalContact {
+                    let goes_on = |s: &Shared| !self.moves(pinches, 0.5 * (s.lo + s.hi));
+                    let shared = b.shared_with(&a).filter(goes_on);
+                    vertical.extend(shared.map(|shared| VerticalContact {
                         lower,
                         upper,
                         at,
