@@ -2,6 +2,7 @@
 
 use super::carriers::Carriers;
 use super::condition::Condition;
+use super::cycle::{self, Cycle};
 use super::motion::Motion;
 
 /// A straight way in the (x, y) plane.
@@ -62,6 +63,30 @@ impl Along<'_> {
                 let bend = 2.0 * (speed * speed + reach * acceleration);
                 let value = (w.length() - radius.abs()) * (w.length() + radius.abs());
                 (sign * value, sign * 2.0 * w.dot(velocity), bend)
+            }
+            Carriers::Cycles {
+                first: a,
+                second: b,
+            } => {
+                // F, which is K d + λ₁ λ₂ d²/2 for the distance d: of its terms that move each by itself, in the way from one to
+                // the other and in two normals.
+                let (a, b) = (a.moved(first, x), b.moved(second, y));
+                let slopes = cycle::slopes(&a, first, &b, second);
+                let arms = (
+                    first.velocity(a.through).length(),
+                    second.velocity(b.through).length(),
+                );
+                let speed = arms.0 * dx.abs() + arms.1 * dy.abs();
+                let acceleration = arms.0 * dx.abs() * spin + arms.1 * dy.abs() * turn;
+                let reach = (b.through - a.through).length() + speed * half;
+                let normal = |c: &Cycle| if c.is_centred() { 0.0 } else { 1.0 };
+                let across = |rate: f64| rate * (rate * reach + 2.0 * speed) + acceleration;
+                let bend = (a.weight * b.weight).abs() * (speed * speed + reach * acceleration)
+                    + b.weight.abs() * normal(&a) * across(spin)
+                    + a.weight.abs() * normal(&b) * across(turn)
+                    + normal(&a) * normal(&b) * (spin + turn) * (spin + turn);
+                let slope = slopes.0 * dx + slopes.1 * dy;
+                (cycle::between(&a, &b), slope, bend)
             }
             Carriers::FirstLine { through, point, .. } => {
                 let (value, slope) = self.distance(mid);

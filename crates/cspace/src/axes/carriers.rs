@@ -1,8 +1,10 @@
 //! The carriers of two features that can touch.
 
+use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::{Point, Vector};
 
+use super::cycle::Cycle;
 use super::scene::Scene;
 
 /// When two features touch: their carriers, at zero coordinates.
@@ -28,6 +30,8 @@ pub(super) enum Carriers {
         second: Point,
         radius: f64,
     },
+    /// Any two features of which one is an arc whose centre is far away.
+    Cycles { first: Cycle, second: Cycle },
 }
 
 impl Carriers {
@@ -65,6 +69,10 @@ impl Carriers {
                 second: first,
                 radius,
             },
+            Self::Cycles { first, second } => Self::Cycles {
+                first: second,
+                second: first,
+            },
         }
     }
 }
@@ -72,6 +80,18 @@ impl Carriers {
 /// The condition of a pair of features, if they can touch.
 pub(super) fn carriers(scene: &Scene, ia: u32, ib: u32) -> Option<Carriers> {
     let (a, b) = (scene.first_feature(ia), scene.second_feature(ib));
+    let found = by_centres(scene, a, b)?;
+    if a.near.is_none() && b.near.is_none() {
+        return Some(found);
+    }
+    Some(Carriers::Cycles {
+        first: Cycle::of(&scene.first, a),
+        second: Cycle::of(&scene.second, b),
+    })
+}
+
+/// The condition of two features by the centres of those that are round.
+fn by_centres(scene: &Scene, a: &Feature, b: &Feature) -> Option<Carriers> {
     match (a.is_line(), b.is_line()) {
         (true, false) if b.radius() >= 0.0 => {
             let joint = scene.first.outline.start(a);

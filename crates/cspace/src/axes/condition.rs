@@ -3,6 +3,7 @@
 use crate::geometry::Point;
 
 use super::carriers::Carriers;
+use super::cycle::{self, Cycle};
 use super::motion::{Bearing, Motion, Motions};
 
 /// Lengths, and sines of angles, below this do not matter: a condition that depends no more than this on a coordinate is
@@ -16,7 +17,8 @@ pub(super) const INDEPENDENT: f64 = crate::feature::tolerance::SAME_CARRIER;
 pub(super) struct Condition {
     pub(super) carriers: Carriers,
     pub(super) motions: Motions,
-    /// Second turning: direction to the carried point, and the angle and the arm of the turning feature.
+    /// Second turning: direction to the carried point, and the angle and the arm of the turning feature. Of cycles, the first
+    /// one's arm, and the angle, the arm and for `offset` the moment of the second, all seen from the second part's pivot.
     pub(super) bearing: Bearing,
     pub(super) angle: f64,
     pub(super) arm: f64,
@@ -50,11 +52,20 @@ impl Condition {
                 let w = second - pivot;
                 (first, -w.angle(), w.length(), 0.0)
             }
+            Carriers::Cycles { first, second } => {
+                let arm = second.arm(pivot);
+                let moment = second.moment(pivot);
+                (first.through, -arm.angle(), arm.length(), moment)
+            }
+        };
+        let bearing = match carriers {
+            Carriers::Cycles { first, .. } => Bearing::of_arm(motions.first, &first, pivot),
+            _ => Bearing::new(motions.first, carried, pivot),
         };
         Self {
             carriers,
             motions,
-            bearing: Bearing::new(motions.first, carried, pivot),
+            bearing,
             angle,
             arm,
             offset,
@@ -96,6 +107,10 @@ impl Condition {
                 let apart = second.point(y, q).distance(first.point(x, p));
                 (apart - radius.abs()) * radius.signum()
             }
+            Carriers::Cycles {
+                first: a,
+                second: b,
+            } => cycle::distance(&a.moved(first, x), &b.moved(second, y)),
         }
     }
 
@@ -119,6 +134,16 @@ impl Condition {
                 let (p, q) = (first.point(x, p), second.point(y, q));
                 let n = (q - p).unit() * radius.signum();
                 (-n.dot(first.velocity(p)), n.dot(second.velocity(q)))
+            }
+            Carriers::Cycles {
+                first: a,
+                second: b,
+            } => {
+                let (a, b) = (a.moved(first, x), b.moved(second, y));
+                let slopes = cycle::slopes(&a, first, &b, second);
+                // F is K d + λ₁ λ₂ d²/2 for the distance d.
+                let rate = cycle::centres(&a, &b).length();
+                (slopes.0 / rate, slopes.1 / rate)
             }
         }
     }
@@ -146,6 +171,17 @@ impl Condition {
                 normal.dot(direction).abs() < INDEPENDENT
             }
             (Carriers::Circles { .. }, Motion::Slide { .. }) => false,
+            // The arm of an arc whose centre is far away is about one; that of a line is.
+            (Carriers::Cycles { first, second }, Motion::Turn { .. }) => {
+                second.is_centred() && self.arm < INDEPENDENT
+                    || first.is_centred() && carried_by_pivot(first.through)
+            }
+            (Carriers::Cycles { first, second }, Motion::Slide { direction }) => {
+                let along = |line: &Cycle| {
+                    line.weight == 0.0 && line.normal.dot(direction).abs() < INDEPENDENT
+                };
+                !self.motions.first.turns() && along(&first) || along(&second)
+            }
         }
     }
 }

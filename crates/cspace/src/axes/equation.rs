@@ -3,6 +3,7 @@
 use crate::geometry::{Point, Rotation, Vector};
 
 use super::condition::INDEPENDENT;
+use super::cycle::Cycle;
 use super::motion::Motion;
 
 /// A function of one coordinate whose roots have a closed form.
@@ -49,6 +50,26 @@ impl Equation {
                 c: (p - c).length_squared(),
             },
             Motion::Still => Self::constant((p - c).length_squared()),
+        }
+    }
+
+    /// The moment of a carried cycle, seen from a point.
+    pub(super) fn moment(motion: Motion, cycle: &Cycle, c: Point) -> Self {
+        match motion {
+            Motion::Turn { center } => {
+                let (d, arm) = (center - c, cycle.arm(center));
+                Self::Trig {
+                    alpha: arm.dot(d),
+                    beta: arm.left().dot(d),
+                    gamma: cycle.moment(center) + 0.5 * cycle.weight * d.length_squared(),
+                }
+            }
+            Motion::Slide { direction } => Self::Quadratic {
+                a: 0.5 * cycle.weight,
+                b: direction.dot(cycle.arm(c)),
+                c: cycle.moment(c),
+            },
+            Motion::Still => Self::constant(cycle.moment(c)),
         }
     }
 
@@ -124,13 +145,9 @@ impl Equation {
             Self::Trig { alpha, beta, gamma } => {
                 let amplitude = alpha.hypot(beta);
                 let square = (amplitude - gamma) * (amplitude + gamma);
-                if amplitude < INDEPENDENT || square < 0.0 {
-                    return;
+                if amplitude >= INDEPENDENT {
+                    self.roots_of(square, found);
                 }
-                let middle = beta.atan2(alpha);
-                let aside = square.sqrt().atan2(-gamma);
-                found(middle - aside);
-                found(middle + aside);
             }
             Self::Quadratic { a, b, c } => {
                 if a == 0.0 {
@@ -152,6 +169,21 @@ impl Equation {
                 found(s.min(t));
                 found(s.max(t));
             }
+        }
+    }
+}
+
+impl Equation {
+    /// The roots of a trigonometric equation of which α² + β² − γ² is known.
+    pub(super) fn roots_of(self, square: f64, found: &mut impl FnMut(f64)) {
+        let Self::Trig { alpha, beta, gamma } = self else {
+            return;
+        };
+        if square >= 0.0 {
+            let middle = beta.atan2(alpha);
+            let aside = square.sqrt().atan2(-gamma);
+            found(middle - aside);
+            found(middle + aside);
         }
     }
 }

@@ -5,9 +5,11 @@ use crate::geometry::{Point, Vector};
 
 use super::carriers::Carriers;
 use super::condition::INDEPENDENT;
+use super::cycle::{self, Cycle};
 use super::domain::wrapped;
 use super::piece::Pair;
 use super::scene::Scene;
+use super::side::Side;
 
 /// A section is tested by where its middle lies between the ends of its features. Nearer to one than this (length, or
 /// radians) the test is not trusted: what lies on the other side of the node beside it tells.
@@ -67,7 +69,50 @@ pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
             inside(a, angle - motions.first.angle(x))
                 .min(inside(b, angle + half_turn - motions.second.angle(y)))
         }
+        Carriers::Cycles { first, second } => {
+            let (p, q) = (
+                first.moved(motions.first, x),
+                second.moved(motions.second, y),
+            );
+            let n = cycle::centres(&p, &q);
+            let of_first = match place(&p, &q, n) {
+                Some(at) => between_ends(&scene.first, a, &first, at),
+                None if turning || !b.is_line() => inside(a, n.angle() - motions.first.angle(x)),
+                None => f64::INFINITY,
+            };
+            let of_second = match place(&q, &p, -n) {
+                Some(at) => between_ends(&scene.second, b, &second, at),
+                None if turning || !a.is_line() => {
+                    inside(b, (-n).angle() - motions.second.angle(y))
+                }
+                None => f64::INFINITY,
+            };
+            of_first.min(of_second)
+        }
     }
+}
+
+/// How far along the tangent of a line or large arc it is touched, from where it is told, n being K times its normal there.
+/// `None` of what is told by its centre. Never on the far side of a circle.
+///
+/// A circle has (n / K − n₁) / λ₁ from one point to the other. Along the tangent that is (λ₂ t·d − t·n₂) / K.
+fn place(own: &Cycle, other: &Cycle, n: Vector) -> Option<f64> {
+    if own.is_centred() {
+        return None;
+    }
+    if own.normal.dot(n) < 0.0 {
+        return Some(f64::INFINITY);
+    }
+    let t = own.normal.left();
+    let way = (other.through - own.through) * other.weight - other.normal;
+    Some(t.dot(way) / cycle::total(own, other))
+}
+
+/// How far inside the ends of a line or large arc a place along its tangent is.
+fn between_ends(side: &Side, f: &Feature, own: &Cycle, at: f64) -> f64 {
+    let t = own.normal.left();
+    let place = |joint: u32| t.dot(side.point(joint) - own.through);
+    (at - place(f.start)).min(place(f.end) - at)
 }
 
 /// Which sections are contact: by their margins, and where those are unclear by the section beside.

@@ -4,6 +4,8 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::geometry::{Point, Rotation, Vector};
 
+use super::cycle::Cycle;
+
 /// A motion of one degree of freedom at most, with coordinate t.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) enum Motion {
@@ -188,6 +190,39 @@ impl Bearing {
             about,
             angle: about.angle(),
             turning,
+        }
+    }
+
+    /// The direction of the arm of a cycle that the first part carries.
+    pub(super) fn of_arm(motion: Motion, cycle: &Cycle, center: Point) -> Self {
+        if cycle.is_centred() {
+            return Self::new(motion, cycle.through, center);
+        }
+        // Arms are as many times smaller than what they stand for as the weight says, and so are ways.
+        match motion {
+            Motion::Turn { center: own } => {
+                let own_arm = Point::ORIGIN + (own - center) * cycle.weight;
+                let turning = Motion::Turn { center: own_arm };
+                Self::new(turning, own_arm + cycle.arm(own), Point::ORIGIN)
+            }
+            Motion::Slide { .. } | Motion::Still => {
+                let arm = cycle.arm(center);
+                let motion = match motion {
+                    Motion::Slide { direction } => Motion::Slide {
+                        direction: direction * cycle.weight,
+                    },
+                    other => other,
+                };
+                // It turns by little: to a quarter turn it is as far as to the centre.
+                Self {
+                    motion,
+                    point: Point::ORIGIN + arm,
+                    center: Point::ORIGIN,
+                    about: arm,
+                    angle: arm.angle(),
+                    turning: false,
+                }
+            }
         }
     }
 

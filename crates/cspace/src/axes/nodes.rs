@@ -8,7 +8,9 @@ use crate::feature::Feature;
 use crate::geometry::Rotation;
 
 use super::aligned::{Seen, aligned};
+use super::cycle::Cycle;
 use super::equation::coincidences;
+use super::meet::{Tip, meetings};
 use super::motion::Motions;
 use super::names::{Name, Spot};
 use super::repeats::Image;
@@ -64,15 +66,14 @@ impl Scene {
         let Motions { first, second } = self.motions;
         for joint in [a.start, a.end] {
             let Image { of: joint, steps } = self.repeats.joint(joint);
-            let at = self.first.point(joint) + self.first.normal(joint) * b.radius();
+            let (point, normal) = (self.first.point(joint), self.first.normal(joint));
             let name = match self.first.vertex[joint as usize] {
                 Some(vertex) if b.is_vertex() => Name::Vertices(vertex, ib),
                 _ => Name::FirstJoint(joint, ib),
             };
-            let normal = self.first.normal(joint);
             let cone = self.second.cones[ib as usize];
             let plausible = |theta: Rotation| cone.may_hold(-(theta.inverse() * normal));
-            coincidences(first, at, second, b.center(), plausible, |root, x, y| {
+            let meets = |root, x: f64, y: f64| {
                 let theta = self.motions.theta(x, y);
                 let tied = |k: &u32| self.tied(joint, *k, theta);
                 if let Some(k) = [b.start, b.end].into_iter().find(tied) {
@@ -80,7 +81,15 @@ impl Scene {
                 } else if self.second_has(b, joint, theta) {
                     found(name, root, steps, x, y);
                 }
-            });
+            };
+            if b.near.is_some() {
+                let arc = Cycle::of(&self.second, b);
+                let (tip, of_arc) = (Tip::of_joint(point, normal, arc.weight), Tip::of_arc(&arc));
+                meetings((first, &tip), (second, &of_arc), meets);
+            } else {
+                let at = point + normal * b.radius();
+                coincidences(first, at, second, b.center(), plausible, meets);
+            }
         }
     }
 
@@ -93,15 +102,14 @@ impl Scene {
     ) {
         let Motions { first, second } = self.motions;
         for joint in [b.start, b.end] {
-            let at = self.second.point(joint) + self.second.normal(joint) * a.radius();
+            let (point, normal) = (self.second.point(joint), self.second.normal(joint));
             let name = match self.second.vertex[joint as usize] {
                 Some(vertex) if a.is_vertex() => Name::Vertices(ia, vertex),
                 _ => Name::SecondJoint(ia, joint),
             };
-            let normal = self.second.normal(joint);
             let cone = self.first.cones[ia as usize];
             let plausible = |theta: Rotation| cone.may_hold(-(theta * normal));
-            coincidences(first, a.center(), second, at, plausible, |root, x, y| {
+            let meets = |root, x: f64, y: f64| {
                 let theta = self.motions.theta(x, y);
                 let tied = |k: &u32| self.tied(*k, joint, theta);
                 if let Some(k) = [a.start, a.end].into_iter().find(tied) {
@@ -112,7 +120,15 @@ impl Scene {
                 } else if self.first_has(a, joint, theta) {
                     found(name, root, 0, x, y);
                 }
-            });
+            };
+            if a.near.is_some() {
+                let arc = Cycle::of(&self.first, a);
+                let (of_arc, tip) = (Tip::of_arc(&arc), Tip::of_joint(point, normal, arc.weight));
+                meetings((first, &of_arc), (second, &tip), meets);
+            } else {
+                let at = point + normal * a.radius();
+                coincidences(first, a.center(), second, at, plausible, meets);
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::feature::Feature;
+use crate::feature::{Feature, Near};
 use crate::geometry::{Point, Vector};
 
 use super::domain::wrapped;
@@ -57,6 +57,9 @@ fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) 
         };
         return (least, a.max(b));
     }
+    if let Some(near) = f.near {
+        return distances_of_flat(near, [p, q], center);
+    }
     let (m, r) = (f.center().distance(center), f.radius().abs());
     let sees = |toward: Vector| {
         let outward = if f.radius() < 0.0 { -toward } else { toward };
@@ -76,6 +79,20 @@ fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) 
     if m == 0.0 { (r, r) } else { (least, largest) }
 }
 
+/// Bounds on the same of a large arc: as of a line, give or take its height above the chord.
+fn distances_of_flat(near: Near, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
+    let (a, b) = (p.distance(center), q.distance(center));
+    let along = near.normal.left();
+    let height = (near.normal.dot(p - near.point).abs()).max(near.normal.dot(q - near.point).abs());
+    let at = |p: Point| along.dot(p - center);
+    let least = if (at(p) < 0.0) == (at(q) < 0.0) {
+        a.min(b)
+    } else {
+        near.normal.dot(near.point - center).abs()
+    };
+    ((least - height).max(0.0), a.max(b) + height)
+}
+
 /// The angles from the ray that leads from a pivot to a point of the feature to the normal there, or bounds on them: middle
 /// and half width.
 ///
@@ -89,7 +106,7 @@ fn lean(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
         let out = Vector::from_angle(normal) * f.radius();
         let width = (f.hi - f.lo).min(TAU);
         (
-            f.center() + out,
+            f.near.map_or(f.center() + out, |n| n.point),
             2.0 * f.radius().abs() * (0.25 * width).sin(),
         )
     };
@@ -108,6 +125,12 @@ fn distances_beside(f: &Feature, [p, q]: [Point; 2], side: Vector) -> (f64, f64)
     let (a, b) = (side.dot(p - Point::ORIGIN), side.dot(q - Point::ORIGIN));
     if f.is_line() {
         return (a.min(b), a.max(b));
+    }
+    if let Some(near) = f.near {
+        // Neither end is farther from the tangent half way than the arc is high.
+        let height = |p: Point| near.normal.dot(p - near.point).abs();
+        let height = height(p).max(height(q));
+        return (a.min(b) - height, a.max(b) + height);
     }
     let (m, r) = (side.dot(f.center() - Point::ORIGIN), f.radius().abs());
     (m - r, m + r)

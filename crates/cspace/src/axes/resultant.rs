@@ -5,6 +5,7 @@ use crate::number::TrigPolynomial;
 
 use super::carriers::Carriers;
 use super::condition::{Condition, INDEPENDENT};
+use super::cycle::{self, along};
 use super::motion::Motion;
 
 /// Intervals of x are not halved below this when crossings are isolated (radians or length); two crossings nearer than
@@ -121,8 +122,8 @@ enum InY {
     Turn(f64, f64, f64),
     /// b y = c.
     Line(f64, f64),
-    /// y² + b y + c = 0.
-    Square(f64, f64),
+    /// a y² + b y + c = 0.
+    Square(f64, f64, f64),
 }
 
 impl Condition {
@@ -189,9 +190,35 @@ impl Condition {
                     Motion::Slide { direction } => {
                         let v = p - q;
                         InY::Square(
+                            1.0,
                             -2.0 * direction.dot(v),
                             v.length_squared() - radius * radius,
                         )
+                    }
+                    Motion::Still => InY::Line(0.0, 0.0),
+                }
+            }
+            (
+                Carriers::Cycles {
+                    first: a,
+                    second: b,
+                },
+                second,
+            ) => {
+                let a = a.placed(|p| first.point(p), |v| first.turn * v);
+                match second {
+                    Motion::Turn { center } => {
+                        let (p, q) = (a.arm(center), b.arm(center));
+                        let moments = (a.moment(center), self.offset);
+                        InY::Turn(p.dot(q), p.dot(q.left()), cycle::level(&a, &b, moments))
+                    }
+                    Motion::Slide { direction } => {
+                        let (square, slope, still) = along(&a, &b, direction);
+                        if square == 0.0 {
+                            InY::Line(slope, -still)
+                        } else {
+                            InY::Square(0.5 * square, slope, still)
+                        }
                     }
                     Motion::Still => InY::Line(0.0, 0.0),
                 }
@@ -211,17 +238,16 @@ fn resultant(f: &InY, g: &InY) -> (f64, f64) {
             (p * p + q * q - r * r, terms)
         }
         (InY::Line(b, c), InY::Line(d, e)) => (b * e - d * c, (b * e).abs() + (d * c).abs()),
-        (InY::Line(d, e), InY::Square(b, c)) | (InY::Square(b, c), InY::Line(d, e)) => (
-            e * e + b * e * d + c * d * d,
-            e * e + (b * e * d).abs() + (c * d * d).abs(),
+        (InY::Line(d, e), InY::Square(a, b, c)) | (InY::Square(a, b, c), InY::Line(d, e)) => (
+            a * e * e + b * e * d + c * d * d,
+            (a * e * e).abs() + (b * e * d).abs() + (c * d * d).abs(),
         ),
-        (InY::Square(b, c), InY::Square(d, e)) => {
-            let (p, q) = (b - d, e - c);
+        (InY::Square(a, b, c), InY::Square(d, e, f)) => {
+            let (p, q, r) = (a * e - d * b, a * f - d * c, b * f - e * c);
+            let size = |a: f64, b: f64| a.abs() + b.abs();
             (
-                q * q + b * q * p + c * p * p,
-                (e.abs() + c.abs()).powi(2)
-                    + ((b.abs() + d.abs()) * b * (e.abs() + c.abs())).abs()
-                    + (c * (b.abs() + d.abs()).powi(2)).abs(),
+                q * q - p * r,
+                size(a * f, d * c).powi(2) + size(a * e, d * b) * size(b * f, e * c),
             )
         }
         _ => (f64::NAN, 0.0),

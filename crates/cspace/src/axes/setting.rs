@@ -305,10 +305,14 @@ fn reach(
             .iter()
             .map(|f| {
                 let far = |j: u32| o.joints[j as usize].point.to_vector().length();
-                let round = if f.is_line() {
-                    0.0
-                } else {
-                    f.center().to_vector().length() + f.radius().abs()
+                let round = match f.near {
+                    // Its ends are as far from the point half way as any of it.
+                    Some(near) => {
+                        let half = |j: u32| o.joints[j as usize].point.distance(near.point);
+                        near.point.to_vector().length() + half(f.start).max(half(f.end))
+                    }
+                    None if f.is_line() => 0.0,
+                    None => f.center().to_vector().length() + f.radius().abs(),
                 };
                 far(f.start).max(far(f.end)).max(round)
             })

@@ -1,7 +1,10 @@
 //! Closed-form solutions of contact conditions for one coordinate.
 
+use crate::geometry::Vector;
+
 use super::carriers::Carriers;
-use super::condition::Condition;
+use super::condition::{Condition, INDEPENDENT};
+use super::cycle::{self, Cycle};
 use super::equation::Equation;
 use super::motion::{Motion, Motions};
 
@@ -40,6 +43,20 @@ impl Condition {
             ) => {
                 let p = self.motions.first.point(x, first);
                 direction.cross(p - second).abs() <= radius.abs()
+            }
+            (Carriers::Cycles { .. }, Motion::Turn { .. }) => {
+                self.turned(x).is_some_and(|t| t.0 >= 0.0)
+            }
+            (Carriers::Cycles { first, second }, Motion::Slide { direction }) => {
+                let (square, slope, still) =
+                    cycle::along(&first.moved(self.motions.first, x), &second, direction);
+                if square != 0.0 {
+                    slope * slope >= 2.0 * square * still
+                } else if rises {
+                    slope > 0.0
+                } else {
+                    slope < 0.0
+                }
             }
         }
     }
@@ -127,6 +144,24 @@ impl Condition {
                 let (aside, r) = (direction.cross(v), radius.abs());
                 direction.dot(v) + sign * radius.signum() * root_of((r - aside) * (r + aside))
             }
+            (Carriers::Cycles { .. }, Motion::Turn { .. }) => {
+                let Some((room, level)) = self.turned(x) else {
+                    return f64::NAN;
+                };
+                let v = self.bearing.vector(x);
+                self.angle + self.bearing.turned(x, v, (level, root_of(room)), sign)
+            }
+            (Carriers::Cycles { first, second }, Motion::Slide { direction }) => {
+                let (square, slope, still) =
+                    cycle::along(&first.moved(self.motions.first, x), &second, direction);
+                let rate = sign * root_of(slope * slope - 2.0 * square * still);
+                // Of two forms that are equal the one in which nothing cancels.
+                if (slope < 0.0) == (rate < 0.0) {
+                    -2.0 * still / (slope + rate)
+                } else {
+                    (rate - slope) / square
+                }
+            }
         }
     }
 
@@ -179,7 +214,98 @@ impl Condition {
                 solve(aside.plus(-radius));
                 solve(aside.plus(radius));
             }
+            (
+                Carriers::Cycles {
+                    first: a,
+                    second: b,
+                },
+                Motion::Turn { center },
+            ) => {
+                let moment = Equation::moment(first, &a, center);
+                for level in cycle::turning_moments(&a, &b, (self.arm, self.offset)) {
+                    solve(moment.plus(-level));
+                }
+            }
+            (
+                Carriers::Cycles {
+                    first: a,
+                    second: b,
+                },
+                Motion::Slide { direction },
+            ) => {
+                turnings_of_slides(first, &a, &b, direction, &mut found);
+            }
         }
+    }
+
+    /// With a second part that turns, for cycles at x: what is left of the product of their arms, squared, beside what does not
+    /// depend on y, and that.
+    fn turned(&self, x: f64) -> Option<(f64, f64)> {
+        let (Carriers::Cycles { first, second }, Motion::Turn { center }) =
+            (self.carriers, self.motions.second)
+        else {
+            return None;
+        };
+        let moments = (
+            first.moved(self.motions.first, x).moment(center),
+            self.offset,
+        );
+        Some((
+            cycle::room(&first, &second, moments),
+            cycle::level(&first, &second, moments),
+        ))
+    }
+}
+
+/// Where the second of two cycles, which slides, passes along the first: (e × V)² = K², V being what [`cycle::centres`] is.
+fn turnings_of_slides(first: Motion, a: &Cycle, b: &Cycle, e: Vector, found: &mut impl FnMut(f64)) {
+    let total = cycle::total(a, b);
+    if b.weight == 0.0 {
+        return;
+    }
+    if a.weight == 0.0 {
+        // Along a line.
+        Equation::direction(first, a.normal, e).roots(found);
+        return;
+    }
+    match first {
+        Motion::Turn { center } => {
+            // e × V = λ₁ e × a₂ − λ₂ e × R a₁, seen from the pivot: with T = |e × a₂| and τ = ±T − ρ₂ it is ±K where
+            // λ₂ e × R a₁ is λ₁ τ − λ₂ ρ₁, but for the sign. One τ is a difference: both together are ρ₂² − T².
+            let (arm, other) = (a.arm(center), b.arm(center));
+            let (aside, along) = (e.cross(other), e.dot(other));
+            let product = along * along - 2.0 * b.weight * b.moment(center);
+            let most = -(aside.abs().copysign(b.size) + b.size);
+            let least = if most == 0.0 { 0.0 } else { product / most };
+            for (tau, side) in [(most, -b.size), (least, b.size)] {
+                let side = 1.0_f64.copysign(side) * 1.0_f64.copysign(aside);
+                let equation = Equation::Trig {
+                    alpha: -b.weight * e.cross(arm),
+                    beta: -b.weight * e.cross(arm.left()),
+                    gamma: side * (a.weight * tau - b.weight * a.size),
+                };
+                // λ₂² |a₁|² − (λ₁ τ − λ₂ ρ₁)², with |a₁|² = ρ₁² + 2 λ₁ m₁.
+                let square = a.weight
+                    * (2.0 * b.weight * (b.weight * a.moment(center) + a.size * tau)
+                        - a.weight * tau * tau);
+                equation.roots_of(square, found);
+            }
+        }
+        Motion::Slide { direction } => {
+            // e × V changes by −λ₁ λ₂ e × d.
+            let rate = a.weight * b.weight * e.cross(direction);
+            if e.cross(direction).abs() < INDEPENDENT {
+                return;
+            }
+            let (square, slope, level) = cycle::along(a, b, e);
+            let left = slope * slope - 2.0 * square * level;
+            let aside = e.cross(cycle::centres(a, b));
+            // (K − e × V) (K + e × V) is what is left.
+            let far = total.copysign(aside) + aside;
+            found(far / rate);
+            found(-left / (far * rate));
+        }
+        Motion::Still => {}
     }
 }
 

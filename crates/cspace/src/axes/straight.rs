@@ -1,7 +1,8 @@
 //! Arcs that are all but straight, taken for their chords.
 //!
-//! Circles are told by their centres here. Of an arc of radius r a place is then known to some ε r, which is more than the
-//! arc is off its chord, b c / 2 for the bulge b and the chord c with r = c / 4b, if b² is less than some ε.
+//! Where a line touches an arc of radius r, or a large arc another, the place is told by the angle between them, and so known
+//! to some ε r, which is more than the arc is off its chord, b c / 2 for the bulge b and the chord c with r = c / 4b, if b² is
+//! less than some ε.
 
 use crate::part::{Part, Vertex};
 

@@ -14,5 +14,5 @@ pub(crate) use extract::unwrap_near;
 pub(crate) use frame::PairFrame;
 pub(crate) use inscribed::{Plenty, inscribed_discs};
 pub(crate) use material::Material;
-pub(crate) use outline::{Feature, Outline, Shape};
+pub(crate) use outline::{Feature, Near, Outline, Shape};
 pub use outline::{FeatureKind, FeatureName};
