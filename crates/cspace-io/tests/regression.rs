@@ -902,7 +902,7 @@ fn patches_for_1e_10_rad() {
     assert_eq!(read.to_saved(), saved);
 }
 
-/// Circles are told by their centres on fixed axes: arcs of 1e9 sizes are taken for lines, and the resolution says so.
+/// Arcs of 1e9 sizes are taken for lines on fixed axes, and the resolution says so.
 #[test]
 fn flat_sides_beside_a_pivot() {
     let pair = OnAxes::read("axes_flat_sides_beside_a_pivot.toml");
@@ -1358,5 +1358,33 @@ fn bowed_boxes() {
             }
         }
         assert!(free > 300, "{free}");
+    }
+}
+
+/// Sides that are bowed by a millionth and less, their ends on pivots or passing them: told by their centres, a million sizes
+/// away, whole contacts were lost, and regions with them.
+#[test]
+fn flat_sides_and_pivots() {
+    let pairs: [(&str, &[(f64, f64)]); 6] = [
+        ("two_flat_sides_at_a_pivot", &[(0.2958, 1.0), (0.51, 1.0)]),
+        (
+            "corner_on_its_pivot_along_a_flat_side",
+            &[(0.04992, -0.3448), (0.0499, 0.5)],
+        ),
+        ("flat_sides_about_one_pivot", &[(7.5296, 0.9676)]),
+        ("flat_side_along_a_far_corner", &[(4.8125, -19.4356)]),
+        ("flat_sides_at_both_pivots", &[(6.15727, -1.047)]),
+        (
+            "flat_side_along_its_slide",
+            &[(0.086372, -0.869), (0.086373, -0.3)],
+        ),
+    ];
+    for (name, places) in pairs {
+        let pair = OnAxes::read(&format!("axes_{name}.toml"));
+        assert!(pair.space.resolution() < 1e-7, "{name}");
+        // Brute force is certain of half of them where much is on one line.
+        let certain = pair.certainly_right(places);
+        assert!(certain > 400, "{name}: {certain} certain");
+        assert_eq!(pair.space.statistics().conflicts, 0, "{name}");
     }
 }
