@@ -18,14 +18,20 @@ const ASTRAY: f64 = 1e-7;
 
 impl FixedAxesSpace {
     /// Classifies a configuration: contact if a contact function of the boundary there is within the
-    /// [`resolution`](Self::resolution), otherwise by the free gaps at u. `None` outside the ranges of motion, which of a
+    /// [`resolution`](Self::resolution), otherwise by the free gaps at u, or by intersecting the placed parts if the space
+    /// has [conflicts](super::AxesStatistics::conflicts). `None` outside the ranges of motion, which of a
     /// part that does not move is 0 alone, or if the configuration is not finite.
     pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
         let (x, y) = self.placed(u, v)?;
         if self.touching(x, y).next().is_some() {
             return Some(Classification::Contact);
         }
-        Some(if self.gap(x, y).is_some() {
+        let free = if self.statistics.conflicts > 0 {
+            !self.bodies.overlap(x, y)
+        } else {
+            self.gap(x, y).is_some()
+        };
+        Some(if free {
             Classification::Free
         } else {
             Classification::Blocked

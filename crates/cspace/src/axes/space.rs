@@ -59,7 +59,9 @@ pub struct AxesStatistics {
     pub crossings: usize,
     /// Tests of overlap. A part that is symmetric about its pivot is tested in one period only.
     pub tests: usize,
-    /// Places at which tests and structure told different things; 0 unless something lies closer than the resolution.
+    /// Places at which tests and structure told different things, or the structure contradicts itself, that no attempt was
+    /// without; 0 unless something lies closer than the resolution. If there are any, configurations are classified by
+    /// intersecting the placed parts, and regions and patches are not to be relied upon.
     pub conflicts: usize,
 }
 
@@ -96,6 +98,7 @@ impl FixedAxesSpace {
                 (best, fewest) = (space, faults);
             }
         }
+        best.statistics.conflicts = fewest;
         Ok(best)
     }
 
