@@ -288,6 +288,7 @@ impl ShellFinder<'_> {
             .collect();
         let mut tests = rings.iter().filter(|r| r.1.is_some()).count();
         let mut some_free = rings.iter().any(|r| r.1 == Some(true));
+        some_free |= !some_free && self.finds_free(cells, shell, &mut tests);
         let some_blocked = blocked || rings.iter().any(|r| r.1 == Some(false));
         if !some_free && (blocked || tests == 0) {
             // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
@@ -317,6 +318,20 @@ impl ShellFinder<'_> {
             tests,
             conflict,
         }
+    }
+
+    /// Whether any cell that is not narrow is free by itself, of a shell of which no ring is by its largest.
+    ///
+    /// A cell that goes on where it should end, on the other side of what it met, takes its ring and a pocket along: of that
+    /// nothing else tells.
+    fn finds_free(&self, cells: &[Cell], shell: &[Member], tests: &mut usize) -> bool {
+        let wide = |c: &&Cell| self.duration(c.from, c.to) > NARROW;
+        (shell.iter().map(|m| &cells[m.cell as usize]))
+            .filter(wide)
+            .any(|c| {
+                *tests += 1;
+                self.is_free_throughout(c)
+            })
     }
 
     /// From the end of one cluster to the beginning of another, radians.
