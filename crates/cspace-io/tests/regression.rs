@@ -596,7 +596,7 @@ fn pockets_of_small_play() {
     let star = |size: f64| -> Vec<Vertex> {
         (0..10)
             .map(|i| {
-                let (sin, cos) = (0.1 + core::f64::consts::PI * f64::from(i) / 5.0).sin_cos();
+                let (sin, cos) = (0.1 + PI * f64::from(i) / 5.0).sin_cos();
                 let r = if i % 2 == 0 { 0.5 * size } else { size };
                 Vertex::line(r * cos, r * sin)
             })
@@ -779,7 +779,7 @@ fn one_pivot_on_a_side() {
         oracle: Oracle::new(&fixed, &moving),
     };
     // The lower side, which begins at the pivot, touches the peg's left corner; half a turn before it is far from it.
-    let across = 3.0_f64.atan2(-0.1) - core::f64::consts::PI;
+    let across = 3.0_f64.atan2(-0.1) - PI;
     let behind: Vec<(f64, f64)> = (-10..10)
         .map(|k| 0.1 * f64::from(k))
         .map(|t| (t, t + across))
@@ -962,11 +962,11 @@ fn pivots_that_are_nearly_one() {
 #[test]
 fn peg_and_hole_drawn_1e8_away() {
     let rows = [
-        (2.689842981231048, 99999997.49999745, -core::f64::consts::PI),
+        (2.689842981231048, 99999997.49999745, -PI),
         (
             -2.1607893564408647,
             100000002.49999745,
-            -core::f64::consts::PI,
+            -PI,
         ),
     ];
     let file = "tests/regression/peg_and_hole_drawn_1e8_away.toml";
