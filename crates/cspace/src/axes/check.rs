@@ -13,7 +13,7 @@ const AT_LIMIT: f64 = 1e-9;
 impl FixedAxesSpace {
     /// How often the partition contradicts itself: in the tests made for it, in curves that lead nowhere or to another
     /// region, in regions whose sample is blocked or that are narrower than the resolution, in gaps that hold one of the
-    /// configurations at which the parts were found to overlap.
+    /// configurations at which the parts were found to overlap, in configurations that are not what the gaps say.
     pub(super) fn faults(&self, overlaps: &[(f64, f64)]) -> usize {
         let curves = (0..self.patches.len()).map(|i| self.faults_of(i));
         let none =
@@ -24,15 +24,12 @@ impl FixedAxesSpace {
             + curves.sum::<usize>()
             + regions.count()
             + overlooked.count()
-            + self.without_curves()
+            + self.untrue()
     }
 
-    /// How many of some configurations are not what all should be, if no curve parts free from blocked ones: a single test
-    /// has told of the whole plane then.
-    fn without_curves(&self) -> usize {
-        if !self.patches.is_empty() {
-            return 0;
-        }
+    /// How many of some configurations are not what the gaps tell. Where contact curves are lost, nothing else contradicts what is
+    /// told of both their sides; and where there are none, a single test has told of the whole plane.
+    fn untrue(&self) -> usize {
         // Spread evenly, in no simple ratio to anything.
         const TRIED: u32 = 64;
         const SPREAD: (f64, f64) = (0.754_877_666_246_692_8, 0.569_840_290_998_053_3);
@@ -42,7 +39,10 @@ impl FixedAxesSpace {
                 let k = f64::from(k);
                 (at(&self.x, k * SPREAD.0), at(&self.y, k * SPREAD.1))
             })
-            .filter(|&(x, y)| self.bodies.overlap(x, y) == self.gap(x, y).is_some())
+            .filter(|&(x, y)| {
+                let untrue = self.bodies.overlap(x, y) == self.gap(x, y).is_some();
+                untrue && self.touching(x, y).next().is_none()
+            })
             .count()
     }
 
