@@ -1338,6 +1338,9 @@ fn bowed_boxes() {
         let parts = parts(&format!("tests/regression/{name}.toml"));
         let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
         assert_eq!(space.free_regions().len(), regions, "{name}");
+        if name == "bowed_box_in_its_own_hole" {
+            assert_eq!(space.statistics().conflicts, 0);
+        }
         let oracle = Oracle::new(&parts[0], &parts[1]);
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let mut free = 0;
@@ -1356,6 +1359,26 @@ fn bowed_boxes() {
             }
         }
         assert!(free > 300, "{name}: {free}");
+    }
+}
+
+/// Two pieces of play 1e-5, far from each other: free for less than 1e-5 rad.
+#[test]
+fn two_bowed_pieces() {
+    for (name, at) in [
+        (
+            "two_bowed_trapezoids",
+            Configuration::new(0.0, -3.824_173_934_7e-6, -0.299_996_200_5),
+        ),
+        ("two_bowed_tees", Configuration::new(0.0, 0.0, 0.0)),
+    ] {
+        let [fixed, moving] = parts(&format!("tests/regression/{name}.toml"));
+        let options = Options {
+            window: Some((at.theta - 3e-5, at.theta + 3e-5)),
+            ..Options::default()
+        };
+        let space = ContactSpace::compute(&fixed, &moving, &options).unwrap();
+        assert_eq!(space.classify(at), Some(Classification::Free), "{name}");
     }
 }
 

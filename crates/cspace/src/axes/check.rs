@@ -82,3 +82,46 @@ impl FixedAxesSpace {
         faults
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::axes::Axis;
+    use crate::geometry::Vector;
+    use crate::part::{Part, Vertex};
+
+    /// A square that slides up and down, and one beside it that slides to it.
+    fn squares(size: f64) -> FixedAxesSpace {
+        let square = |x: f64| {
+            let corners = [(x, 0.0), (x + size, 0.0), (x + size, size), (x, size)];
+            let outline = corners.map(|(x, y)| Vertex::line(x, y)).to_vec();
+            Part::new("square", vec![outline]).unwrap()
+        };
+        let slide = |x: f64, y: f64| Axis::prismatic(Vector::new(x, y)).within(-4.0, 4.0);
+        let (up, along) = (slide(0.0, 1.0), slide(1.0, 0.0));
+        FixedAxesSpace::compute(&square(0.0), up, &square(2.5), along).unwrap()
+    }
+
+    #[test]
+    fn a_partition_that_is_right_has_no_faults() {
+        for size in [1.0, 1.5, 2.0] {
+            let space = squares(size);
+            assert!(!space.patches.is_empty());
+            assert_eq!(space.faults(&[]), 0, "{size}");
+        }
+    }
+
+    /// An overlap in a free gap, curves of other parts, and curves that are gone.
+    #[test]
+    fn faults_are_seen() {
+        let mut space = squares(1.0);
+        let free = space.bands.regions[0].sample;
+        assert_eq!(space.faults(&[free, free]), 2);
+        space.bodies = squares(2.0).bodies;
+        assert!(space.untrue() > 3);
+        let mut space = squares(1.0);
+        space.patches[0].next = None;
+        assert!(space.faults(&[]) > 0);
+    }
+}

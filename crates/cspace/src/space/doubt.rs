@@ -19,7 +19,7 @@ const NARROW: f64 = 1e-5;
 
 /// So are orientations between two clusters nearer to each other than this (radians), critical or not: a pocket that is lost
 /// leaves no critical orientations. Large pairs have many clusters, so that it is to be little.
-const CROWDED: f64 = 2e-6;
+pub(super) const CROWDED: f64 = 2e-6;
 
 /// Disjoint intervals of orientation, radians, in ascending order.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -9,6 +9,7 @@ use super::branch::{Branch, Coincidence};
 use super::candidates::Candidates;
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
+use super::doubt::CROWDED;
 use super::levels::Levels;
 use super::placing::Placing;
 use super::sweep::Cells;
@@ -320,14 +321,15 @@ impl ShellFinder<'_> {
         }
     }
 
-    /// Whether any cell that is not narrow is free by itself, of a shell of which no ring is by its largest.
+    /// Whether any cell is free by itself, of a shell of which no ring is by its largest. Where cells last less than
+    /// [`CROWDED`] configurations are in doubt anyway.
     ///
     /// A cell that goes on where it should end, on the other side of what it met, takes its ring and a pocket along: of that
     /// nothing else tells.
     fn finds_free(&self, cells: &[Cell], shell: &[Member], tests: &mut usize) -> bool {
-        let wide = |c: &&Cell| self.duration(c.from, c.to) > NARROW;
+        let lasts = |c: &&Cell| self.duration(c.from, c.to) > CROWDED;
         (shell.iter().map(|m| &cells[m.cell as usize]))
-            .filter(wide)
+            .filter(lasts)
             .any(|c| {
                 *tests += 1;
                 self.is_free_throughout(c)
