@@ -1382,6 +1382,20 @@ fn two_bowed_pieces() {
     }
 }
 
+/// At a doubtful orientation a curve of the slice is where the parts overlap by 4e-8.
+#[test]
+fn contact_of_a_doubtful_slice() {
+    let [fixed, moving] = parts("tests/regression/contact_of_a_doubtful_slice.toml");
+    let options = Options {
+        window: Some((0.0, 0.05)),
+        ..Options::default()
+    };
+    let space = ContactSpace::compute(&fixed, &moving, &options).unwrap();
+    let at = Configuration::new(-2.5, -0.000_100_000_121_162_480_59, 0.0);
+    assert!(space.slice(0.0).doubtful);
+    assert_eq!(space.classify(at), Some(Classification::Blocked));
+}
+
 /// Sides that are bowed by a millionth and less, their ends on pivots or passing them: told by their centres, a million sizes
 /// away, whole contacts were lost, and regions with them.
 #[test]

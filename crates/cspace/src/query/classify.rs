@@ -1,8 +1,10 @@
 //! Is a configuration free?
 
+use core::f64::consts::TAU;
+
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::Configuration;
+use crate::geometry::{Configuration, Vector};
 use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
 
@@ -21,7 +23,8 @@ pub enum Classification {
 impl ContactSpace {
     /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise
     /// by the side from which a ray meets the first contact curve. At
-    /// [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are tested for overlap instead. `None`
+    /// [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are tested for overlap instead, also just beside what
+    /// the curves tell to be contact. `None`
     /// outside the window, or if the configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
     ///
     /// ```
@@ -84,7 +87,8 @@ impl ContactSpace {
         };
         let nearest =
             (slice.curves.iter().map(away).enumerate()).min_by(|a, b| a.1.total_cmp(&b.1));
-        let near = nearest.is_some_and(|n| n.1 <= self.contact_distance());
+        let near = nearest.is_some_and(|n| n.1 <= self.contact_distance())
+            && (!slice.doubtful || self.touches(c));
         let met = slice.first_met(c.position());
         let by_slice = met.is_none_or(|m| m.from_free);
         let free = if !near && slice.doubtful {
@@ -105,5 +109,17 @@ impl ContactSpace {
         let patch = bounding.and_then(|i| slice.curves[i].patch);
         let region = patch.map_or(UNBOUNDED, |p| self.patches()[p as usize].region);
         Some((class, region))
+    }
+
+    /// Whether of some positions twice the distance of contact away some overlap and some do not.
+    fn touches(&self, c: Configuration) -> bool {
+        const DIRECTIONS: u32 = 8;
+        let distance = 2.0 * self.contact_distance();
+        let overlaps = |k: u32| {
+            let by = Vector::from_angle(TAU / f64::from(DIRECTIONS) * f64::from(k)) * distance;
+            self.overlaps(Configuration::new(c.x + by.x, c.y + by.y, c.theta))
+        };
+        let first = overlaps(0);
+        (1..DIRECTIONS).any(|k| overlaps(k) != first)
     }
 }
