@@ -171,9 +171,7 @@ impl Equation {
             }
         }
     }
-}
 
-impl Equation {
     /// The roots of a trigonometric equation of which α² + β² − γ² is known.
     pub(super) fn roots_of(self, square: f64, found: &mut impl FnMut(f64)) {
         let Self::Trig { alpha, beta, gamma } = self else {

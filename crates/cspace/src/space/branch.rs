@@ -10,7 +10,7 @@ use crate::parallel;
 
 use super::candidates::PairRun;
 use super::clusters::Clusters;
-use super::pinches::{Pinch, pinched};
+use super::pinches::{Pinch, is_passed, pinched, placed};
 
 /// One crossing of two sheets from one cluster of events to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -281,24 +281,12 @@ impl Tracer<'_> {
 
 /// The sheet, of two whose curves do not cross just below and just above a cluster, that is on different sides of the
 /// other then: all of it has passed in between.
-fn swallowed(geometry: &Geometry, run: &PairRun, (below, above): (f64, f64)) -> Option<u32> {
-    let sheets = &geometry.contacts.sheets;
-    let side = |short: u32, long: u32, theta: f64| {
-        let turn = Rotation::by(theta);
-        let p = sheets[short as usize].curve(theta, turn).point(0.0);
-        let long = sheets[long as usize].curve(theta, turn);
-        let off = match long.shape {
-            CurveShape::Line { normal } => normal.dot(p - long.start),
-            CurveShape::Circle { center, radius, .. } => center.distance(p) - radius.abs(),
-            CurveShape::Bow(bow) => bow.distance(p),
-        };
-        (long.position(p).abs() < long.half_length()).then_some(off > 0.0)
-    };
+fn swallowed(geometry: &Geometry, run: &PairRun, beside: (f64, f64)) -> Option<u32> {
     [(run.first, run.second), (run.second, run.first)]
         .into_iter()
         .find(|&(short, long)| {
-            let sides = [below, above].map(|theta| side(short, long, theta));
-            matches!(sides, [Some(a), Some(b)] if a != b)
+            let [short, long] = [short, long].map(|s| placed(geometry, s, beside));
+            is_passed(&long, short.map(|c| c.point(0.0)))
         })
         .map(|pair| pair.0)
 }

@@ -47,13 +47,13 @@ impl Pinch {
 }
 
 /// A sheet's curves just below and just above a cluster.
-fn placed(geometry: &Geometry, sheet: u32, beside: (f64, f64)) -> [Curve; 2] {
+pub(super) fn placed(geometry: &Geometry, sheet: u32, beside: (f64, f64)) -> [Curve; 2] {
     [beside.0, beside.1]
         .map(|theta| geometry.contacts.sheets[sheet as usize].curve(theta, Rotation::by(theta)))
 }
 
 /// Whether a curve passes a point that is beside it before and after.
-fn is_passed(curve: &[Curve; 2], point: [Point; 2]) -> bool {
+pub(super) fn is_passed(curve: &[Curve; 2], point: [Point; 2]) -> bool {
     let side = |curve: &Curve, p: Point| {
         let off = match curve.shape {
             CurveShape::Line { normal } => normal.dot(p - curve.start),
