@@ -1,12 +1,14 @@
 //! Numbers: enclosures of real functions over intervals of orientation.
 
 mod ball;
+mod dd;
 mod jet;
 mod polynomial;
 mod series;
 mod trig;
 
 pub(crate) use ball::Ball;
+pub(crate) use dd::Dd;
 pub(crate) use jet::Jet;
 pub(crate) use polynomial::TrigPolynomial;
 pub(crate) use series::Series;
