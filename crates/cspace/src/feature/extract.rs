@@ -3,22 +3,30 @@
 use core::f64::consts::{PI, TAU};
 
 use super::inscribed::inscribed_disc;
-use super::outline::{Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape};
+use super::outline::{
+    ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
+};
 use super::tolerance::{
     GROWTH, LARGEST_CIRCLE, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SAME_CARRIER, SMOOTH, STRAIGHT,
 };
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Point, Vector};
+use crate::number::Dd;
+use crate::number::plane::{
+    Xy, cross, dot, left, length, minus, negative, plus, right, rounded, times, turned,
+};
 use crate::part::{Edge, Part};
 
 /// An edge in the pair's frame, on its way to becoming a feature.
 struct Piece {
     edge: Edge,
+    start: Xy<Dd>,
+    end: Xy<Dd>,
     /// `None` for a line.
-    arc: Option<(Point, f64)>,
+    arc: Option<(Xy<Dd>, Dd)>,
     /// Of a large arc.
     near: Option<Near>,
-    start_direction: Vector,
-    end_direction: Vector,
+    start_direction: Xy<Dd>,
+    end_direction: Xy<Dd>,
     sweep: f64,
 }
 
@@ -59,6 +67,8 @@ impl Outline {
         let mut outline = Self {
             features: Vec::new(),
             joints: Vec::new(),
+            exact_features: Vec::new(),
+            exact_joints: Vec::new(),
             feature_count: 0,
             disc: None,
         };
@@ -108,12 +118,14 @@ impl Outline {
         for i in 0..n {
             let j = (i + 1) % n;
             let (before, after) = (&pieces[i], &pieces[j]);
-            let point = before.edge.end;
-            let (n1, n2) = (before.end_direction.right(), after.start_direction.right());
+            let point = before.end;
+            let (n1, n2) = (right(before.end_direction), right(after.start_direction));
+            let grown = |normal: Xy<Dd>| plus(point, times(normal, Dd::from(growth)));
             match corner(before, after) {
                 Corner::Smooth { beside } => {
                     let (point, normal) = tangency(before, after, beside);
-                    let joint = self.add_joint(point + normal * growth, normal);
+                    let place = plus(point, times(normal, Dd::from(growth)));
+                    let joint = self.add_joint(place, normal);
                     ends[i] = End {
                         joint,
                         extra_sweep: 0.0,
@@ -122,7 +134,7 @@ impl Outline {
                 }
                 Corner::Convex { turn } => {
                     self.feature_count += 1;
-                    let apex = mitre(point, n1, n2, growth);
+                    let apex = mitre(before, after, n1, n2, growth);
                     let first = self.add_joint(apex, before.normal_at(apex, n1, growth));
                     let second = self.add_joint(apex, after.normal_at(apex, n2, growth));
                     ends[i] = End {
@@ -142,8 +154,8 @@ impl Outline {
                     let further = OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0);
                     // Not beyond the middle of the other edge, under which it runs.
                     let under = |other: &Piece| further.min(0.5 * other.edge.length());
-                    ends[i] = self.carry_on(before, point, n1, growth, under(after));
-                    starts[j] = self.carry_on(after, point, n2, growth, -under(before));
+                    ends[i] = self.carry_on(before, grown(n1), n1, growth, under(after));
+                    starts[j] = self.carry_on(after, grown(n2), n2, growth, -under(before));
                 }
             }
         }
@@ -153,6 +165,10 @@ impl Outline {
         for (start, end, turn, index) in vertices {
             let lo = self.joints[start as usize].angle;
             let hi = unwrap_near(self.joints[end as usize].angle, lo + turn);
+            self.exact_features.push(ExactRound {
+                center: self.exact_joints[start as usize].point,
+                radius: Dd::ZERO,
+            });
             self.features.push(Feature {
                 shape: Shape::Round {
                     center: self.joints[start as usize].point,
@@ -175,26 +191,37 @@ impl Outline {
     fn add_edge(&mut self, loop_index: u32, piece: &Piece, start: End, end: End, growth: f64) {
         let start_joint = self.joints[start.joint as usize];
         let end_joint = self.joints[end.joint as usize];
-        let (shape, kind, lo, hi) = match piece.arc {
-            None => {
-                // The joints of a line carry its normal, unless two lines meet smoothly; then the first one's rules.
-                let normal = start_joint.normal;
-                let angle = start_joint.angle;
-                (Shape::Line { normal }, FeatureKind::Line, angle, angle)
-            }
-            Some((center, radius)) => {
-                let radius = radius + growth;
-                let shape = Shape::Round { center, radius };
-                let sweep =
-                    piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
-                let from = start_joint.angle;
-                let to = unwrap_near(end_joint.angle, from + sweep);
-                if piece.sweep > 0.0 {
-                    (shape, FeatureKind::ConvexArc, from, to)
-                } else {
-                    // Travelled with decreasing normal: the canonical angle is the start's, the upper one.
-                    (shape, FeatureKind::ConcaveArc, to, from)
-                }
+        let exact = match piece.arc {
+            None => ExactRound {
+                center: (Dd::ZERO, Dd::ZERO),
+                radius: Dd::ZERO,
+            },
+            Some((center, radius)) => ExactRound {
+                center,
+                radius: radius + growth,
+            },
+        };
+        self.exact_features.push(exact);
+        let (shape, kind, lo, hi) = if piece.arc.is_none() {
+            // The joints of a line carry its normal, unless two lines meet smoothly; then the first one's rules.
+            let normal = start_joint.normal;
+            let angle = start_joint.angle;
+            (Shape::Line { normal }, FeatureKind::Line, angle, angle)
+        } else {
+            let (x, y) = rounded(exact.center);
+            let shape = Shape::Round {
+                center: Point::new(x, y),
+                radius: exact.radius.to_f64(),
+            };
+            let sweep =
+                piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
+            let from = start_joint.angle;
+            let to = unwrap_near(end_joint.angle, from + sweep);
+            if piece.sweep > 0.0 {
+                (shape, FeatureKind::ConvexArc, from, to)
+            } else {
+                // Travelled with decreasing normal: the canonical angle is the start's, the upper one.
+                (shape, FeatureKind::ConcaveArc, to, from)
             }
         };
         let near = piece.near.map(|n| Near {
@@ -216,45 +243,45 @@ impl Outline {
         });
     }
 
-    fn add_joint(&mut self, point: Point, normal: Vector) -> u32 {
-        let angle = normal.angle();
-        self.joints.push(Joint {
+    fn add_joint(&mut self, point: Xy<Dd>, normal: Xy<Dd>) -> u32 {
+        let angle = Dd::atan2(normal.1, normal.0);
+        self.exact_joints.push(ExactJoint {
             point,
             normal,
             angle,
         });
+        let ((x, y), (u, v)) = (rounded(point), rounded(normal));
+        self.joints.push(Joint {
+            point: Point::new(x, y),
+            normal: Vector::new(u, v),
+            angle: angle.to_f64(),
+        });
         (self.joints.len() - 1) as u32
     }
 
-    /// The end of an edge in a concave corner, carried on by `further` (backwards when negative).
+    /// The end of an edge in a concave corner, `point` of it as grown, carried on by `further` (backwards when negative).
     fn carry_on(
         &mut self,
         piece: &Piece,
-        point: Point,
-        normal: Vector,
+        point: Xy<Dd>,
+        normal: Xy<Dd>,
         growth: f64,
         further: f64,
     ) -> End {
         match piece.arc {
             None => End {
-                joint: self.add_joint(point + normal * growth + normal.left() * further, normal),
+                joint: self.add_joint(plus(point, times(left(normal), Dd::from(further))), normal),
                 extra_sweep: 0.0,
             },
             Some((center, radius)) => {
                 let radius = radius + growth;
                 // Travel turns the normal by length / signed radius; never by more than what closes the circle.
                 let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
-                let by = (further / radius).clamp(-room, room);
-                let turned = Rotation::by(by) * normal;
-                let end = if piece.near.is_some() {
-                    let (sin, half) = (by.sin(), (0.5 * by).sin());
-                    let way = normal.left() * sin + normal * (-2.0 * half * half);
-                    point + normal * growth + way * radius
-                } else {
-                    center + turned * radius
-                };
+                let by = (further / radius.to_f64()).clamp(-room, room);
+                let (sin, cos) = Dd::from(by).sin_cos();
+                let turned = turned(normal, cos, sin);
                 End {
-                    joint: self.add_joint(end, turned),
+                    joint: self.add_joint(plus(center, times(turned, radius)), turned),
                     extra_sweep: by.abs(),
                 }
             }
@@ -264,10 +291,15 @@ impl Outline {
 
 impl Piece {
     fn new(edge: &Edge, center: Point, scale: f64) -> Self {
-        let place = |p: Point| Point::ORIGIN + (p - center) * scale;
+        let place = |p: Point| {
+            let along = |x: f64, center: f64| (Dd::from(x) - center).scaled(scale);
+            (along(p.x, center.x), along(p.y, center.y))
+        };
+        let near = |p: Point| Point::ORIGIN + (p - center) * scale;
+        let (start, end) = (place(edge.start), place(edge.end));
         let mut edge = Edge {
-            start: place(edge.start),
-            end: place(edge.end),
+            start: near(edge.start),
+            end: near(edge.end),
             ..*edge
         };
         let sweep = edge.sweep();
@@ -275,8 +307,22 @@ impl Piece {
         if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < SAME_CARRIER) {
             edge.bulge = 0.0;
         }
-        let arc = (!edge.is_line()).then(|| (edge.center(), edge.radius() * edge.bulge.signum()));
-        let near = arc.filter(|a| a.1.abs() > LARGEST_CIRCLE).map(|_| {
+        let b = Dd::from(edge.bulge);
+        let chord = minus(end, start);
+        let span = length(chord);
+        let (one, square) = (Dd::ONE, b * b);
+        let arc = (!edge.is_line()).then(|| {
+            let middle = times(plus(start, end), Dd::from(0.5));
+            let up = (one - square) / (b * 4.0);
+            (
+                plus(middle, times(left(chord), up)),
+                span * (one + square) / (b * 4.0),
+            )
+        });
+        // With b = tan(sweep/4), cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
+        let (cos, sin) = ((one - square) / (one + square), b * 2.0 / (one + square));
+        let direction = times(chord, one / span);
+        let near = arc.filter(|a| a.1.to_f64().abs() > LARGEST_CIRCLE).map(|_| {
             let chord = edge.end - edge.start;
             Near {
                 point: edge.start.midpoint(edge.end) + chord.right() * (0.5 * edge.bulge),
@@ -285,39 +331,49 @@ impl Piece {
         });
         Self {
             edge,
+            start,
+            end,
             arc,
             near,
-            start_direction: edge.start_direction(),
-            end_direction: edge.end_direction(),
+            start_direction: turned(direction, cos, -sin),
+            end_direction: turned(direction, cos, sin),
             sweep: edge.sweep(),
         }
     }
 
     /// The normal with which this edge ends at a grown corner.
-    fn normal_at(&self, apex: Point, normal: Vector, growth: f64) -> Vector {
-        match (self.arc, self.near) {
-            (Some((_, radius)), Some(_)) => {
-                // From the end of the edge along its tangent: little, but for the mitre of a sharp corner.
-                let ends = [self.edge.start, self.edge.end];
-                let near = |p: &Point| p.distance(apex);
-                let end = if near(&ends[0]) < near(&ends[1]) {
-                    ends[0]
-                } else {
-                    ends[1]
-                };
-                let along = normal.left();
-                (normal + along * (along.dot(apex - end) / radius)).unit()
-            }
-            (Some((center, radius)), None) if growth > 0.0 => {
-                (apex - center).unit() * radius.signum()
+    fn normal_at(&self, apex: Xy<Dd>, normal: Xy<Dd>, growth: f64) -> Xy<Dd> {
+        match self.arc {
+            Some((center, radius)) if growth > 0.0 => {
+                let v = minus(apex, center);
+                let v = times(v, Dd::ONE / length(v));
+                if radius.is_negative() { negative(v) } else { v }
             }
             _ => normal,
         }
     }
 
-    fn curvature(&self) -> f64 {
-        self.arc.map_or(0.0, |(_, radius)| 1.0 / radius)
+    /// How far a point is off the edge's line or circle as grown, outward, to first order; and the outward normal there.
+    fn off(&self, p: Xy<Dd>, normal: Xy<Dd>, at: Xy<Dd>, growth: f64) -> (Dd, Xy<Dd>) {
+        match self.arc {
+            None => (dot(normal, minus(p, at)) - growth, normal),
+            Some((center, radius)) => {
+                let r = radius + growth;
+                let v = minus(p, center);
+                ((dot(v, v) - r * r) / (r * 2.0), times(v, Dd::ONE / r))
+            }
+        }
     }
+
+    fn curvature(&self) -> f64 {
+        self.arc.map_or(0.0, |(_, radius)| 1.0 / radius.to_f64())
+    }
+}
+
+/// By how much travel turns to the left from one edge to the next.
+fn turn(before: &Piece, after: &Piece) -> f64 {
+    let (d1, d2) = (before.end_direction, after.start_direction);
+    cross(d1, d2).to_f64().atan2(dot(d1, d2).to_f64())
 }
 
 /// Lines that follow each other smoothly share one direction, that of the first.
@@ -342,8 +398,7 @@ fn share_direction_along_lines(pieces: &mut [Piece]) {
 }
 
 fn corner(before: &Piece, after: &Piece) -> Corner {
-    let (d1, d2) = (before.end_direction, after.start_direction);
-    let turn = d1.cross(d2).atan2(d1.dot(d2));
+    let turn = turn(before, after);
     let beside = run_alike(before, after, turn);
     if beside || turn.abs() < smooth(before, after) {
         return Corner::Smooth { beside };
@@ -370,7 +425,7 @@ fn smooth(before: &Piece, after: &Piece) -> f64 {
         return 2.0 * STRAIGHT;
     }
     let radius = |p: &Piece| match (p.near, p.arc) {
-        (Some(_), Some((_, radius))) => radius.abs(),
+        (Some(_), Some((_, radius))) => radius.to_f64().abs(),
         _ => 1.0,
     };
     SMOOTH / radius(before).max(radius(after)).sqrt()
@@ -392,55 +447,72 @@ fn run_alike(before: &Piece, after: &Piece, turn: f64) -> bool {
 /// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.
 ///
 /// Where a drawing was rounded that is `beside` the vertex, and it is the place at which contact curves of both edges end.
-fn tangency(before: &Piece, after: &Piece, beside: bool) -> (Point, Vector) {
-    let vertex = before.edge.end;
+fn tangency(before: &Piece, after: &Piece, beside: bool) -> (Xy<Dd>, Xy<Dd>) {
+    let vertex = before.end;
     let (d1, d2) = (before.end_direction, after.start_direction);
-    let on_line = |arc: &Piece, (center, radius): (Point, f64), direction: Vector| {
-        let normal = direction.right();
+    let on_line = |(center, radius): (Xy<Dd>, Dd), direction: Xy<Dd>| {
+        let normal = right(direction);
         if !beside {
             return (vertex, normal);
         }
-        let at = match arc.near {
-            Some(near) => near.point + (normal - near.normal) * radius,
-            None => center + normal * radius,
-        };
-        (vertex + direction * direction.dot(at - vertex), normal)
+        let at = plus(center, times(normal, radius));
+        let along = dot(direction, minus(at, vertex));
+        (plus(vertex, times(direction, along)), normal)
     };
     match (before.arc, after.arc) {
-        (None, None) => (vertex, d1.right()),
-        (None, Some(arc)) => on_line(after, arc, d1),
-        (Some(arc), None) => on_line(before, arc, d2),
+        (None, None) => (vertex, right(d1)),
+        (None, Some(arc)) => on_line(arc, d1),
+        (Some(arc), None) => on_line(arc, d2),
         (Some((c, r)), Some((d, s))) => {
             if !beside {
-                return (vertex, d2.right());
+                return (vertex, right(d2));
             }
             // Normals that differ by a turn δ at the vertex agree δ / (κ₁ − κ₂) further on. The line of centres tells the same,
             // but nothing where both arcs are of one circle.
-            let turn = d1.cross(d2).atan2(d1.dot(d2));
-            let further = turn / (before.curvature() - after.curvature());
-            let normal = Rotation::by(before.curvature() * further) * d1.right();
+            let further = turn(before, after) / (before.curvature() - after.curvature());
+            let (sin, cos) = Dd::from(before.curvature() * further).sin_cos();
+            let normal = turned(right(d1), cos, sin);
             match (before.near, after.near) {
-                (None, _) => (c + normal * r, normal),
+                (None, _) => (plus(c, times(normal, r)), normal),
                 // The smaller one knows the place best; of large ones the normal hardly turns.
-                (_, None) => (d + normal * s, normal),
-                _ => (vertex, d2.right()),
+                (_, None) => (plus(d, times(normal, s)), normal),
+                _ => (vertex, right(d2)),
             }
         }
     }
 }
 
-/// The corner of two carriers that are both moved outward by `growth`: V + g (n₁ + n₂) / (1 + n₁·n₂).
-fn mitre(point: Point, n1: Vector, n2: Vector, growth: f64) -> Point {
+/// The corner of two edges that are both moved outward by `growth`: of lines, V + g (n₁ + n₂) / (1 + n₁·n₂); of arcs what
+/// Newton's rule makes of that.
+fn mitre(before: &Piece, after: &Piece, n1: Xy<Dd>, n2: Xy<Dd>, growth: f64) -> Xy<Dd> {
+    let point = before.end;
     if growth == 0.0 {
         return point;
     }
-    let sum = n1 + n2;
-    let reach = 1.0 + n1.dot(n2);
+    let reach = dot(n1, n2) + 1.0;
     // |n₁ + n₂|² = 2 (1 + n₁·n₂), so the mitre's length is g √(2 / reach).
-    if 2.0 > MITRE * MITRE * reach {
-        return point + n1.left() * (growth * MITRE);
+    if 2.0 > MITRE * MITRE * reach.to_f64() {
+        return plus(point, times(left(n1), Dd::from(growth * MITRE)));
     }
-    point + sum * (growth / reach)
+    let mut apex = plus(point, times(plus(n1, n2), Dd::from(growth) / reach));
+    if before.arc.is_none() && after.arc.is_none() {
+        return apex;
+    }
+    /// The first place is right to second order; each step squares what is left.
+    const STEPS: usize = 2;
+    for _ in 0..STEPS {
+        let (h, m) = before.off(apex, n1, point, growth);
+        let (k, n) = after.off(apex, n2, point, growth);
+        let det = cross(m, n);
+        let step = plus(times(left(n), h), times(right(m), k));
+        let step = times(step, Dd::ONE / det);
+        // The edges may go on into each other all but smoothly.
+        if !(length(step).to_f64() < growth) {
+            break;
+        }
+        apex = plus(apex, step);
+    }
+    apex
 }
 
 /// The angle that differs from `angle` by whole turns and is nearest to `near`.

@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Point, Vector};
+use crate::number::Dd;
+use crate::number::plane::Xy;
 
 /// What a feature is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -54,6 +56,22 @@ pub(crate) struct Joint {
     pub(crate) angle: f64,
 }
 
+/// A joint in double-double.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ExactJoint {
+    pub(crate) point: Xy<Dd>,
+    pub(crate) normal: Xy<Dd>,
+    pub(crate) angle: Dd,
+}
+
+/// A round feature in double-double; of a line nothing: its joints tell it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ExactRound {
+    pub(crate) center: Xy<Dd>,
+    /// As in [`Shape`].
+    pub(crate) radius: Dd,
+}
+
 /// A line, arc or convex vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Feature {
@@ -74,6 +92,9 @@ pub(crate) struct Feature {
 pub(crate) struct Outline {
     pub(crate) features: Vec<Feature>,
     pub(crate) joints: Vec<Joint>,
+    /// Features and joints in double-double, of which the above are the nearest doubles.
+    pub(crate) exact_features: Vec<ExactRound>,
+    pub(crate) exact_joints: Vec<ExactJoint>,
     /// Number of lines, arcs and vertices that are not smooth joints.
     pub(crate) feature_count: usize,
     /// A disc inside the material: centre and radius, if one was found.

@@ -3,6 +3,7 @@
 mod ball;
 mod dd;
 mod jet;
+pub(crate) mod plane;
 mod polynomial;
 mod series;
 mod trig;
