@@ -1,8 +1,8 @@
 //! Doors to the arithmetic for fuzz targets. No part of the library's interface: it may change with every version.
 
-use crate::contact::{EndAngle, Seam, Sheet, SheetKind, Spiral, Swing, conditions};
+use crate::contact::{EndAngle, EndAt, Seam, Sheet, SheetKind, Spiral, Swing, conditions};
 use crate::geometry::{Point, Vector};
-use crate::number::{Ball, Jet, Real, Trig, TrigPolynomial};
+use crate::number::{Ball, Dd, Jet, Real, Trig, TrigPolynomial};
 
 /// An orientation and its error, radians.
 pub type Root = (f64, f64);
@@ -75,6 +75,10 @@ fn sheet(curve: &Curve, name: u32) -> Sheet {
         moving: name,
         lo: -4.0,
         hi: 4.0,
+        from: Dd::from(-4.0),
+        to: Dd::from(4.0),
+        start_at: EndAt::Fixed(0),
+        end_at: EndAt::Fixed(1),
         fixed_point: center.u,
         moving_point: Point::ORIGIN - center.w,
         swing: Swing::NONE,

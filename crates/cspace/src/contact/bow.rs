@@ -5,8 +5,9 @@
 
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
+use crate::number::plane::{dot, minus};
 
-use super::carrier::{Carrier, dot, minus};
+use super::carrier::Carrier;
 use super::spiral::{Spiral, turned};
 
 /// A circle, or a line, through a point.
@@ -56,12 +57,12 @@ impl<T: Real> Level<T> {
             }
             Carrier::Circle { center, radius } => {
                 let e = minus(center, from);
-                let side = radius.signum();
+                let side = radius.rough().signum();
                 let s = real(side);
                 Self {
                     a: (-(s * e.0), -(s * e.1)),
                     k: side,
-                    c: s * real(0.5) * (dot(e, e) - real(radius * radius)),
+                    c: s * real(0.5) * (dot(e, e) - radius * radius),
                 }
             }
         }

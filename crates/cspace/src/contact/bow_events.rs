@@ -7,10 +7,11 @@
 
 use core::f64::consts::TAU;
 
+use crate::number::plane::{dot, minus};
 use crate::number::{ANGLE_ERROR, Event, LARGEST_ERROR, Real, Series};
 
 use super::bow::Level;
-use super::carrier::{Carrier, dot, minus};
+use super::carrier::Carrier;
 use super::sheet::{SharedEnds, Sheet};
 use super::spiral::Spiral;
 use super::ties::{ALIGNMENT_ERROR, Ties};
@@ -102,7 +103,7 @@ impl Condition<'_> {
                 let carrier = sheet.carrier(cos, sin);
                 // Of a circle times its radius.
                 let size = match carrier {
-                    Carrier::Circle { radius, .. } => 2.0 * radius.abs(),
+                    Carrier::Circle { radius, .. } => 2.0 * radius.rough().abs(),
                     _ => 1.0,
                 };
                 (Level::of(&carrier, spiral.place(cos, sin)).c, size)

@@ -5,10 +5,11 @@ use core::f64::consts::{PI, TAU};
 use crate::feature::tolerance::{NARROWEST_BAND, SMALLEST_CIRCLE};
 use crate::feature::{Feature, Outline, unwrap_near};
 use crate::geometry::{Point, Vector};
+use crate::number::Dd;
 
 use super::doubled::{Doubled, doubled};
 use super::names::{Points, Sizes};
-use super::sheet::{EndAngle, Seam, Sheet, SheetKind};
+use super::sheet::{EndAngle, EndAt, Seam, Sheet, SheetKind};
 use super::span::Span;
 use super::spiral::{Spiral, Swing};
 use super::twist::Carried;
@@ -159,10 +160,13 @@ struct Builder<'a> {
     sheets: Vec<Sheet>,
 }
 
+/// Sheets that last no longer than this are there by rounding only (radians).
+const SHORTEST: f64 = 1e-26;
+
 /// A bound of an interval of orientations, with what lies beyond.
 #[derive(Clone, Copy)]
 struct Bound {
-    theta: f64,
+    theta: Dd,
     seam: Seam,
 }
 
@@ -181,21 +185,16 @@ impl Builder<'_> {
         }
     }
 
-    /// The orientation at which a normal of the fixed part opposes one of the moving part, nearest to `near`.
+    /// The orientation at which the normal of a joint of the fixed part opposes that of one of the moving part, nearest to
+    /// `near`.
     ///
     /// Reduced to the window first, so that the same pair of normals always gives the same number.
-    fn alignment(&self, fixed_angle: f64, moving_angle: f64, near: f64) -> f64 {
-        let t = fixed_angle - moving_angle - PI;
-        let t = t - TAU * ((t - self.span.lo) / TAU).floor();
-        t + TAU * ((near - t) / TAU).round()
-    }
-
-    fn joint_alignment(&self, fixed_joint: u32, moving_joint: u32, near: f64) -> f64 {
-        self.alignment(
-            self.fixed.joints[fixed_joint as usize].angle,
-            self.moving.joints[moving_joint as usize].angle,
-            near,
-        )
+    fn alignment(&self, fixed_joint: u32, moving_joint: u32, near: f64) -> Dd {
+        let t = self.fixed.exact_joints[fixed_joint as usize].angle
+            - self.moving.exact_joints[moving_joint as usize].angle
+            - Dd::PI;
+        let t = t - Dd::TAU * ((t.to_f64() - self.span.lo) / TAU).floor();
+        t + Dd::TAU * ((near - t.to_f64()) / TAU).round()
     }
 
     fn line_seam(&self, line: u32, moving_joint: u32) -> Seam {
@@ -223,6 +222,10 @@ impl Builder<'_> {
             moving: ib,
             lo: 0.0,
             hi: 0.0,
+            from: Dd::ZERO,
+            to: Dd::ZERO,
+            start_at: EndAt::Fixed(a.start),
+            end_at: EndAt::Fixed(a.end),
             fixed_point: self.fixed.start(a).point,
             moving_point: b.center(),
             swing: Swing::NONE,
@@ -243,19 +246,9 @@ impl Builder<'_> {
             bottom: lo_seam,
             top: hi_seam,
         };
-        let angle_a = a.lo;
         self.instances(theta_lo, theta_hi, |this, shift, k| {
-            let near = |t: f64| t + shift;
-            let lo = this.alignment(
-                angle_a,
-                this.moving.joints[b_hi as usize].angle,
-                near(theta_lo),
-            );
-            let hi = this.alignment(
-                angle_a,
-                this.moving.joints[b_lo as usize].angle,
-                near(theta_hi),
-            );
+            let lo = this.alignment(a.start, b_hi, theta_lo + shift);
+            let hi = this.alignment(a.start, b_lo, theta_hi + shift);
             this.push(
                 sheet,
                 Bound {
@@ -282,6 +275,10 @@ impl Builder<'_> {
             moving: ib,
             lo: 0.0,
             hi: 0.0,
+            from: Dd::ZERO,
+            to: Dd::ZERO,
+            start_at: EndAt::Moving(b.start),
+            end_at: EndAt::Moving(b.end),
             fixed_point: a.center(),
             moving_point: self.moving.start(b).point,
             swing: Swing::NONE,
@@ -302,18 +299,9 @@ impl Builder<'_> {
             bottom: lo_seam,
             top: hi_seam,
         };
-        let angle_b = b.lo;
         self.instances(theta_lo, theta_hi, |this, shift, k| {
-            let lo = this.alignment(
-                this.fixed.joints[a_lo as usize].angle,
-                angle_b,
-                theta_lo + shift,
-            );
-            let hi = this.alignment(
-                this.fixed.joints[a_hi as usize].angle,
-                angle_b,
-                theta_hi + shift,
-            );
+            let lo = this.alignment(a_lo, b.start, theta_lo + shift);
+            let hi = this.alignment(a_hi, b.start, theta_hi + shift);
             this.push(
                 sheet,
                 Bound {
@@ -368,15 +356,19 @@ impl Builder<'_> {
         // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.
         let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
         self.instances(theta_lo, theta_hi, |this, shift, k| {
-            let switch_low = this.joint_alignment(a_lo, b_lo, low_switch + shift);
-            let switch_high = this.joint_alignment(a_hi, b_hi, high_switch + shift);
+            let switch_low = this.alignment(a_lo, b_lo, low_switch + shift);
+            let switch_high = this.alignment(a_hi, b_hi, high_switch + shift);
             let point = |theta| Bound {
                 theta,
                 seam: Seam::Point,
             };
-            let first = point(this.joint_alignment(a_lo, b_hi, theta_lo + shift));
-            let last = point(this.joint_alignment(a_hi, b_lo, theta_hi + shift));
-            let (m1, m2) = (switch_low.min(switch_high), switch_low.max(switch_high));
+            let first = point(this.alignment(a_lo, b_hi, theta_lo + shift));
+            let last = point(this.alignment(a_hi, b_lo, theta_hi + shift));
+            let (m1, m2) = if switch_low < switch_high {
+                (switch_low, switch_high)
+            } else {
+                (switch_high, switch_low)
+            };
             let inner = |theta, which| Bound {
                 theta,
                 seam: Seam::Same(ia, ib, k, which),
@@ -384,7 +376,7 @@ impl Builder<'_> {
             let bounds = [first, inner(m1, 0), inner(m2, 1), last];
             for piece in 0..3u8 {
                 let (from, to) = (bounds[usize::from(piece)], bounds[usize::from(piece) + 1]);
-                let middle = 0.5 * (from.theta + to.theta);
+                let middle = (from.theta + to.theta).scaled(0.5);
                 let low = if middle < switch_low {
                     this.fixed_end(ib, a, b, a_lo, radius, a.lo)
                 } else {
@@ -407,6 +399,10 @@ impl Builder<'_> {
                     moving: ib,
                     lo: 0.0,
                     hi: 0.0,
+                    from: Dd::ZERO,
+                    to: Dd::ZERO,
+                    start_at: start.3,
+                    end_at: end.3,
                     fixed_point,
                     moving_point,
                     swing,
@@ -440,26 +436,27 @@ impl Builder<'_> {
 
     /// Cuts a sheet to the window and keeps it if anything is left.
     fn push(&mut self, mut sheet: Sheet, from: Bound, to: Bound, k: i32, piece: u8) {
-        (sheet.lo, sheet.bottom) = (from.theta, from.seam);
-        (sheet.hi, sheet.top) = (to.theta, to.seam);
+        (sheet.from, sheet.bottom) = (from.theta, from.seam);
+        (sheet.to, sheet.top) = (to.theta, to.seam);
         let span = self.span;
-        if sheet.lo < span.lo {
-            sheet.lo = span.lo;
+        if sheet.from < span.from() {
+            sheet.from = span.from();
             sheet.bottom = if span.full {
                 Seam::Wrap(sheet.fixed, sheet.moving, k, piece)
             } else {
                 Seam::Window
             };
         }
-        if sheet.hi > span.hi {
-            sheet.hi = span.hi;
+        if sheet.to > span.to() {
+            sheet.to = span.to();
             sheet.top = if span.full {
                 self.seam_below(sheet.fixed, sheet.moving, k, piece)
             } else {
                 Seam::Window
             };
         }
-        if sheet.hi - sheet.lo > NARROWEST_BAND {
+        (sheet.lo, sheet.hi) = (sheet.from.to_f64(), sheet.to.to_f64());
+        if (sheet.to - sheet.from).to_f64() > SHORTEST {
             self.sheets.push(sheet);
         }
     }
@@ -525,7 +522,12 @@ impl Builder<'_> {
             offset,
             turns: false,
         };
-        (spiral, self.fixed_joint_name(joint, ib, b), angle)
+        (
+            spiral,
+            self.fixed_joint_name(joint, ib, b),
+            angle,
+            EndAt::Fixed(joint),
+        )
     }
 
     fn moving_end(
@@ -544,7 +546,12 @@ impl Builder<'_> {
             offset,
             turns: true,
         };
-        (spiral, self.moving_joint_name(ia, a, joint), angle)
+        (
+            spiral,
+            self.moving_joint_name(ia, a, joint),
+            angle,
+            EndAt::Moving(joint),
+        )
     }
 
     fn fixed_joint_name(&self, joint: u32, ib: u32, b: &Feature) -> u32 {
@@ -610,7 +617,7 @@ fn large(a: &Feature, b: &Feature) -> (SheetKind, Point, Point, Vector, Swing) {
     }
 }
 
-type SheetEnd = (Spiral, u32, EndAngle);
+type SheetEnd = (Spiral, u32, EndAngle, EndAt);
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]

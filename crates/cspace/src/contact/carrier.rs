@@ -2,6 +2,7 @@
 
 use crate::geometry::{Point, Vector};
 use crate::number::Real;
+use crate::number::plane::{dot, minus};
 
 use super::bow::{Bow, Level};
 
@@ -9,7 +10,7 @@ use super::bow::{Bow, Level};
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Carrier<T> {
     Line { normal: (T, T), through: (T, T) },
-    Circle { center: (T, T), radius: f64 },
+    Circle { center: (T, T), radius: T },
     Bow(Bow<T>),
 }
 
@@ -30,14 +31,10 @@ impl Carrier<f64> {
     }
 }
 
+/// The absolute value of a radius, whose sign is known.
 #[inline(always)]
-pub(super) fn minus<T: Real>(a: (T, T), b: (T, T)) -> (T, T) {
-    (a.0 - b.0, a.1 - b.1)
-}
-
-#[inline(always)]
-pub(super) fn dot<T: Real>(a: (T, T), b: (T, T)) -> T {
-    a.0 * b.0 + a.1 * b.1
+fn size<T: Real>(radius: T) -> T {
+    if radius.rough() < 0.0 { -radius } else { radius }
 }
 
 /// Where carrier g crosses carrier f, relative to f: for a line (length along it, unused), for a circle the vector
@@ -71,7 +68,7 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             let along = (-m.1, m.0);
             let v = minus(center, o);
             let offset = dot(m, v);
-            let r = T::constant(radius.abs());
+            let r = size(radius);
             let half = ((r - offset) * (r + offset)).root();
             (dot(along, v) + signed(half, root == 1), zero)
         }
@@ -83,7 +80,7 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             },
         ) => {
             let offset = dot(n, minus(center, q));
-            let r = T::constant(radius.abs());
+            let r = size(radius);
             let half = signed(((r - offset) * (r + offset)).root(), root == 1);
             let foot = (-(n.0 * offset), -(n.1 * offset));
             (foot.0 - n.1 * half, foot.1 + n.0 * half)
@@ -100,8 +97,8 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
         ) => {
             let v = minus(c2, c1);
             let square = dot(v, v);
-            let sum = T::constant(r1.abs() + r2.abs());
-            let difference = T::constant(r1.abs() - r2.abs());
+            let (a1, a2) = (size(r1), size(r2));
+            let (sum, difference) = (a1 + a2, a1 - a2);
             let product = (sum * sum - square) * (square - difference * difference);
             let twice = T::constant(2.0) * square;
             let along = (square + sum * difference).over(twice);

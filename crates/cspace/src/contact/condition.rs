@@ -4,8 +4,9 @@
 //! or when they become tangent. Put a spiral u + R w into the equation of a line or of a circle, or a centre into a
 //! condition of tangency: each is α cos θ + β sin θ + γ = 0, with R w = w cos θ + left(w) sin θ.
 
-use crate::geometry::Point;
-use crate::number::{Known, Trig};
+use crate::geometry::{Point, Vector};
+use crate::number::plane::{Xy, cross, dot, left};
+use crate::number::{Known, Real, Trig};
 
 use super::sheet::{SharedEnds, Sheet, SheetKind};
 use super::spiral::Spiral;
@@ -67,27 +68,48 @@ fn on_carrier(spiral: &Spiral, sheet: &Sheet) -> Trig {
 /// n·(p − start) − offset for a spiral p and a line.
 fn height(spiral: &Spiral, line: &Sheet, offset: f64) -> Trig {
     let (stays, turns) = line.seen(spiral);
-    let n = line.normal;
     let scale = size(spiral) + size(&line.start) + offset.abs();
-    let gamma = n.dot(stays) - offset;
-    let beta = if line.kind == SheetKind::RoundLine {
-        n.left().dot(turns)
-    } else {
-        n.dot(turns.left())
-    };
+    let line_turns = line.kind == SheetKind::RoundLine;
+    let xy = |v: Vector| (v.x, v.y);
+    let [alpha, beta, gamma] =
+        height_coefficients(xy(line.normal), xy(stays), xy(turns), offset, line_turns);
     let amplitude = turns.length();
     let known = |value| Known {
         value,
         error: LENGTH_ERROR * scale,
     };
     Trig {
-        alpha: n.dot(turns),
+        alpha,
         beta,
         gamma,
         scale,
         most: known(amplitude + gamma),
         least: known(amplitude - gamma),
     }
+}
+
+/// n·(u + R w) − d as α cos θ + β sin θ + γ, of a way of which one part stays and the other turns as seen from the line's
+/// normal; the line itself may turn.
+pub(super) fn height_coefficients<T: Real>(
+    n: Xy<T>,
+    stays: Xy<T>,
+    turns: Xy<T>,
+    offset: T,
+    line_turns: bool,
+) -> [T; 3] {
+    let beta = cross(turns, n);
+    let beta = if line_turns { -beta } else { beta };
+    [dot(n, turns), beta, dot(n, stays) - offset]
+}
+
+/// |u + R w|² − d² as α cos θ + β sin θ + γ.
+pub(super) fn apart_coefficients<T: Real>(u: Xy<T>, w: Xy<T>, distance: T) -> [T; 3] {
+    let two = T::constant(2.0);
+    [
+        two * dot(u, w),
+        two * dot(u, left(w)),
+        dot(u, u) + dot(w, w) - distance * distance,
+    ]
 }
 
 /// |u + R w|² − d² for the difference u + R w of two spirals and a distance d.
@@ -104,10 +126,11 @@ fn apart(p: &Spiral, q: &Spiral, distance: f64) -> Trig {
         value: x * y,
         error: error * (x.abs() + y.abs() + error),
     };
+    let [alpha, beta, gamma] = apart_coefficients((u.x, u.y), (w.x, w.y), distance);
     Trig {
-        alpha: 2.0 * u.dot(w),
-        beta: 2.0 * u.dot(w.left()),
-        gamma: a * a + b * b - distance * distance,
+        alpha,
+        beta,
+        gamma,
         scale,
         most: product(a + b - distance, a + b + distance),
         least: product(distance - (a - b), distance + (a - b)),

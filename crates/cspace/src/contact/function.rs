@@ -120,7 +120,7 @@ impl ContactFunction {
             },
             Self::Circle { center, radius } => Carrier::Circle {
                 center: center.unswung(cos, sin),
-                radius: *radius,
+                radius: real(*radius),
             },
             Self::FlatCircle {
                 through,

@@ -9,7 +9,7 @@ use super::carrier::Carrier;
 use super::curve::{Curve, CurveShape};
 use super::function::ContactFunction;
 use super::spiral::{Spiral, Swing};
-use crate::number::Real;
+use crate::number::{Dd, Real};
 
 /// The largest distance of two positions in contact, length.
 const LONGEST: f64 = 4.0;
@@ -71,6 +71,13 @@ pub(crate) enum Seam {
     Window,
 }
 
+/// The joint at which a curve ends, of the fixed or of the moving part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum EndAt {
+    Fixed(u32),
+    Moving(u32),
+}
+
 /// The contact of one feature pair over an interval of orientations in which its ends keep their identity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sheet {
@@ -79,6 +86,11 @@ pub(crate) struct Sheet {
     pub(crate) moving: u32,
     pub(crate) lo: f64,
     pub(crate) hi: f64,
+    /// The same in double-double.
+    pub(crate) from: Dd,
+    pub(crate) to: Dd,
+    pub(crate) start_at: EndAt,
+    pub(crate) end_at: EndAt,
     /// Centre of the fixed round feature, or a point of the fixed line. Of a bow, the point it goes through is this less the
     /// moving one, turned, and the swing.
     pub(crate) fixed_point: Point,

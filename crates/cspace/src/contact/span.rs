@@ -3,6 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::feature::Outline;
+use crate::number::Dd;
 
 /// The window of orientations, in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +15,15 @@ pub(crate) struct Span {
 }
 
 impl Span {
+    /// Where it begins and ends, in double-double.
+    pub(crate) fn from(&self) -> Dd {
+        Dd::from(self.lo)
+    }
+
+    pub(crate) fn to(&self) -> Dd {
+        Dd::from(self.hi)
+    }
+
     /// The first of so many equal slabs of the full turn, not cut at an orientation where two normals oppose each other.
     pub(crate) fn slab(fixed: &Outline, moving: &Outline, slabs: u32) -> Self {
         const CLEAR: f64 = 1e-7;

@@ -218,8 +218,8 @@ impl<'a> Search<'a> {
             }
             Carrier::Circle { center, radius } => {
                 let (vx, vy) = (x - center.0, y - center.1);
-                let r = Jet::constant(radius);
-                (vx * vx + vy * vy - r * r) * Jet::constant(0.5 / radius)
+                let r = radius;
+                (vx * vx + vy * vy - r * r) * Jet::constant(0.5).over(radius)
             }
             bow @ Carrier::Bow(_) => Level::of(&bow, (x, y)).c,
         };

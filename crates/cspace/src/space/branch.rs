@@ -1,15 +1,15 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
 use crate::contact::{
-    Crossing, Curve, CurveShape, Geometry, Level, SharedEnds, Sheet, Ties, bow_events, conditions,
-    crossing, roots, within_ends,
+    Crossing, Curve, CurveShape, ExactSheet, ExactTurn, Geometry, Level, SharedEnds, Sheet, Ties,
+    bow_events, conditions, crossing, exact_crossings, roots, within_ends,
 };
 use crate::geometry::Rotation;
-use crate::number::Event;
+use crate::number::Dd;
 use crate::parallel;
 
 use super::candidates::PairRun;
-use super::clusters::Clusters;
+use super::clusters::{Clusters, Moment};
 use super::pinches::{Pinch, is_passed, pinched, placed};
 
 /// One crossing of two sheets from one cluster of events to another.
@@ -43,16 +43,16 @@ impl Branch {
 /// The events of pairs that may cross.
 #[derive(Debug, Default)]
 pub(super) struct PairEvents {
-    pub(super) events: Vec<Event>,
+    pub(super) events: Vec<Moment>,
     /// Events of the carriers, beyond the curves: of several at once it is asked whether the carriers are one.
-    beyond: Vec<Event>,
+    beyond: Vec<Moment>,
     /// For every pair how many there are of it and those before, and how many beyond.
     until: Vec<[usize; 2]>,
 }
 
 impl PairEvents {
     /// Those of a pair, and those beyond its curves.
-    fn of(&self, pair: usize) -> [&[Event]; 2] {
+    fn of(&self, pair: usize) -> [&[Moment]; 2] {
         let from = (pair.checked_sub(1)).map_or([0; 2], |before| self.until[before]);
         let to = self.until[pair];
         [&self.events[from[0]..to[0]], &self.beyond[from[1]..to[1]]]
@@ -75,21 +75,23 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
                 tangent: false,
                 corners: f.shared_corners(g, contacts.first_vertex_name),
             };
-            let (mid, half) = (0.5 * (run.lo + run.hi), 0.5 * (run.hi - run.lo));
+            let (lo, hi) = (run.lo.to_f64(), run.hi.to_f64());
+            let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
             let (sin, cos) = mid.sin_cos();
             let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
             if f.is_flat() || g.is_flat() {
-                bow_events(f, g, &shared, &ties, (run.lo, run.hi), |e| events.push(e));
+                bow_events(f, g, &shared, &ties, (lo, hi), |e| events.push(e.into()));
             } else {
                 conditions(f, g, &shared, |t, happening| {
                     let tie = t.touch().and_then(|e| ties.explain(e));
                     t.roots(mid, cos, sin, half, |e| {
                         if !within_ends(f, g, &happening, &t, e) {
-                            beyond.push(e);
+                            beyond.push(e.into());
                             return;
                         }
                         let known = tie.filter(|t| t.error < e.error);
-                        events.extend(known.map_or(Some(e), |t| t.within(mid, half)));
+                        let event = known.map_or(Some(e), |t| t.within(mid, half));
+                        events.extend(event.map(Moment::from));
                     });
                 });
             }
@@ -97,6 +99,11 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
         }
         found
     });
+    all_of(found)
+}
+
+/// Those of several lists of pairs, one after the other.
+fn all_of(found: Vec<PairEvents>) -> PairEvents {
     let mut all = PairEvents::default();
     for f in found {
         let before = [all.events.len(), all.beyond.len()];
@@ -106,6 +113,94 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
             .extend((f.until.into_iter()).map(|n| [before[0] + n[0], before[1] + n[1]]));
     }
     all
+}
+
+impl PairEvents {
+    /// These events, in double-double where doubles do not tell one from another, or from those that are known `otherwise`.
+    pub(super) fn refined(
+        self,
+        geometry: &Geometry,
+        pairs: &[PairRun],
+        otherwise: &[Moment],
+    ) -> (Self, usize) {
+        let close = self.crowded(pairs.len(), otherwise);
+        let count = close.iter().filter(|c| **c).count();
+        if count == 0 {
+            return (self, 0);
+        }
+        let chunks: Vec<usize> = (0..pairs.len()).step_by(CHUNK).collect();
+        let found = parallel::map(&chunks, 1, |&first| {
+            let mut found = Self::default();
+            for pair in first..(first + CHUNK).min(pairs.len()) {
+                let [events, beyond] = self.of(pair);
+                if close[pair] {
+                    exact_events(geometry, &pairs[pair], |e| found.events.push(e));
+                } else {
+                    found.events.extend(events);
+                    found.beyond.extend(beyond);
+                }
+                found.until.push([found.events.len(), found.beyond.len()]);
+            }
+            found
+        });
+        (all_of(found), count)
+    }
+
+    /// For each pair whether one of its events may be at one orientation with another that is not the same.
+    fn crowded(&self, pairs: usize, otherwise: &[Moment]) -> Vec<bool> {
+        /// No pair.
+        const NONE: u32 = u32::MAX;
+        /// More than an orientation's rounding (radians).
+        const ROUNDING: f64 = 1e-15;
+        /// Events with a larger error than this are to be known better in any case (radians).
+        const ROUGH: f64 = 1e-12;
+        let span = |e: &Moment, pair: u32| {
+            let theta = e.theta.to_f64();
+            let error = e.error + ROUNDING;
+            (theta - error, theta + error, theta.to_bits(), pair)
+        };
+        let mut all: Vec<(f64, f64, u64, u32)> =
+            otherwise.iter().map(|e| span(e, NONE)).collect();
+        let mut close = vec![false; pairs];
+        for pair in 0..pairs {
+            let events = self.of(pair)[0];
+            all.extend(events.iter().map(|e| span(e, pair as u32)));
+            close[pair] = events.iter().any(|e| e.error > ROUGH);
+        }
+        parallel::sort_unstable_by(&mut all, |a, b| {
+            a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)).then(a.3.cmp(&b.3))
+        });
+        let mut from = 0;
+        while from < all.len() {
+            let (mut end, mut hi) = (from + 1, all[from].1);
+            while end < all.len() && all[end].0 <= hi {
+                hi = hi.max(all[end].1);
+                end += 1;
+            }
+            let group = &all[from..end];
+            if group.iter().any(|e| e.2 != group[0].2) {
+                for e in group.iter().filter(|e| e.3 != NONE) {
+                    close[e.3 as usize] = true;
+                }
+            }
+            from = end;
+        }
+        close
+    }
+}
+
+/// The events of a pair in double-double.
+fn exact_events(geometry: &Geometry, run: &PairRun, mut found: impl FnMut(Moment)) {
+    let contacts = &geometry.contacts;
+    let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
+    let shared = SharedEnds {
+        tangent: false,
+        corners: f.shared_corners(g, contacts.first_vertex_name),
+    };
+    let [x, y] = [f, g].map(|s| ExactSheet::new(&geometry.fixed, &geometry.moving, s));
+    x.events(&y, &shared, (run.lo, run.hi), |theta, error| {
+        found(Moment { theta, error });
+    });
 }
 
 /// Two sheets whose curves lie on one carrier at one orientation, not before and not after.
@@ -180,7 +275,19 @@ struct Tracer<'a> {
 }
 
 impl Tracer<'_> {
-    fn trace(&mut self, run: &PairRun, [events, beyond]: [&[Event]; 2]) {
+    fn exact_crossings_between(&self, run: &PairRun, theta: Dd) -> [Option<bool>; 2] {
+        let contacts = &self.geometry.contacts;
+        let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
+        let [x, y] =
+            [f, g].map(|s| ExactSheet::new(&self.geometry.fixed, &self.geometry.moving, s));
+        let shared = SharedEnds {
+            tangent: false,
+            corners: f.shared_corners(g, contacts.first_vertex_name),
+        };
+        exact_crossings(&x, &y, &shared, &ExactTurn::by(theta))
+    }
+
+    fn trace(&mut self, run: &PairRun, [events, beyond]: [&[Moment]; 2]) {
         let clusters = self.clusters;
         let (from, to) = (clusters.index(run.lo), clusters.index(run.hi));
         self.times.clear();
@@ -204,8 +311,8 @@ impl Tracer<'_> {
         // A curve of a line comes and goes with all its length; some of the four may then be just beyond.
         let sheets = &self.geometry.contacts.sheets;
         let (f, g) = (&sheets[run.first as usize], &sheets[run.second as usize]);
-        let begins = run.lo <= f.lo.max(g.lo);
-        let ends = run.hi >= f.hi.min(g.hi);
+        let begins = run.lo <= f.from || run.lo <= g.from;
+        let ends = run.hi >= f.to || run.hi >= g.to;
         let parallel = f.is_parallel(g);
         let whole = [begins.then_some(from), ends.then_some(to)]
             .into_iter()
@@ -233,7 +340,11 @@ impl Tracer<'_> {
         let mut open: [Option<Branch>; 2] = [None; 2];
         let mut apart = false;
         for w in self.times.windows(2) {
-            let now = crossings_between(self.geometry, run, clusters.between(w[0], w[1]));
+            let now = if clusters.are_close(w[0], w[1]) {
+                self.exact_crossings_between(run, clusters.exact_between(w[0], w[1]))
+            } else {
+                crossings_between(self.geometry, run, clusters.between(w[0], w[1]))
+            };
             let before = core::mem::replace(&mut apart, now == [None; 2]);
             if before && apart && passing.binary_search(&w[0]).is_ok() {
                 let (at, beside) = (w[0], clusters.just_beside(w[0]));

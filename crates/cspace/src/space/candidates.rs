@@ -10,6 +10,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::contact::{Curve, CurveShape, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Dd;
 use crate::parallel;
 
 use super::core::{Cores, Layout};
@@ -32,16 +33,16 @@ const TOGETHER: usize = 4;
 pub(super) struct PairRun {
     pub(super) first: u32,
     pub(super) second: u32,
-    pub(super) lo: f64,
-    pub(super) hi: f64,
+    pub(super) lo: Dd,
+    pub(super) hi: Dd,
 }
 
 /// An interval of orientations in which a sheet is not known to be blocked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SheetRun {
     pub(super) sheet: u32,
-    pub(super) lo: f64,
-    pub(super) hi: f64,
+    pub(super) lo: Dd,
+    pub(super) hi: Dd,
     /// Whether the run ends there because the sheet is blocked beyond.
     pub(super) lo_blocked: bool,
     pub(super) hi_blocked: bool,
@@ -126,11 +127,16 @@ impl Candidates {
         pairs.dedup();
         parallel::sort_unstable_by(&mut alive, u64::cmp);
         alive.dedup();
-        let clip = |lo: f64, hi: f64, sheet: &Sheet| (lo.max(sheet.lo), hi.min(sheet.hi));
+        let clip = |lo: Dd, hi: Dd, sheet: &Sheet| {
+            (
+                if lo < sheet.from { sheet.from } else { lo },
+                if hi < sheet.to { hi } else { sheet.to },
+            )
+        };
         let pairs: Vec<PairRun> = runs(&pairs)
             .filter_map(|(key, first_slot, last_slot)| {
                 let (first, second) = ((key >> SHEET_BITS) as u32, (key & SHEET_MASK) as u32);
-                let (lo, hi) = (slots[first_slot], slots[last_slot + 1]);
+                let (lo, hi) = (Dd::from(slots[first_slot]), Dd::from(slots[last_slot + 1]));
                 let (f, g) = (&sheets[first as usize], &sheets[second as usize]);
                 let (lo, hi) = clip(lo, hi, f);
                 let (lo, hi) = clip(lo, hi, g);
@@ -148,13 +154,14 @@ impl Candidates {
         let sheet_runs = runs(&alive)
             .filter_map(|(key, first_slot, last_slot)| {
                 let sheet = &sheets[key as usize];
-                let (lo, hi) = clip(slots[first_slot], slots[last_slot + 1], sheet);
+                let slots = (Dd::from(slots[first_slot]), Dd::from(slots[last_slot + 1]));
+                let (lo, hi) = clip(slots.0, slots.1, sheet);
                 (lo < hi).then_some(SheetRun {
                     sheet: key as u32,
                     lo,
                     hi,
-                    lo_blocked: lo > sheet.lo,
-                    hi_blocked: hi < sheet.hi,
+                    lo_blocked: lo > sheet.from,
+                    hi_blocked: hi < sheet.to,
                 })
             })
             .collect();
@@ -260,7 +267,7 @@ fn look_at_slot(
             if c.lo.y <= b.hi.y && b.lo.y <= c.hi.y {
                 let (f, g) = (b.sheet.min(c.sheet), b.sheet.max(c.sheet));
                 let (fs, gs) = (&contacts.sheets[f as usize], &contacts.sheets[g as usize]);
-                if f != g && fs.lo < gs.hi && gs.lo < fs.hi {
+                if f != g && fs.from < gs.to && gs.from < fs.to {
                     pairs.push(
                         (u64::from(f) << SHEET_BITS | u64::from(g)) << SLOT_BITS | slot as u64,
                     );

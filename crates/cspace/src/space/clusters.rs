@@ -1,21 +1,37 @@
 //! Events gathered into critical orientations.
 //!
-//! Every event is known within an error. Events whose intervals overlap, or that are nearer than the narrowest band,
-//! make one cluster: one candidate for a critical orientation. From here on orientations are counted in clusters, and
-//! structure is only ever looked at half way between two of them, away from every event.
+//! Every event is known within an error. Events whose intervals overlap make one cluster: one candidate for a critical
+//! orientation. From here on orientations are counted in clusters, and structure is only ever looked at half way between two of
+//! them, away from every event.
 
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Rotation;
-use crate::number::Event;
+use crate::number::{Dd, Event};
 use crate::parallel;
+
+/// An orientation at which something may happen, in double-double, and its error (radians).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Moment {
+    pub(super) theta: Dd,
+    pub(super) error: f64,
+}
+
+impl From<Event> for Moment {
+    fn from(e: Event) -> Self {
+        Self {
+            theta: Dd::from(e.theta),
+            error: e.error,
+        }
+    }
+}
 
 /// Disjoint intervals of orientation, sorted; between two of them nothing happens.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Clusters {
-    lo: Vec<f64>,
-    hi: Vec<f64>,
+    lo: Vec<Dd>,
+    hi: Vec<Dd>,
     /// The event of each that is known best: the orientation at which curves and places are measured.
-    best: Vec<Event>,
+    best: Vec<Moment>,
     /// The rotations by their orientations.
     turns: Vec<Rotation>,
 }
@@ -24,11 +40,18 @@ pub(super) struct Clusters {
 /// rounding, and what their motion bends, by its square, is less than that.
 const BESIDE: f64 = 1.0 / (1u64 << 20) as f64;
 
+/// Clusters nearer to each other than this (radians) are close: what is decided between them is decided in double-double.
+const CLOSE: f64 = 1e-5;
+
+/// Orientations nearer to each other than this (radians) are one: it is above the rounding of double-double, and below what
+/// a generic drawing has.
+pub(super) const SAME: f64 = 1e-24;
+
 /// Added to the errors of events found between clusters, radians, where it is asked which event is known best.
 const BETWEEN: f64 = 1.0;
 
 impl Clusters {
-    pub(super) fn new(events: impl IntoIterator<Item = Event>) -> Self {
+    pub(super) fn new(events: impl IntoIterator<Item = Moment>) -> Self {
         Self::gather(
             events
                 .into_iter()
@@ -38,7 +61,7 @@ impl Clusters {
     }
 
     /// From intervals with the best-known event in each.
-    fn gather(mut intervals: Vec<(f64, f64, Event)>) -> Self {
+    fn gather(mut intervals: Vec<(Dd, Dd, Moment)>) -> Self {
         parallel::sort_unstable_by(&mut intervals, |a, b| {
             a.0.total_cmp(&b.0)
                 .then(a.2.error.total_cmp(&b.2.error))
@@ -47,8 +70,10 @@ impl Clusters {
         let mut this = Self::default();
         for (lo, hi, e) in intervals {
             match (this.hi.last_mut(), this.best.last_mut()) {
-                (Some(last), Some(best)) if lo <= *last + NARROWEST_BAND => {
-                    *last = last.max(hi);
+                (Some(last), Some(best)) if lo <= *last + SAME => {
+                    if hi > *last {
+                        *last = hi;
+                    }
                     if e.error < best.error {
                         *best = e;
                     }
@@ -60,7 +85,9 @@ impl Clusters {
                 }
             }
         }
-        this.turns = this.best.iter().map(|e| Rotation::by(e.theta)).collect();
+        this.turns = (this.best.iter())
+            .map(|e| Rotation::by(e.theta.to_f64()))
+            .collect();
         this
     }
 
@@ -68,11 +95,11 @@ impl Clusters {
     ///
     /// Where such an event is at the very end of a cluster, it is what is seen there of what happens within it: an event of
     /// the cluster is known better, however small the other's error looks.
-    pub(super) fn with(&self, more: Vec<Event>) -> (Self, Vec<u32>) {
+    pub(super) fn with(&self, more: Vec<Moment>) -> (Self, Vec<u32>) {
         let mut intervals: Vec<_> = more
             .into_iter()
             .map(|e| {
-                let between = Event {
+                let between = Moment {
                     error: e.error + BETWEEN,
                     ..e
                 };
@@ -91,16 +118,21 @@ impl Clusters {
 
     /// Those that are wider than the narrowest band.
     pub(super) fn rough(&self) -> impl Iterator<Item = u32> + '_ {
-        (0..self.len() as u32).filter(|&i| self.hi(i) - self.lo(i) > NARROWEST_BAND)
+        (0..self.len() as u32).filter(|&i| self.width(i) > NARROWEST_BAND)
     }
 
     /// The cluster an orientation belongs to: the last that does not begin after it.
-    pub(super) fn index(&self, theta: f64) -> u32 {
+    pub(super) fn index(&self, theta: Dd) -> u32 {
         self.lo.partition_point(|&lo| lo <= theta).max(1) as u32 - 1
     }
 
     /// The orientation in the cluster at which an event is known best to happen.
     pub(super) fn at(&self, i: u32) -> f64 {
+        self.exact_at(i).to_f64()
+    }
+
+    /// The same in double-double.
+    pub(super) fn exact_at(&self, i: u32) -> Dd {
         self.best[i as usize].theta
     }
 
@@ -111,34 +143,72 @@ impl Clusters {
 
     /// Where the cluster begins.
     pub(super) fn lo(&self, i: u32) -> f64 {
-        self.lo[i as usize]
+        self.lo[i as usize].to_f64()
     }
 
     /// Where it ends.
     pub(super) fn hi(&self, i: u32) -> f64 {
-        self.hi[i as usize]
+        self.hi[i as usize].to_f64()
+    }
+
+    /// Where it ends and where another begins, in double-double.
+    pub(super) fn exactly_between(&self, i: u32, j: u32) -> (Dd, Dd) {
+        (self.hi[i as usize], self.lo[j as usize])
+    }
+
+    /// From the end of one cluster to the beginning of another, radians.
+    pub(super) fn duration(&self, i: u32, j: u32) -> f64 {
+        (self.lo[j as usize] - self.hi[i as usize]).to_f64()
+    }
+
+    /// Whether two clusters are close.
+    pub(super) fn are_close(&self, i: u32, j: u32) -> bool {
+        self.duration(i, j) < CLOSE
     }
 
     /// Half way from one cluster to another.
     pub(super) fn between(&self, i: u32, j: u32) -> f64 {
-        0.5 * (self.hi[i as usize] + self.lo[j as usize])
+        self.exact_between(i, j).to_f64()
+    }
+
+    /// The same in double-double.
+    pub(super) fn exact_between(&self, i: u32, j: u32) -> Dd {
+        (self.hi[i as usize] + self.lo[j as usize]).scaled(0.5)
+    }
+
+    /// How wide the cluster is, radians.
+    pub(super) fn width(&self, i: u32) -> f64 {
+        (self.hi[i as usize] - self.lo[i as usize]).to_f64()
     }
 
     /// Orientations just below and above a cluster, where places have hardly moved: at most [`BESIDE`] from its ends.
     pub(super) fn just_beside(&self, i: u32) -> (f64, f64) {
+        let (below, above) = self.exactly_beside(i);
+        (below.to_f64(), above.to_f64())
+    }
+
+    /// The same in double-double.
+    pub(super) fn exactly_beside(&self, i: u32) -> (Dd, Dd) {
+        let (below, above) = (self.exact_below(i), self.exact_above(i));
+        let near = (self.lo[i as usize] - BESIDE, self.hi[i as usize] + BESIDE);
         (
-            self.below(i).max(self.lo(i) - BESIDE),
-            self.above(i).min(self.hi(i) + BESIDE),
+            if below > near.0 { below } else { near.0 },
+            if above < near.1 { above } else { near.1 },
         )
     }
 
     /// Half way to the cluster before, or at the cluster if there is none.
-    pub(super) fn below(&self, i: u32) -> f64 {
-        self.between(i.max(1) - 1, i)
+    pub(super) fn exact_below(&self, i: u32) -> Dd {
+        self.exact_between(i.max(1) - 1, i)
     }
 
     /// Half way to the cluster after, or at the cluster if there is none.
-    pub(super) fn above(&self, i: u32) -> f64 {
-        self.between(i, (i + 1).min(self.len() as u32 - 1))
+    pub(super) fn exact_above(&self, i: u32) -> Dd {
+        self.exact_between(i, (i + 1).min(self.len() as u32 - 1))
+    }
+
+    /// The ends of a cluster in double-double.
+    pub(super) fn exact_ends(&self, i: u32) -> (Dd, Dd) {
+        (self.lo[i as usize], self.hi[i as usize])
     }
 }

@@ -3,9 +3,7 @@
 use core::f64::consts::TAU;
 use std::time::Instant;
 
-use crate::contact::ALIGNMENT_ERROR;
-use crate::feature::tolerance::NARROWEST_BAND;
-use crate::number::Event;
+use crate::number::Dd;
 use crate::parallel;
 use crate::part::{Corresponding, Part};
 
@@ -13,7 +11,7 @@ use super::assemble::Assembler;
 use super::branch::{Traced, branches, pair_events};
 use super::candidates::Candidates;
 use super::chains::Linker;
-use super::clusters::Clusters;
+use super::clusters::{Clusters, Moment};
 use super::core::Cores;
 use super::graph::{ContactSpace, Window};
 use super::limits::{MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS};
@@ -22,6 +20,9 @@ use super::stats::{Decisions, StageSeconds, Statistics};
 use super::sweep::Sweep;
 use super::symmetry::{Method, Plan, Symmetry};
 use super::triple::{OnSheet, triple_events};
+
+/// Error of the orientation at which two normals oppose each other (radians).
+const ALIGNMENT_ERROR: f64 = 64.0 * Dd::EPSILON;
 
 /// How much more than a turn a window may be, by rounding, radians.
 const WINDOW_SLACK: f64 = 1e-12;
@@ -268,18 +269,21 @@ impl ContactSpace {
         let pairs = core::mem::take(&mut candidates.pairs);
         let pair_count = pairs.len() as u64;
         let pair_events = pair_events(&geometry, &pairs);
-        /// Cuts between slots are no events: within a cluster, any event's orientation is preferred to theirs.
-        const SLOT_ERROR: f64 = NARROWEST_BAND / 4.0;
+        let of_sheets = sheets.iter().flat_map(|s| [s.from, s.to]);
+        let of_slots = (candidates.slots.iter()).map(|&s| Dd::from(s));
+        let known: Vec<Moment> = of_sheets
+            .chain(of_slots)
+            .map(|theta| Moment {
+                theta,
+                error: ALIGNMENT_ERROR,
+            })
+            .collect();
+        let (pair_events, _refined) = pair_events.refined(&geometry, &pairs, &known);
+        if std::env::var("CSPACE_DEBUG").is_ok() {
+            eprintln!("pairs {} events {} refined {_refined}", pairs.len(), pair_events.events.len());
+        }
         let pair_event_count = pair_events.events.len() as u64;
-        let exact = |theta: f64, error: f64| Event { theta, error };
-        let of_sheets = (sheets.iter())
-            .flat_map(|s| [exact(s.lo, ALIGNMENT_ERROR), exact(s.hi, ALIGNMENT_ERROR)]);
-        let of_slots = (candidates.slots.iter()).map(|&s| exact(s, SLOT_ERROR));
-        let clusters = Clusters::new(
-            (pair_events.events.iter().copied())
-                .chain(of_sheets)
-                .chain(of_slots),
-        );
+        let clusters = Clusters::new(pair_events.events.iter().copied().chain(known));
         lap(&mut seconds.pair_events);
 
         progress.stage(Stage::Branches)?;
@@ -353,6 +357,9 @@ impl ContactSpace {
         let shells = finder.find(&mut cells);
         drop((candidates, coincidences));
         lap(&mut seconds.shells);
+        if std::env::var("CSPACE_DEBUG").is_ok() {
+            eprintln!("conflicts {}", shells.conflicts);
+        }
 
         progress.stage(Stage::Graph)?;
         let statistics = Statistics {

@@ -1,12 +1,13 @@
 //! How far cells reach along their contact curves where they meet a cluster of events, and what two of them share.
 
-use crate::contact::{Geometry, PLACE_ERROR};
+use crate::contact::{ExactTurn, Geometry, PLACE_ERROR};
+use crate::number::Dd;
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 
 use super::branch::Branch;
 use super::cells::{Cell, END};
 use super::clusters::Clusters;
-use super::placing::Placing;
+use super::placing::{ExactPlacing, Placing};
 
 /// A cell's range along its contact curve at one orientation, with the errors of both ends.
 #[derive(Debug, Clone, Copy)]
@@ -70,6 +71,8 @@ impl Side {
 /// cluster; what that may change is bounded by the sharpness of the crossing, or, towards a tangency, seen by measuring
 /// again at both edges of the cluster.
 pub(super) struct CellExtents<'a> {
+    geometry: &'a Geometry,
+    sheet: u32,
     at: Placing<'a>,
     branches: &'a [Branch],
     clusters: &'a Clusters,
@@ -96,12 +99,14 @@ impl<'a> CellExtents<'a> {
             clusters.turn(cluster),
         );
         Self {
+            geometry,
+            sheet,
             speed: at.speed(),
             at,
             branches,
             clusters,
             cluster,
-            width: clusters.hi(cluster) - clusters.lo(cluster),
+            width: clusters.width(cluster),
             known: Vec::new(),
         }
     }
@@ -138,54 +143,50 @@ impl<'a> CellExtents<'a> {
 
     /// The place of a branch and its error, and whether it is the same from the other side.
     fn measured(&self, branch: u32, side: Side) -> ((f64, f64), bool) {
-        /// Up to this length the sharpness of the crossing hardly changes on the way, and bounds its motion.
-        const SHORT: f64 = 1e-8;
-        /// A larger rounding error than this is worth a second measurement, in the pair's frame.
-        const GOOD: f64 = 1e-7;
+        /// What is known better than this is known well enough, in the pair's frame.
+        const GOOD: f64 = 1e-12;
         let b = &self.branches[branch as usize];
         let (at, rounding) = self.at.within(b);
         let error = rounding * (1.0 + self.speed * self.width / PLACE_ERROR);
-        if error <= SHORT {
+        if error <= GOOD {
             return ((at, error), true);
         }
-        let motion = [
-            self.clusters.lo(self.cluster),
-            self.clusters.hi(self.cluster),
-        ]
-        .map(|edge| (self.at.turned(edge).within(b).0 - at).abs());
-        let error = rounding + motion[0].max(motion[1]);
-        if rounding <= GOOD {
-            return ((at, error), true);
-        }
-        let (place, other) = self.approached(b, side);
-        let measured = if other < error {
-            (place.clamp(-self.at.half(), self.at.half()), other)
-        } else {
-            (at, error)
-        };
-        (measured, false)
+        (self.approached(b, side), false)
     }
 
-    /// The place measured a little aside. Where two lines become one, their crossing is undefined, yet it has a limit.
+    /// The place in double-double, a little aside: where two lines become one, their crossing is undefined, yet it has a limit.
     fn approached(&self, b: &Branch, side: Side) -> (f64, f64) {
-        /// How far aside, radians: the motion and the rounding divided by the sine are both about this then.
-        const ASIDE: f64 = 1e-7;
+        /// How far aside, radians: far above the rounding of orientations, and far below what moves places.
+        const ASIDE: f64 = 1e-20;
+        let (lo, hi) = self.clusters.exact_ends(self.cluster);
         let (edge, slab) = match side {
-            Side::Below => (
-                self.clusters.lo(self.cluster),
-                self.clusters.below(self.cluster),
-            ),
-            Side::Above => (
-                self.clusters.hi(self.cluster),
-                self.clusters.above(self.cluster),
-            ),
+            Side::Below => (lo, self.clusters.exact_below(self.cluster)),
+            Side::Above => (hi, self.clusters.exact_above(self.cluster)),
         };
-        let step = (0.5 * (slab - edge)).clamp(-ASIDE, ASIDE);
-        let (near, rounding) = self.at.turned(edge + step).within(b);
-        let (far, _) = self.at.turned(edge + 2.0 * step).within(b);
-        let theta = self.clusters.at(self.cluster);
-        let away = ((edge + step - theta).abs() + self.width) / step.abs();
+        let step = ((slab - edge).to_f64() * 0.5).clamp(-ASIDE, ASIDE);
+        let place = |theta: Dd| {
+            let placing =
+                ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+            let (from, to) = placing.ends();
+            let p = placing.place(b);
+            // From the same end as in doubles.
+            let p = if p < from { from } else { p };
+            let p = if p > to { to } else { p };
+            let half = self.at.half();
+            if p.to_f64() < 0.0 {
+                (p - from).to_f64() - half
+            } else {
+                half - (to - p).to_f64()
+            }
+        };
+        let (near, far) = (place(edge + step), place(edge + step * 2.0));
+        // What ends or begins the cell may happen anywhere in the cluster.
+        let other = if side == Side::Below { hi - step } else { lo - step };
+        let beyond = (place(other) - near).abs();
         // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
-        (near, rounding + 3.0 * away * (far - near).abs())
+        (near, ROUNDING + 3.0 * (far - near).abs() + beyond)
     }
 }
+
+/// Rounding of a place that was found in double-double (length).
+const ROUNDING: f64 = 1e-15;

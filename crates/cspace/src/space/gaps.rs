@@ -3,17 +3,39 @@
 //! Right after a curve has entered the blocked side of another, and right before it leaves it, it is in blocked space.
 //! So is an end that no other curve continues. A gap is open if nothing of that kind bounds it.
 
-use crate::contact::Geometry;
+use crate::contact::{ExactTurn, Geometry};
+use crate::number::Dd;
 
 use super::branch::Branch;
 use super::cells::END;
-use super::placing::Placing;
+use super::clusters::Clusters;
+use super::placing::{ExactPlacing, Placing};
+
+/// The middle of an interval of orientations in which nothing happens.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slab {
+    pub(super) theta: Dd,
+    /// Whether what is decided there is decided in double-double.
+    pub(super) is_narrow: bool,
+}
+
+impl Slab {
+    /// From one cluster to another.
+    pub(super) fn between(clusters: &Clusters, from: u32, to: u32) -> Self {
+        Self {
+            theta: clusters.exact_between(from, to),
+            is_narrow: clusters.are_close(from, to),
+        }
+    }
+}
 
 /// The branches that cross a contact curve at one orientation, in order of travel.
 #[derive(Debug, Default)]
 pub(super) struct Gaps {
     /// Ranks along the curve, and branches.
     order: Vec<(f64, u32)>,
+    /// The same ranks in double-double, where they are asked for.
+    exact: Vec<(Dd, u32)>,
     /// For each branch in order whether the curve enters blocked space there.
     enters: Vec<bool>,
     /// Whether nothing continues the sheet at its start, and at its end.
@@ -41,15 +63,26 @@ impl Gaps {
         branches: &[Branch],
         sheet: u32,
         active: &[u32],
-        theta: f64,
+        slab: Slab,
     ) {
-        let placing = Placing::new(geometry, sheet, theta);
-        let rank = placing.ranking();
         self.order.clear();
-        self.order
-            .extend(active.iter().map(|&b| (rank(&branches[b as usize]), b)));
-        self.order
-            .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        if slab.is_narrow && active.len() > 1 {
+            let placing = ExactPlacing::new(geometry, sheet, ExactTurn::by(slab.theta));
+            self.exact.clear();
+            let place = |&b: &u32| (placing.place(&branches[b as usize]), b);
+            self.exact.extend(active.iter().map(place));
+            self.exact
+                .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let rough = |&(place, b): &(Dd, u32)| (place.to_f64(), b);
+            self.order.extend(self.exact.iter().map(rough));
+        } else {
+            let placing = Placing::new(geometry, sheet, slab.theta.to_f64());
+            let rank = placing.ranking();
+            self.order
+                .extend(active.iter().map(|&b| (rank(&branches[b as usize]), b)));
+            self.order
+                .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        }
         self.enters.clear();
         self.enters.extend(
             self.order

@@ -8,9 +8,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::contact::{Carrier, Geometry, Seam};
+use crate::contact::{ExactTurn, Geometry, Seam};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Point, Vector};
+use crate::number::Dd;
+use crate::number::plane::exactly;
 use crate::parallel;
 use crate::union_find::UnionFind;
 
@@ -18,6 +20,7 @@ use super::branch::{Branch, Coincidence};
 use super::cells::VerticalContact;
 use super::clusters::Clusters;
 use super::extent::{CellExtents, Side};
+use super::placing::exact_sheet;
 use super::sweep::Cells;
 use super::track::{Piece, Place, Track};
 
@@ -185,8 +188,8 @@ impl Levels<'_> {
         );
         marks.extend(track.cuts().into_iter().flatten());
         marks.sort_unstable_by(f64::total_cmp);
-        let (just_below, just_above) = self.clusters.just_beside(at);
-        let (turn_below, turn_above) = (Rotation::by(just_below), Rotation::by(just_above));
+        let (just_below, just_above) = self.clusters.exactly_beside(at);
+        let (turn_below, turn_above) = (ExactTurn::by(just_below), ExactTurn::by(just_above));
         let (mut near_below, mut near_above) = (track.covering(below), track.covering(above));
         stretches.iter_mut().for_each(Vec::clear);
         let start = first.start.at(turn);
@@ -199,9 +202,9 @@ impl Levels<'_> {
             near_below.go_to(middle);
             near_above.go_to(middle);
             let low = near_below.here().map(|i| &below[i]);
-            let low = self.outermost(low, &track, &place, turn_below);
+            let low = self.outermost(low, &track, &place, &turn_below);
             let high = near_above.here().map(|i| &above[i]);
-            let high = self.outermost(high, &track, &place, turn_above);
+            let high = self.outermost(high, &track, &place, &turn_above);
             for ((low, high), stretches) in low.into_iter().zip(high).zip(&mut *stretches) {
                 let (Some(low), Some(high)) = (low, high) else {
                     continue;
@@ -297,10 +300,10 @@ impl Levels<'_> {
         pieces: impl Iterator<Item = &'p Piece>,
         track: &Track,
         place: &Place,
-        turn: Rotation,
+        turn: &ExactTurn,
     ) -> [Option<&'p Piece>; 2] {
-        let mut highest: Option<(f64, &Piece)> = None;
-        let mut lowest: Option<(f64, &Piece)> = None;
+        let mut highest: Option<(Dd, &Piece)> = None;
+        let mut lowest: Option<(Dd, &Piece)> = None;
         for q in pieces.filter(|q| q.covers(track, place.coordinate)) {
             let h = self.height(q.cell, place.point, place.normal, turn);
             if q.along && highest.is_none_or(|b| h > b.0) {
@@ -317,22 +320,11 @@ impl Levels<'_> {
     }
 
     /// How far outward from a point the carrier of a cell's sheet lies.
-    fn height(&self, cell: u32, p: Point, outward: Vector, turn: Rotation) -> f64 {
-        match self.geometry.contacts.sheets[self.sheet_of(cell) as usize]
-            .carrier(turn.cos, turn.sin)
-        {
-            Carrier::Line { normal, through } => {
-                let n = Vector::new(normal.0, normal.1);
-                n.dot(Point::new(through.0, through.1) - p) / n.dot(outward)
-            }
-            Carrier::Circle { center, radius } => {
-                // Near the circle, the distance from it, outward from its centre or inward.
-                let v = p - Point::new(center.0, center.1);
-                let off = v.length() - radius.abs();
-                if v.dot(outward) > 0.0 { -off } else { off }
-            }
-            Carrier::Bow(bow) => -bow.distance(p) / bow.normal_at(p).dot(outward),
-        }
+    fn height(&self, cell: u32, p: Point, outward: Vector, turn: &ExactTurn) -> Dd {
+        let sheet = exact_sheet(self.geometry, self.sheet_of(cell));
+        sheet
+            .curve(turn)
+            .height(exactly((p.x, p.y)), exactly((outward.x, outward.y)))
     }
 
     /// Cells that continue each other at the two ends of a full turn, which are one orientation.

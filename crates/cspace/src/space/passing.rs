@@ -4,12 +4,14 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Carrier, Geometry, Sheet, place_on};
+use crate::contact::{Carrier, ExactTurn, Geometry, Sheet, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
-use crate::geometry::Vector;
-use crate::number::{Ball, Event, Jet, Real, Series, TrigPolynomial};
+use crate::number::plane::{Xy, cross, dot, minus, times};
+use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
 
 use super::branch::Branch;
+use super::clusters::Moment;
+use super::placing::{ExactPlacing, exact_sheet};
 
 /// Pieces narrower than this are not halved further (radians).
 ///
@@ -32,53 +34,48 @@ const PLACE_BUDGET: u32 = 2000;
 ///
 /// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for bows: about their
 /// centres it would be all rounding.
-pub(super) fn concurrency(mut three: [Carrier<f64>; 3]) -> (f64, f64) {
+pub(super) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
     if let Some(circle) = three
         .iter()
         .position(|c| matches!(c, Carrier::Circle { .. }))
     {
         three.swap(0, circle);
     }
-    let vector = |v: (f64, f64)| Vector::new(v.0, v.1);
+    let size = |v: Xy<T>| v.0.rough().hypot(v.1.rough());
     match three[0] {
         Carrier::Circle { center, radius } => {
-            let center = vector(center);
-            let linear = |other: &Carrier<f64>| match *other {
+            let r = radius.rough();
+            let linear = |other: &Carrier<T>| match *other {
                 Carrier::Line { normal, through } => {
-                    let n = vector(normal);
-                    (n, n.dot(vector(through) - center), 1.0)
+                    (normal, dot(normal, minus(through, center)), 1.0)
                 }
-                Carrier::Bow(_) => (center, f64::NAN, 1.0),
+                Carrier::Bow(_) => (center, T::constant(f64::NAN), 1.0),
                 Carrier::Circle {
                     center: c,
-                    radius: r,
+                    radius: other,
                 } => {
-                    let a = vector(c) - center;
-                    let terms = a.length_squared() + r * r + radius * radius;
-                    (
-                        a,
-                        0.5 * (a.length_squared() - (r - radius) * (r + radius)),
-                        terms,
-                    )
+                    let a = minus(c, center);
+                    let square = dot(a, a);
+                    let terms = square.rough() + other.rough().powi(2) + r * r;
+                    let rest = (other - radius) * (other + radius);
+                    (a, T::constant(0.5) * (square - rest), terms)
                 }
             };
             let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
-            let v = b * e - a * g;
-            let d = radius * a.cross(b);
-            let terms = (b.length() * p + a.length() * q).powi(2)
-                + (radius * a.length() * b.length()).powi(2);
-            (v.length_squared() - d * d, terms)
+            let v = minus(times(b, e), times(a, g));
+            let d = radius * cross(a, b);
+            let (a, b) = (size(a), size(b));
+            let terms = (b * p + a * q).powi(2) + (r * a * b).powi(2);
+            (dot(v, v) - d * d, terms)
         }
         Carrier::Line { .. } | Carrier::Bow(_) => {
-            let line = |c: &Carrier<f64>| match *c {
-                Carrier::Line { normal, through } => {
-                    (vector(normal), vector(normal).dot(vector(through)))
-                }
-                Carrier::Circle { center, .. } => (vector(center), 0.0),
-                Carrier::Bow(bow) => (vector(bow.normal), f64::NAN),
+            let line = |c: &Carrier<T>| match *c {
+                Carrier::Line { normal, through } => (normal, dot(normal, through)),
+                Carrier::Circle { center, .. } => (center, T::constant(0.0)),
+                Carrier::Bow(bow) => (bow.normal, T::constant(f64::NAN)),
             };
             let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
-            (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0)
+            (d * cross(m, n) + e * cross(n, l) + g * cross(l, m), 8.0)
         }
     }
 }
@@ -255,6 +252,64 @@ impl Passing<'_> {
             (theta, d) = (next, at_next);
         }
         found(event(theta, d.value, d.slope));
+    }
+}
+
+impl Passing<'_> {
+    /// A meeting in double-double, from what doubles tell of it, with the slope there of what vanishes; `None` if the two
+    /// branches are apart there.
+    pub(super) fn exactly(&self, f: Option<&TrigPolynomial>, event: Event) -> Option<Moment> {
+        /// Branches further apart than this (length) where three carriers meet are not those that meet.
+        const APART: f64 = 1e-9;
+        /// What the steps of the secant rule gain is beyond rounding after so many.
+        const STEPS: usize = 12;
+        /// Shorter steps are rounding (radians).
+        const SAME: f64 = 1e-30;
+        let places = |turn: ExactTurn| {
+            let placing = ExactPlacing::new(self.geometry, self.sheet, turn);
+            placing.place(self.x) - placing.place(self.y)
+        };
+        let three = [
+            self.sheet,
+            self.x.other(self.sheet),
+            self.y.other(self.sheet),
+        ]
+        .map(|s| exact_sheet(self.geometry, s));
+        let value = |theta: Dd| {
+            let turn = ExactTurn::by(theta);
+            match f {
+                Some(_) => concurrency([0, 1, 2].map(|i| three[i].carrier(&turn))),
+                None => (places(turn), 1.0),
+            }
+        };
+        let slope = match f {
+            Some(f) => f.at(event.theta).1,
+            None => self.gap(event.theta).slope,
+        };
+        let mut theta = Dd::from(event.theta);
+        let (mut at, terms) = value(theta);
+        let mut step = -(at / slope);
+        let mut slope = slope;
+        for _ in 0..STEPS {
+            if !(step.to_f64().abs() > SAME) {
+                break;
+            }
+            let next = theta + step;
+            let (value, _) = value(next);
+            if !(value.abs() < at.abs()) {
+                break;
+            }
+            let change = (value - at) / step;
+            (theta, at, slope) = (next, value, change.to_f64());
+            step = -(value / change);
+        }
+        let rounding = 64.0 * Dd::EPSILON * terms / slope.abs().max(f64::MIN_POSITIVE);
+        let error = 4.0 * step.to_f64().abs() + rounding + SAME;
+        if !(error < event.error.max(1e-12)) {
+            return Some(event.into());
+        }
+        let off = places(ExactTurn::by(theta)).to_f64().abs();
+        (off < APART).then_some(Moment { theta, error })
     }
 }
 

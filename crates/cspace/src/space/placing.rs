@@ -1,6 +1,9 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
-use crate::contact::{Carrier, Geometry, Sheet, place_error, place_on, wrap};
+use crate::contact::{
+    Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, Sheet, place_error, place_on, wrap,
+};
+use crate::number::Dd;
 use crate::geometry::{Rotation, Vector};
 
 use super::branch::Branch;
@@ -15,6 +18,42 @@ pub(super) struct Placing<'a> {
     mid_angle: f64,
     /// The place of the middle, on a line from its start, on a bow from its point.
     middle: f64,
+}
+
+/// A sheet at one orientation in double-double, able to place branches along its curve.
+pub(super) struct ExactPlacing<'a> {
+    geometry: &'a Geometry,
+    index: u32,
+    turn: ExactTurn,
+    curve: ExactCurve,
+}
+
+impl<'a> ExactPlacing<'a> {
+    pub(super) fn new(geometry: &'a Geometry, index: u32, turn: ExactTurn) -> Self {
+        Self {
+            geometry,
+            index,
+            turn,
+            curve: exact_sheet(geometry, index).curve(&turn),
+        }
+    }
+
+    /// The place of a branch: length of travel from about the middle of the curve.
+    pub(super) fn place(&self, b: &Branch) -> Dd {
+        let other = exact_sheet(self.geometry, b.other(self.index)).curve(&self.turn);
+        self.curve.place(&other, b.root, b.second == self.index)
+    }
+
+    /// The places of the ends.
+    pub(super) fn ends(&self) -> (Dd, Dd) {
+        self.curve.ends()
+    }
+}
+
+/// A sheet in double-double.
+pub(super) fn exact_sheet(geometry: &Geometry, index: u32) -> ExactSheet<'_> {
+    let sheet = &geometry.contacts.sheets[index as usize];
+    ExactSheet::new(&geometry.fixed, &geometry.moving, sheet)
 }
 
 impl<'a> Placing<'a> {

@@ -108,6 +108,15 @@ impl ShellFinder<'_> {
             conflicts: 0,
         };
         self.judge(&cells.cells, &mut shells);
+        if std::env::var("CSPACE_DEBUG").is_ok() && shells.conflicts > 0 {
+            for (i, c) in (0u32..).zip(&cells.cells) {
+                let s = &self.geometry.contacts.sheets[c.sheet as usize];
+                let b = |b: u32| if b == END { "END".to_owned() } else { let x = &self.branches[b as usize]; format!("{}/{}r{}{}", b, x.other(c.sheet), x.root, if x.enters(c.sheet) {"e"} else {"l"}) };
+                eprintln!("cell {i} sheet {} {:?} f{:?} m{:?} {:.17}..{:.17} dur {:e} [{} .. {}] blocked {} free {} shell {} bottom {:?} top {:?}", c.sheet, s.kind, self.geometry.fixed.features[s.fixed as usize].name, self.geometry.moving.features[s.moving as usize].name, self.clusters.at(c.from), self.clusters.at(c.to), self.duration(c.from, c.to), b(c.left), b(c.right), c.blocked, shells.free[i as usize], shells.shell[i as usize], c.at_bottom, c.at_top);
+            }
+            for v in &shells.vertical { if shells.free[v.lower as usize] != shells.free[v.upper as usize] { eprintln!("vertical {} {} at {:.17} {} {} certain {}", v.lower, v.upper, self.clusters.at(v.at), v.lo, v.hi, v.certain); } }
+            for v in &shells.side { if shells.free[v.before as usize] != shells.free[v.after as usize] { eprintln!("side {} {} from {:.17} to {:.17} branch {}", v.before, v.after, self.clusters.at(v.from), self.clusters.at(v.to), v.branch); } }
+        }
         // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
         // what may be too short to join shells is still the best there is to link patches by.
         shells.vertical.truncate(without_levels);
@@ -259,6 +268,9 @@ impl ShellFinder<'_> {
         for (a, b) in side.chain(vertical) {
             let shell = shells.shell[a as usize] as usize;
             if shells.free[a as usize] != shells.free[b as usize] {
+                if std::env::var("CSPACE_DEBUG").is_ok() {
+                    eprintln!("contradiction {a} {b} free {} {}", shells.free[a as usize], shells.free[b as usize]);
+                }
                 unexplained[shell] = false;
                 contradicting[a as usize] = true;
                 contradicting[b as usize] = true;
@@ -338,7 +350,7 @@ impl ShellFinder<'_> {
 
     /// From the end of one cluster to the beginning of another, radians.
     fn duration(&self, from: u32, to: u32) -> f64 {
-        self.clusters.lo(to) - self.clusters.hi(from)
+        self.clusters.duration(from, to)
     }
 
     /// Whether a ring is a single cell of short duration, which no other follows for longer.

@@ -6,14 +6,13 @@
 use std::collections::HashMap;
 
 use crate::contact::Geometry;
-use crate::feature::tolerance::NARROWEST_BAND;
-use crate::number::{Event, TrigPolynomial};
+use crate::number::{Dd, TrigPolynomial};
 use crate::parallel;
 
 use super::active::Active;
 use super::branch::{Branch, Encounter};
-use super::clusters::Clusters;
-use super::gaps::Gaps;
+use super::clusters::{Clusters, Moment, SAME};
+use super::gaps::{Gaps, Slab};
 use super::meetings::Meetings;
 use super::passing::{Passing, concurrency};
 
@@ -50,6 +49,9 @@ impl OnSheet {
         &self.list[self.first[sheet as usize] as usize..self.first[sheet as usize + 1] as usize]
     }
 }
+
+/// In intervals narrower than this (radians) branches are put in order in double-double.
+const NARROW: f64 = 1e-5;
 
 /// Sheets searched at a time by one thread.
 const CHUNK: usize = 32;
@@ -100,7 +102,7 @@ pub(super) struct Meeting {
     pub(super) sheet: u32,
     /// The sheets of both branches and this one, in ascending order.
     three: [u32; 3],
-    pub(super) event: Event,
+    pub(super) event: Moment,
 }
 
 /// What was found, and how.
@@ -124,7 +126,7 @@ impl Triples {
     /// found on the others, which differs by more than its own rounding where the sheets are all but tangent.
     fn agree(&mut self) {
         /// Meetings of the same three sheets that are nearer than this (radians) are one.
-        const SAME_MEETING: f64 = 1e-8;
+        const SAME_MEETING: f64 = 1e-20;
         let order = |a: &Meeting, b: &Meeting| {
             (a.three.cmp(&b.three))
                 .then(a.event.theta.total_cmp(&b.event.theta))
@@ -132,13 +134,15 @@ impl Triples {
         };
         parallel::sort_unstable_by(&mut self.events, order);
         let same = |a: &Meeting, b: &Meeting| {
-            a.three == b.three && b.event.theta - a.event.theta <= SAME_MEETING
+            a.three == b.three && (b.event.theta - a.event.theta).to_f64() <= SAME_MEETING
         };
         for one in self.events.chunk_by_mut(same) {
             let (lo, hi) = (one[0].event.theta, one[one.len() - 1].event.theta);
             for m in one {
                 let e = &mut m.event;
-                e.error = e.error.max(e.theta - lo).max(hi - e.theta);
+                e.error = (e.error)
+                    .max((e.theta - lo).to_f64())
+                    .max((hi - e.theta).to_f64());
             }
         }
     }
@@ -161,8 +165,8 @@ struct Search<'a> {
 /// An interval between two clusters in which the same branches exist on the sheet.
 struct Window<'a> {
     active: &'a [u32],
-    lo: f64,
-    hi: f64,
+    lo: Dd,
+    hi: Dd,
     /// For every two of its branches, by their indices, the events found: a range of the list of events.
     found: Vec<Option<(u32, u32)>>,
 }
@@ -182,13 +186,13 @@ impl Search<'_> {
             if active.len() > 1 {
                 found.clear();
                 found.resize(active.len() * active.len(), None);
+                let (lo, hi) = self.clusters.exactly_between(w[0], w[1]);
                 let mut window = Window {
                     active,
-                    lo: self.clusters.hi(w[0]),
-                    hi: self.clusters.lo(w[1]),
+                    lo,
+                    hi,
                     found: core::mem::take(&mut found),
                 };
-                let (lo, hi) = (window.lo, window.hi);
                 self.slab(&mut window, lo, hi);
                 found = window.found;
             }
@@ -196,16 +200,19 @@ impl Search<'_> {
     }
 
     /// Looks at a part of a window, and again at its pieces if some branches pass each other.
-    fn slab(&mut self, window: &mut Window, lo: f64, hi: f64) {
+    fn slab(&mut self, window: &mut Window, lo: Dd, hi: Dd) {
         let mut gaps = core::mem::take(&mut self.gaps);
         gaps.arrange(
             self.geometry,
             self.branches,
             self.sheet,
             window.active,
-            0.5 * (lo + hi),
+            Slab {
+                theta: (lo + hi).scaled(0.5),
+                is_narrow: (hi - lo).to_f64() < NARROW,
+            },
         );
-        let mut cuts: Vec<Event> = Vec::new();
+        let mut cuts: Vec<Moment> = Vec::new();
         for n in 0..gaps.branches() {
             for m in n + 1..gaps.branches() {
                 if gaps.passing_matters(n, m) {
@@ -227,12 +234,15 @@ impl Search<'_> {
         cuts.sort_by(|a, b| a.theta.total_cmp(&b.theta));
         let mut from = lo;
         for c in cuts {
-            if c.theta - c.error - from > NARROWEST_BAND {
-                self.slab(window, from, c.theta - c.error);
+            let (until, beyond) = (c.theta - c.error, c.theta + c.error);
+            if (until - from).to_f64() > SAME {
+                self.slab(window, from, until);
             }
-            from = from.max(c.theta + c.error);
+            if beyond > from {
+                from = beyond;
+            }
         }
-        if hi - from > NARROWEST_BAND {
+        if (hi - from).to_f64() > SAME {
             self.slab(window, from, hi);
         }
     }
@@ -272,14 +282,18 @@ impl Search<'_> {
             let events = &mut found.events;
             let mut three = [sheet, x.other(sheet), y.other(sheet)];
             three.sort_unstable();
+            let (lo, hi) = (window.lo, window.hi);
             let mut take = |event| {
-                events.push(Meeting {
-                    sheet,
-                    three,
-                    event,
-                });
+                let exact = pair.exactly(f.as_ref(), event);
+                events.extend(exact.filter(|e| lo <= e.theta && e.theta <= hi).map(|event| {
+                    Meeting {
+                        sheet,
+                        three,
+                        event,
+                    }
+                }));
             };
-            let vague = pair.isolate(f.as_ref(), window.lo, window.hi, &mut take);
+            let vague = pair.isolate(f.as_ref(), lo.to_f64(), hi.to_f64(), &mut take);
             found.isolated += 1;
             found.by_places += vague;
         }

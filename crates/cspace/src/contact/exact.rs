@@ -1,0 +1,500 @@
+//! Sheets in double-double: what is decided again where doubles leave it open.
+//!
+//! A sheet is made anew from the features in double-double that it belongs to. Lines and circles are all there is: large
+//! circles need no form of their own, for with 106 bits a place near the parts is known about any centre.
+
+use crate::feature::Outline;
+use crate::geometry::{Rotation, Vector};
+use crate::number::Dd;
+use crate::number::plane::{
+    Xy, cross, dot, exactly, left, length, minus, negative, plus, rounded, times, turned,
+};
+
+use super::carrier::{Carrier, place_on};
+use super::condition::{apart_coefficients, height_coefficients};
+use super::sheet::{EndAt, SharedEnds, Sheet, SheetKind};
+
+/// An orientation in double-double, with its rotation.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExactTurn {
+    pub(crate) theta: Dd,
+    cos: Dd,
+    sin: Dd,
+}
+
+impl ExactTurn {
+    pub(crate) fn by(theta: Dd) -> Self {
+        let (sin, cos) = theta.sin_cos();
+        Self { theta, cos, sin }
+    }
+
+    /// The rotation in doubles.
+    pub(crate) fn rounded(&self) -> Rotation {
+        Rotation {
+            cos: self.cos.to_f64(),
+            sin: self.sin.to_f64(),
+        }
+    }
+}
+
+/// A point u + R w.
+#[derive(Debug, Clone, Copy)]
+struct ExactSpiral {
+    u: Xy<Dd>,
+    w: Xy<Dd>,
+}
+
+impl ExactSpiral {
+    fn at(&self, turn: &ExactTurn) -> Xy<Dd> {
+        plus(self.u, turned(self.w, turn.cos, turn.sin))
+    }
+
+    fn size(&self) -> f64 {
+        let (u, w) = (rounded(self.u), rounded(self.w));
+        u.0.abs() + u.1.abs() + w.0.abs() + w.1.abs()
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Locus {
+    Line { normal: Xy<Dd>, turns: bool },
+    Circle { center: ExactSpiral, radius: Dd },
+}
+
+/// A sheet in double-double.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExactSheet<'a> {
+    rough: &'a Sheet,
+    locus: Locus,
+    start: ExactSpiral,
+    end: ExactSpiral,
+}
+
+/// Its curve at one orientation.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExactCurve {
+    carrier: Carrier<Dd>,
+    start: Xy<Dd>,
+    end: Xy<Dd>,
+    /// From the centre of a circle to about the middle of the curve, of length about one.
+    middle: Xy<Dd>,
+    /// Whether roots with it are named by where it enters.
+    is_bow: bool,
+}
+
+impl<'a> ExactSheet<'a> {
+    /// The sheet of two outlines in double-double.
+    pub(crate) fn new(fixed: &Outline, moving: &Outline, sheet: &'a Sheet) -> Self {
+        let (a, b) = (
+            &fixed.exact_features[sheet.fixed as usize],
+            &moving.exact_features[sheet.moving as usize],
+        );
+        let end = |at: EndAt| match at {
+            EndAt::Fixed(j) => {
+                let j = &fixed.exact_joints[j as usize];
+                ExactSpiral {
+                    u: plus(j.point, times(j.normal, b.radius)),
+                    w: negative(b.center),
+                }
+            }
+            EndAt::Moving(j) => {
+                let j = &moving.exact_joints[j as usize];
+                ExactSpiral {
+                    u: a.center,
+                    w: negative(plus(j.point, times(j.normal, a.radius))),
+                }
+            }
+        };
+        let locus = match sheet.kind {
+            SheetKind::LineRound => {
+                let start = fixed.features[sheet.fixed as usize].start;
+                Locus::Line {
+                    normal: fixed.exact_joints[start as usize].normal,
+                    turns: false,
+                }
+            }
+            SheetKind::RoundLine => {
+                let start = moving.features[sheet.moving as usize].start;
+                Locus::Line {
+                    normal: negative(moving.exact_joints[start as usize].normal),
+                    turns: true,
+                }
+            }
+            SheetKind::RoundRound | SheetKind::FixedBow | SheetKind::MovingBow => Locus::Circle {
+                center: ExactSpiral {
+                    u: a.center,
+                    w: negative(b.center),
+                },
+                radius: a.radius + b.radius,
+            },
+        };
+        Self {
+            rough: sheet,
+            locus,
+            start: end(sheet.start_at),
+            end: end(sheet.end_at),
+        }
+    }
+
+    /// Its curve at an orientation.
+    pub(crate) fn curve(&self, turn: &ExactTurn) -> ExactCurve {
+        let (start, end) = (self.start.at(turn), self.end.at(turn));
+        let (carrier, middle) = match self.locus {
+            Locus::Line { normal, turns } => {
+                let normal = if turns {
+                    turned(normal, turn.cos, turn.sin)
+                } else {
+                    normal
+                };
+                let through = start;
+                (Carrier::Line { normal, through }, (Dd::ZERO, Dd::ZERO))
+            }
+            Locus::Circle { center, radius } => {
+                let center = center.at(turn);
+                let middle = if self.rough.is_bow() {
+                    // Both ends are nearly in one direction from far away.
+                    let v = rounded(plus(minus(start, center), minus(end, center)));
+                    Vector::new(v.0, v.1).unit()
+                } else {
+                    let theta = turn.theta.to_f64();
+                    let (from, to) = (
+                        self.rough.start_angle.at(theta),
+                        self.rough.end_angle.at(theta),
+                    );
+                    Vector::from_angle(0.5 * (from + to)) * self.rough.radius.signum()
+                };
+                let middle = exactly((middle.x, middle.y));
+                (Carrier::Circle { center, radius }, middle)
+            }
+        };
+        ExactCurve {
+            carrier,
+            start,
+            end,
+            middle,
+            is_bow: self.rough.is_bow(),
+        }
+    }
+
+    /// The carrier at an orientation.
+    pub(crate) fn carrier(&self, turn: &ExactTurn) -> Carrier<Dd> {
+        self.curve(turn).carrier
+    }
+
+    /// The coefficients of p ↦ n·(p − start) − offset at a spiral.
+    fn height(&self, normal: Xy<Dd>, turns: bool, p: &ExactSpiral, offset: Dd) -> Condition {
+        let (u, w) = (minus(p.u, self.start.u), minus(p.w, self.start.w));
+        let (stays, moves) = if turns { (w, u) } else { (u, w) };
+        Condition {
+            coefficients: height_coefficients(normal, stays, moves, offset, turns),
+            scale: p.size() + self.start.size() + offset.to_f64().abs(),
+        }
+    }
+
+    fn passing(&self, p: &ExactSpiral) -> Condition {
+        match self.locus {
+            Locus::Line { normal, turns } => self.height(normal, turns, p, Dd::ZERO),
+            Locus::Circle { center, radius } => apart(p, &center, radius),
+        }
+    }
+
+    /// Calls `take` with every condition under which crossings of two sheets come or go; see `condition.rs`.
+    fn conditions(&self, other: &Self, shared: &SharedEnds, mut take: impl FnMut(Condition)) {
+        let [end_shared, start_shared] = shared.corners.map(|c| c.is_some());
+        let mut passing = |shared: bool, end: &ExactSpiral, over: &Self| {
+            if !shared {
+                take(over.passing(end));
+            }
+        };
+        passing(start_shared, &self.start, other);
+        passing(end_shared, &self.end, other);
+        passing(end_shared, &other.start, self);
+        passing(start_shared, &other.end, self);
+        match (&self.locus, &other.locus) {
+            (Locus::Line { .. }, Locus::Line { .. }) => {}
+            (&Locus::Line { normal, turns }, Locus::Circle { center, radius }) => {
+                for r in [*radius, -*radius] {
+                    take(self.height(normal, turns, center, r));
+                }
+            }
+            (Locus::Circle { center, radius }, &Locus::Line { normal, turns }) => {
+                for r in [*radius, -*radius] {
+                    take(other.height(normal, turns, center, r));
+                }
+            }
+            (
+                Locus::Circle { center, radius },
+                Locus::Circle {
+                    center: c,
+                    radius: r,
+                },
+            ) => {
+                let (a, b) = (radius.abs(), r.abs());
+                for distance in [a + b, a - b] {
+                    take(apart(center, c, distance));
+                }
+            }
+        }
+    }
+
+    /// Calls `found` with every orientation within a range at which crossings with another sheet may come or go, and its error.
+    pub(crate) fn events(
+        &self,
+        other: &Self,
+        shared: &SharedEnds,
+        range: (Dd, Dd),
+        mut found: impl FnMut(Dd, f64),
+    ) {
+        let middle = (range.0 + range.1).scaled(0.5);
+        let half = (range.1 - range.0).scaled(0.5).to_f64();
+        self.conditions(other, shared, |c| {
+            c.roots(|theta, error| {
+                let turns = ((theta - middle) / Dd::TAU).to_f64().round();
+                let theta = theta - Dd::TAU * turns;
+                if (theta - middle).to_f64().abs() <= half + error {
+                    found(theta, error);
+                }
+            });
+        });
+    }
+}
+
+fn apart(p: &ExactSpiral, q: &ExactSpiral, distance: Dd) -> Condition {
+    let (u, w) = (minus(p.u, q.u), minus(p.w, q.w));
+    let reach = length(u) + length(w) + distance.abs();
+    let parts = p.size() + q.size() + distance.to_f64().abs();
+    Condition {
+        coefficients: apart_coefficients(u, w, distance),
+        scale: reach.to_f64() * parts,
+    }
+}
+
+/// α cos θ + β sin θ + γ in double-double, with the size of what its coefficients were made from.
+struct Condition {
+    coefficients: [Dd; 3],
+    scale: f64,
+}
+
+/// Error of a coefficient, in units of its scale.
+const COEFFICIENT_ERROR: f64 = 64.0 * Dd::EPSILON;
+
+impl Condition {
+    /// Its roots up to whole turns: as in `number/trig.rs`.
+    fn roots(&self, mut found: impl FnMut(Dd, f64)) {
+        let [alpha, beta, gamma] = self.coefficients;
+        let amplitude = (alpha * alpha + beta * beta).sqrt();
+        let error = COEFFICIENT_ERROR * self.scale;
+        let a = amplitude.to_f64();
+        if a <= 4.0 * error {
+            return;
+        }
+        let (most, least) = (amplitude + gamma, amplitude - gamma);
+        if most.to_f64() < -error || least.to_f64() < -error {
+            return;
+        }
+        let middle = Dd::atan2(beta, alpha);
+        let near = most.to_f64().min(least.to_f64()).max(0.0);
+        let aside = Dd::atan2(most.sqrt(), least.sqrt()).scaled(2.0);
+        // dφ = dγ / (A sin φ), and A sin φ = √((A + γ)(A − γ)); at a double root the square root of that.
+        let slope = (near * a).sqrt().max((error * a).sqrt());
+        let error = 2.0 * error / slope + COEFFICIENT_ERROR;
+        found(middle + aside, error);
+        if !aside.is_zero() {
+            found(middle - aside, error);
+        }
+    }
+}
+
+/// A crossing of two curves.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExactCrossing {
+    /// Length of travel from about the middle of either curve.
+    pub(crate) places: (Dd, Dd),
+    pub(crate) point: Xy<Dd>,
+    pub(crate) enters: bool,
+}
+
+impl ExactCurve {
+    /// Length of travel from about the middle of the curve to a point of it, given as `place_on` gives it.
+    fn length_of(&self, v: Xy<Dd>) -> Dd {
+        match self.carrier {
+            Carrier::Line { normal, .. } => {
+                let all = dot(left(normal), minus(self.end, self.start));
+                v.0 - all.scaled(0.5)
+            }
+            Carrier::Circle { radius, .. } => {
+                Dd::atan2(cross(self.middle, v), dot(self.middle, v)) * radius
+            }
+            Carrier::Bow(_) => Dd::ZERO,
+        }
+    }
+
+    /// The same of a point of the plane on the curve.
+    fn position(&self, p: Xy<Dd>) -> Dd {
+        match self.carrier {
+            Carrier::Line { normal, through } => {
+                self.length_of((dot(left(normal), minus(p, through)), Dd::ZERO))
+            }
+            Carrier::Circle { center, .. } => self.length_of(minus(p, center)),
+            Carrier::Bow(_) => Dd::ZERO,
+        }
+    }
+
+    /// The places of its ends.
+    pub(crate) fn ends(&self) -> (Dd, Dd) {
+        let (start, end) = (self.position(self.start), self.position(self.end));
+        match self.carrier {
+            // All of a circle ends where it starts, half a turn from the middle.
+            Carrier::Circle { .. } if start > end => {
+                if start.abs() > end.abs() {
+                    (-start.abs(), end)
+                } else {
+                    (start, end.abs())
+                }
+            }
+            _ => (start, end),
+        }
+    }
+
+    /// Where another curve's carrier crosses its own, as a length of travel; where they do not, the nearest place to that.
+    pub(crate) fn place(&self, other: &Self, root: u8, swapped: bool) -> Dd {
+        let root = if swapped {
+            other.own_root(self, root)
+        } else {
+            self.own_root(other, root)
+        };
+        self.length_of(place_on(&self.carrier, &other.carrier, root, swapped))
+    }
+
+    /// Roots with large circles are named by where the first curve enters: the name of that crossing here.
+    fn own_root(&self, other: &Self, root: u8) -> u8 {
+        if self.is_bow || other.is_bow {
+            (0..2)
+                .find(|&r| self.enters(other, r) == (root == 1))
+                .unwrap_or(root)
+        } else {
+            root
+        }
+    }
+
+    /// Whether travel along it enters the blocked side of another curve at a crossing; see `crossing.rs`.
+    fn enters(&self, other: &Self, root: u8) -> bool {
+        match (&self.carrier, &other.carrier) {
+            (Carrier::Line { normal: m, .. }, Carrier::Line { normal: n, .. }) => {
+                dot(*n, left(*m)).is_negative()
+            }
+            (Carrier::Line { .. }, Carrier::Circle { radius, .. }) => {
+                (root == 1) == radius.is_negative()
+            }
+            (Carrier::Circle { radius, .. }, Carrier::Line { .. }) => {
+                (root == 1) != radius.is_negative()
+            }
+            (Carrier::Circle { radius: r, .. }, Carrier::Circle { radius: s, .. }) => {
+                let into_disc = (root == 1) == r.is_negative();
+                into_disc != s.is_negative()
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether two carriers cross.
+    fn meets(&self, other: &Self) -> bool {
+        /// Lines at a smaller angle are parallel (radians).
+        const PARALLEL: f64 = 1e-28;
+        let line_circle = |n: Xy<Dd>, through: Xy<Dd>, center: Xy<Dd>, radius: Dd| {
+            dot(n, minus(center, through)).abs() < radius.abs()
+        };
+        match (&self.carrier, &other.carrier) {
+            (Carrier::Line { normal: m, .. }, Carrier::Line { normal: n, .. }) => {
+                cross(*m, *n).to_f64().abs() > PARALLEL
+            }
+            (&Carrier::Line { normal, through }, &Carrier::Circle { center, radius })
+            | (&Carrier::Circle { center, radius }, &Carrier::Line { normal, through }) => {
+                line_circle(normal, through, center, radius)
+            }
+            (
+                Carrier::Circle { center: c, radius },
+                Carrier::Circle {
+                    center: d,
+                    radius: r,
+                },
+            ) => {
+                let v = minus(*d, *c);
+                let square = dot(v, v);
+                let (a, b) = (radius.abs(), r.abs());
+                let (sum, difference) = (a + b, a - b);
+                square < sum * sum && difference * difference < square
+            }
+            _ => false,
+        }
+    }
+
+    /// The crossing with the given name, wherever it lies on the carriers.
+    pub(crate) fn crossing(&self, other: &Self, root: u8) -> Option<ExactCrossing> {
+        let lines = matches!(
+            (&self.carrier, &other.carrier),
+            (Carrier::Line { .. }, Carrier::Line { .. })
+        );
+        if !self.meets(other) || (lines && root > 0) {
+            return None;
+        }
+        let root = self.own_root(other, root);
+        let v = place_on(&self.carrier, &other.carrier, root, false);
+        let point = match self.carrier {
+            Carrier::Line { normal, through } => plus(through, times(left(normal), v.0)),
+            Carrier::Circle { center, .. } => plus(center, v),
+            Carrier::Bow(_) => return None,
+        };
+        Some(ExactCrossing {
+            places: (self.length_of(v), other.position(point)),
+            point,
+            enters: self.enters(other, root),
+        })
+    }
+
+    /// How far outward along a direction from a point its carrier lies, near that point.
+    pub(crate) fn height(&self, p: Xy<Dd>, outward: Xy<Dd>) -> Dd {
+        match self.carrier {
+            Carrier::Line { normal, through } => {
+                dot(normal, minus(through, p)) / dot(normal, outward)
+            }
+            Carrier::Circle { center, radius } => {
+                let v = minus(p, center);
+                let off = length(v) - radius.abs();
+                if dot(v, outward).is_negative() {
+                    off
+                } else {
+                    -off
+                }
+            }
+            Carrier::Bow(_) => Dd::ZERO,
+        }
+    }
+}
+
+/// The crossings of two curves, by the names of their roots: whether the first enters there. What they share as corners is none.
+pub(crate) fn exact_crossings(
+    f: &ExactSheet<'_>,
+    g: &ExactSheet<'_>,
+    shared: &SharedEnds,
+    turn: &ExactTurn,
+) -> [Option<bool>; 2] {
+    let (c, d) = (f.curve(turn), g.curve(turn));
+    let mut found = [0, 1].map(|root| c.crossing(&d, root));
+    let [end_shared, start_shared] = shared.corners.map(|c| c.is_some());
+    for (shared, p) in [(end_shared, c.end), (start_shared, c.start)] {
+        if shared {
+            let distance = |x: &Option<ExactCrossing>| {
+                x.map_or(f64::INFINITY, |x| length(minus(x.point, p)).to_f64())
+            };
+            let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
+            found[nearest] = None;
+        }
+    }
+    let (of_f, of_g) = (c.ends(), d.ends());
+    let within = |place: Dd, (lo, hi): (Dd, Dd)| lo < place && place < hi;
+    found.map(|x| {
+        x.filter(|x| within(x.places.0, of_f) && within(x.places.1, of_g))
+            .map(|x| x.enters)
+    })
+}
