@@ -4,7 +4,7 @@
 //! circles need no form of their own, for with 106 bits a place near the parts is known about any centre.
 
 use crate::feature::Outline;
-use crate::geometry::{Rotation, Vector};
+use crate::geometry::Vector;
 use crate::number::Dd;
 use crate::number::plane::{
     Xy, cross, dot, exactly, left, length, minus, negative, plus, rounded, times, turned,
@@ -28,12 +28,10 @@ impl ExactTurn {
         Self { theta, cos, sin }
     }
 
-    /// The rotation in doubles.
-    pub(crate) fn rounded(&self) -> Rotation {
-        Rotation {
-            cos: self.cos.to_f64(),
-            sin: self.sin.to_f64(),
-        }
+    /// By cosine and sine, where the angle itself is not asked for.
+    pub(crate) fn of(cos: Dd, sin: Dd) -> Self {
+        let theta = Dd::from(sin.to_f64().atan2(cos.to_f64()));
+        Self { theta, cos, sin }
     }
 }
 

@@ -2,86 +2,135 @@
 
 use std::sync::LazyLock;
 
+use super::{Dd, Real};
+
 /// Highest frequency.
 const DEGREE: usize = 4;
 /// Orientations at which a polynomial is sampled; enough for its coefficients.
 const SAMPLES: usize = 2 * DEGREE + 1;
 
-/// What a polynomial's coefficients are made of.
-struct Sampling {
-    /// Cosine and sine of the sampled orientations.
-    turns: [(f64, f64); SAMPLES],
-    /// By sample and frequency, how much of a value goes to the coefficients of the cosine and of the sine.
-    weights: [[(f64, f64); DEGREE + 1]; SAMPLES],
+/// Numbers with an arithmetic of angles.
+pub(crate) trait Angle: Real + 'static {
+    /// Rounding of an operation, relative to its result.
+    const ROUNDING: f64;
+    /// Cosine and sine of an angle in radians.
+    fn cos_sin_of(self) -> (Self, Self);
+    /// What coefficients are made of.
+    fn sampling() -> &'static Sampling<Self>;
 }
 
-static SAMPLING: LazyLock<Sampling> = LazyLock::new(|| {
-    let turns: [(f64, f64); SAMPLES] = core::array::from_fn(|j| {
-        let (sin, cos) = (core::f64::consts::TAU * j as f64 / SAMPLES as f64).sin_cos();
+/// What a polynomial's coefficients are made of.
+pub(crate) struct Sampling<T> {
+    /// Cosine and sine of the sampled orientations.
+    turns: [(T, T); SAMPLES],
+    /// By sample and frequency, how much of a value goes to the coefficients of the cosine and of the sine.
+    weights: [[(T, T); DEGREE + 1]; SAMPLES],
+}
+
+impl<T: Real> Sampling<T> {
+    fn new(turn: impl Fn(usize) -> (T, T)) -> Self {
+        let turns: [(T, T); SAMPLES] = core::array::from_fn(turn);
+        let weights = core::array::from_fn(|j| {
+            core::array::from_fn(|k| {
+                let share = if k == 0 { 1.0 } else { 2.0 };
+                let factor = T::constant(share).over(T::constant(SAMPLES as f64));
+                let (cos, sin) = turns[j * k % SAMPLES];
+                (cos * factor, sin * factor)
+            })
+        });
+        Self { turns, weights }
+    }
+}
+
+impl Angle for f64 {
+    const ROUNDING: f64 = Self::EPSILON;
+
+    #[inline]
+    fn cos_sin_of(self) -> (Self, Self) {
+        let (sin, cos) = self.sin_cos();
         (cos, sin)
-    });
-    let weights = core::array::from_fn(|j| {
-        core::array::from_fn(|k| {
-            let factor = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
-            let (cos, sin) = turns[j * k % SAMPLES];
-            (cos * factor, sin * factor)
-        })
-    });
-    Sampling { turns, weights }
-});
+    }
+
+    fn sampling() -> &'static Sampling<Self> {
+        static SAMPLING: LazyLock<Sampling<f64>> = LazyLock::new(|| {
+            Sampling::new(|j| {
+                (core::f64::consts::TAU * j as f64 / SAMPLES as f64).cos_sin_of()
+            })
+        });
+        &SAMPLING
+    }
+}
+
+impl Angle for Dd {
+    const ROUNDING: f64 = Self::EPSILON;
+
+    fn cos_sin_of(self) -> (Self, Self) {
+        let (sin, cos) = self.sin_cos();
+        (cos, sin)
+    }
+
+    fn sampling() -> &'static Sampling<Self> {
+        static SAMPLING: LazyLock<Sampling<Dd>> = LazyLock::new(|| {
+            Sampling::new(|j| (Dd::TAU * j as f64 / SAMPLES as f64).cos_sin_of())
+        });
+        &SAMPLING
+    }
+}
 
 /// Σ aₖ cos kθ + bₖ sin kθ, k = 0 … 4, known up to an error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TrigPolynomial {
-    a: [f64; DEGREE + 1],
-    b: [f64; DEGREE + 1],
+pub(crate) struct TrigPolynomial<T = f64> {
+    a: [T; DEGREE + 1],
+    b: [T; DEGREE + 1],
     /// Bound on the third derivative.
     twist: f64,
     /// Bound on the error of a value.
     error: f64,
 }
 
-impl TrigPolynomial {
+impl<T: Angle> TrigPolynomial<T> {
     /// The polynomial with the values of `f` (of cosine and sine), which must be one of degree four at most.
     ///
     /// `f` also tells the size of the terms its value was summed from; the error is a small multiple of the rounding
     /// of the largest.
-    pub(crate) fn sampled(f: impl Fn(f64, f64) -> (f64, f64)) -> Self {
+    pub(crate) fn sampled(f: impl Fn(T, T) -> (T, f64)) -> Self {
         /// Errors of the values and of the sums over the samples, in units of rounding.
-        const ERROR: f64 = 64.0 * f64::EPSILON;
-        let (mut a, mut b) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
+        const ERROR: f64 = 64.0;
+        let zero = T::constant(0.0);
+        let (mut a, mut b) = ([zero; DEGREE + 1], [zero; DEGREE + 1]);
         let mut size: f64 = 0.0;
-        let Sampling { turns, weights } = &*SAMPLING;
+        let Sampling { turns, weights } = T::sampling();
         for (&(cos, sin), weights) in turns.iter().zip(weights) {
             let (value, terms) = f(cos, sin);
             size = size.max(terms);
             for (k, w) in weights.iter().enumerate() {
-                a[k] += value * w.0;
-                b[k] += value * w.1;
+                a[k] = a[k] + value * w.0;
+                b[k] = b[k] + value * w.1;
             }
         }
         let twist: f64 = (0..=DEGREE)
-            .map(|k| (k * k * k) as f64 * (a[k] * a[k] + b[k] * b[k]).sqrt())
+            .map(|k| (k * k * k) as f64 * a[k].rough().hypot(b[k].rough()))
             .sum();
         Self {
             a,
             b,
             twist: twist * (1.0 + 1e-12),
-            error: ERROR * size,
+            error: ERROR * T::ROUNDING * size,
         }
     }
 
     /// Value and first two derivatives at the orientation with the given cosine and sine.
     #[inline]
-    fn jet(&self, cos: f64, sin: f64) -> [f64; 3] {
+    fn jet(&self, cos: T, sin: T) -> [T; 3] {
+        let zero = T::constant(0.0);
         let (mut c, mut s) = (cos, sin);
-        let (mut value, mut slope, mut bend) = (self.a[0], 0.0, 0.0);
+        let (mut value, mut slope, mut bend) = (self.a[0], zero, zero);
         for k in 1..=DEGREE {
-            let f = k as f64;
+            let f = T::constant(k as f64);
             let wave = self.a[k] * c + self.b[k] * s;
-            value += wave;
-            slope += f * (self.b[k] * c - self.a[k] * s);
-            bend -= f * f * wave;
+            value = value + wave;
+            slope = slope + f * (self.b[k] * c - self.a[k] * s);
+            bend = bend - f * f * wave;
             (c, s) = (c * cos - s * sin, s * cos + c * sin);
         }
         [value, slope, bend]
@@ -89,10 +138,15 @@ impl TrigPolynomial {
 
     /// Value and derivative.
     #[inline]
-    pub(crate) fn at(&self, theta: f64) -> (f64, f64) {
-        let (sin, cos) = theta.sin_cos();
+    pub(crate) fn at(&self, theta: T) -> (T, T) {
+        let (cos, sin) = theta.cos_sin_of();
         let [value, slope, _] = self.jet(cos, sin);
         (value, slope)
+    }
+
+    /// Bound on the error of a value.
+    pub(crate) fn error(&self) -> f64 {
+        self.error
     }
 
     /// Calls `found` with intervals that hold all roots between `lo` and `hi`, each with a change of sign.
@@ -106,15 +160,16 @@ impl TrigPolynomial {
     /// Where the value cannot be told from zero on a whole interval, `vague` is called with it instead.
     pub(crate) fn brackets(
         &self,
-        lo: f64,
-        hi: f64,
+        lo: T,
+        hi: T,
         narrowest: f64,
-        found: &mut impl FnMut(f64, f64),
-        vague: &mut impl FnMut(f64, f64),
+        found: &mut impl FnMut(T, T),
+        vague: &mut impl FnMut(T, T),
     ) {
-        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        let (sin, cos) = mid.sin_cos();
-        let [value, slope, bend] = self.jet(cos, sin);
+        let middle = T::constant(0.5);
+        let (mid, half) = (middle * (lo + hi), 0.5 * (hi - lo).rough());
+        let (cos, sin) = mid.cos_sin_of();
+        let [value, slope, bend] = self.jet(cos, sin).map(Real::rough);
         let rest = self.twist * half.powi(3) * (1.0 / 6.0);
         // The parabola on the side of zero that f(m) is on: it is nearest to zero at an end, or where its slope vanishes.
         let (side, along) = (value.abs(), slope.abs() * half);
@@ -133,7 +188,7 @@ impl TrigPolynomial {
         }
         let change = bend.abs() * half + 0.5 * self.twist * half * half;
         if slope.abs() > change || half < narrowest {
-            let (at_lo, at_hi) = (self.at(lo).0, self.at(hi).0);
+            let (at_lo, at_hi) = (self.at(lo).0.rough(), self.at(hi).0.rough());
             if at_lo * at_hi <= 0.0 || at_lo.abs() < self.error || at_hi.abs() < self.error {
                 found(lo, hi);
             }

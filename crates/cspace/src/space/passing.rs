@@ -22,6 +22,12 @@ const NARROWEST: f64 = 1e-8;
 /// The same of pieces in which places are compared, where these are reckoned about centres (radians).
 const NARROWEST_PLACES: f64 = 1e-6;
 
+/// In intervals narrower than this (radians) doubles are not asked.
+const NARROW: f64 = 1e-6;
+
+/// As [`NARROWEST`] in double-double.
+const NARROWEST_EXACT: f64 = 1e-18;
+
 /// How many pieces are looked at where three carriers always share a point, before places count as told apart as far
 /// as they can be.
 const PLACE_BUDGET: u32 = 2000;
@@ -118,32 +124,88 @@ impl Passing<'_> {
     pub(super) fn isolate(
         &self,
         f: Option<&TrigPolynomial>,
-        lo: f64,
-        hi: f64,
-        found: &mut impl FnMut(Event),
+        lo: Dd,
+        hi: Dd,
+        found: &mut impl FnMut(Moment),
     ) -> u64 {
-        let mut vague: Vec<(f64, f64)> = Vec::new();
-        let narrowest = match f {
-            Some(f) => {
+        // Where doubles tell nothing.
+        let mut unclear: Vec<(Dd, Dd)> = Vec::new();
+        let mut vague: Vec<(Dd, Dd)> = Vec::new();
+        match f {
+            Some(f) if (hi - lo).to_f64() >= NARROW => {
+                let mut brackets = Vec::new();
                 f.brackets(
-                    lo,
-                    hi,
+                    lo.to_f64(),
+                    hi.to_f64(),
                     NARROWEST,
-                    &mut |lo, hi| self.refine(f, lo, hi, found),
-                    &mut |lo, hi| vague.push((lo, hi)),
+                    &mut |a, b| brackets.push((a, b)),
+                    &mut |a, b| unclear.push((Dd::from(a), Dd::from(b))),
                 );
-                NARROWEST_PLACES
+                for (a, b) in brackets {
+                    if b - a <= 2.0 * NARROWEST {
+                        unclear.push((Dd::from(a), Dd::from(b)));
+                    } else if let Some(e) = self.refine(f, a, b).and_then(|e| self.exactly(f, e)) {
+                        found(e);
+                    }
+                }
             }
-            None => {
-                vague.push((lo, hi));
-                NARROWEST_BAND
-            }
-        };
-        for &(lo, hi) in &vague {
-            let mut budget = PLACE_BUDGET;
-            self.isolate_places(lo, hi, narrowest, &mut budget, found);
+            Some(_) => unclear.push((lo, hi)),
+            None => vague.push((lo, hi)),
         }
-        vague.len() as u64
+        if !unclear.is_empty() {
+            let exact = self.polynomial();
+            for (a, b) in unclear {
+                let mut brackets = Vec::new();
+                exact.brackets(
+                    a,
+                    b,
+                    NARROWEST_EXACT,
+                    &mut |a, b| brackets.push((a, b)),
+                    &mut |a, b| vague.push((a, b)),
+                );
+                let roots = brackets.into_iter().map(|(a, b)| root(&exact, a, b));
+                roots.filter(|e| self.meet_at(e.theta)).for_each(&mut *found);
+            }
+        }
+        let count = vague.len() as u64;
+        let narrowest = if f.is_some() {
+            NARROWEST_PLACES
+        } else {
+            NARROWEST_BAND
+        };
+        for (a, b) in vague {
+            let mut budget = PLACE_BUDGET;
+            let mut take = |e: Event| found(e.into());
+            self.isolate_places(a.to_f64(), b.to_f64(), narrowest, &mut budget, &mut take);
+        }
+        count
+    }
+
+    /// What vanishes where the three carriers meet, in double-double.
+    fn polynomial(&self) -> TrigPolynomial<Dd> {
+        let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
+        TrigPolynomial::sampled(|cos, sin| {
+            let turn = ExactTurn::of(cos, sin);
+            concurrency([0, 1, 2].map(|i| three[i].carrier(&turn)))
+        })
+    }
+
+    /// The sheet and those of both branches.
+    fn sheets(&self) -> [u32; 3] {
+        [
+            self.sheet,
+            self.x.other(self.sheet),
+            self.y.other(self.sheet),
+        ]
+    }
+
+    /// Whether it is the two branches that meet where three carriers do, and not others of the same sheets.
+    fn meet_at(&self, theta: Dd) -> bool {
+        /// Branches further apart than this (length) where three carriers meet are not those that meet.
+        const APART: f64 = 1e-9;
+        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+        let off = placing.place(self.x) - placing.place(self.y);
+        off.to_f64().abs() < APART
     }
 
     /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
@@ -206,17 +268,16 @@ impl Passing<'_> {
         self.difference(cos, sin)
     }
 
-    /// The root in an interval: of the smooth function first, by Newton's rule within a bracket; then, if it is these two
-    /// branches that meet there and not others of the same sheets, of the difference of their places.
-    fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64, found: &mut impl FnMut(Event)) {
+    /// The root in an interval in which there is one, by Newton's rule within a bracket; `None` if the two branches are apart
+    /// there.
+    fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64) -> Option<Event> {
         /// Branches further apart than this (length) at the root are not those that meet.
         const NEAR: f64 = 1e-4;
         /// Steps shorter than this are rounding, radians.
         const SAME: f64 = 1e-15;
-        let (first, last) = (lo, hi);
         let at_lo = f.at(lo).0;
         let mut theta = 0.5 * (lo + hi);
-        // By Newton's rule, halving the bracket where a step leaves it or does not shorten it enough.
+        // Halving the bracket where a step leaves it or does not shorten it enough.
         let mut width = hi - lo;
         for _ in 0..100 {
             let (value, slope) = f.at(theta);
@@ -235,63 +296,25 @@ impl Passing<'_> {
             }
             theta = next;
         }
-        let mut d = self.gap(theta);
-        if d.value.abs() > NEAR {
-            return;
-        }
-        for _ in 0..4 {
-            let next = theta - d.value / d.slope;
-            if !(first..=last).contains(&next) {
-                break;
-            }
-            let at_next = self.gap(next);
-            // NaN where the places are lost.
-            if at_next.value.is_nan() || at_next.value.abs() >= d.value.abs() {
-                break;
-            }
-            (theta, d) = (next, at_next);
-        }
-        found(event(theta, d.value, d.slope));
+        let d = self.gap(theta);
+        (d.value.abs() <= NEAR || d.value.is_nan()).then(|| event(theta, d.value, d.slope))
     }
-}
 
-impl Passing<'_> {
-    /// A meeting in double-double, from what doubles tell of it, with the slope there of what vanishes; `None` if the two
-    /// branches are apart there.
-    pub(super) fn exactly(&self, f: Option<&TrigPolynomial>, event: Event) -> Option<Moment> {
-        /// Branches further apart than this (length) where three carriers meet are not those that meet.
-        const APART: f64 = 1e-9;
+    /// A meeting in double-double, from what doubles tell of it; `None` if the two branches are apart there.
+    fn exactly(&self, f: &TrigPolynomial, event: Event) -> Option<Moment> {
         /// What the steps of the secant rule gain is beyond rounding after so many.
         const STEPS: usize = 12;
-        /// Shorter steps are rounding (radians).
-        const SAME: f64 = 1e-30;
-        let places = |turn: ExactTurn| {
-            let placing = ExactPlacing::new(self.geometry, self.sheet, turn);
-            placing.place(self.x) - placing.place(self.y)
-        };
-        let three = [
-            self.sheet,
-            self.x.other(self.sheet),
-            self.y.other(self.sheet),
-        ]
-        .map(|s| exact_sheet(self.geometry, s));
+        let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
         let value = |theta: Dd| {
             let turn = ExactTurn::by(theta);
-            match f {
-                Some(_) => concurrency([0, 1, 2].map(|i| three[i].carrier(&turn))),
-                None => (places(turn), 1.0),
-            }
+            concurrency([0, 1, 2].map(|i| three[i].carrier(&turn)))
         };
-        let slope = match f {
-            Some(f) => f.at(event.theta).1,
-            None => self.gap(event.theta).slope,
-        };
+        let mut slope = f.at(event.theta).1;
         let mut theta = Dd::from(event.theta);
         let (mut at, terms) = value(theta);
         let mut step = -(at / slope);
-        let mut slope = slope;
         for _ in 0..STEPS {
-            if !(step.to_f64().abs() > SAME) {
+            if step.to_f64().abs() <= SAME_EXACT {
                 break;
             }
             let next = theta + step;
@@ -303,13 +326,46 @@ impl Passing<'_> {
             (theta, at, slope) = (next, value, change.to_f64());
             step = -(value / change);
         }
-        let rounding = 64.0 * Dd::EPSILON * terms / slope.abs().max(f64::MIN_POSITIVE);
-        let error = 4.0 * step.to_f64().abs() + rounding + SAME;
-        if !(error < event.error.max(1e-12)) {
-            return Some(event.into());
+        let error = 4.0 * step.to_f64().abs() + exact_error(64.0 * Dd::EPSILON * terms, slope);
+        self.meet_at(theta).then_some(Moment { theta, error })
+    }
+}
+
+/// Steps shorter than this are rounding in double-double, radians.
+const SAME_EXACT: f64 = 1e-30;
+
+/// Error of a root of a function that is known up to an error and has a slope there.
+fn exact_error(error: f64, slope: f64) -> f64 {
+    error / slope.abs().max(f64::MIN_POSITIVE) + SAME_EXACT
+}
+
+/// The root in an interval in which there is one, by Newton's rule within a bracket.
+fn root(f: &TrigPolynomial<Dd>, mut lo: Dd, mut hi: Dd) -> Moment {
+    let at_lo = f.at(lo).0;
+    let mut theta = (lo + hi).scaled(0.5);
+    let mut width = (hi - lo).to_f64();
+    let mut slope = 0.0;
+    for _ in 0..200 {
+        let (value, change) = f.at(theta);
+        slope = change.to_f64();
+        if value.is_negative() == at_lo.is_negative() {
+            lo = theta;
+        } else {
+            hi = theta;
         }
-        let off = places(ExactTurn::by(theta)).to_f64().abs();
-        (off < APART).then_some(Moment { theta, error })
+        let next = theta - value / change;
+        let step = (next - theta).to_f64().abs();
+        let good = lo < next && next < hi && step <= 0.5 * width;
+        let next = if good { next } else { (lo + hi).scaled(0.5) };
+        width = if good { step } else { (hi - lo).to_f64() };
+        if width <= SAME_EXACT || value.is_zero() {
+            break;
+        }
+        theta = next;
+    }
+    Moment {
+        theta,
+        error: width + exact_error(f.error(), slope),
     }
 }
 

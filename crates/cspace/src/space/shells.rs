@@ -114,8 +114,8 @@ impl ShellFinder<'_> {
                 let b = |b: u32| if b == END { "END".to_owned() } else { let x = &self.branches[b as usize]; format!("{}/{}r{}{}", b, x.other(c.sheet), x.root, if x.enters(c.sheet) {"e"} else {"l"}) };
                 eprintln!("cell {i} sheet {} {:?} f{:?} m{:?} {:.17}..{:.17} dur {:e} [{} .. {}] blocked {} free {} shell {} bottom {:?} top {:?}", c.sheet, s.kind, self.geometry.fixed.features[s.fixed as usize].name, self.geometry.moving.features[s.moving as usize].name, self.clusters.at(c.from), self.clusters.at(c.to), self.duration(c.from, c.to), b(c.left), b(c.right), c.blocked, shells.free[i as usize], shells.shell[i as usize], c.at_bottom, c.at_top);
             }
-            for v in &shells.vertical { if shells.free[v.lower as usize] != shells.free[v.upper as usize] { eprintln!("vertical {} {} at {:.17} {} {} certain {}", v.lower, v.upper, self.clusters.at(v.at), v.lo, v.hi, v.certain); } }
-            for v in &shells.side { if shells.free[v.before as usize] != shells.free[v.after as usize] { eprintln!("side {} {} from {:.17} to {:.17} branch {}", v.before, v.after, self.clusters.at(v.from), self.clusters.at(v.to), v.branch); } }
+            for v in &shells.vertical { { eprintln!("vertical {} {} at {:.17} {} {} certain {}", v.lower, v.upper, self.clusters.at(v.at), v.lo, v.hi, v.certain); } }
+            for v in &shells.side { { eprintln!("side {} {} from {:.17} to {:.17} branch {}", v.before, v.after, self.clusters.at(v.from), self.clusters.at(v.to), v.branch); } }
         }
         // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
         // what may be too short to join shells is still the best there is to link patches by.

@@ -283,17 +283,17 @@ impl Search<'_> {
             let mut three = [sheet, x.other(sheet), y.other(sheet)];
             three.sort_unstable();
             let (lo, hi) = (window.lo, window.hi);
-            let mut take = |event| {
-                let exact = pair.exactly(f.as_ref(), event);
-                events.extend(exact.filter(|e| lo <= e.theta && e.theta <= hi).map(|event| {
-                    Meeting {
+            let (lo, hi) = (window.lo, window.hi);
+            let mut take = |event: Moment| {
+                if lo <= event.theta && event.theta <= hi {
+                    events.push(Meeting {
                         sheet,
                         three,
                         event,
-                    }
-                }));
+                    });
+                }
             };
-            let vague = pair.isolate(f.as_ref(), lo.to_f64(), hi.to_f64(), &mut take);
+            let vague = pair.isolate(f.as_ref(), lo, hi, &mut take);
             found.isolated += 1;
             found.by_places += vague;
         }
