@@ -327,7 +327,9 @@ impl Passing<'_> {
             step = -(value / change);
         }
         let error = 4.0 * step.to_f64().abs() + exact_error(64.0 * Dd::EPSILON * terms, slope);
-        self.meet_at(theta).then_some(Moment { theta, error })
+        let better = error <= event.error;
+        let moment = Some(Moment { theta, error }).filter(|_| better);
+        self.meet_at(theta).then(|| moment.unwrap_or(event.into()))
     }
 }
 
@@ -344,6 +346,7 @@ fn root(f: &TrigPolynomial<Dd>, mut lo: Dd, mut hi: Dd) -> Moment {
     let at_lo = f.at(lo).0;
     let mut theta = (lo + hi).scaled(0.5);
     let mut width = (hi - lo).to_f64();
+    let all = width;
     let mut slope = 0.0;
     for _ in 0..200 {
         let (value, change) = f.at(theta);
@@ -365,7 +368,7 @@ fn root(f: &TrigPolynomial<Dd>, mut lo: Dd, mut hi: Dd) -> Moment {
     }
     Moment {
         theta,
-        error: width + exact_error(f.error(), slope),
+        error: (width + exact_error(f.error(), slope)).min(all),
     }
 }
 

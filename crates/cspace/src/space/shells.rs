@@ -108,7 +108,7 @@ impl ShellFinder<'_> {
             conflicts: 0,
         };
         self.judge(&cells.cells, &mut shells);
-        if std::env::var("CSPACE_DEBUG").is_ok() && shells.conflicts > 0 {
+        if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
             for (i, c) in (0u32..).zip(&cells.cells) {
                 let s = &self.geometry.contacts.sheets[c.sheet as usize];
                 let b = |b: u32| if b == END { "END".to_owned() } else { let x = &self.branches[b as usize]; format!("{}/{}r{}{}", b, x.other(c.sheet), x.root, if x.enters(c.sheet) {"e"} else {"l"}) };
@@ -312,6 +312,9 @@ impl ShellFinder<'_> {
             some_free = furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
         }
         let conflict = some_free && some_blocked;
+        if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
+            eprintln!("judged shell {} members {} blocked {blocked} some_free {some_free} rings {:?}", shell[0].shell, shell.len(), rings.iter().map(|r| (r.0.len(), r.1, r.0[0].ring, blocked_ring[r.0[0].ring as usize], self.largest(cells, r.0))).collect::<Vec<_>>());
+        }
         let mut free = Vec::with_capacity(shell.len());
         for (ring, tested) in rings {
             let apart = tested.is_none() || blocked_ring[ring[0].ring as usize];
