@@ -2,7 +2,7 @@
 
 use cspace::Part;
 use cspace_oracle::shapes::notches::{corridor, half_round_notch, l_shape, sofa, v_slot_profile};
-use cspace_oracle::shapes::{gear, plate, scaled, square};
+use cspace_oracle::shapes::{gear, plate, regular_polygon, scaled};
 
 use super::families::{Change, POWERS, noisy};
 use super::{Specimen, TABLE};
@@ -27,6 +27,9 @@ const SOFAS: [(f64, usize); 9] = [
 /// Noise of a share of a sofa's play that its passage does not notice, with room to spare.
 const HARMLESS: f64 = 1e-2;
 
+/// Holes are larger than what is in them by this share, or not at all.
+const PLAY: f64 = 1e-3;
+
 pub(super) fn table() -> Vec<Specimen> {
     let notch = half_round_notch(2, 5, 5);
     let new = |name: &str, fixed: &Part, moving: &Part| Specimen::new(TABLE, name, fixed, moving);
@@ -41,14 +44,15 @@ pub(super) fn table() -> Vec<Specimen> {
     let profile = v_slot_profile();
     all.push(new("V-slot profile and itself", &profile, &profile));
     let hole = |side: f64, part: &Part, play: f64| plate(side, &[&scaled(part, 1.0 + play)]);
-    let (block, wheel) = (square(2.0), gear(8, 1.0));
-    for (play, of_block, of_wheel) in [(0.0, 1, 1), (1e-3, 5, 9)] {
-        let name = |what: &str| match play {
-            0.0 => format!("{what} in its own hole"),
-            _ => format!("{what} in its own hole, play {play:e}"),
-        };
-        all.push(new(&name("square"), &hole(4.0, &block, play), &block).expecting(of_block));
-        all.push(new(&name("gear"), &hole(14.0, &wheel, play), &wheel).expecting(of_wheel));
+    let wheel = gear(8, 1.0);
+    all.push(new("gear in its own hole", &hole(14.0, &wheel, 0.0), &wheel).expecting(1));
+    for (what, corners) in [("square", 4), ("hexagon", 6)] {
+        let polygon = regular_polygon(corners, 1.0);
+        let hole = |play| hole(4.0, &polygon, play);
+        let name = format!("{what} in its own hole");
+        all.push(new(&name, &hole(0.0), &polygon).expecting(1));
+        let name = format!("{name}, play {PLAY:e}");
+        all.push(new(&name, &hole(PLAY), &polygon).expecting(1 + corners));
     }
     all
 }

@@ -173,17 +173,16 @@ pub fn v_slot_profile() -> Part {
         (8.545, 3.125, 0.15),
         (HALF, 4.58, 0.2),
     ];
-    let turns: [fn(f64, f64) -> (f64, f64); 4] = [
-        |x, y| (x, y),
-        |x, y| (-y, x),
-        |x, y| (-x, -y),
-        |x, y| (y, -x),
-    ];
-    let (outline, radii): (Vec<Vertex>, Vec<f64>) = turns
-        .iter()
-        .flat_map(|turn| {
+    let turned = |(x, y): (f64, f64), quarters: usize| match quarters {
+        0 => (x, y),
+        1 => (-y, x),
+        2 => (-x, -y),
+        _ => (y, -x),
+    };
+    let (outline, radii): (Vec<Vertex>, Vec<f64>) = (0..4)
+        .flat_map(|quarters| {
             slot.map(|(x, y, radius)| {
-                let (x, y) = turn(x, y);
+                let (x, y) = turned((x, y), quarters);
                 (Vertex::line(x, y), radius)
             })
         })

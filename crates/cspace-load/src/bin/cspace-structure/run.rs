@@ -81,8 +81,13 @@ pub(crate) fn run(args: &Args, all: &[Specimen]) -> Result<(), String> {
 /// Totals by family and by change, and the pairs that take longest.
 fn summary(all: &[Specimen], outcomes: &[Outcome]) -> String {
     let mut text = String::new();
-    grouped(&mut text, "family", all, outcomes, |s| s.family);
-    grouped(&mut text, "change", all, outcomes, |s| s.change.kind());
+    let sum = gathered(all, outcomes, |_| "all");
+    let families = gathered(all, outcomes, |s| s.family);
+    let mut changes = gathered(all, outcomes, |s| s.change.kind());
+    changes.sort_by_key(|c| c.0);
+    add(&mut text, "family", &families);
+    add(&mut text, "", &sum);
+    add(&mut text, "change", &changes);
     let _ = writeln!(text, "\nslowest");
     let seconds = |o: &Outcome| match o {
         Outcome::Measured(m) => m.seconds,
@@ -96,29 +101,30 @@ fn summary(all: &[Specimen], outcomes: &[Outcome]) -> String {
     text
 }
 
-/// Adds the totals of each group, in the order of the groups' first specimens, and of all.
-fn grouped<K: Copy + Eq + Display>(
-    text: &mut String,
-    name: &str,
+/// The totals of each group, in the order of the groups' first specimens.
+fn gathered<K: Copy + Eq>(
     all: &[Specimen],
     outcomes: &[Outcome],
     group: impl Fn(&Specimen) -> K,
-) {
+) -> Vec<(K, Totals)> {
     let mut totals: Vec<(K, Totals)> = Vec::new();
-    let mut sum = Totals::default();
     for (specimen, outcome) in all.iter().zip(outcomes) {
         let key = group(specimen);
-        let at = totals.iter().position(|t| t.0 == key);
-        let at = at.unwrap_or_else(|| {
+        let at = totals.iter().position(|t| t.0 == key).unwrap_or_else(|| {
             totals.push((key, Totals::default()));
             totals.len() - 1
         });
         totals[at].1.count(specimen, outcome);
-        sum.count(specimen, outcome);
     }
-    let _ = writeln!(text, "\n{name:24}{}", Totals::heading());
-    for (key, totals) in &totals {
+    totals
+}
+
+/// Adds a table of totals, which goes on with the one above if it has no name.
+fn add<K: Display>(text: &mut String, name: &str, totals: &[(K, Totals)]) {
+    if !name.is_empty() {
+        let _ = writeln!(text, "\n{name:24}{}", Totals::heading());
+    }
+    for (key, totals) in totals {
         let _ = writeln!(text, "{key:24}{totals}");
     }
-    let _ = writeln!(text, "{:24}{sum}", "all");
 }

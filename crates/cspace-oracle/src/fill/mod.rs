@@ -1,8 +1,10 @@
 //! A flood fill of (x, y, θ) in boxes of which brute force proves that they are free or blocked.
 //!
-//! A verdict of the oracle with a margin holds for all configurations that take no point of the moving part further than
+//! A verdict with a margin holds for all configurations that take no point of the moving part further than
 //! that. So a box is free, blocked, or divided, down to a least size. Free boxes that touch are of one region; regions
 //! between which all boxes are blocked are two. What is between the two answers is too narrow for the boxes.
+
+mod inside;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,6 +12,8 @@ use cspace::{Configuration, Edge, Part, Point, Rotation, Vector};
 
 use crate::families::Case;
 use crate::judge::Oracle;
+
+use inside::Inside;
 
 /// Of a set of free boxes, this many are asked about, and of the others one in [`SHARE`].
 const ASKED: u32 = 64;
@@ -26,6 +30,7 @@ enum Found {
 #[derive(Debug, Clone)]
 pub struct Fill {
     oracle: Oracle,
+    inside: Inside,
     /// Half the side of the square of positions. Beyond it the parts are apart.
     half: f64,
     /// The farthest point of the moving part from its middle.
@@ -79,6 +84,7 @@ impl Fill {
         let n = 1 << depth;
         let arm = reach(&case.moving, oracle.moving_center());
         let mut fill = Self {
+            inside: Inside::new(&oracle, n),
             half: 1.01 * (arm + reach(&case.fixed, oracle.fixed_center())),
             oracle,
             arm,
@@ -91,35 +97,36 @@ impl Fill {
         fill
     }
 
-    fn configuration(&self, [x, y, t]: [f64; 3]) -> Configuration {
+    /// The moving part's middle from the fixed one's, and θ.
+    fn place(&self, [x, y, t]: [f64; 3]) -> (Vector, f64) {
         let at = |s: f64| self.half * (2.0 * s - 1.0);
         let theta = self.theta.0 + t * (self.theta.1 - self.theta.0);
+        (Vector::new(at(x), at(y)), theta)
+    }
+
+    fn configuration(&self, at: [f64; 3]) -> Configuration {
+        let (shift, theta) = self.place(at);
         let turned = Rotation::by(theta) * self.oracle.moving_center().to_vector();
-        let p = self.oracle.fixed_center() + Vector::new(at(x), at(y)) + -turned;
+        let p = self.oracle.fixed_center() + shift + -turned;
         Configuration::new(p.x, p.y, theta)
     }
 
-    fn middle(&self, corner: [usize; 3], size: usize) -> Configuration {
-        self.configuration(corner.map(|c| (c as f64 + 0.5 * size as f64) / self.n as f64))
+    /// The middle of a box, in parts of the whole.
+    fn middle(&self, corner: [usize; 3], size: usize) -> [f64; 3] {
+        corner.map(|c| (c as f64 + 0.5 * size as f64) / self.n as f64)
     }
 
     /// The middle of a box by its number.
     fn middle_of(&self, b: usize) -> Configuration {
         let n = self.n;
-        self.middle([b / (n * n), b / n % n, b % n], 1)
+        self.configuration(self.middle([b / (n * n), b / n % n, b % n], 1))
     }
 
     fn divide(&mut self, corner: [usize; 3], size: usize) {
         let half = 0.5 * size as f64 / self.n as f64;
         let moves = 2.0 * self.half * half * core::f64::consts::SQRT_2
             + (self.theta.1 - self.theta.0) * half * self.arm;
-        let verdict = self.oracle.judge(self.middle(corner, size));
-        if verdict.margin > 1.001 * moves {
-            let found = if verdict.overlap {
-                Found::Blocked
-            } else {
-                Found::Free
-            };
+        if let Some(found) = self.found(self.middle(corner, size), 1.001 * moves) {
             let [i, j, k] = corner;
             for (i, j) in (i..i + size).flat_map(|i| (j..j + size).map(move |j| (i, j))) {
                 let row = (i * self.n + j) * self.n + k;
@@ -131,6 +138,20 @@ impl Fill {
                 self.divide([0, 1, 2].map(|d| corner[d] + half * (n >> d & 1)), half);
             }
         }
+    }
+
+    /// What all configurations are of which none of the moving part's points is farther from where it is at this one.
+    fn found(&self, at: [f64; 3], moves: f64) -> Option<Found> {
+        let (shift, theta) = self.place(at);
+        if self.inside.overlaps(theta.sin_cos(), shift, moves) {
+            return Some(Found::Blocked);
+        }
+        let verdict = self.oracle.judge(self.configuration(at));
+        (verdict.margin > moves).then_some(if verdict.overlap {
+            Found::Blocked
+        } else {
+            Found::Free
+        })
     }
 
     /// The boxes that can be reached from each other through such ones, by number, and how many such sets; those at the
