@@ -2,8 +2,11 @@
 //!
 //! [`Source`] draws pairs: from outlines that favour ties, and from the [families](mod@cspace_oracle::families) that run into
 //! the degenerate. [`check`](fn@check) computes the contact space of one and compares it with the oracle, with slices from
-//! scratch and with itself. [`Tally`] counts. The command of this crate does that in a loop; the tests do it once for all
+//! scratch and with itself. [`Tally`] counts. The command `cspace-load` does that in a loop; the tests do it once for all
 //! families.
+//!
+//! [`structure`] asks how certain the structure of contact spaces is, of pairs drawn on a grid and the same with noise. The
+//! command `cspace-structure` prints it.
 //!
 //! ```
 //! use cspace::{ComputeError, Progress, Stage};
@@ -26,7 +29,9 @@
 pub mod check;
 pub mod draw;
 pub mod outline;
+pub mod output;
 pub mod shrink;
+pub mod structure;
 pub mod tally;
 mod trial;
 

@@ -4,7 +4,6 @@
 
 mod args;
 mod findings;
-mod output;
 mod run;
 mod state;
 mod watch;
@@ -14,10 +13,10 @@ use std::process::ExitCode;
 use clap::Parser;
 use cspace_io::shown;
 use cspace_load::Source;
+use cspace_load::output::{note, print};
 use cspace_oracle::families;
 
 use args::Args;
-use output::{note, print};
 use state::State;
 
 fn main() -> ExitCode {

@@ -4,7 +4,10 @@ use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
 /// To standard output. Its reader may have what it wanted, as `head` does.
-pub(crate) fn print(text: &str) -> Result<(), String> {
+///
+/// # Errors
+/// What goes wrong with it otherwise.
+pub fn print(text: &str) -> Result<(), String> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(format!("standard output: {e}")),
@@ -13,6 +16,6 @@ pub(crate) fn print(text: &str) -> Result<(), String> {
 }
 
 /// A line on standard error. Where nobody listens nothing can be done.
-pub(crate) fn note(line: impl Display) {
+pub fn note(line: impl Display) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }

@@ -7,6 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Configuration, PartError};
+use cspace_load::output::note;
 use cspace_load::{Drawn, Effort, Fault, Report, Source, Tally, check, shrink};
 use cspace_oracle::{Case, Verdict};
 use rand::SeedableRng;
@@ -14,7 +15,6 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::args::Args;
 use crate::findings;
-use crate::output::note;
 use crate::state::State;
 use crate::watch::{Deadline, PATIENCE, Watch};
 

@@ -5,8 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Progress, Stage};
-
-use crate::output::note;
+use cspace_load::output::note;
 
 /// A pair that takes longer is reported.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(20);

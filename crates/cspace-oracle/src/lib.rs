@@ -8,12 +8,14 @@
 #![allow(clippy::panic)]
 
 pub mod families;
+pub mod fill;
 pub mod judge;
 pub mod near;
 pub mod pairs;
 pub mod shapes;
 
 pub use families::{Case, Family, families};
+pub use fill::{Compared, Fill};
 pub use judge::{Oracle, Verdict, judge};
 pub use near::{NearContact, near_contact, near_contact_about};
 pub use pairs::{Pair, pair, pairs};

@@ -4,6 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use cspace::Part;
 use cspace_oracle::judge::area;
+use cspace_oracle::shapes::notches::*;
 use cspace_oracle::shapes::*;
 
 #[track_caller]
@@ -64,6 +65,26 @@ fn areas() {
 
 fn edges(p: &Part) -> usize {
     p.loops().iter().map(|l| l.vertices().len()).sum()
+}
+
+#[test]
+fn areas_of_notched_blocks_and_what_they_hook_into() {
+    has_area(&half_round_notch(2, 5, 5), 0.5 - 0.02 * PI);
+    has_area(&u_notch(5, 5, 10, 15), 3.0 - 0.5 - 0.125 * PI);
+    has_area(&v_notch(5, 5, 10, 10), 2.0 - 0.25);
+    has_area(&t_slot(5, 10, 10, 20, 20, 30), 12.0 - 1.0 - 2.0);
+    has_area(&dovetail(5, 10, 10, 20, 20), 8.0 - 1.5);
+    has_area(&l_shape(40), 7.0);
+    has_area(&corridor(40), 36.0 - 7.0);
+    has_area(&u_shape(10), 3.0 + 4.0);
+    has_area(&t_shape(4, 10, 5), 0.8 + 1.0);
+    has_area(&comb(4, 10, 10), 7.0 + 8.0);
+    has_area(&sofa(1.0), FRAC_PI_2 + 2.0 / PI);
+    // A fillet takes (1 − π/4) r² of each right angle, and gives it at the concave ones.
+    let taken = (1.0 - 0.25 * PI) * 0.01;
+    has_area(&filleted(&rectangle(3.0, 2.0), 0.1), 6.0 - 4.0 * taken);
+    has_area(&filleted(&l_shape(40), 0.1), 7.0 - 4.0 * taken);
+    assert!(v_slot_profile().edges().count() > 100);
 }
 
 #[test]

@@ -10,13 +10,13 @@ mod outline;
 mod plane;
 mod real;
 
-use cspace::{Configuration, Part, Point};
+use cspace::{Configuration, Part, Point, Vector};
 
 use compare::{Finding, compare, overlap_beside};
 pub use gap::area;
 pub(crate) use gap::least_gap;
 use outline::Outline;
-use plane::Place;
+use plane::{Frame, Place};
 use real::{Double, Real};
 
 /// What the [`Oracle`] says of one configuration.
@@ -48,6 +48,13 @@ pub struct Oracle {
     /// Whether there are arcs so flat, or edges so short, that doubles decide nothing: they do not know on which side of its
     /// chord an arc is, nor where on a short one it meets a long one.
     fine: bool,
+}
+
+/// One of the two parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Body {
+    Fixed,
+    Moving,
 }
 
 /// Arcs of a larger radius are flat, in sizes: for doubles they are a few thousand roundings high at the least.
@@ -127,6 +134,30 @@ impl Oracle {
             )
         };
         clear.unwrap_or_else(|| self.judge_finely(c, trust))
+    }
+
+    fn outline(&self, body: Body) -> &Outline<f64> {
+        match body {
+            Body::Fixed => &self.fixed,
+            Body::Moving => &self.moving,
+        }
+    }
+
+    /// The corners of the box about a part, as seen from its middle.
+    pub(crate) fn frame(&self, body: Body) -> (Point, Point) {
+        let Frame { low, high } = self.outline(body).frame;
+        (Point::new(low[0], low[1]), Point::new(high[0], high[1]))
+    }
+
+    /// The radius of the largest disc inside a part about a place that is seen from its middle; negative if it is outside.
+    pub(crate) fn depth_inside(&self, body: Body, at: Vector) -> f64 {
+        let (outline, p) = (self.outline(body), Place::new(at.x, at.y));
+        let distance = outline.distance(p, self.trust);
+        if outline.holds(p, self.trust) {
+            distance
+        } else {
+            -distance
+        }
     }
 
     fn moving_finely(&self, c: Configuration) -> Outline<Double> {

@@ -6,6 +6,7 @@ mod fits;
 mod gear;
 mod maze;
 pub mod mechanisms;
+pub mod notches;
 mod pen;
 mod random;
 mod transform;

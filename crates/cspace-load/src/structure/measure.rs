@@ -1,0 +1,149 @@
+//! What is certain of one space.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
+
+use cspace::{ComputeError, ContactSpace, Options, Progress, Stage, Window};
+use cspace_oracle::{Case, Compared, Fill};
+
+use super::Specimen;
+
+/// Bands of less than this are narrow, radians.
+const NARROW: f64 = 1e-5;
+
+/// What is done with each specimen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Effort {
+    /// How often boxes of the flood fill are divided; none fills nothing.
+    pub flood: Option<u32>,
+    /// Whether the pair is computed the other way round, too.
+    pub inverse: bool,
+    /// A computation that takes longer is given up when its next stage begins.
+    pub patience: Duration,
+}
+
+/// How it went with one specimen.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// What was measured.
+    Measured(Measured),
+    /// One of the outlines is no part.
+    Refused(String),
+    /// There is no space: the computation says why.
+    GivenUp(String),
+    /// It ends with a panic.
+    Panicked(String),
+}
+
+/// What was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// Features of the fixed and the moving part.
+    pub features: (u32, u32),
+    /// Free regions.
+    pub regions: usize,
+    /// Shells whose bounds and tests disagree.
+    pub conflicts: u64,
+    /// How much of the turn is doubtful, radians.
+    pub doubtful: f64,
+    /// Bands narrower than 10⁻⁵ rad.
+    pub narrow: usize,
+    /// How long the space took.
+    pub seconds: f64,
+    /// Free regions of the pair with fixed and moving exchanged, which are as many in truth.
+    pub inverse: Option<usize>,
+    /// What a flood fill says.
+    pub flood: Option<Flood>,
+}
+
+/// What a flood fill says of free regions.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Flood {
+    /// So many there are, but for pockets smaller than a box.
+    Agrees(usize),
+    /// Its boxes are too large: at least so many there are.
+    CannotTell(usize),
+    /// The regions of the space contradict it.
+    Wrong(Vec<String>),
+}
+
+/// Breaks off what takes too long.
+struct Deadline(Instant);
+
+impl Progress for Deadline {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        if Instant::now() > self.0 {
+            return Err(ComputeError::Interrupted);
+        }
+        Ok(())
+    }
+}
+
+/// Computes the space of a specimen.
+pub fn measure(specimen: &Specimen, effort: Effort) -> Outcome {
+    let case = match specimen.case() {
+        Ok(case) => case,
+        Err(error) => return Outcome::Refused(error.to_string()),
+    };
+    match catch_unwind(AssertUnwindSafe(|| measured(&case, effort))) {
+        Ok(Ok(measured)) => Outcome::Measured(measured),
+        Ok(Err(error)) => Outcome::GivenUp(error.to_string()),
+        Err(panic) => {
+            let text = panic.downcast_ref::<String>().map(String::as_str);
+            let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+            Outcome::Panicked(text.unwrap_or("of no text").to_owned())
+        }
+    }
+}
+
+fn measured(case: &Case, effort: Effort) -> Result<Measured, ComputeError> {
+    let begin = Instant::now();
+    let options = Options {
+        window: case.window,
+        ..Options::default()
+    };
+    let deadline = Deadline(begin + effort.patience);
+    let space = ContactSpace::compute_with(&case.fixed, &case.moving, &options, &deadline)?;
+    let seconds = begin.elapsed().as_secs_f64();
+    // Relative orientations of the inverse are the negative ones.
+    let inverse = if effort.inverse {
+        let options = Options {
+            window: case.window.map(|(lo, hi)| (-hi, -lo)),
+            ..Options::default()
+        };
+        let deadline = Deadline(Instant::now() + effort.patience);
+        let inverse = ContactSpace::compute_with(&case.moving, &case.fixed, &options, &deadline)?;
+        Some(inverse.free_regions().len())
+    } else {
+        None
+    };
+    let features = space.features();
+    let doubtful = space.doubtful_orientations().iter();
+    let bands = space.bands();
+    Ok(Measured {
+        features: (features.fixed, features.moving),
+        regions: space.free_regions().len(),
+        conflicts: space.statistics().conflicts,
+        doubtful: doubtful.map(|(lo, hi)| hi - lo).sum(),
+        narrow: bands.iter().filter(|b| b.hi - b.lo < NARROW).count(),
+        seconds,
+        inverse,
+        flood: effort.flood.map(|depth| flood(case, &space, depth)),
+    })
+}
+
+fn flood(case: &Case, space: &ContactSpace, depth: u32) -> Flood {
+    let Window { lo, hi, full_turn } = space.window();
+    let fill = Fill::new(case, (lo, hi), full_turn, depth);
+    let regions = space.free_regions().len();
+    let compared = fill.compare(regions, |c| space.region_at(c));
+    if !compared.wrong.is_empty() {
+        return Flood::Wrong(compared.wrong);
+    }
+    let Compared { least, .. } = compared;
+    if compared.is_settled() && regions == least {
+        Flood::Agrees(least)
+    } else {
+        Flood::CannotTell(least)
+    }
+}

@@ -1,0 +1,84 @@
+//! Sums over specimens.
+
+use std::fmt;
+
+use super::{Flood, Outcome, Specimen};
+
+/// Doubtful orientations of more than this, radians, are counted.
+const DOUBTFUL: [f64; 3] = [1e-9, 1e-6, 1e-3];
+
+/// What was found of several specimens.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Totals {
+    /// Specimens measured, or that panicked.
+    pub pairs: u64,
+    /// With a conflict.
+    pub conflicts: u64,
+    /// Doubtful for more than 10⁻⁹, 10⁻⁶ and 10⁻³ rad.
+    pub doubtful: [u64; 3],
+    /// Specimens of which the number of free regions is known.
+    pub expected: u64,
+    /// Of these, those with another number.
+    pub wrong: u64,
+    /// Whose regions a flood fill contradicts.
+    pub flooded: u64,
+    /// That have another number of free regions with fixed and moving exchanged.
+    pub unequal: u64,
+    /// That panicked.
+    pub panics: u64,
+    /// Outlines that are no parts, and pairs that have no space or not in time.
+    pub refused: u64,
+    /// How long the spaces took.
+    pub seconds: f64,
+}
+
+impl Totals {
+    /// Counts one.
+    pub fn count(&mut self, specimen: &Specimen, outcome: &Outcome) {
+        let m = match outcome {
+            Outcome::Measured(m) => m,
+            Outcome::Panicked(_) => {
+                self.pairs += 1;
+                self.panics += 1;
+                return;
+            }
+            Outcome::Refused(_) | Outcome::GivenUp(_) => {
+                self.refused += 1;
+                return;
+            }
+        };
+        self.pairs += 1;
+        self.conflicts += u64::from(m.conflicts > 0);
+        for (count, least) in self.doubtful.iter_mut().zip(DOUBTFUL) {
+            *count += u64::from(m.doubtful > least);
+        }
+        self.expected += u64::from(specimen.expected.is_some());
+        self.wrong += u64::from(specimen.expected.is_some_and(|n| n != m.regions));
+        self.flooded += u64::from(matches!(m.flood, Some(Flood::Wrong(_))));
+        self.unequal += u64::from(m.inverse.is_some_and(|n| n != m.regions));
+        self.seconds += m.seconds;
+    }
+
+    /// What the columns are, as wide as [`Display`](fmt::Display) makes them.
+    pub fn heading() -> &'static str {
+        " pairs conflict   >1e-9   >1e-6   >1e-3  wrong/known  flood unequal panics refused   seconds"
+    }
+}
+
+impl fmt::Display for Totals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [a, b, c] = self.doubtful;
+        let wrong = format!("{}/{}", self.wrong, self.expected);
+        write!(
+            f,
+            "{:6} {:8} {a:7} {b:7} {c:7} {wrong:>12} {:6} {:7} {:6} {:7} {:9.1}",
+            self.pairs,
+            self.conflicts,
+            self.flooded,
+            self.unequal,
+            self.panics,
+            self.refused,
+            self.seconds
+        )
+    }
+}
