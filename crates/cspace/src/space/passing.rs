@@ -142,7 +142,9 @@ impl Passing<'_> {
                     &mut |a, b| unclear.push((Dd::from(a), Dd::from(b))),
                 );
                 for (a, b) in brackets {
-                    if b - a <= 2.0 * NARROWEST {
+                    // Which side of zero the value is on at an end may be beyond doubles, too.
+                    let told = |t: f64| f.at(t).0.abs() > f.error();
+                    if b - a <= 2.0 * NARROWEST || !told(a) || !told(b) {
                         unclear.push((Dd::from(a), Dd::from(b)));
                     } else if let Some(e) = self.refine(f, a, b).and_then(|e| self.exactly(f, e)) {
                         found(e);
