@@ -116,17 +116,10 @@ fn all_of(found: Vec<PairEvents>) -> PairEvents {
 }
 
 impl PairEvents {
-    /// These events, in double-double where doubles do not tell one from another, or from those that are known `otherwise`.
-    pub(super) fn refined(
-        self,
-        geometry: &Geometry,
-        pairs: &[PairRun],
-        otherwise: &[Moment],
-    ) -> (Self, usize) {
-        let close = self.crowded(pairs.len(), otherwise);
-        let count = close.iter().filter(|c| **c).count();
-        if count == 0 {
-            return (self, 0);
+    /// These events, those of some pairs in double-double.
+    pub(super) fn refined(self, geometry: &Geometry, pairs: &[PairRun], close: &[bool]) -> Self {
+        if !close.contains(&true) {
+            return self;
         }
         let chunks: Vec<usize> = (0..pairs.len()).step_by(CHUNK).collect();
         let found = parallel::map(&chunks, 1, |&first| {
@@ -143,11 +136,11 @@ impl PairEvents {
             }
             found
         });
-        (all_of(found), count)
+        all_of(found)
     }
 
     /// For each pair whether one of its events may be at one orientation with another that is not the same.
-    fn crowded(&self, pairs: usize, otherwise: &[Moment]) -> Vec<bool> {
+    pub(super) fn crowded(&self, pairs: usize, otherwise: &[Moment]) -> Vec<bool> {
         /// No pair.
         const NONE: u32 = u32::MAX;
         /// More than an orientation's rounding (radians).
@@ -186,6 +179,41 @@ impl PairEvents {
             from = end;
         }
         close
+    }
+}
+
+impl PairEvents {
+    /// For each pair whether one of its events, as doubles know it, is in a cluster in which three sheets meet, too; `None` if
+    /// there is no such pair.
+    pub(super) fn colliding(
+        &self,
+        pairs: usize,
+        clusters: &Clusters,
+        meetings: &[Moment],
+    ) -> Option<Vec<bool>> {
+        /// Clusters of events that are known in double-double are narrower than this (radians).
+        const EXACT: f64 = 1e-18;
+        let mut hit = vec![false; clusters.len()];
+        for m in meetings {
+            // The error reaches into one more cluster at most on either side.
+            for theta in [m.theta - m.error, m.theta + m.error] {
+                let i = clusters.index(theta);
+                let (lo, hi) = clusters.exact_ends(i);
+                let touches = m.theta + m.error >= lo && m.theta - m.error <= hi;
+                hit[i as usize] |= touches && clusters.width(i) > EXACT;
+            }
+        }
+        if !hit.contains(&true) {
+            return None;
+        }
+        let close: Vec<bool> = (0..pairs)
+            .map(|pair| {
+                let rough = |e: &&Moment| e.error > EXACT;
+                (self.of(pair)[0].iter().filter(rough))
+                    .any(|e| hit[clusters.index(e.theta) as usize])
+            })
+            .collect();
+        close.contains(&true).then_some(close)
     }
 }
 

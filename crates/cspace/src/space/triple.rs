@@ -170,6 +170,7 @@ struct Search<'a> {
 /// An interval between two clusters in which the same branches exist on the sheet.
 struct Window<'a> {
     active: &'a [u32],
+    /// From the beginning of the one cluster to the end of the other.
     lo: Dd,
     hi: Dd,
     /// For every two of its branches, by their indices, the events found: a range of the list of events.
@@ -194,8 +195,8 @@ impl Search<'_> {
                 let (lo, hi) = self.clusters.exactly_between(w[0], w[1]);
                 let mut window = Window {
                     active,
-                    lo,
-                    hi,
+                    lo: self.clusters.exact_ends(w[0]).0,
+                    hi: self.clusters.exact_ends(w[1]).1,
                     found: core::mem::take(&mut found),
                 };
                 self.slab(&mut window, lo, hi);
