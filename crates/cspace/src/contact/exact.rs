@@ -395,6 +395,31 @@ impl ExactCurve {
         }
     }
 
+    /// Whether both lie on one line or circle.
+    pub(crate) fn is_one_with(&self, other: &Self) -> bool {
+        /// What is nearer than this is one: orientations at which circles become one are known to the square root of the
+        /// rounding (length, and sine of an angle).
+        const SAME: f64 = 1e-14;
+        let is_none = |x: Dd| x.to_f64().abs() < SAME;
+        match (&self.carrier, &other.carrier) {
+            (
+                Carrier::Line { normal: m, through },
+                Carrier::Line {
+                    normal: n,
+                    through: q,
+                },
+            ) => is_none(cross(*m, *n)) && is_none(dot(*m, minus(*q, *through))),
+            (
+                Carrier::Circle { center, radius },
+                Carrier::Circle {
+                    center: c,
+                    radius: r,
+                },
+            ) => is_none(radius.abs() - r.abs()) && is_none(length(minus(*c, *center))),
+            _ => false,
+        }
+    }
+
     /// Whether two carriers cross.
     fn meets(&self, other: &Self) -> bool {
         /// Lines at a smaller angle are parallel (radians).

@@ -1,8 +1,8 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
 use crate::contact::{
-    Crossing, Curve, CurveShape, ExactSheet, ExactTurn, Geometry, Level, SharedEnds, Sheet, Ties,
-    bow_events, conditions, crossing, exact_crossings, roots, within_ends,
+    Crossing, ExactTurn, Geometry, SharedEnds, Sheet, Ties, bow_events, conditions, crossing,
+    exact_crossings, roots, within_ends,
 };
 use crate::geometry::Rotation;
 use crate::number::Dd;
@@ -11,6 +11,7 @@ use crate::parallel;
 use super::candidates::PairRun;
 use super::clusters::{Clusters, Moment};
 use super::pinches::{Pinch, is_passed, pinched, placed};
+use super::placing::exact_sheet;
 
 /// One crossing of two sheets from one cluster of events to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -225,7 +226,7 @@ fn exact_events(geometry: &Geometry, run: &PairRun, mut found: impl FnMut(Moment
         tangent: false,
         corners: f.shared_corners(g, contacts.first_vertex_name),
     };
-    let [x, y] = [f, g].map(|s| ExactSheet::new(&geometry.fixed, &geometry.moving, s));
+    let [x, y] = [run.first, run.second].map(|s| exact_sheet(geometry, s));
     x.events(&y, &shared, (run.lo, run.hi), |theta, error| {
         found(Moment { theta, error });
     });
@@ -306,8 +307,7 @@ impl Tracer<'_> {
     fn exact_crossings_between(&self, run: &PairRun, theta: Dd) -> [Option<bool>; 2] {
         let contacts = &self.geometry.contacts;
         let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
-        let [x, y] =
-            [f, g].map(|s| ExactSheet::new(&self.geometry.fixed, &self.geometry.moving, s));
+        let [x, y] = [run.first, run.second].map(|s| exact_sheet(self.geometry, s));
         let shared = SharedEnds {
             tangent: false,
             corners: f.shared_corners(g, contacts.first_vertex_name),
@@ -350,7 +350,7 @@ impl Tracer<'_> {
             });
         let mut same: Vec<u32> = (at_once.filter(|at| (from..=to).contains(at)))
             .chain(whole)
-            .filter(|&at| coincide(self.geometry, run, clusters.at(at)))
+            .filter(|&at| coincide(self.geometry, run, clusters.exact_at(at)))
             .collect();
         same.sort_unstable();
         same.dedup();
@@ -430,46 +430,11 @@ fn swallowed(geometry: &Geometry, run: &PairRun, beside: (f64, f64)) -> Option<u
         .map(|pair| pair.0)
 }
 
-/// Whether two sheets have one carrier at an orientation; generous, for what is done then is right anyway.
-fn coincide(geometry: &Geometry, run: &PairRun, theta: f64) -> bool {
-    /// Angle between lines, radians, and distance of carriers in the pair's frame.
-    const SAME_DIRECTION: f64 = 1e-6;
-    const SAME_PLACE: f64 = 1e-7;
-    let sheets = &geometry.contacts.sheets;
-    let turn = Rotation::by(theta);
-    let (f, g) = (
-        sheets[run.first as usize].curve(theta, turn),
-        sheets[run.second as usize].curve(theta, turn),
-    );
-    match (f.shape, g.shape) {
-        (CurveShape::Line { normal: m }, CurveShape::Line { normal: n }) => {
-            m.cross(n).abs() < SAME_DIRECTION && m.dot(g.start - f.start).abs() < SAME_PLACE
-        }
-        (
-            CurveShape::Circle {
-                center: c,
-                radius: r,
-                ..
-            },
-            CurveShape::Circle {
-                center: d,
-                radius: q,
-                ..
-            },
-        ) => (r.abs() - q.abs()).abs() < SAME_PLACE && c.distance(d) < SAME_PLACE,
-        (CurveShape::Circle { .. }, _) | (_, CurveShape::Circle { .. }) => false,
-        _ => {
-            // A bow and a line or bow: the ends of either on the other. It is no higher than that for long.
-            const AS_HIGH: f64 = 1e-11;
-            let on = |f: &Curve, g: &Curve| {
-                [g.start, g.end].iter().all(|p| {
-                    Level::of(&f.carrier(), (p.x, p.y)).c.abs() < AS_HIGH
-                        && f.normal(*p).cross(g.normal(*p)).abs() < SAME_DIRECTION
-                })
-            };
-            on(&f, &g) && on(&g, &f)
-        }
-    }
+/// Whether two sheets have one carrier at an orientation.
+fn coincide(geometry: &Geometry, run: &PairRun, theta: Dd) -> bool {
+    let turn = ExactTurn::by(theta);
+    let [f, g] = [run.first, run.second].map(|s| exact_sheet(geometry, s).curve(&turn));
+    f.is_one_with(&g)
 }
 
 /// For each root whether the curves cross there, and if so whether the first enters.
