@@ -5,6 +5,7 @@
 
 mod extract;
 mod frame;
+mod generic;
 mod inscribed;
 mod material;
 mod outline;
