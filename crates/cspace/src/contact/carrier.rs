@@ -34,7 +34,11 @@ impl Carrier<f64> {
 /// The absolute value of a radius, whose sign is known.
 #[inline(always)]
 fn size<T: Real>(radius: T) -> T {
-    if radius.rough() < 0.0 { -radius } else { radius }
+    if radius.rough() < 0.0 {
+        -radius
+    } else {
+        radius
+    }
 }
 
 /// Where carrier g crosses carrier f, relative to f: for a line (length along it, unused), for a circle the vector

@@ -1,7 +1,7 @@
 //! Everything about a pair of parts that does not depend on the orientation.
 
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
-use crate::feature::{Outline, PairFrame};
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION};
+use crate::feature::{Outline, PairFrame, Perturbation};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
@@ -180,16 +180,20 @@ pub(crate) fn growths(fixed: &Part, moving: &Part) -> (f64, f64) {
 impl Outlines {
     fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
-        let outline = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
-        let (mut a, mut b) = (outline(fixed, GROWTH), outline(moving, MOVING_GROWTH));
-        let growths = Growths::new(&a, &b);
-        let again = |outline: &mut Outline, p: Placed<'_>, growths: &Growths| {
-            if !growths.are_even() {
-                *outline = Outline::grown_by(p.part, p.center, scale, |l| growths.of(l));
-            }
+        let drawn = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
+        let growths = Growths::new(&drawn(fixed, GROWTH), &drawn(moving, MOVING_GROWTH));
+        let outline = |p: Placed<'_>, growths: &Growths, seed: u64, size: f64| {
+            let perturbation = Perturbation {
+                size,
+                seed,
+                images: p.images,
+                fold: p.fold,
+            };
+            let growth = |l| growths.of(l);
+            Outline::grown_by(p.part, p.center, scale, growth, Some(&perturbation))
         };
-        again(&mut a, fixed, &growths.0);
-        again(&mut b, moving, &growths.1);
+        let a = outline(fixed, &growths.0, 1, PERTURBATION);
+        let b = outline(moving, &growths.1, 2, MOVING_PERTURBATION);
         Self {
             growths: (growths.0.greatest(), growths.1.greatest()),
             frame: PairFrame {

@@ -2,10 +2,12 @@
 
 use core::f64::consts::{PI, TAU};
 
+use super::generic::{ExactVertex, made_generic};
 use super::inscribed::inscribed_disc;
 use super::outline::{
     ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
 };
+use super::perturbation::Perturbation;
 use super::tolerance::{
     GROWTH, LARGEST_CIRCLE, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SAME_CARRIER, SMOOTH, STRAIGHT,
 };
@@ -54,15 +56,16 @@ struct End {
 impl Outline {
     /// Features of a part, about `center` and scaled, then grown.
     pub(crate) fn new(part: &Part, center: Point, scale: f64, growth: f64) -> Self {
-        Self::grown_by(part, center, scale, |_| growth)
+        Self::grown_by(part, center, scale, |_| growth, None)
     }
 
-    /// The same, each loop grown by a length of its own.
+    /// The same, each loop grown by a length of its own, after the part was made generic.
     pub(crate) fn grown_by(
         part: &Part,
         center: Point,
         scale: f64,
         growth: impl Fn(u32) -> f64,
+        perturbation: Option<&Perturbation<'_>>,
     ) -> Self {
         let mut outline = Self {
             features: Vec::new(),
@@ -72,11 +75,15 @@ impl Outline {
             feature_count: 0,
             disc: None,
         };
+        let mut wishes = perturbation.map(|p| p.wishes(part)).unwrap_or_default();
         for (loop_index, boundary) in part.loops().iter().enumerate() {
             let mut pieces: Vec<Piece> = boundary
                 .edges()
                 .map(|e| Piece::new(&e, center, scale))
                 .collect();
+            if let Some(wishes) = wishes.get_mut(loop_index) {
+                pieces = generic(&pieces, wishes).unwrap_or(pieces);
+            }
             share_direction_along_lines(&mut pieces);
             let loop_index = loop_index as u32;
             let growth = growth(loop_index);
@@ -213,8 +220,7 @@ impl Outline {
                 center: Point::new(x, y),
                 radius: exact.radius.to_f64(),
             };
-            let sweep =
-                piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
+            let sweep = piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
             let from = start_joint.angle;
             let to = unwrap_near(end_joint.angle, from + sweep);
             if piece.sweep > 0.0 {
@@ -307,7 +313,11 @@ impl Piece {
         if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < SAME_CARRIER) {
             edge.bulge = 0.0;
         }
-        let b = Dd::from(edge.bulge);
+        Self::of(edge, start, end, Dd::from(edge.bulge))
+    }
+
+    /// From its ends and its bulge in double-double; of the edge itself rough lengths are taken.
+    fn of(edge: Edge, start: Xy<Dd>, end: Xy<Dd>, b: Dd) -> Self {
         let chord = minus(end, start);
         let span = length(chord);
         let (one, square) = (Dd::ONE, b * b);
@@ -322,13 +332,15 @@ impl Piece {
         // With b = tan(sweep/4), cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
         let (cos, sin) = ((one - square) / (one + square), b * 2.0 / (one + square));
         let direction = times(chord, one / span);
-        let near = arc.filter(|a| a.1.to_f64().abs() > LARGEST_CIRCLE).map(|_| {
-            let chord = edge.end - edge.start;
-            Near {
-                point: edge.start.midpoint(edge.end) + chord.right() * (0.5 * edge.bulge),
-                normal: chord.unit().right(),
-            }
-        });
+        let near = arc
+            .filter(|a| a.1.to_f64().abs() > LARGEST_CIRCLE)
+            .map(|_| {
+                let chord = edge.end - edge.start;
+                Near {
+                    point: edge.start.midpoint(edge.end) + chord.right() * (0.5 * edge.bulge),
+                    normal: chord.unit().right(),
+                }
+            });
         Self {
             edge,
             start,
@@ -368,6 +380,41 @@ impl Piece {
     fn curvature(&self) -> f64 {
         self.arc.map_or(0.0, |(_, radius)| 1.0 / radius.to_f64())
     }
+}
+
+/// The edges of a loop moved a little, so that it is generic and its smooth joints are exactly so; `None` if that would take
+/// more than a little.
+fn generic(pieces: &[Piece], wishes: &[[f64; 3]]) -> Option<Vec<Piece>> {
+    let n = pieces.len();
+    let smooth: Vec<bool> = (0..n)
+        .map(|i| {
+            matches!(
+                corner(&pieces[(i + n - 1) % n], &pieces[i]),
+                Corner::Smooth { .. }
+            )
+        })
+        .collect();
+    let drawn: Vec<ExactVertex> = (pieces.iter())
+        .map(|p| ExactVertex {
+            x: p.start.0,
+            y: p.start.1,
+            bulge: Dd::from(p.edge.bulge),
+        })
+        .collect();
+    let moved = made_generic(&drawn, &smooth, wishes)?;
+    let place = |v: &ExactVertex| (v.x, v.y);
+    let rough = |v: &ExactVertex| Point::new(v.x.to_f64(), v.y.to_f64());
+    let pieces = pieces.iter().enumerate().map(|(i, p)| {
+        let (start, end) = (&moved[i], &moved[(i + 1) % n]);
+        let edge = Edge {
+            start: rough(start),
+            end: rough(end),
+            bulge: start.bulge.to_f64(),
+            index: p.edge.index,
+        };
+        Piece::of(edge, place(start), place(end), start.bulge)
+    });
+    Some(pieces.collect())
 }
 
 /// By how much travel turns to the left from one edge to the next.

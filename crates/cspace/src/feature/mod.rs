@@ -9,6 +9,7 @@ mod generic;
 mod inscribed;
 mod material;
 mod outline;
+mod perturbation;
 pub(crate) mod tolerance;
 
 pub(crate) use extract::unwrap_near;
@@ -17,3 +18,4 @@ pub(crate) use inscribed::{Plenty, inscribed_discs};
 pub(crate) use material::Material;
 pub(crate) use outline::{Feature, Near, Outline, Shape};
 pub use outline::{FeatureKind, FeatureName};
+pub(crate) use perturbation::Perturbation;

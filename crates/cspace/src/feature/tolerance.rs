@@ -18,6 +18,13 @@ pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 /// the lesser growth by far, and no simple part of the other.
 pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 
+/// By how much vertices of the fixed part are moved to make it generic (length, about 1.1e-13): less than it is grown by, so that
+/// what is grown still covers what is drawn.
+pub(crate) const PERTURBATION: f64 = GROWTH / 8.0;
+
+/// The same of the moving part (length, about 5.4e-14).
+pub(crate) const MOVING_PERTURBATION: f64 = MOVING_GROWTH / 4.0;
+
 /// By how much more a loop is grown that is one level above another (length, about 2.3e-13): twice [`SAME_CARRIER`], so that
 /// contacts of both are told apart.
 ///

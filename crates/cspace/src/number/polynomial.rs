@@ -53,9 +53,7 @@ impl Angle for f64 {
 
     fn sampling() -> &'static Sampling<Self> {
         static SAMPLING: LazyLock<Sampling<f64>> = LazyLock::new(|| {
-            Sampling::new(|j| {
-                (core::f64::consts::TAU * j as f64 / SAMPLES as f64).cos_sin_of()
-            })
+            Sampling::new(|j| (core::f64::consts::TAU * j as f64 / SAMPLES as f64).cos_sin_of())
         });
         &SAMPLING
     }
@@ -70,9 +68,8 @@ impl Angle for Dd {
     }
 
     fn sampling() -> &'static Sampling<Self> {
-        static SAMPLING: LazyLock<Sampling<Dd>> = LazyLock::new(|| {
-            Sampling::new(|j| (Dd::TAU * j as f64 / SAMPLES as f64).cos_sin_of())
-        });
+        static SAMPLING: LazyLock<Sampling<Dd>> =
+            LazyLock::new(|| Sampling::new(|j| (Dd::TAU * j as f64 / SAMPLES as f64).cos_sin_of()));
         &SAMPLING
     }
 }

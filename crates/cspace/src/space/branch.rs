@@ -153,8 +153,7 @@ impl PairEvents {
             let error = e.error + ROUNDING;
             (theta - error, theta + error, theta.to_bits(), pair)
         };
-        let mut all: Vec<(f64, f64, u64, u32)> =
-            otherwise.iter().map(|e| span(e, NONE)).collect();
+        let mut all: Vec<(f64, f64, u64, u32)> = otherwise.iter().map(|e| span(e, NONE)).collect();
         let mut close = vec![false; pairs];
         for pair in 0..pairs {
             let events = self.of(pair)[0];

@@ -316,7 +316,11 @@ impl ContactSpace {
         } = traced;
         let pair_event_count = pair_events.events.len() as u64;
         if std::env::var("CSPACE_DEBUG").is_ok() {
-            eprintln!("pairs {} events {pair_event_count} refined {} attempts {attempts}", pairs.len(), crowded.iter().filter(|c| **c).count());
+            eprintln!(
+                "pairs {} events {pair_event_count} refined {} attempts {attempts}",
+                pairs.len(),
+                crowded.iter().filter(|c| **c).count()
+            );
         }
         drop((pairs, pair_events));
         let (clusters, moved) = clusters.with(triples.events.iter().map(|m| m.event).collect());

@@ -1,8 +1,8 @@
 //! How far cells reach along their contact curves where they meet a cluster of events, and what two of them share.
 
 use crate::contact::{ExactTurn, Geometry, PLACE_ERROR};
-use crate::number::Dd;
 use crate::feature::tolerance::SHORTEST_OVERLAP;
+use crate::number::Dd;
 
 use super::branch::Branch;
 use super::cells::{Cell, END};
@@ -165,8 +165,7 @@ impl<'a> CellExtents<'a> {
         };
         let step = ((slab - edge).to_f64() * 0.5).clamp(-ASIDE, ASIDE);
         let place = |theta: Dd| {
-            let placing =
-                ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+            let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
             let (from, to) = placing.ends();
             let p = placing.place(b);
             // From the same end as in doubles.
@@ -181,7 +180,11 @@ impl<'a> CellExtents<'a> {
         };
         let (near, far) = (place(edge + step), place(edge + step * 2.0));
         // What ends or begins the cell may happen anywhere in the cluster.
-        let other = if side == Side::Below { hi - step } else { lo - step };
+        let other = if side == Side::Below {
+            hi - step
+        } else {
+            lo - step
+        };
         let beyond = (place(other) - near).abs();
         // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
         (near, ROUNDING + 3.0 * (far - near).abs() + beyond)

@@ -166,7 +166,9 @@ impl Passing<'_> {
                     &mut |a, b| vague.push((a, b)),
                 );
                 let roots = brackets.into_iter().map(|(a, b)| root(&exact, a, b));
-                roots.filter(|e| self.meet_at(e.theta)).for_each(&mut *found);
+                roots
+                    .filter(|e| self.meet_at(e.theta))
+                    .for_each(&mut *found);
             }
         }
         let count = vague.len() as u64;

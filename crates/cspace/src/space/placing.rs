@@ -3,8 +3,8 @@
 use crate::contact::{
     Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, Sheet, place_error, place_on, wrap,
 };
-use crate::number::Dd;
 use crate::geometry::{Rotation, Vector};
+use crate::number::Dd;
 
 use super::branch::Branch;
 

@@ -111,11 +111,63 @@ impl ShellFinder<'_> {
         if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
             for (i, c) in (0u32..).zip(&cells.cells) {
                 let s = &self.geometry.contacts.sheets[c.sheet as usize];
-                let b = |b: u32| if b == END { "END".to_owned() } else { let x = &self.branches[b as usize]; format!("{}/{}r{}{}", b, x.other(c.sheet), x.root, if x.enters(c.sheet) {"e"} else {"l"}) };
-                eprintln!("cell {i} sheet {} {:?} f{:?} m{:?} {:.17}..{:.17} dur {:e} [{} .. {}] blocked {} free {} shell {} bottom {:?} top {:?}", c.sheet, s.kind, self.geometry.fixed.features[s.fixed as usize].name, self.geometry.moving.features[s.moving as usize].name, self.clusters.at(c.from), self.clusters.at(c.to), self.duration(c.from, c.to), b(c.left), b(c.right), c.blocked, shells.free[i as usize], shells.shell[i as usize], c.at_bottom, c.at_top);
+                let b = |b: u32| {
+                    if b == END {
+                        "END".to_owned()
+                    } else {
+                        let x = &self.branches[b as usize];
+                        format!(
+                            "{}/{}r{}{}",
+                            b,
+                            x.other(c.sheet),
+                            x.root,
+                            if x.enters(c.sheet) { "e" } else { "l" }
+                        )
+                    }
+                };
+                eprintln!(
+                    "cell {i} sheet {} {:?} f{:?} m{:?} {:.17}..{:.17} dur {:e} [{} .. {}] blocked {} free {} shell {} bottom {:?} top {:?}",
+                    c.sheet,
+                    s.kind,
+                    self.geometry.fixed.features[s.fixed as usize].name,
+                    self.geometry.moving.features[s.moving as usize].name,
+                    self.clusters.at(c.from),
+                    self.clusters.at(c.to),
+                    self.duration(c.from, c.to),
+                    b(c.left),
+                    b(c.right),
+                    c.blocked,
+                    shells.free[i as usize],
+                    shells.shell[i as usize],
+                    c.at_bottom,
+                    c.at_top
+                );
             }
-            for v in &shells.vertical { { eprintln!("vertical {} {} at {:.17} {} {} certain {}", v.lower, v.upper, self.clusters.at(v.at), v.lo, v.hi, v.certain); } }
-            for v in &shells.side { { eprintln!("side {} {} from {:.17} to {:.17} branch {}", v.before, v.after, self.clusters.at(v.from), self.clusters.at(v.to), v.branch); } }
+            for v in &shells.vertical {
+                {
+                    eprintln!(
+                        "vertical {} {} at {:.17} {} {} certain {}",
+                        v.lower,
+                        v.upper,
+                        self.clusters.at(v.at),
+                        v.lo,
+                        v.hi,
+                        v.certain
+                    );
+                }
+            }
+            for v in &shells.side {
+                {
+                    eprintln!(
+                        "side {} {} from {:.17} to {:.17} branch {}",
+                        v.before,
+                        v.after,
+                        self.clusters.at(v.from),
+                        self.clusters.at(v.to),
+                        v.branch
+                    );
+                }
+            }
         }
         // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
         // what may be too short to join shells is still the best there is to link patches by.
@@ -269,7 +321,10 @@ impl ShellFinder<'_> {
             let shell = shells.shell[a as usize] as usize;
             if shells.free[a as usize] != shells.free[b as usize] {
                 if std::env::var("CSPACE_DEBUG").is_ok() {
-                    eprintln!("contradiction {a} {b} free {} {}", shells.free[a as usize], shells.free[b as usize]);
+                    eprintln!(
+                        "contradiction {a} {b} free {} {}",
+                        shells.free[a as usize], shells.free[b as usize]
+                    );
                 }
                 unexplained[shell] = false;
                 contradicting[a as usize] = true;
@@ -313,7 +368,21 @@ impl ShellFinder<'_> {
         }
         let conflict = some_free && some_blocked;
         if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
-            eprintln!("judged shell {} members {} blocked {blocked} some_free {some_free} rings {:?}", shell[0].shell, shell.len(), rings.iter().map(|r| (r.0.len(), r.1, r.0[0].ring, blocked_ring[r.0[0].ring as usize], self.largest(cells, r.0))).collect::<Vec<_>>());
+            eprintln!(
+                "judged shell {} members {} blocked {blocked} some_free {some_free} rings {:?}",
+                shell[0].shell,
+                shell.len(),
+                rings
+                    .iter()
+                    .map(|r| (
+                        r.0.len(),
+                        r.1,
+                        r.0[0].ring,
+                        blocked_ring[r.0[0].ring as usize],
+                        self.largest(cells, r.0)
+                    ))
+                    .collect::<Vec<_>>()
+            );
         }
         let mut free = Vec::with_capacity(shell.len());
         for (ring, tested) in rings {

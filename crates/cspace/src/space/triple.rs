@@ -138,7 +138,13 @@ impl Triples {
         };
         if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
             for m in &self.events {
-                eprintln!("meeting {:?} on {} at {:.20} error {:e}", m.three, m.sheet, m.event.theta.to_f64(), m.event.error);
+                eprintln!(
+                    "meeting {:?} on {} at {:.20} error {:e}",
+                    m.three,
+                    m.sheet,
+                    m.event.theta.to_f64(),
+                    m.event.error
+                );
             }
         }
         for one in self.events.chunk_by_mut(same) {

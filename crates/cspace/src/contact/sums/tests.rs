@@ -52,7 +52,7 @@ fn rings_of_equal_room_have_equal_sums() {
     let [fixed, moving] =
         [(vec![2.0, 1.5, 0.5], f), (vec![2.5, 2.25, 1.25, 0.75], m)].map(|(radii, growths)| {
             let part = Part::new("rings", radii.into_iter().map(circle).collect()).unwrap();
-            Outline::grown_by(&part, Point::ORIGIN, 0.125, |l| growths.of(l))
+            Outline::grown_by(&part, Point::ORIGIN, 0.125, |l| growths.of(l), None)
         });
     assert_eq!(equal_sums(&fixed, &moving), Some(Vec::new()));
 }
