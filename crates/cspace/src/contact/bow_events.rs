@@ -1,26 +1,18 @@
-//! The orientations at which the crossings of two contact curves can come and go, where a large arc is involved.
+//! Contacts that are tangent at every orientation, where a large arc is involved.
 //!
-//! The conditions are those of `condition.rs`. Each is α cos θ + β sin θ + γ = 0, but with such an arc the three are large
-//! and all but cancel. So they are not written down. The condition is evaluated at an orientation, with two derivatives,
-//! from points near the parts; these three numbers are the function, about that orientation:
-//! h + h′ sin δ + h″ (1 − cos δ). Its roots are a quadratic's by tan(δ/2); and found again from where they are.
+//! Each condition of tangency is α cos θ + β sin θ + γ = 0, but with such an arc the three are large and all but cancel. So they
+//! are not written down: the condition is evaluated from points near the parts.
 
-use core::f64::consts::TAU;
-
+use crate::number::Real;
 use crate::number::plane::{dot, minus};
-use crate::number::{ANGLE_ERROR, Event, LARGEST_ERROR, Real, Series};
 
-use super::bow::Level;
 use super::carrier::Carrier;
-use super::sheet::{SharedEnds, Sheet};
+use super::sheet::Sheet;
 use super::spiral::Spiral;
-use super::ties::{ALIGNMENT_ERROR, Ties};
 
 /// What vanishes.
 #[derive(Clone, Copy)]
 enum Condition<'a> {
-    /// An end on a carrier.
-    End(&'a Spiral, &'a Sheet),
     /// A line or bow tangent to a bow, their normals alike or opposed.
     Alike(&'a Sheet, &'a Sheet, bool),
     /// A bow, or a line that large arcs move, tangent to a circle, on one of its two sides.
@@ -32,38 +24,6 @@ const LENGTH_ERROR: f64 = 32.0 * f64::EPSILON;
 
 /// Errors are estimates.
 const MARGIN: f64 = 4.0;
-
-/// Calls `found` with every event of the pair between two orientations.
-pub(crate) fn bow_events(
-    f: &Sheet,
-    g: &Sheet,
-    shared: &SharedEnds,
-    ties: &Ties,
-    (lo, hi): (f64, f64),
-    mut found: impl FnMut(Event),
-) {
-    let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-    let [f_end_shared, f_start_shared] = shared.corners.map(|c| c.is_some());
-    let mut all: Vec<Condition<'_>> = Vec::with_capacity(6);
-    if !f_start_shared {
-        all.extend([Condition::End(&f.start, g), Condition::End(&g.end, f)]);
-    }
-    if !f_end_shared {
-        all.extend([Condition::End(&f.end, g), Condition::End(&g.start, f)]);
-    }
-    all.extend(tangencies(f, g));
-    for condition in all {
-        if let Some(theta) = ties.about(mid).find(|&t| condition.touches(t)) {
-            let tie = Event {
-                theta,
-                error: ALIGNMENT_ERROR,
-            };
-            tie.within(mid, half).into_iter().for_each(&mut found);
-        } else {
-            condition.roots(mid, half, &mut found);
-        }
-    }
-}
 
 /// What vanishes where two curves are tangent, of which one is told by a point or moves with a large arc.
 fn tangencies<'a>(f: &'a Sheet, g: &'a Sheet) -> impl Iterator<Item = Condition<'a>> {
@@ -99,15 +59,6 @@ impl Condition<'_> {
     fn at<T: Real>(&self, cos: T, sin: T) -> (T, f64) {
         let real = T::constant;
         match *self {
-            Self::End(spiral, sheet) => {
-                let carrier = sheet.carrier(cos, sin);
-                // Of a circle times its radius.
-                let size = match carrier {
-                    Carrier::Circle { radius, .. } => 2.0 * radius.rough().abs(),
-                    _ => 1.0,
-                };
-                (Level::of(&carrier, spiral.place(cos, sin)).c, size)
-            }
             Self::Alike(f, g, alike) => {
                 // |c − d|² = (r ∓ s)² for the centres c = X − r n and d = Y − s m, over ±2 r s.
                 let ((x, n, k), (y, m, l)) = (straight(f, cos, sin), straight(g, cos, sin));
@@ -140,68 +91,8 @@ impl Condition<'_> {
     /// How fast what it is made of moves, per radian, if that is more than the size of the parts.
     fn pace(&self) -> f64 {
         let of = |s: &Spiral| s.turning().length();
-        let both = match *self {
-            Self::End(spiral, sheet) => [of(spiral), of(&sheet.any())],
-            Self::Alike(f, g, _) | Self::Circle(f, g, _) => [of(&f.any()), of(&g.any())],
-        };
-        1.0 + both[0] + both[1]
-    }
-
-    fn series(&self, theta: f64) -> (Series, f64) {
-        let (cos, sin) = Series::cos_sin(theta);
-        self.at(cos, sin)
-    }
-
-    /// Whether it touches zero at an orientation, as far as rounding can tell, and is not constant.
-    fn touches(&self, theta: f64) -> bool {
-        let (here, size) = self.series(theta);
-        let error = MARGIN * LENGTH_ERROR * size;
-        let turned = error * self.pace();
-        here.value.abs() <= error && here.slope.abs() <= turned && here.bend.abs() > turned
-    }
-
-    /// Finds the roots in the interval (mid − half, mid + half).
-    fn roots(&self, mid: f64, half: f64, found: &mut impl FnMut(Event)) {
-        /// Each step squares what is wrong.
-        const STEPS: usize = 4;
-        let Some(first) = offsets(&self.series(mid).0) else {
-            return;
-        };
-        let pace = self.pace();
-        for offset in first {
-            let mut theta = mid + offset;
-            theta -= TAU * ((theta - mid) / TAU).round();
-            for _ in 0..STEPS {
-                let Some([a, b]) = offsets(&self.series(theta).0) else {
-                    break;
-                };
-                let step = if a.abs() < b.abs() { a } else { b };
-                theta += step;
-                if step.abs() < f64::EPSILON {
-                    break;
-                }
-            }
-            let (here, size) = self.series(theta);
-            let value_error = LENGTH_ERROR * size;
-            let turned = ANGLE_ERROR * here.slope.abs();
-            // Where the roots are two or none, the function is least there. And it may be constant: where an end is always on
-            // the other carrier, the derivatives are the rounding of what moves it.
-            let none = here.value.abs() > MARGIN * (value_error + turned);
-            if none || here.slope.abs() + here.bend.abs() <= MARGIN * value_error * pace {
-                continue;
-            }
-            let off = here.value.abs() + value_error;
-            let (slope, bend) = (here.slope.abs(), here.bend.abs());
-            let error = if slope * slope > 4.0 * off * bend {
-                2.0 * off / slope
-            } else {
-                (slope + (slope * slope + 2.0 * off * bend).sqrt()) / bend
-            };
-            let error = (error + ANGLE_ERROR).min(LARGEST_ERROR);
-            if (theta - mid).abs() <= half + error {
-                found(Event { theta, error });
-            }
-        }
+        let (Self::Alike(f, g, _) | Self::Circle(f, g, _)) = *self;
+        1.0 + of(&f.any()) + of(&g.any())
     }
 }
 
@@ -214,30 +105,12 @@ fn straight<T: Real>(sheet: &Sheet, cos: T, sin: T) -> ((T, T), (T, T), f64) {
     }
 }
 
-/// Where h + h′ sin δ + h″ (1 − cos δ) vanishes: with t = tan(δ/2), (h + 2 h″) t² + 2 h′ t + h = 0. Where it just does not, the
-/// place where it is least, twice.
-fn offsets(s: &Series) -> Option<[f64; 2]> {
-    let square = s.value + 2.0 * s.bend;
-    let root = (s.slope * s.slope - s.value * square).max(0.0).sqrt();
-    let sum = -(s.slope + root.copysign(s.slope));
-    let both = [s.value.atan2(sum), sum.atan2(square)].map(|half| {
-        let turn = 2.0 * half;
-        turn - TAU * (turn / TAU).round()
-    });
-    (both[0].is_finite() && both[1].is_finite() && (sum != 0.0 || s.value != 0.0)).then_some(both)
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::panic)]
 mod tests {
-    use core::f64::consts::{FRAC_PI_2, PI};
-
-    use super::super::condition::conditions;
     use super::super::pair::Geometry;
-    use super::super::sheet::SheetKind;
     use super::*;
     use crate::geometry::{Point, Rotation, Vector};
-    use crate::number::Ball;
     use crate::part::{Part, Vertex};
 
     fn part(name: &str, size: f64, bulges: [f64; 4]) -> Part {
@@ -250,65 +123,6 @@ mod tests {
             at(-0.4, 1.2, d),
         ];
         Part::new(name, vec![outline]).unwrap()
-    }
-
-    /// The same contact with circles about their centres, and ends as two vectors: right as long as the radii are no larger
-    /// than here.
-    fn plain(sheet: &Sheet) -> Sheet {
-        let spiral = |s: &Spiral| Spiral::new(s.u + s.swing.arm, s.turning());
-        let mut plain = *sheet;
-        (plain.start, plain.end) = (spiral(&sheet.start), spiral(&sheet.end));
-        let near = spiral(&sheet.any());
-        if sheet.is_bow() {
-            let inward = -(sheet.normal * sheet.radius);
-            let (mut u, mut w) = (near.u, near.w);
-            if sheet.kind == SheetKind::MovingBow {
-                w = w + inward;
-            } else {
-                u += inward;
-            }
-            plain.kind = SheetKind::RoundRound;
-            (plain.fixed_point, plain.moving_point) = (u, Point::ORIGIN + -w);
-        }
-        plain
-    }
-
-    /// Up to a few hundred sizes of radius, the events are those of circles about their centres.
-    #[test]
-    fn events_are_those_of_circles() {
-        let fixed = part("fixed", 1.0, [1e-3, 0.3, -8e-4, 0.0]);
-        let moving = part("moving", 0.6, [6e-4, 0.0, -7e-4, -0.2]);
-        let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
-        let contacts = &geometry.contacts;
-        let sheets = &contacts.sheets;
-        let mut compared = 0;
-        for (i, f) in sheets.iter().enumerate() {
-            for g in &sheets[..i] {
-                let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
-                let shared = f.shared_ends(g, contacts.first_vertex_name);
-                if lo >= hi || shared.tangent || !(f.is_flat() || g.is_flat()) {
-                    continue;
-                }
-                let (mut ours, mut theirs) = (Vec::new(), Vec::new());
-                let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
-                bow_events(f, g, &shared, &ties, (lo, hi), |e| ours.push(e));
-                let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-                conditions(&plain(f), &plain(g), &shared, |t, _| {
-                    let found = |e| theirs.push(e);
-                    t.roots(mid, mid.cos(), mid.sin(), half, found);
-                });
-                // What is known well, and not at the very end, is found by both.
-                for (of, among) in [(&ours, &theirs), (&theirs, &ours)] {
-                    let known = of.iter().filter(|e: &&Event| e.error < 1e-10);
-                    for e in known.filter(|e| (e.theta - mid).abs() < half - 1e-8) {
-                        compared += 1;
-                        let off = |o: &Event| (o.theta - e.theta).abs() - o.error;
-                        assert!(among.iter().any(|o| off(o) < 1e-9), "{e:?} {f:?} {g:?}");
-                    }
-                }
-            }
-        }
-        assert!(compared > 200, "{compared}");
     }
 
     /// The centre of what a sheet is about its centre, and its signed radius; of a line a point, the normal, and no radius.
@@ -324,14 +138,6 @@ mod tests {
             ),
             Carrier::Bow(_) => unreachable!("a circle about its centre"),
         }
-    }
-
-    /// All conditions of two sheets.
-    fn all_of<'a>(f: &'a Sheet, g: &'a Sheet) -> Vec<Condition<'a>> {
-        let ends = [(&f.start, g), (&f.end, g), (&g.start, f), (&g.end, f)];
-        (ends.into_iter().map(|(s, of)| Condition::End(s, of)))
-            .chain(tangencies(f, g))
-            .collect()
     }
 
     /// What a condition is by centres and radii, as far as these tell it.
@@ -394,70 +200,6 @@ mod tests {
         pairs
     }
 
-    fn flat_geometry() -> Geometry {
-        let fixed = part("fixed", 1.0, [1e-3, 0.3, -8e-4, 0.0]);
-        let moving = part("moving", 0.6, [6e-4, 0.0, -7e-4, -0.2]);
-        Geometry::new(&fixed, &moving, None, usize::MAX)
-    }
-
-    /// Values and slopes against distances of centres, which tell them to some digits.
-    #[test]
-    fn conditions_are_those_of_centres_and_radii() {
-        let geometry = flat_geometry();
-        for (f, g, orientations) in flat_pairs(&geometry) {
-            for condition in all_of(f, g) {
-                for theta in orientations {
-                    let h = 1e-3;
-                    let at = |t: f64| by_centers(&condition, t);
-                    let (cos, sin) = (theta.cos(), theta.sin());
-                    let value = condition.at(cos, sin).0;
-                    let off = (value - at(theta)).abs();
-                    assert!(off < 1e-9, "{off} {value} {f:?} {g:?}");
-                    let slope = condition.series(theta).0.slope;
-                    let expected = (at(theta + h) - at(theta - h)) / (2.0 * h);
-                    let near = 1e-6 * (1.0 + condition.pace());
-                    assert!((slope - expected).abs() < near, "{slope} {expected}");
-                }
-            }
-        }
-    }
-
-    /// What is said to be the error of a value is about its rounding, as an enclosure tells it.
-    #[test]
-    fn errors_of_values_are_those_of_rounding() {
-        let geometry = flat_geometry();
-        for (f, g, orientations) in flat_pairs(&geometry) {
-            for condition in all_of(f, g) {
-                for theta in orientations {
-                    let (cos, sin) = Ball::new(theta, 0.0).cos_sin();
-                    let (enclosed, size) = condition.at(cos, sin);
-                    let said = MARGIN * LENGTH_ERROR * size * condition.pace();
-                    let bounds = enclosed.radius / said;
-                    assert!((1e-5..10.0).contains(&bounds), "{bounds}");
-                }
-            }
-        }
-    }
-
-    /// Two lines through one point that are all but parallel: the little by which they are not has all its digits.
-    #[test]
-    fn what_is_all_but_tangent_is_known_to_its_own_digits() {
-        let geometry = flat_geometry();
-        let (f, ..) = (flat_pairs(&geometry).into_iter())
-            .find(|(f, ..)| f.is_bow() && f.swing.is_none())
-            .unwrap();
-        for angle in [1e-3_f64, 1e-6, -1e-6] {
-            let mut g = *f;
-            g.normal = Rotation::by(angle) * f.normal;
-            // Bows of one curvature through one point: the squares of half the angle and no more.
-            let condition = Condition::Alike(f, &g, true);
-            let expected = 2.0 * (0.5 * angle).sin().powi(2);
-            for value in [condition.at(1.0, 0.0).0, condition.series(0.0).0.value] {
-                assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
-            }
-        }
-    }
-
     /// Contacts that are tangent at every orientation, as centres and radii tell, are found to be; and no others.
     #[test]
     fn what_always_touches_is_told() {
@@ -495,239 +237,5 @@ mod tests {
             assert_eq!(always_touch(g, f), touch, "{f:?} {g:?}");
         }
         assert!(always > 10, "{always}");
-    }
-
-    /// The height of a point that goes around a circle over a fixed line: size sin θ − h.
-    fn height(size: f64, h: f64) -> (Spiral, Sheet) {
-        let geometry = flat_geometry();
-        let of = |s: &&Sheet| s.kind == SheetKind::LineRound && !s.is_flat();
-        let mut line = *geometry.contacts.sheets.iter().find(of).unwrap();
-        line.normal = Vector::new(0.0, 1.0);
-        line.start = Spiral::new(Point::new(0.0, h), Vector::ZERO);
-        (Spiral::new(Point::ORIGIN, Vector::new(size, 0.0)), line)
-    }
-
-    fn roots_of(h: f64, mid: f64, half: f64) -> Vec<Event> {
-        let (point, line) = height(1.0, h);
-        let mut events = Vec::new();
-        Condition::End(&point, &line).roots(mid, half, &mut |e| events.push(e));
-        events.sort_by(|a, b| a.theta.total_cmp(&b.theta));
-        events
-    }
-
-    /// A circle that stands still.
-    fn round(center: Point, radius: f64) -> Sheet {
-        let geometry = flat_geometry();
-        let mut round = *(geometry.contacts.sheets.iter())
-            .find(|s| s.is_circle())
-            .unwrap();
-        (round.fixed_point, round.moving_point, round.radius) = (center, Point::ORIGIN, radius);
-        round
-    }
-
-    /// A line, and a circle about a point that goes around a circle: tangent at two orientations and no more.
-    #[test]
-    fn touching_at_two_orientations_is_not_touching_always() {
-        let (_, mut line) = height(1.0, 0.0);
-        let mut circle = round(Point::ORIGIN, 0.3);
-        circle.moving_point = Point::new(-1.0, 0.0);
-        // At these and half a turn less them.
-        for at in [0.0, FRAC_PI_2 - 0.05, FRAC_PI_2 + 0.05] {
-            line.start = Spiral::new(Point::new(0.0, at.sin() + 0.3), Vector::ZERO);
-            let holds = |d: f64| {
-                let value = |c: Condition<'_>| c.series(at + d).0.value;
-                tangencies(&line, &circle).any(|c| value(c).abs() < 1e-14)
-            };
-            assert!(holds(0.0) && holds(PI - 2.0 * at) && !holds(0.3));
-            let mut during = circle;
-            (during.lo, during.hi, line.lo, line.hi) = (at - 0.2, at + 0.2, at - 0.2, at + 0.2);
-            assert!(!always_touch(&line, &during), "{at}");
-            assert!(!always_touch(&during, &line), "{at}");
-        }
-    }
-
-    /// From anywhere on the circle, and to the error that is told; beside a tangency that is the square root of the rounding.
-    #[test]
-    fn roots_are_where_they_are_told_to_be() {
-        let rounding = LENGTH_ERROR;
-        // 1 − h, and the least and the largest error to be expected.
-        for (less, least, largest) in [
-            (0.7, 0.0, 10.0 * rounding),
-            (1.9, 0.0, 30.0 * rounding),
-            (1e-4, 50.0 * rounding, 1e3 * rounding),
-            (1e-10, 5e-11, 5e-9),
-            (1e-12, 5e-10, 5e-8),
-            (4e-15, 5e-8, 1e-6),
-        ] {
-            let h: f64 = 1.0 - less;
-            let apart = (h.recip() * (less * (2.0 - less)).sqrt()).atan();
-            let apart = if h < 0.0 { PI + apart } else { apart };
-            for mid in [FRAC_PI_2 + 0.3, FRAC_PI_2 - 3.0, FRAC_PI_2 + 7.0] {
-                let middle = FRAC_PI_2 + TAU * ((mid - FRAC_PI_2) / TAU).round();
-                let events = roots_of(h, mid, PI);
-                let mut expected =
-                    [middle - apart, middle + apart].map(|t| t - TAU * ((t - mid) / TAU).round());
-                expected.sort_by(f64::total_cmp);
-                assert_eq!(events.len(), 2, "{less} {mid} {events:?}");
-                for (e, t) in events.iter().zip(expected) {
-                    let near = 4.0 * f64::EPSILON * t.abs().max(1.0);
-                    assert!((e.theta - t).abs() <= e.error + near, "{less} {e:?} {t}");
-                    assert!(
-                        e.error >= least && e.error <= largest + near * 8.0,
-                        "{less} {e:?}"
-                    );
-                }
-                // Those of an interval, and no others.
-                for t in expected {
-                    let found = |half: f64| {
-                        roots_of(h, t + 0.1, half)
-                            .iter()
-                            .any(|e| (e.theta - t).abs() < 1e-5)
-                    };
-                    assert!(found(0.1 + 1e-5) && !found(0.1 - 1e-5), "{less}");
-                }
-            }
-        }
-        // What stays clear of the line has none, unless by less than rounding.
-        for (h, count) in [
-            (1.0 + 1e-12, 0),
-            (-1.0 - 1e-9, 0),
-            (1.5, 0),
-            (1.0 + 4.0 * f64::EPSILON, 2),
-        ] {
-            assert_eq!(roots_of(h, 1.3, PI).len(), count, "{h}");
-        }
-        // Where nothing moves nothing happens.
-        let (_, line) = height(1.0, 0.0);
-        for y in [0.0, 1e-16, 0.3] {
-            let point = Spiral::new(Point::new(0.4, y), Vector::ZERO);
-            Condition::End(&point, &line).roots(0.3, PI, &mut |e| panic!("{e:?}"));
-        }
-    }
-
-    /// A double root is known the better the more the function bends; a simple one to the rounding of its angle, however fast
-    /// what it is made of moves.
-    #[test]
-    fn errors_of_roots_go_with_slope_and_bend() {
-        let error = |size: f64, h: f64| {
-            let (point, line) = height(size, h);
-            let mut most = 0.0_f64;
-            Condition::End(&point, &line).roots(1.0, PI, &mut |e| most = most.max(e.error));
-            most
-        };
-        // √(2 off / bend), off being some 7e-15.
-        for (size, least, largest) in [(0.1, 1.5e-7, 9e-7), (1.0, 5e-8, 3e-7), (10.0, 1.5e-8, 9e-8)]
-        {
-            let found = error(size, size);
-            assert!((least..largest).contains(&found), "{size} {found}");
-        }
-        let found = error(1e4, 0.0);
-        assert!((f64::EPSILON..1e-14).contains(&found), "{found}");
-    }
-
-    /// Places on a circle are known as those on a line, however large its radius.
-    #[test]
-    fn errors_of_roots_on_circles_are_those_on_lines() {
-        for radius in [1.0, 5.0, 50.0] {
-            // The point goes around the origin, through which the circle goes upright.
-            let circle = round(Point::new(radius, 0.0), radius);
-            let point = Spiral::new(Point::ORIGIN, Vector::new(1.0, 0.0));
-            let mut events = Vec::new();
-            let condition = Condition::End(&point, &circle);
-            condition.roots(1.0, PI, &mut |e| events.push(e));
-            assert_eq!(events.len(), 2);
-            for e in events {
-                let off = (e.theta.cos() - 0.5 / radius).abs();
-                assert!(off <= e.error, "{radius} {off} {e:?}");
-                assert!((1.0..20.0).contains(&(e.error / LENGTH_ERROR)), "{e:?}");
-            }
-        }
-    }
-
-    /// A root that may be in the interval is one of it.
-    #[test]
-    fn intervals_are_as_wide_as_errors() {
-        let h = 1.0 - 1e-12;
-        // The other of the two is on the other side.
-        for (root, way) in roots_of(h, 1.0, PI).into_iter().zip([-0.1, 0.1]) {
-            let mid = root.theta + way;
-            let found = |beyond: f64| !roots_of(h, mid, 0.1 - beyond * root.error).is_empty();
-            assert!(found(0.5) && found(-0.5) && !found(1.5));
-        }
-    }
-
-    /// A function is said to touch zero where both its value and its slope vanish and its bend does not.
-    #[test]
-    fn touches_are_double_roots() {
-        let touches = |h: f64, theta: f64| {
-            let (point, line) = height(1.0, h);
-            Condition::End(&point, &line).touches(theta)
-        };
-        assert!(touches(1.0, FRAC_PI_2) && touches(-1.0, -FRAC_PI_2));
-        assert!(touches(1.0 + 1e-15, FRAC_PI_2 + 1e-15));
-        for (h, theta) in [
-            (1.0, FRAC_PI_2 + 1e-11),
-            (1.0 + 1e-11, FRAC_PI_2),
-            (1.0 - 1e-11, FRAC_PI_2),
-            (0.0, 0.0),
-            (0.3, FRAC_PI_2),
-        ] {
-            assert!(!touches(h, theta), "{h} {theta}");
-        }
-        // What moves fast turns fast, and what is told with the radius is known to as much less.
-        let (point, line) = height(1e3, 1e3);
-        assert!(Condition::End(&point, &line).touches(FRAC_PI_2));
-        let (point, line) = height(1.0, 0.0);
-        for (off, expected) in [(2e-14, true), (1e-12, false)] {
-            let above = round(Point::new(0.0, 51.0 + off), 50.0);
-            assert_eq!(Condition::End(&point, &above).touches(FRAC_PI_2), expected);
-        }
-        let still = Spiral::new(Point::new(0.4, 0.0), Vector::ZERO);
-        assert!(!Condition::End(&still, &line).touches(0.3));
-    }
-
-    /// With h, h′ and h″ of a sine about any orientation the ways to its two zeros.
-    #[test]
-    fn offsets_lead_to_both_zeros() {
-        for (middle, apart) in [(0.3_f64, 0.8_f64), (-2.0, 0.1), (1.0, 2.9), (0.0, 1.5)] {
-            for theta in [0.0_f64, 0.7, -1.1, 3.0] {
-                for factor in [1.0, -3.0] {
-                    let s = Series {
-                        value: factor * ((theta - middle).cos() - apart.cos()),
-                        slope: -factor * (theta - middle).sin(),
-                        bend: -factor * (theta - middle).cos(),
-                    };
-                    let found = offsets(&s).unwrap();
-                    for expected in [middle - apart, middle + apart] {
-                        let off = |o: f64| {
-                            let d = theta + o - expected;
-                            (d - TAU * (d / TAU).round()).abs()
-                        };
-                        assert!(found.iter().any(|&o| off(o) < 1e-14), "{found:?}");
-                    }
-                    assert!(found.iter().all(|o| o.abs() <= PI));
-                }
-            }
-        }
-        // From one of the two zeros: there is no way to it, and one to the other.
-        let from_zero = Series {
-            value: 0.0,
-            slope: 0.6,
-            bend: -0.8,
-        };
-        let found = offsets(&from_zero).unwrap();
-        for expected in [0.0, 2.0 * f64::atan(0.75)] {
-            assert!(
-                found.iter().any(|o| (o - expected).abs() < 1e-15),
-                "{found:?}"
-            );
-        }
-        let constant = |value| Series {
-            value,
-            slope: 0.0,
-            bend: 0.0,
-        };
-        assert_eq!(offsets(&constant(0.0)), None);
-        assert_eq!(offsets(&constant(f64::NAN)), None);
     }
 }

@@ -11,26 +11,12 @@ use crate::number::{Known, Real, Trig};
 use super::sheet::{SharedEnds, Sheet, SheetKind};
 use super::spiral::Spiral;
 
-/// What happens where a condition of two contact curves holds.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Happening<'a> {
-    /// An end of a curve passes over the carrier of the other.
-    Passing { end: &'a Spiral, over: &'a Sheet },
-    /// The carriers are tangent: at this distance of a centre from the line, along its normal, or of the centres.
-    Tangency(f64),
-}
-
-/// Calls `take` with every condition of the pair, and what happens there.
-pub(crate) fn conditions(
-    f: &Sheet,
-    g: &Sheet,
-    shared: &SharedEnds,
-    mut take: impl FnMut(Trig, Happening<'_>),
-) {
+/// Calls `take` with every condition of the pair.
+pub(crate) fn conditions(f: &Sheet, g: &Sheet, shared: &SharedEnds, mut take: impl FnMut(Trig)) {
     let [f_end_shared, f_start_shared] = shared.corners.map(|c| c.is_some());
     let mut passing = |shared: bool, end, over| {
         if !shared {
-            take(on_carrier(end, over), Happening::Passing { end, over });
+            take(on_carrier(end, over));
         }
     };
     passing(f_start_shared, &f.start, g);
@@ -45,10 +31,7 @@ pub(crate) fn conditions(
         (true, true) => {
             let (r, s) = (f.radius.abs(), g.radius.abs());
             for distance in [r + s, r - s] {
-                take(
-                    apart(&f.center(), &g.center(), distance.abs()),
-                    Happening::Tangency(distance),
-                );
+                take(apart(&f.center(), &g.center(), distance.abs()));
             }
         }
     }
@@ -137,12 +120,9 @@ fn apart(p: &Spiral, q: &Spiral, distance: f64) -> Trig {
     }
 }
 
-fn line_tangent(line: &Sheet, circle: &Sheet, take: &mut impl FnMut(Trig, Happening<'_>)) {
+fn line_tangent(line: &Sheet, circle: &Sheet, take: &mut impl FnMut(Trig)) {
     for distance in [circle.radius, -circle.radius] {
-        take(
-            height(&circle.center(), line, distance),
-            Happening::Tangency(distance),
-        );
+        take(height(&circle.center(), line, distance));
     }
 }
 

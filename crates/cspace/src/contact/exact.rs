@@ -235,17 +235,24 @@ impl<'a> ExactSheet<'a> {
         }
     }
 
-    /// Calls `found` with every orientation within a range at which crossings with another sheet may come or go, and its error.
+    /// Calls `found` with every orientation within a range at which crossings with another sheet may come or go, and its error:
+    /// of those conditions that are `asked` for by their number.
     pub(crate) fn events(
         &self,
         other: &Self,
         shared: &SharedEnds,
         range: (Dd, Dd),
+        asked: impl Fn(usize) -> bool,
         mut found: impl FnMut(Dd, f64),
     ) {
         let middle = (range.0 + range.1).scaled(0.5);
         let half = (range.1 - range.0).scaled(0.5).to_f64();
+        let mut number = 0;
         self.conditions(other, shared, |c| {
+            number += 1;
+            if !asked(number - 1) {
+                return;
+            }
             c.roots(|theta, error| {
                 let turns = ((theta - middle) / Dd::TAU).to_f64().round();
                 let theta = theta - Dd::TAU * turns;

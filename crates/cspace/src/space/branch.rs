@@ -1,8 +1,7 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
 use crate::contact::{
-    Crossing, ExactTurn, Geometry, SharedEnds, Sheet, Ties, bow_events, conditions, crossing,
-    exact_crossings, roots, within_ends,
+    Crossing, ExactTurn, Geometry, SharedEnds, Sheet, conditions, crossing, exact_crossings, roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Dd;
@@ -45,188 +44,69 @@ impl Branch {
 #[derive(Debug, Default)]
 pub(super) struct PairEvents {
     pub(super) events: Vec<Moment>,
-    /// Events of the carriers, beyond the curves: of several at once it is asked whether the carriers are one.
-    beyond: Vec<Moment>,
-    /// For every pair how many there are of it and those before, and how many beyond.
-    until: Vec<[usize; 2]>,
+    /// For every pair how many there are of it and those before.
+    until: Vec<usize>,
 }
 
 impl PairEvents {
-    /// Those of a pair, and those beyond its curves.
-    fn of(&self, pair: usize) -> [&[Moment]; 2] {
-        let from = (pair.checked_sub(1)).map_or([0; 2], |before| self.until[before]);
-        let to = self.until[pair];
-        [&self.events[from[0]..to[0]], &self.beyond[from[1]..to[1]]]
+    fn of(&self, pair: usize) -> &[Moment] {
+        let from = (pair.checked_sub(1)).map_or(0, |before| self.until[before]);
+        &self.events[from..self.until[pair]]
     }
 }
 
 /// The events of every pair.
 pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents {
-    let contacts = &geometry.contacts;
     let found = parallel::chunks(pairs, CHUNK, |_, runs| {
         let mut found = PairEvents::default();
-        let (events, beyond) = (&mut found.events, &mut found.beyond);
+        let mut has_roots = Vec::new();
         for run in runs {
-            let (f, g) = (
-                &contacts.sheets[run.first as usize],
-                &contacts.sheets[run.second as usize],
-            );
-            // Pairs that are tangent by their making are not among them.
-            let shared = SharedEnds {
-                tangent: false,
-                corners: f.shared_corners(g, contacts.first_vertex_name),
-            };
-            let (lo, hi) = (run.lo.to_f64(), run.hi.to_f64());
-            let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-            let (sin, cos) = mid.sin_cos();
-            let ties = Ties::new(&geometry.fixed, &geometry.moving, f, g);
-            if f.is_flat() || g.is_flat() {
-                bow_events(f, g, &shared, &ties, (lo, hi), |e| events.push(e.into()));
-            } else {
-                conditions(f, g, &shared, |t, happening| {
-                    let tie = t.touch().and_then(|e| ties.explain(e));
-                    t.roots(mid, cos, sin, half, |e| {
-                        if !within_ends(f, g, &happening, &t, e) {
-                            beyond.push(e.into());
-                            return;
-                        }
-                        let known = tie.filter(|t| t.error < e.error);
-                        let event = known.map_or(Some(e), |t| t.within(mid, half));
-                        events.extend(event.map(Moment::from));
-                    });
-                });
-            }
-            found.until.push([events.len(), beyond.len()]);
+            let events = &mut found.events;
+            events_of(geometry, run, &mut has_roots, |e| events.push(e));
+            found.until.push(found.events.len());
         }
         found
     });
-    all_of(found)
-}
-
-/// Those of several lists of pairs, one after the other.
-fn all_of(found: Vec<PairEvents>) -> PairEvents {
     let mut all = PairEvents::default();
     for f in found {
-        let before = [all.events.len(), all.beyond.len()];
+        let before = all.events.len();
         all.events.extend(f.events);
-        all.beyond.extend(f.beyond);
-        all.until
-            .extend((f.until.into_iter()).map(|n| [before[0] + n[0], before[1] + n[1]]));
+        all.until.extend(f.until.into_iter().map(|n| before + n));
     }
     all
 }
 
-impl PairEvents {
-    /// These events, those of some pairs in double-double.
-    pub(super) fn refined(self, geometry: &Geometry, pairs: &[PairRun], close: &[bool]) -> Self {
-        if !close.contains(&true) {
-            return self;
-        }
-        let chunks: Vec<usize> = (0..pairs.len()).step_by(CHUNK).collect();
-        let found = parallel::map(&chunks, 1, |&first| {
-            let mut found = Self::default();
-            for pair in first..(first + CHUNK).min(pairs.len()) {
-                let [events, beyond] = self.of(pair);
-                if close[pair] {
-                    exact_events(geometry, &pairs[pair], |e| found.events.push(e));
-                } else {
-                    found.events.extend(events);
-                    found.beyond.extend(beyond);
-                }
-                found.until.push([found.events.len(), found.beyond.len()]);
-            }
-            found
-        });
-        all_of(found)
-    }
-
-    /// For each pair whether one of its events may be at one orientation with another that is not the same.
-    pub(super) fn crowded(&self, pairs: usize, otherwise: &[Moment]) -> Vec<bool> {
-        /// No pair.
-        const NONE: u32 = u32::MAX;
-        /// More than an orientation's rounding (radians).
-        const ROUNDING: f64 = 1e-15;
-        /// Events with a larger error than this are to be known better in any case (radians).
-        const ROUGH: f64 = 1e-12;
-        let span = |e: &Moment, pair: u32| {
-            let theta = e.theta.to_f64();
-            let error = e.error + ROUNDING;
-            (theta - error, theta + error, theta.to_bits(), pair)
-        };
-        let mut all: Vec<(f64, f64, u64, u32)> = otherwise.iter().map(|e| span(e, NONE)).collect();
-        let mut close = vec![false; pairs];
-        for pair in 0..pairs {
-            let events = self.of(pair)[0];
-            all.extend(events.iter().map(|e| span(e, pair as u32)));
-            close[pair] = events.iter().any(|e| e.error > ROUGH);
-        }
-        parallel::sort_unstable_by(&mut all, |a, b| {
-            a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)).then(a.3.cmp(&b.3))
-        });
-        let mut from = 0;
-        while from < all.len() {
-            let (mut end, mut hi) = (from + 1, all[from].1);
-            while end < all.len() && all[end].0 <= hi {
-                hi = hi.max(all[end].1);
-                end += 1;
-            }
-            let group = &all[from..end];
-            if group.iter().any(|e| e.2 != group[0].2) {
-                for e in group.iter().filter(|e| e.3 != NONE) {
-                    close[e.3 as usize] = true;
-                }
-            }
-            from = end;
-        }
-        close
-    }
-}
-
-impl PairEvents {
-    /// For each pair whether one of its events, as doubles know it, is in a cluster in which three sheets meet, too; `None` if
-    /// there is no such pair.
-    pub(super) fn colliding(
-        &self,
-        pairs: usize,
-        clusters: &Clusters,
-        meetings: &[Moment],
-    ) -> Option<Vec<bool>> {
-        /// Clusters of events that are known in double-double are narrower than this (radians).
-        const EXACT: f64 = 1e-18;
-        let mut hit = vec![false; clusters.len()];
-        for m in meetings {
-            // The error reaches into one more cluster at most on either side.
-            for theta in [m.theta - m.error, m.theta + m.error] {
-                let i = clusters.index(theta);
-                let (lo, hi) = clusters.exact_ends(i);
-                let touches = m.theta + m.error >= lo && m.theta - m.error <= hi;
-                hit[i as usize] |= touches && clusters.width(i) > EXACT;
-            }
-        }
-        if !hit.contains(&true) {
-            return None;
-        }
-        let close: Vec<bool> = (0..pairs)
-            .map(|pair| {
-                let rough = |e: &&Moment| e.error > EXACT;
-                (self.of(pair)[0].iter().filter(rough))
-                    .any(|e| hit[clusters.index(e.theta) as usize])
-            })
-            .collect();
-        close.contains(&true).then_some(close)
-    }
-}
-
-/// The events of a pair in double-double.
-fn exact_events(geometry: &Geometry, run: &PairRun, mut found: impl FnMut(Moment)) {
+/// The events of one pair in double-double, of those conditions that have any as far as doubles tell.
+fn events_of(
+    geometry: &Geometry,
+    run: &PairRun,
+    has_roots: &mut Vec<bool>,
+    mut found: impl FnMut(Moment),
+) {
     let contacts = &geometry.contacts;
     let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
+    // Pairs that are tangent by their making are not among them.
     let shared = SharedEnds {
         tangent: false,
         corners: f.shared_corners(g, contacts.first_vertex_name),
     };
+    has_roots.clear();
+    if !f.is_flat() && !g.is_flat() {
+        let (lo, hi) = (run.lo.to_f64(), run.hi.to_f64());
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let (sin, cos) = mid.sin_cos();
+        conditions(f, g, &shared, |t| {
+            let mut any = false;
+            t.roots(mid, cos, sin, half, |_| any = true);
+            has_roots.push(any);
+        });
+        if !has_roots.contains(&true) {
+            return;
+        }
+    }
     let [x, y] = [run.first, run.second].map(|s| exact_sheet(geometry, s));
-    x.events(&y, &shared, (run.lo, run.hi), |theta, error| {
+    let asked = |condition: usize| has_roots.get(condition).is_none_or(|&any| any);
+    x.events(&y, &shared, (run.lo, run.hi), asked, |theta, error| {
         found(Moment { theta, error });
     });
 }
@@ -314,7 +194,7 @@ impl Tracer<'_> {
         exact_crossings(&x, &y, &shared, &ExactTurn::by(theta))
     }
 
-    fn trace(&mut self, run: &PairRun, [events, beyond]: [&[Moment]; 2]) {
+    fn trace(&mut self, run: &PairRun, events: &[Moment]) {
         let clusters = self.clusters;
         let (from, to) = (clusters.index(run.lo), clusters.index(run.hi));
         self.times.clear();
@@ -329,10 +209,7 @@ impl Tracer<'_> {
             .collect();
         // When carriers coincide, both ends of each curve are on the other's carrier: four events at once.
         const EVENTS_AT_ONCE: usize = 3;
-        let mut all = self.times.clone();
-        all.extend(beyond.iter().map(|e| clusters.index(e.theta)));
-        all.sort_unstable();
-        let at_once = (all.chunk_by(|a, b| a == b))
+        let at_once = (self.times.chunk_by(|a, b| a == b))
             .filter(|c| c.len() >= EVENTS_AT_ONCE)
             .map(|c| c[0]);
         // A curve of a line comes and goes with all its length; some of the four may then be just beyond.

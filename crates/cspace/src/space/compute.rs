@@ -27,9 +27,6 @@ const ALIGNMENT_ERROR: f64 = 64.0 * Dd::EPSILON;
 /// How much more than a turn a window may be, by rounding, radians.
 const WINDOW_SLACK: f64 = 1e-12;
 
-/// How often events are looked for with more of them known in double-double.
-const MOST_ATTEMPTS: usize = 4;
-
 /// The longest window of orientations: a turn, give or take its rounding.
 pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
 
@@ -281,48 +278,25 @@ impl ContactSpace {
                 error: ALIGNMENT_ERROR,
             })
             .collect();
-        let crowded = pair_events.crowded(pairs.len(), &known);
-        let mut pair_events = pair_events.refined(&geometry, &pairs, &crowded);
+        let pair_event_count = pair_events.events.len() as u64;
+        let clusters = Clusters::new(pair_events.events.iter().copied().chain(known));
         lap(&mut seconds.pair_events);
 
-        // Where three sheets meet may be where two do, as far as doubles tell. Then these are looked at again.
-        let mut attempts = 0;
-        let (clusters, traced, on_sheet, triples) = loop {
-            progress.stage(Stage::Branches)?;
-            let events = pair_events.events.iter().copied();
-            let clusters = Clusters::new(events.chain(known.iter().copied()));
-            let traced = branches(&geometry, &pairs, &pair_events, &clusters);
-            lap(&mut seconds.branches);
-            progress.stage(Stage::TripleEvents)?;
-            let on_sheet = OnSheet::new(sheets.len(), &traced.branches);
-            let (all, encounters) = (&traced.branches, &traced.encounters);
-            let triples = triple_events(&geometry, all, encounters, &on_sheet, &clusters);
-            let meetings: Vec<Moment> = triples.events.iter().map(|m| m.event).collect();
-            attempts += 1;
-            let colliding = (attempts < MOST_ATTEMPTS)
-                .then(|| pair_events.colliding(pairs.len(), &clusters, &meetings))
-                .flatten();
-            let Some(colliding) = colliding else {
-                break (clusters, traced, on_sheet, triples);
-            };
-            pair_events = pair_events.refined(&geometry, &pairs, &colliding);
-        };
+        progress.stage(Stage::Branches)?;
         let Traced {
             mut branches,
             mut coincidences,
             mut swallowed,
             mut pinches,
-            ..
-        } = traced;
-        let pair_event_count = pair_events.events.len() as u64;
-        if std::env::var("CSPACE_DEBUG").is_ok() {
-            eprintln!(
-                "pairs {} events {pair_event_count} refined {} attempts {attempts}",
-                pairs.len(),
-                crowded.iter().filter(|c| **c).count()
-            );
-        }
+            encounters,
+        } = branches(&geometry, &pairs, &pair_events, &clusters);
         drop((pairs, pair_events));
+        lap(&mut seconds.branches);
+
+        progress.stage(Stage::TripleEvents)?;
+        let on_sheet = OnSheet::new(sheets.len(), &branches);
+        let triples = triple_events(&geometry, &branches, &encounters, &on_sheet, &clusters);
+        drop(encounters);
         let (clusters, moved) = clusters.with(triples.events.iter().map(|m| m.event).collect());
         for b in &mut branches {
             b.from = moved[b.from as usize];
