@@ -2,13 +2,13 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::feature::tolerance::{NARROWEST_BAND, SMALLEST_CIRCLE};
+use crate::feature::tolerance::NARROWEST_BAND;
 use crate::feature::{Feature, Outline, unwrap_near};
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
 
 use super::doubled::{Doubled, doubled};
-use super::names::{Points, Sizes};
+use super::names::Sizes;
 use super::sheet::{EndAngle, EndAt, Seam, Sheet, SheetKind};
 use super::span::Span;
 use super::spiral::{Spiral, Swing};
@@ -29,13 +29,12 @@ pub(crate) struct Contacts {
     /// Sheets whose curves lie on each other; `None` if there are too many to list.
     pub(crate) doubled: Option<Vec<Doubled>>,
     sizes: Sizes,
-    points: Points,
 }
 
 impl Contacts {
     /// The name of the same end one slab lower.
     pub(crate) fn name_below(&self, name: u32) -> u32 {
-        self.points.name(self.sizes.name_below(name, &self.carried))
+        self.sizes.name_below(name, &self.carried)
     }
 
     /// The feature pair that does one slab lower what this one does.
@@ -100,7 +99,6 @@ impl Contacts {
             moving_vertex: moving.vertex_of_joint(),
             fixed_line: fixed.line_of_joint(),
             moving_line: moving.line_of_joint(),
-            points: Points::default(),
             sheets: Vec::new(),
         };
         for a in 0..fixed.features.len() as u32 {
@@ -112,11 +110,7 @@ impl Contacts {
             }
         }
         let first_vertex_name = sizes.first_vertex();
-        let (mut sheets, points) = (builder.sheets, builder.points);
-        for sheet in &mut sheets {
-            sheet.start_name = points.name(sheet.start_name);
-            sheet.end_name = points.name(sheet.end_name);
-        }
+        let sheets = builder.sheets;
         let index = |name: fn(&Sheet) -> u32| {
             let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
             list.sort_unstable();
@@ -133,7 +127,6 @@ impl Contacts {
             carried,
             doubled,
             sizes,
-            points,
         }
     }
 }
@@ -156,7 +149,6 @@ struct Builder<'a> {
     moving_vertex: Vec<Option<u32>>,
     fixed_line: Vec<Option<u32>>,
     moving_line: Vec<Option<u32>>,
-    points: Points,
     sheets: Vec<Sheet>,
 }
 
@@ -319,38 +311,18 @@ impl Builder<'_> {
     }
 
     fn add_round_round(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
-        let radius = a.radius() + b.radius();
+        let exact = self.fixed.exact_features[ia as usize].radius
+            + self.moving.exact_features[ib as usize].radius;
+        let radius = exact.to_f64();
         let convex = a.radius() >= 0.0 && b.radius() >= 0.0;
         let concave = a.radius() < 0.0 && b.radius() < 0.0;
-        if concave || (convex && radius < SMALLEST_CIRCLE) {
+        // An arc does not touch in a fillet that is smaller, nor one vertex another but beside what ends there.
+        let touch = if convex { radius > 0.0 } else { radius < 0.0 };
+        if concave || !touch {
             return;
         }
         let (a_lo, a_hi) = a.joints_by_angle();
         let (b_lo, b_hi) = b.joints_by_angle();
-        let sweep = (a.hi - a.lo).min(b.hi - b.lo);
-        // Of large arcs radii are known to less than that, and what counts is how long the contact curve would be.
-        let smallest = if a.near.is_some() && b.near.is_some() {
-            SMALLEST_CIRCLE / sweep.clamp(f64::EPSILON, 1.0)
-        } else {
-            SMALLEST_CIRCLE
-        };
-        if !convex && radius > -smallest {
-            /// Around more than this, the curves before and after the point all but turn back on each other: they cross if
-            /// there is no play at all.
-            const WIDEST: f64 = 0.9 * PI;
-            if radius < 0.0 || (radius < smallest && sweep < WIDEST) {
-                self.points.unite(
-                    self.sizes.vertices(ia, ib),
-                    [
-                        self.fixed_joint_name(a_lo, ib, b),
-                        self.fixed_joint_name(a_hi, ib, b),
-                        self.moving_joint_name(ia, a, b_lo),
-                        self.moving_joint_name(ia, a, b_hi),
-                    ],
-                );
-            }
-            return;
-        }
         let (kind, fixed_point, moving_point, normal, swing) = large(a, b);
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.

@@ -1,7 +1,5 @@
 //! Names of the ends of contact curves: equal for the curves that share an end.
 
-use std::collections::HashMap;
-
 use crate::feature::Outline;
 
 use super::twist::Carried;
@@ -57,35 +55,6 @@ impl Sizes {
             let (a, b) = split(name - self.first_vertex(), self.moving_features);
             self.vertices(fixed.features[a], moving.features[b])
         }
-    }
-}
-
-/// Contact curves that are points: an arc in a fillet that it just fits.
-///
-/// The curves before and after such a one would cross at a distance below rounding. They share the point as an end
-/// instead, as curves do where two vertices touch; so its four ends get one name, one of two vertices.
-#[derive(Debug, Default)]
-pub(super) struct Points {
-    names: HashMap<u32, u32>,
-}
-
-impl Points {
-    /// Gives the ends of the curve of two features one name, and all that have been given one together with them.
-    pub(super) fn unite(&mut self, point: u32, ends: [u32; 4]) {
-        let known = ends.map(|e| self.names.get(&e).copied());
-        let name = known.into_iter().flatten().fold(point, u32::min);
-        for n in self.names.values_mut() {
-            if known.contains(&Some(*n)) {
-                *n = name;
-            }
-        }
-        self.names.extend(ends.map(|e| (e, name)));
-        self.names.insert(point, name);
-    }
-
-    /// The name by which an end is known.
-    pub(super) fn name(&self, end: u32) -> u32 {
-        self.names.get(&end).copied().unwrap_or(end)
     }
 }
 

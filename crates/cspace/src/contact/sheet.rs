@@ -219,6 +219,14 @@ impl Sheet {
         self.kind == SheetKind::RoundRound
     }
 
+    /// Whether its curves are circles so small that doubles do not tell places on them.
+    #[inline]
+    pub(crate) fn is_small(&self) -> bool {
+        /// Of a smaller radius (length).
+        const SMALL: f64 = 1e-6;
+        self.is_circle() && self.radius.abs() < SMALL
+    }
+
     /// Whether its curves are lines.
     #[inline]
     pub(crate) fn is_line(&self) -> bool {

@@ -241,10 +241,11 @@ impl Tracer<'_> {
         self.times.extend([from, to]);
         self.times.sort_unstable();
         self.times.dedup();
+        let small = f.is_small() || g.is_small();
         let mut open: [Option<Branch>; 2] = [None; 2];
         let mut apart = false;
         for w in self.times.windows(2) {
-            let now = if clusters.are_close(w[0], w[1]) {
+            let now = if small || clusters.are_close(w[0], w[1]) {
                 self.exact_crossings_between(run, clusters.exact_between(w[0], w[1]))
             } else {
                 crossings_between(self.geometry, run, clusters.between(w[0], w[1]))

@@ -148,7 +148,8 @@ impl<'a> CellExtents<'a> {
         let b = &self.branches[branch as usize];
         let (at, rounding) = self.at.within(b);
         let error = rounding * (1.0 + self.speed * self.width / PLACE_ERROR);
-        if error <= GOOD {
+        let small = |s: u32| self.geometry.contacts.sheets[s as usize].is_small();
+        if error <= GOOD && !small(self.sheet) && !small(b.other(self.sheet)) {
             return ((at, error), true);
         }
         (self.approached(b, side), false)

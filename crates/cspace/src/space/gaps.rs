@@ -66,7 +66,14 @@ impl Gaps {
         slab: Slab,
     ) {
         self.order.clear();
-        if slab.is_narrow && active.len() > 1 {
+        let small = |s: u32| geometry.contacts.sheets[s as usize].is_small();
+        let some_small = || {
+            small(sheet)
+                || active
+                    .iter()
+                    .any(|&b| small(branches[b as usize].other(sheet)))
+        };
+        if active.len() > 1 && (slab.is_narrow || some_small()) {
             let placing = ExactPlacing::new(geometry, sheet, ExactTurn::by(slab.theta));
             self.exact.clear();
             let place = |&b: &u32| (placing.place(&branches[b as usize]), b);

@@ -9,7 +9,6 @@ use super::branch::{Branch, Coincidence};
 use super::candidates::Candidates;
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
-use super::doubt::CROWDED;
 use super::levels::Levels;
 use super::placing::Placing;
 use super::sweep::Cells;
@@ -41,6 +40,9 @@ const TRIED: usize = 8;
 
 /// Durations below this are short, radians: critical orientations that growth alone tells apart are so near to each other.
 const NARROW: f64 = 1e-5;
+
+/// Where curves are nearer to each other than this (length), doubles do not tell what is free between them.
+const TELLING: f64 = 1e-10;
 
 /// A cell that what bounds it leaves open, in its shell and its ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -346,54 +348,31 @@ impl ShellFinder<'_> {
         blocked: bool,
         blocked_ring: &[bool],
     ) -> Verdict {
-        // What a test says of each ring; narrow ones follow from the others.
+        // What a test says of each ring, where doubles can tell.
         let rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
             .map(|ring| {
                 let wide = !self.is_narrow(cells, ring);
-                let tested = wide.then(|| self.is_free(&cells[self.largest(cells, ring) as usize]));
-                (ring, tested)
+                (ring, wide.then(|| self.ring_is_free(cells, ring)).flatten())
             })
             .collect();
+        let mut rings = rings;
+        if !blocked && rings.iter().all(|r| r.1.is_none()) {
+            // A pocket that does not last.
+            for (ring, tested) in &mut rings {
+                *tested = self.ring_is_free(cells, ring);
+            }
+        }
         let mut tests = rings.iter().filter(|r| r.1.is_some()).count();
-        let mut some_free = rings.iter().any(|r| r.1 == Some(true));
-        some_free |= !some_free && self.finds_free(cells, shell, &mut tests);
+        let some_free = rings.iter().any(|r| r.1 == Some(true));
         let some_blocked = blocked || rings.iter().any(|r| r.1 == Some(false));
-        if !some_free && (blocked || tests == 0) {
-            // What lies furthest out is free, so that a shell leaks if it has that and blocked cells too.
-            let furthest = (shell.iter())
-                .map(|m| (self.distance(&cells[m.cell as usize]), m.cell))
-                .max_by(|a, b| a.0.total_cmp(&b.0));
-            tests += 1;
-            some_free = furthest.is_some_and(|f| self.is_free(&cells[f.1 as usize]));
-        }
         let conflict = some_free && some_blocked;
-        if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
-            eprintln!(
-                "judged shell {} members {} blocked {blocked} some_free {some_free} rings {:?}",
-                shell[0].shell,
-                shell.len(),
-                rings
-                    .iter()
-                    .map(|r| (
-                        r.0.len(),
-                        r.1,
-                        r.0[0].ring,
-                        blocked_ring[r.0[0].ring as usize],
-                        self.largest(cells, r.0)
-                    ))
-                    .collect::<Vec<_>>()
-            );
-        }
         let mut free = Vec::with_capacity(shell.len());
         for (ring, tested) in rings {
             let apart = tested.is_none() || blocked_ring[ring[0].ring as usize];
             if apart && conflict {
                 tests += ring.len();
-                let open = |m: &Member| self.is_free_throughout(&cells[m.cell as usize]);
+                let open = |m: &Member| self.is_free(&cells[m.cell as usize]) == Some(true);
                 free.extend(ring.iter().map(open));
-            } else if tested == Some(true) && conflict {
-                let largest = &cells[self.largest(cells, ring) as usize];
-                free.resize(free.len() + ring.len(), self.is_free_throughout(largest));
             } else {
                 free.resize(free.len() + ring.len(), tested.unwrap_or(some_free));
             }
@@ -403,21 +382,6 @@ impl ShellFinder<'_> {
             tests,
             conflict,
         }
-    }
-
-    /// Whether any cell is free by itself, of a shell of which no ring is by its largest. Where cells last less than
-    /// [`CROWDED`] configurations are in doubt anyway.
-    ///
-    /// A cell that goes on where it should end, on the other side of what it met, takes its ring and a pocket along: of that
-    /// nothing else tells.
-    fn finds_free(&self, cells: &[Cell], shell: &[Member], tests: &mut usize) -> bool {
-        let lasts = |c: &&Cell| self.duration(c.from, c.to) > CROWDED;
-        (shell.iter().map(|m| &cells[m.cell as usize]))
-            .filter(lasts)
-            .any(|c| {
-                *tests += 1;
-                self.is_free_throughout(c)
-            })
     }
 
     /// From the end of one cluster to the beginning of another, radians.
@@ -456,15 +420,6 @@ impl ShellFinder<'_> {
         largest
     }
 
-    /// How far out a cell is: the distance of its middle from the origin of the pair's frame.
-    fn distance(&self, cell: &Cell) -> f64 {
-        let theta = self.middle(cell);
-        let (lo, hi) = self.range(cell, theta);
-        let sheet = &self.geometry.contacts.sheets[cell.sheet as usize];
-        let curve = sheet.curve(theta, Rotation::by(theta));
-        curve.point(0.5 * (lo + hi)).to_vector().length()
-    }
-
     fn middle(&self, cell: &Cell) -> f64 {
         self.clusters.between(cell.from, cell.to)
     }
@@ -484,21 +439,20 @@ impl ShellFinder<'_> {
         )
     }
 
-    /// An honest test beside the middle of a cell.
-    fn is_free(&self, cell: &Cell) -> bool {
-        self.is_free_at(cell, 0.5)
+    fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
+        self.is_free(&cells[self.largest(cells, ring) as usize])
     }
 
-    /// Tests beside several places of a cell: in its middle it may touch free space that another curve bounds.
-    fn is_free_throughout(&self, cell: &Cell) -> bool {
+    /// An honest test beside a place of a cell; `None` if other curves are so near to all places that doubles do not tell.
+    fn is_free(&self, cell: &Cell) -> Option<bool> {
         [0.5, 0.27, 0.81]
             .iter()
-            .all(|&share| self.is_free_at(cell, share))
+            .find_map(|&share| self.is_free_at(cell, share))
     }
 
     /// An honest test beside a place of a cell, by its share of the length: half way to the next contact curve on its free
     /// side, the parts must not overlap.
-    fn is_free_at(&self, cell: &Cell, share: f64) -> bool {
+    fn is_free_at(&self, cell: &Cell, share: f64) -> Option<bool> {
         /// How far the free side is looked at, in the pair's frame.
         const STEP: f64 = 1.0 / 256.0;
         let theta = self.middle(cell);
@@ -517,10 +471,19 @@ impl ShellFinder<'_> {
         for other in self.candidates.around(theta, p, reach) {
             let s = &sheets[other as usize];
             let exists = s.lo <= theta && theta <= s.hi;
-            if other != cell.sheet && exists && s.carrier(turn.cos, turn.sin).off(p) <= reach {
-                reach = s.curve(theta, turn).hit(p, normal, reach).unwrap_or(reach);
+            if other == cell.sheet || !exists {
+                continue;
+            }
+            let off = s.carrier(turn.cos, turn.sin).off(p);
+            if off <= reach {
+                let other = s.curve(theta, turn);
+                let on_it = other.position(p).abs() <= other.half_length() + TELLING;
+                if off < TELLING && on_it {
+                    return None;
+                }
+                reach = other.hit(p, normal, reach).unwrap_or(reach);
             }
         }
-        !self.geometry.overlaps(p + normal * (0.5 * reach), theta)
+        (reach > TELLING).then(|| !self.geometry.overlaps(p + normal * (0.5 * reach), theta))
     }
 }
