@@ -242,6 +242,9 @@ impl Tracer<'_> {
         self.times.sort_unstable();
         self.times.dedup();
         let small = f.is_small() || g.is_small();
+        if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
+            eprintln!("trace {} {} run {:e} {:e} events {:?} times {:?}", run.first, run.second, run.lo.to_f64(), run.hi.to_f64(), events, self.times.windows(2).map(|w| (clusters.at(w[0]), self.exact_crossings_between(run, clusters.exact_between(w[0], w[1])))).collect::<Vec<_>>());
+        }
         let mut open: [Option<Branch>; 2] = [None; 2];
         let mut apart = false;
         for w in self.times.windows(2) {

@@ -19,9 +19,6 @@ use super::placing::{ExactPlacing, exact_sheet};
 /// h² |d″| / 8, some 1e-17, which is below rounding.
 const NARROWEST: f64 = 1e-8;
 
-/// The same of pieces in which places are compared, where these are reckoned about centres (radians).
-const NARROWEST_PLACES: f64 = 1e-6;
-
 /// In intervals narrower than this (radians) doubles are not asked.
 const NARROW: f64 = 1e-6;
 
@@ -172,17 +169,66 @@ impl Passing<'_> {
             }
         }
         let count = vague.len() as u64;
-        let narrowest = if f.is_some() {
-            NARROWEST_PLACES
-        } else {
-            NARROWEST_BAND
-        };
         for (a, b) in vague {
+            if f.is_some() {
+                self.change_of_order(a, b).into_iter().for_each(&mut *found);
+                continue;
+            }
             let mut budget = PLACE_BUDGET;
-            let mut take = |e: Event| found(e.into());
-            self.isolate_places(a.to_f64(), b.to_f64(), narrowest, &mut budget, &mut take);
+            let mut take = |e: Event| {
+                let around = (Dd::from(e.theta) - 2.0 * e.error, Dd::from(e.theta) + 2.0 * e.error);
+                found(self.change_of_order(around.0, around.1).unwrap_or(e.into()));
+            };
+            self.isolate_places(a.to_f64(), b.to_f64(), NARROWEST_BAND, &mut budget, &mut take);
         }
         count
+    }
+
+    /// The difference of the places of the two branches in double-double.
+    fn apart(&self, theta: Dd) -> Dd {
+        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+        placing.place(self.x) - placing.place(self.y)
+    }
+
+    /// Where the two branches pass each other between two orientations, if their order changes: by the rule of false position,
+    /// an end that stays counting half (Illinois).
+    ///
+    /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
+    fn change_of_order(&self, lo: Dd, hi: Dd) -> Option<Moment> {
+        /// Differences larger than this are a turn around a circle (length).
+        const JUMP: f64 = 1e-2;
+        /// Smaller ones are rounding (length): where three carriers always share a point.
+        const NONE: f64 = 1e-27;
+        let ((mut a, mut at_a), (mut b, mut at_b)) = ((lo, self.apart(lo)), (hi, self.apart(hi)));
+        let told = |d: Dd| (NONE..JUMP).contains(&d.to_f64().abs());
+        if !told(at_a) || !told(at_b) || at_a.is_negative() == at_b.is_negative() {
+            return None;
+        }
+        for _ in 0..100 {
+            if (b - a).to_f64() <= SAME_EXACT {
+                break;
+            }
+            let mut c = a + (b - a) * (at_a / (at_a - at_b));
+            if !(a < c && c < b) {
+                c = (a + b).scaled(0.5);
+            }
+            let at_c = self.apart(c);
+            if at_c.to_f64().abs() < 0.01 * NONE {
+                (a, b) = (c, c);
+                break;
+            }
+            if at_c.is_negative() == at_a.is_negative() {
+                (a, at_a) = (c, at_c);
+                at_b = at_b.scaled(0.5);
+            } else {
+                (b, at_b) = (c, at_c);
+                at_a = at_a.scaled(0.5);
+            }
+        }
+        let theta = (a + b).scaled(0.5);
+        let slope = ((self.apart(hi) - self.apart(lo)) / (hi - lo)).to_f64();
+        let error = (b - a).to_f64() + exact_error(NONE, slope);
+        Some(Moment { theta, error })
     }
 
     /// What vanishes where the three carriers meet, in double-double.
@@ -207,9 +253,7 @@ impl Passing<'_> {
     fn meet_at(&self, theta: Dd) -> bool {
         /// Branches further apart than this (length) where three carriers meet are not those that meet.
         const APART: f64 = 1e-9;
-        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
-        let off = placing.place(self.x) - placing.place(self.y);
-        off.to_f64().abs() < APART
+        self.apart(theta).to_f64().abs() < APART
     }
 
     /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
