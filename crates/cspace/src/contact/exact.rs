@@ -361,6 +361,48 @@ impl ExactCurve {
         }
     }
 
+    /// The point at a place, given as a length of travel from about the middle.
+    pub(crate) fn point(&self, place: Dd) -> Xy<Dd> {
+        match self.carrier {
+            Carrier::Line { normal, .. } => {
+                let middle = times(plus(self.start, self.end), Dd::from(0.5));
+                plus(middle, times(left(normal), place))
+            }
+            Carrier::Circle { center, radius } => {
+                let (sin, cos) = (place / radius).sin_cos();
+                let way = turned(self.middle, cos, sin);
+                let far = times(way, radius.abs() / length(self.middle));
+                plus(center, far)
+            }
+            Carrier::Bow(_) => self.start,
+        }
+    }
+
+    /// Where it starts and ends.
+    pub(crate) fn end_points(&self) -> [Xy<Dd>; 2] {
+        [self.start, self.end]
+    }
+
+    /// The normal towards the free side at a point of it.
+    pub(crate) fn normal(&self, p: Xy<Dd>) -> Xy<Dd> {
+        match self.carrier {
+            Carrier::Line { normal, .. } => normal,
+            Carrier::Circle { center, radius } => times(minus(p, center), Dd::ONE / radius),
+            Carrier::Bow(bow) => bow.normal,
+        }
+    }
+
+    /// On which side of it a point beside it is: whether on that of its line's normal, or outside of its circle.
+    pub(crate) fn side_of(&self, p: Xy<Dd>) -> Option<bool> {
+        let off = match self.carrier {
+            Carrier::Line { normal, through } => dot(normal, minus(p, through)),
+            Carrier::Circle { center, radius } => length(minus(p, center)) - radius.abs(),
+            Carrier::Bow(_) => return None,
+        };
+        let (place, (lo, hi)) = (self.position(p), self.ends());
+        (lo < place && place < hi).then_some(!off.is_negative())
+    }
+
     /// Where another curve's carrier crosses its own, as a length of travel; where they do not, the nearest place to that.
     pub(crate) fn place(&self, other: &Self, root: u8, swapped: bool) -> Dd {
         let root = if swapped {

@@ -9,7 +9,7 @@ use crate::parallel;
 
 use super::candidates::PairRun;
 use super::clusters::{Clusters, Moment};
-use super::pinches::{Pinch, is_passed, pinched, placed};
+use super::pinches::{Pinch, pinched, swallowed, turns_beside};
 use super::placing::exact_sheet;
 
 /// One crossing of two sheets from one cluster of events to another.
@@ -242,9 +242,6 @@ impl Tracer<'_> {
         self.times.sort_unstable();
         self.times.dedup();
         let small = f.is_small() || g.is_small();
-        if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
-            eprintln!("trace {} {} run {:e} {:e} events {:?} times {:?}", run.first, run.second, run.lo.to_f64(), run.hi.to_f64(), events, self.times.windows(2).map(|w| (clusters.at(w[0]), self.exact_crossings_between(run, clusters.exact_between(w[0], w[1])))).collect::<Vec<_>>());
-        }
         let mut open: [Option<Branch>; 2] = [None; 2];
         let mut apart = false;
         for w in self.times.windows(2) {
@@ -255,11 +252,12 @@ impl Tracer<'_> {
             };
             let before = core::mem::replace(&mut apart, now == [None; 2]);
             if before && apart && passing.binary_search(&w[0]).is_ok() {
-                let (at, beside) = (w[0], clusters.just_beside(w[0]));
-                let short = swallowed(self.geometry, run, beside);
+                let (at, beside) = (w[0], turns_beside(clusters, w[0]));
+                let both = (run.first, run.second);
+                let short = swallowed(self.geometry, both, &beside);
                 self.found.swallowed.extend(short.map(|s| (s, at)));
                 let (f, g) = (run.first, run.second);
-                if short.is_none() && pinched(self.geometry, (f, g), beside) {
+                if short.is_none() && pinched(self.geometry, (f, g), &beside) {
                     let both = [(f, g), (g, f)];
                     let pinch = |(sheet, other)| Pinch { sheet, at, other };
                     self.found.pinches.extend(both.map(pinch));
@@ -296,18 +294,6 @@ impl Tracer<'_> {
             });
         }
     }
-}
-
-/// The sheet, of two whose curves do not cross just below and just above a cluster, that is on different sides of the
-/// other then: all of it has passed in between.
-fn swallowed(geometry: &Geometry, run: &PairRun, beside: (f64, f64)) -> Option<u32> {
-    [(run.first, run.second), (run.second, run.first)]
-        .into_iter()
-        .find(|&(short, long)| {
-            let [short, long] = [short, long].map(|s| placed(geometry, s, beside));
-            is_passed(&long, short.map(|c| c.point(0.0)))
-        })
-        .map(|pair| pair.0)
 }
 
 /// Whether two sheets have one carrier at an orientation.

@@ -5,10 +5,12 @@
 //! by less than is told apart, so that there is none before and none after. What was in front of the other curve is behind it
 //! then: a cell that is there does not go on.
 
-use crate::contact::{Curve, CurveShape, Geometry};
-use crate::geometry::{Point, Rotation};
+use crate::contact::{ExactCurve, ExactTurn, Geometry};
+use crate::number::Dd;
+use crate::number::plane::{Xy, dot};
 
 use super::clusters::Clusters;
+use super::placing::exact_sheet;
 
 /// A sheet of which some has come behind another sheet, within a cluster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,42 +28,56 @@ pub(super) fn pinches_of(all: &[Pinch], sheet: u32, at: u32) -> &[Pinch] {
 }
 
 /// Whether of two sheets that do not cross just below and just above a cluster one comes behind the other where both are.
-pub(super) fn pinched(geometry: &Geometry, sheets: (u32, u32), beside: (f64, f64)) -> bool {
+pub(super) fn pinched(geometry: &Geometry, sheets: (u32, u32), beside: &[ExactTurn; 2]) -> bool {
     let [f, g] = [sheets.0, sheets.1].map(|s| placed(geometry, s, beside));
-    let passes = |f: &[Curve; 2], g: &[Curve; 2], of: fn(&Curve) -> Point| {
-        let opposite = f[0].normal(of(&f[0])).dot(g[0].normal(of(&f[0]))) < 0.0;
-        opposite && is_passed(g, [of(&f[0]), of(&f[1])])
+    let passes = |f: &[ExactCurve; 2], g: &[ExactCurve; 2], end: usize| {
+        let p = f.map(|c| c.end_points()[end]);
+        let opposite = dot(f[0].normal(p[0]), g[0].normal(p[0])).is_negative();
+        opposite && is_passed(g, p)
     };
-    let ends: [fn(&Curve) -> Point; 2] = [|c| c.start, |c| c.end];
-    ends.into_iter()
+    [0, 1]
+        .into_iter()
         .any(|end| passes(&f, &g, end) || passes(&g, &f, end))
+}
+
+/// One of two sheets whose curves do not cross just below and just above a cluster, that is on different sides of the other
+/// then: all of it has passed in between.
+pub(super) fn swallowed(
+    geometry: &Geometry,
+    (f, g): (u32, u32),
+    beside: &[ExactTurn; 2],
+) -> Option<u32> {
+    [(f, g), (g, f)]
+        .into_iter()
+        .find(|&(short, long)| {
+            let [short, long] = [short, long].map(|s| placed(geometry, s, beside));
+            is_passed(&long, short.map(|c| c.point(Dd::ZERO)))
+        })
+        .map(|pair| pair.0)
 }
 
 impl Pinch {
     /// Whether a place of the sheet's curve comes behind the other sheet, or out from behind it.
     pub(super) fn moves(&self, geometry: &Geometry, clusters: &Clusters, place: f64) -> bool {
-        let beside = clusters.just_beside(self.at);
-        let [f, g] = [self.sheet, self.other].map(|s| placed(geometry, s, beside));
-        is_passed(&g, [f[0].point(place), f[1].point(place)])
+        let beside = turns_beside(clusters, self.at);
+        let [f, g] = [self.sheet, self.other].map(|s| placed(geometry, s, &beside));
+        is_passed(&g, f.map(|c| c.point(Dd::from(place))))
     }
 }
 
-/// A sheet's curves just below and just above a cluster.
-pub(super) fn placed(geometry: &Geometry, sheet: u32, beside: (f64, f64)) -> [Curve; 2] {
-    [beside.0, beside.1]
-        .map(|theta| geometry.contacts.sheets[sheet as usize].curve(theta, Rotation::by(theta)))
+/// Just below and just above a cluster.
+pub(super) fn turns_beside(clusters: &Clusters, at: u32) -> [ExactTurn; 2] {
+    let (below, above) = clusters.exactly_beside(at);
+    [below, above].map(ExactTurn::by)
+}
+
+/// A sheet's curves at two orientations.
+fn placed(geometry: &Geometry, sheet: u32, turns: &[ExactTurn; 2]) -> [ExactCurve; 2] {
+    [0, 1].map(|k: usize| exact_sheet(geometry, sheet).curve(&turns[k]))
 }
 
 /// Whether a curve passes a point that is beside it before and after.
-pub(super) fn is_passed(curve: &[Curve; 2], point: [Point; 2]) -> bool {
-    let side = |curve: &Curve, p: Point| {
-        let off = match curve.shape {
-            CurveShape::Line { normal } => normal.dot(p - curve.start),
-            CurveShape::Circle { center, radius, .. } => center.distance(p) - radius.abs(),
-            CurveShape::Bow(bow) => bow.distance(p),
-        };
-        (curve.position(p).abs() < curve.half_length()).then_some(off > 0.0)
-    };
-    let sides = [0, 1].map(|k| side(&curve[k], point[k]));
+fn is_passed(curve: &[ExactCurve; 2], point: [Xy<Dd>; 2]) -> bool {
+    let sides = [0, 1].map(|k: usize| curve[k].side_of(point[k]));
     matches!(sides, [Some(a), Some(b)] if a != b)
 }
