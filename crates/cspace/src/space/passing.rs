@@ -125,6 +125,20 @@ impl Passing<'_> {
         hi: Dd,
         found: &mut impl FnMut(Moment),
     ) -> u64 {
+        /// Meetings that are known worse than this (radians) are looked for by the places themselves.
+        const WELL_KNOWN: f64 = 1e-20;
+        /// How far around such a meeting, at least (radians).
+        const AROUND: f64 = 1e-12;
+        let mut take = |m: Moment| {
+            if m.error <= WELL_KNOWN {
+                found(m);
+                return;
+            }
+            let around = AROUND.max(4.0 * m.error);
+            let (a, b) = (m.theta - around, m.theta + around);
+            let (a, b) = (if a < lo { lo } else { a }, if b < hi { b } else { hi });
+            found(self.change_of_order(a, b).unwrap_or(m));
+        };
         // Where doubles tell nothing.
         let mut unclear: Vec<(Dd, Dd)> = Vec::new();
         let mut vague: Vec<(Dd, Dd)> = Vec::new();
@@ -144,7 +158,7 @@ impl Passing<'_> {
                     if b - a <= 2.0 * NARROWEST || !told(a) || !told(b) {
                         unclear.push((Dd::from(a), Dd::from(b)));
                     } else if let Some(e) = self.refine(f, a, b).and_then(|e| self.exactly(f, e)) {
-                        found(e);
+                        take(e);
                     }
                 }
             }
@@ -165,7 +179,7 @@ impl Passing<'_> {
                 let roots = brackets.into_iter().map(|(a, b)| root(&exact, a, b));
                 roots
                     .filter(|e| self.meet_at(e.theta))
-                    .for_each(&mut *found);
+                    .for_each(&mut take);
             }
         }
         let count = vague.len() as u64;
