@@ -61,6 +61,8 @@ pub struct Measured {
 pub enum Flood {
     /// So many there are, but for pockets smaller than a box.
     Agrees(usize),
+    /// So many there are, but for pockets smaller than a box, and the space has more.
+    Fewer(usize),
     /// Its boxes are too large: at least so many there are.
     CannotTell(usize),
     /// The regions of the space contradict it.
@@ -141,9 +143,9 @@ fn flood(case: &Case, space: &ContactSpace, depth: u32) -> Flood {
         return Flood::Wrong(compared.wrong);
     }
     let Compared { least, .. } = compared;
-    if compared.is_settled() && regions == least {
-        Flood::Agrees(least)
-    } else {
-        Flood::CannotTell(least)
+    match compared.is_settled() {
+        true if regions == least => Flood::Agrees(least),
+        true => Flood::Fewer(least),
+        false => Flood::CannotTell(least),
     }
 }

@@ -22,6 +22,10 @@ pub struct Totals {
     pub wrong: u64,
     /// Whose regions a flood fill contradicts.
     pub flooded: u64,
+    /// That have more free regions than a flood fill, which may miss pockets smaller than a box.
+    pub fewer: u64,
+    /// Of which a flood fill tells the number of regions, but for such pockets.
+    pub told: u64,
     /// That have another number of free regions with fixed and moving exchanged.
     pub unequal: u64,
     /// That panicked.
@@ -55,13 +59,16 @@ impl Totals {
         self.expected += u64::from(specimen.expected.is_some());
         self.wrong += u64::from(specimen.expected.is_some_and(|n| n != m.regions));
         self.flooded += u64::from(matches!(m.flood, Some(Flood::Wrong(_))));
+        self.fewer += u64::from(matches!(m.flood, Some(Flood::Fewer(_))));
+        let told = matches!(m.flood, Some(Flood::Agrees(_) | Flood::Fewer(_)));
+        self.told += u64::from(told);
         self.unequal += u64::from(m.inverse.is_some_and(|n| n != m.regions));
         self.seconds += m.seconds;
     }
 
     /// What the columns are, as wide as [`Display`](fmt::Display) makes them.
     pub fn heading() -> &'static str {
-        " pairs conflict   >1e-9   >1e-6   >1e-3  wrong/known  flood unequal panics refused   seconds"
+        " pairs conflict   >1e-9   >1e-6   >1e-3  wrong/known   flood wrong+fewer/told unequal panics refused   seconds"
     }
 }
 
@@ -69,16 +76,11 @@ impl fmt::Display for Totals {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [a, b, c] = self.doubtful;
         let wrong = format!("{}/{}", self.wrong, self.expected);
+        let flood = format!("{}+{}/{}", self.flooded, self.fewer, self.told);
         write!(
             f,
-            "{:6} {:8} {a:7} {b:7} {c:7} {wrong:>12} {:6} {:7} {:6} {:7} {:9.1}",
-            self.pairs,
-            self.conflicts,
-            self.flooded,
-            self.unequal,
-            self.panics,
-            self.refused,
-            self.seconds
+            "{:6} {:8} {a:7} {b:7} {c:7} {wrong:>12} {flood:>24} {:7} {:6} {:7} {:9.1}",
+            self.pairs, self.conflicts, self.unequal, self.panics, self.refused, self.seconds
         )
     }
 }

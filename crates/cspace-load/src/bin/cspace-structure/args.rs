@@ -16,7 +16,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "NAME")]
     pub(crate) family: Option<String>,
 
-    /// Only pairs in whose family, name or change this occurs.
+    /// Only pairs in whose family, name or change this occurs: `T-slot 3`, `noise 1e-08`, `as drawn`.
     #[arg(long, value_name = "SUBSTRING")]
     pub(crate) only: Option<String>,
 

@@ -55,7 +55,8 @@ fn chosen(args: &Args) -> Result<Vec<Specimen>, String> {
         None => !args.table || [TABLE, files::FILES].contains(&s.family),
     });
     if let Some(part) = &args.only {
-        all.retain(|s| rows::titled(s).contains(part));
+        let named = |s: &Specimen| format!("{}: {}, {}", s.family, s.name, s.change);
+        all.retain(|s| named(s).contains(part));
     }
     if let Some(limit) = args.limit {
         all = spread(all, limit);

@@ -48,6 +48,9 @@ pub(crate) fn row(specimen: &Specimen, outcome: &Outcome) -> String {
     }
     match &m.flood {
         Some(Flood::Agrees(n)) => row += &format!("  flood: {n}"),
+        Some(Flood::Fewer(n)) => {
+            row += &format!("  flood: {n}, but for pockets smaller than a box");
+        }
         Some(Flood::CannotTell(n)) => row += &format!("  flood: {n} or more"),
         Some(Flood::Wrong(why)) => {
             let first = why.first().map_or("", String::as_str);
