@@ -4,6 +4,8 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
+use core::f64::consts::PI;
+
 use crate::contact::{Carrier, ExactTurn, Geometry, Sheet, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::plane::{Xy, cross, dot, minus, times};
@@ -125,20 +127,8 @@ impl Passing<'_> {
         hi: Dd,
         found: &mut impl FnMut(Moment),
     ) -> u64 {
-        /// Meetings that are known worse than this (radians) are looked for by the places themselves.
-        const WELL_KNOWN: f64 = 1e-20;
-        /// How far around such a meeting, at least (radians).
-        const AROUND: f64 = 1e-12;
-        let mut take = |m: Moment| {
-            if m.error <= WELL_KNOWN {
-                found(m);
-                return;
-            }
-            let around = AROUND.max(4.0 * m.error);
-            let (a, b) = (m.theta - around, m.theta + around);
-            let (a, b) = (if a < lo { lo } else { a }, if b < hi { b } else { hi });
-            found(self.change_of_order(a, b).unwrap_or(m));
-        };
+        /// How far around a meeting that doubles tell, at least (radians).
+        const AROUND: f64 = 1e-7;
         // Where doubles tell nothing.
         let mut unclear: Vec<(Dd, Dd)> = Vec::new();
         let mut vague: Vec<(Dd, Dd)> = Vec::new();
@@ -157,8 +147,13 @@ impl Passing<'_> {
                     let told = |t: f64| f.at(t).0.abs() > f.error();
                     if b - a <= 2.0 * NARROWEST || !told(a) || !told(b) {
                         unclear.push((Dd::from(a), Dd::from(b)));
-                    } else if let Some(e) = self.refine(f, a, b).and_then(|e| self.exactly(f, e)) {
-                        take(e);
+                    } else if let Some(e) = self.refine(f, a, b) {
+                        let around = AROUND.max(8.0 * e.error);
+                        let from = Dd::from((e.theta - around).max(a));
+                        let to = Dd::from((e.theta + around).min(b));
+                        let from = if from < lo { lo } else { from };
+                        let to = if hi < to { hi } else { to };
+                        self.change_of_order(from, to).into_iter().for_each(&mut *found);
                     }
                 }
             }
@@ -176,10 +171,8 @@ impl Passing<'_> {
                     &mut |a, b| brackets.push((a, b)),
                     &mut |a, b| vague.push((a, b)),
                 );
-                let roots = brackets.into_iter().map(|(a, b)| root(&exact, a, b));
-                roots
-                    .filter(|e| self.meet_at(e.theta))
-                    .for_each(&mut take);
+                let changes = (brackets.into_iter()).filter_map(|(a, b)| self.change_of_order(a, b));
+                changes.for_each(&mut *found);
             }
         }
         let count = vague.len() as u64;
@@ -209,12 +202,17 @@ impl Passing<'_> {
     ///
     /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
     fn change_of_order(&self, lo: Dd, hi: Dd) -> Option<Moment> {
-        /// Differences larger than this are a turn around a circle (length).
-        const JUMP: f64 = 1e-2;
         /// Smaller ones are rounding (length): where three carriers always share a point.
         const NONE: f64 = 1e-27;
         let ((mut a, mut at_a), (mut b, mut at_b)) = ((lo, self.apart(lo)), (hi, self.apart(hi)));
-        let told = |d: Dd| (NONE..JUMP).contains(&d.to_f64().abs());
+        // Larger differences are a turn around a circle.
+        let sheet = &self.geometry.contacts.sheets[self.sheet as usize];
+        let jump = if sheet.is_line() {
+            f64::INFINITY
+        } else {
+            PI * sheet.radius.abs()
+        };
+        let told = |d: Dd| (NONE..jump).contains(&d.to_f64().abs());
         if !told(at_a) || !told(at_b) || at_a.is_negative() == at_b.is_negative() {
             return None;
         }
@@ -261,13 +259,6 @@ impl Passing<'_> {
             self.x.other(self.sheet),
             self.y.other(self.sheet),
         ]
-    }
-
-    /// Whether it is the two branches that meet where three carriers do, and not others of the same sheets.
-    fn meet_at(&self, theta: Dd) -> bool {
-        /// Branches further apart than this (length) where three carriers meet are not those that meet.
-        const APART: f64 = 1e-9;
-        self.apart(theta).to_f64().abs() < APART
     }
 
     /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
@@ -361,38 +352,6 @@ impl Passing<'_> {
         let d = self.gap(theta);
         (d.value.abs() <= NEAR || d.value.is_nan()).then(|| event(theta, d.value, d.slope))
     }
-
-    /// A meeting in double-double, from what doubles tell of it; `None` if the two branches are apart there.
-    fn exactly(&self, f: &TrigPolynomial, event: Event) -> Option<Moment> {
-        /// What the steps of the secant rule gain is beyond rounding after so many.
-        const STEPS: usize = 12;
-        let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
-        let value = |theta: Dd| {
-            let turn = ExactTurn::by(theta);
-            concurrency([0, 1, 2].map(|i| three[i].carrier(&turn)))
-        };
-        let mut slope = f.at(event.theta).1;
-        let mut theta = Dd::from(event.theta);
-        let (mut at, terms) = value(theta);
-        let mut step = -(at / slope);
-        for _ in 0..STEPS {
-            if step.to_f64().abs() <= SAME_EXACT {
-                break;
-            }
-            let next = theta + step;
-            let (value, _) = value(next);
-            if !(value.abs() < at.abs()) {
-                break;
-            }
-            let change = (value - at) / step;
-            (theta, at, slope) = (next, value, change.to_f64());
-            step = -(value / change);
-        }
-        let error = 4.0 * step.to_f64().abs() + exact_error(64.0 * Dd::EPSILON * terms, slope);
-        let better = error <= event.error;
-        let moment = Some(Moment { theta, error }).filter(|_| better);
-        self.meet_at(theta).then(|| moment.unwrap_or(event.into()))
-    }
 }
 
 /// Steps shorter than this are rounding in double-double, radians.
@@ -401,37 +360,6 @@ const SAME_EXACT: f64 = 1e-30;
 /// Error of a root of a function that is known up to an error and has a slope there.
 fn exact_error(error: f64, slope: f64) -> f64 {
     error / slope.abs().max(f64::MIN_POSITIVE) + SAME_EXACT
-}
-
-/// The root in an interval in which there is one, by Newton's rule within a bracket.
-fn root(f: &TrigPolynomial<Dd>, mut lo: Dd, mut hi: Dd) -> Moment {
-    let at_lo = f.at(lo).0;
-    let mut theta = (lo + hi).scaled(0.5);
-    let mut width = (hi - lo).to_f64();
-    let all = width;
-    let mut slope = 0.0;
-    for _ in 0..200 {
-        let (value, change) = f.at(theta);
-        slope = change.to_f64();
-        if value.is_negative() == at_lo.is_negative() {
-            lo = theta;
-        } else {
-            hi = theta;
-        }
-        let next = theta - value / change;
-        let step = (next - theta).to_f64().abs();
-        let good = lo < next && next < hi && step <= 0.5 * width;
-        let next = if good { next } else { (lo + hi).scaled(0.5) };
-        width = if good { step } else { (hi - lo).to_f64() };
-        if width <= SAME_EXACT || value.is_zero() {
-            break;
-        }
-        theta = next;
-    }
-    Moment {
-        theta,
-        error: (width + exact_error(f.error(), slope)).min(all),
-    }
 }
 
 /// A meeting at an orientation at which the places of two branches still differ by `off`, and their difference changes by
