@@ -153,7 +153,9 @@ impl Passing<'_> {
                         let to = Dd::from((e.theta + around).min(b));
                         let from = if from < lo { lo } else { from };
                         let to = if hi < to { hi } else { to };
-                        self.change_of_order(from, to).into_iter().for_each(&mut *found);
+                        self.change_of_order(from, to)
+                            .into_iter()
+                            .for_each(&mut *found);
                     }
                 }
             }
@@ -171,7 +173,8 @@ impl Passing<'_> {
                     &mut |a, b| brackets.push((a, b)),
                     &mut |a, b| vague.push((a, b)),
                 );
-                let changes = (brackets.into_iter()).filter_map(|(a, b)| self.change_of_order(a, b));
+                let changes =
+                    (brackets.into_iter()).filter_map(|(a, b)| self.change_of_order(a, b));
                 changes.for_each(&mut *found);
             }
         }
@@ -183,10 +186,19 @@ impl Passing<'_> {
             }
             let mut budget = PLACE_BUDGET;
             let mut take = |e: Event| {
-                let around = (Dd::from(e.theta) - 2.0 * e.error, Dd::from(e.theta) + 2.0 * e.error);
+                let around = (
+                    Dd::from(e.theta) - 2.0 * e.error,
+                    Dd::from(e.theta) + 2.0 * e.error,
+                );
                 found(self.change_of_order(around.0, around.1).unwrap_or(e.into()));
             };
-            self.isolate_places(a.to_f64(), b.to_f64(), NARROWEST_BAND, &mut budget, &mut take);
+            self.isolate_places(
+                a.to_f64(),
+                b.to_f64(),
+                NARROWEST_BAND,
+                &mut budget,
+                &mut take,
+            );
         }
         count
     }

@@ -112,7 +112,20 @@ impl ShellFinder<'_> {
         self.judge(&cells.cells, &mut shells);
         if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
             for (i, s) in self.geometry.contacts.sheets.iter().enumerate() {
-                eprintln!("sheet {i} {:?} f {} m {} {:.17}..{:.17} dur {:e} names {} {} at {:?} {:?} radius {:e}", s.kind, s.fixed, s.moving, s.lo, s.hi, (s.to - s.from).to_f64(), s.start_name, s.end_name, s.start_at, s.end_at, s.radius);
+                eprintln!(
+                    "sheet {i} {:?} f {} m {} {:.17}..{:.17} dur {:e} names {} {} at {:?} {:?} radius {:e}",
+                    s.kind,
+                    s.fixed,
+                    s.moving,
+                    s.lo,
+                    s.hi,
+                    (s.to - s.from).to_f64(),
+                    s.start_name,
+                    s.end_name,
+                    s.start_at,
+                    s.end_at,
+                    s.radius
+                );
             }
             for (i, f) in self.geometry.fixed.features.iter().enumerate() {
                 eprintln!("fixed {i} {f:?}");
