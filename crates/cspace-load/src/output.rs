@@ -1,5 +1,6 @@
 //! What is printed. A stream that takes nothing any more ends no thread.
 
+use std::any::Any;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
@@ -18,4 +19,11 @@ pub fn print(text: &str) -> Result<(), String> {
 /// A line on standard error. Where nobody listens nothing can be done.
 pub fn note(line: impl Display) {
     let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// What a panic said.
+pub fn panic_text(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+    text.unwrap_or("of no text")
 }

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Configuration, PartError};
-use cspace_load::output::note;
+use cspace_load::output::{note, panic_text};
 use cspace_load::{Drawn, Effort, Fault, Report, Source, Tally, check, shrink};
 use cspace_oracle::{Case, Verdict};
 use rand::SeedableRng;
@@ -168,9 +168,7 @@ fn one(args: &Args, number: u64, mut drawn: Drawn) -> Option<Tally> {
         }
         Err(panic) => {
             tally.panics = 1;
-            let text = panic.downcast_ref::<String>().map(String::as_str);
-            let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
-            let said = format!("panic: {}", text.unwrap_or("of no text"));
+            let said = format!("panic: {}", panic_text(&*panic));
             tell(args, number, &drawn, "panic", &[said]);
         }
     }

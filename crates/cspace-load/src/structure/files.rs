@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use cspace_io::{Model, PairClass};
+use cspace_oracle::families::loops_of;
 
-use super::{Change, Specimen, loops_of};
+use super::{Change, Specimen};
 
 /// The family of pairs from files.
 pub const FILES: &str = "files";

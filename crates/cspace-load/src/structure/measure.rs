@@ -7,6 +7,7 @@ use cspace::{ComputeError, ContactSpace, Options, Progress, Stage, Window};
 use cspace_oracle::{Case, Compared, Fill};
 
 use super::Specimen;
+use crate::output::panic_text;
 
 /// Bands of less than this are narrow, radians.
 const NARROW: f64 = 1e-5;
@@ -90,11 +91,7 @@ pub fn measure(specimen: &Specimen, effort: Effort) -> Outcome {
     match catch_unwind(AssertUnwindSafe(|| measured(&case, effort))) {
         Ok(Ok(measured)) => Outcome::Measured(measured),
         Ok(Err(error)) => Outcome::GivenUp(error.to_string()),
-        Err(panic) => {
-            let text = panic.downcast_ref::<String>().map(String::as_str);
-            let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
-            Outcome::Panicked(text.unwrap_or("of no text").to_owned())
-        }
+        Err(panic) => Outcome::Panicked(panic_text(&*panic).to_owned()),
     }
 }
 

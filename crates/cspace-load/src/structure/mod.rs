@@ -12,6 +12,7 @@ mod totals;
 
 use cspace::{Part, PartError};
 use cspace_oracle::Case;
+use cspace_oracle::families::loops_of;
 
 pub use families::Change;
 pub use measure::{Effort, Flood, Measured, Outcome, measure};
@@ -78,11 +79,6 @@ impl Specimen {
         case.window = self.window;
         Ok(case)
     }
-}
-
-fn loops_of(part: &Part) -> Loops {
-    let loops = part.loops().iter();
-    loops.map(|l| l.vertices().to_vec()).collect()
 }
 
 /// All specimens but those of files: those with noise so many times with different noise.

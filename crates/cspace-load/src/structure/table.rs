@@ -37,10 +37,7 @@ pub(super) fn table() -> Vec<Specimen> {
         new("half-round notch in an L corridor", &corridor(ARM), &notch).expecting(2),
         new("half-round notch and an L", &l_shape(ARM), &notch).expecting(1),
     ];
-    all.extend(SOFAS.map(|(scale, regions)| {
-        let name = format!("sofa {scale} in its corridor");
-        new(&name, &corridor(ARM), &sofa(scale)).expecting(regions)
-    }));
+    all.extend(sofas(TABLE));
     let profile = v_slot_profile();
     all.push(new("V-slot profile and itself", &profile, &profile));
     let hole = |side: f64, part: &Part, play: f64| plate(side, &[&scaled(part, 1.0 + play)]);
@@ -57,12 +54,16 @@ pub(super) fn table() -> Vec<Specimen> {
     all
 }
 
+fn sofas(family: &'static str) -> [Specimen; 9] {
+    SOFAS.map(|(scale, regions)| {
+        let name = format!("sofa {scale} in its corridor");
+        Specimen::new(family, name, &corridor(ARM), &sofa(scale)).expecting(regions)
+    })
+}
+
 /// Sofas with noise that their passage does not notice.
 pub(super) fn add_sofas(all: &mut Vec<Specimen>, seed: u64, times: u32) {
-    let drawn = SOFAS.map(|(scale, regions)| {
-        let name = format!("sofa {scale} in its corridor");
-        Specimen::new("sofa", name, &corridor(ARM), &sofa(scale)).expecting(regions)
-    });
+    let drawn = sofas("sofa");
     for power in POWERS {
         for (plain, (scale, _)) in drawn.iter().zip(SOFAS) {
             if 10f64.powi(-power) > HARMLESS * (1.0 - scale) {

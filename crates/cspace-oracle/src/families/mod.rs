@@ -19,7 +19,7 @@ mod symmetric;
 use cspace::{Configuration, Part, PartError};
 use rand::Rng;
 
-pub use outline::Loops;
+pub use outline::{Loops, loops_of};
 
 /// Two parts to try the library on, and over which orientations.
 #[derive(Debug, Clone)]

@@ -66,7 +66,7 @@ pub(super) fn plate(side: f64, holes: Loops) -> Loops {
 }
 
 /// The loops of a part.
-pub(super) fn loops_of(part: &Part) -> Loops {
+pub fn loops_of(part: &Part) -> Loops {
     part.loops().iter().map(|l| l.vertices().to_vec()).collect()
 }
 
