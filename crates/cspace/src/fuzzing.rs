@@ -49,7 +49,7 @@ pub struct Curve {
 pub fn events(f: &Curve, g: &Curve, mid: f64, half: f64) -> Vec<Root> {
     let (f, g) = (sheet(f, 0), sheet(g, 2));
     let mut all = Vec::new();
-    conditions(&f, &g, &f.shared_ends(&g, u32::MAX), |trig, _| {
+    conditions(&f, &g, &f.shared_ends(&g, u32::MAX), |trig| {
         all.extend(roots(&trig, mid, half));
     });
     all
