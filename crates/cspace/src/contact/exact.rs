@@ -55,143 +55,159 @@ impl ExactSpiral {
 
 #[derive(Debug, Clone, Copy)]
 enum Locus {
-    Line { normal: Xy<Dd>, turns: bool },
-    Circle { center: ExactSpiral, radius: Dd },
+    Line {
+        normal: Xy<Dd>,
+        turns: bool,
+        through: ExactSpiral,
+    },
+    Circle {
+        center: ExactSpiral,
+        radius: Dd,
+    },
 }
 
 /// A sheet in double-double.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ExactSheet<'a> {
+    fixed: &'a Outline,
+    moving: &'a Outline,
     rough: &'a Sheet,
     locus: Locus,
-    start: ExactSpiral,
-    end: ExactSpiral,
 }
 
-/// Its curve at one orientation.
+/// The carrier of a sheet at one orientation.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ExactCurve {
-    carrier: Carrier<Dd>,
-    start: Xy<Dd>,
-    end: Xy<Dd>,
-    /// From the centre of a circle to about the middle of the curve, of length about one.
-    middle: Xy<Dd>,
+pub(crate) struct ExactCarrier {
+    pub(crate) carrier: Carrier<Dd>,
     /// Whether roots with it are named by where it enters.
     is_bow: bool,
 }
 
+/// The curve of a sheet at one orientation.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExactCurve {
+    carrier: ExactCarrier,
+    start: Xy<Dd>,
+    end: Xy<Dd>,
+    /// From the centre of a circle to about the middle of the curve, of length about one.
+    middle: Xy<Dd>,
+}
+
 impl<'a> ExactSheet<'a> {
     /// The sheet of two outlines in double-double.
-    pub(crate) fn new(fixed: &Outline, moving: &Outline, sheet: &'a Sheet) -> Self {
-        let (a, b) = (
-            &fixed.exact_features[sheet.fixed as usize],
-            &moving.exact_features[sheet.moving as usize],
-        );
-        let end = |at: EndAt| match at {
-            EndAt::Fixed(j) => {
-                let j = &fixed.exact_joints[j as usize];
-                ExactSpiral {
-                    u: plus(j.point, times(j.normal, b.radius)),
-                    w: negative(b.center),
-                }
-            }
-            EndAt::Moving(j) => {
-                let j = &moving.exact_joints[j as usize];
-                ExactSpiral {
-                    u: a.center,
-                    w: negative(plus(j.point, times(j.normal, a.radius))),
-                }
-            }
+    pub(crate) fn new(fixed: &'a Outline, moving: &'a Outline, sheet: &'a Sheet) -> Self {
+        let (f, m) = (sheet.fixed as usize, sheet.moving as usize);
+        let line = |normal, turns| Locus::Line {
+            normal,
+            turns,
+            through: end(fixed, moving, sheet, sheet.start_at),
         };
         let locus = match sheet.kind {
             SheetKind::LineRound => {
-                let start = fixed.features[sheet.fixed as usize].start;
-                Locus::Line {
-                    normal: fixed.exact_joints[start as usize].normal,
-                    turns: false,
-                }
+                let start = fixed.features[f].start;
+                line(fixed.exact_joints[start as usize].normal, false)
             }
             SheetKind::RoundLine => {
-                let start = moving.features[sheet.moving as usize].start;
-                Locus::Line {
-                    normal: negative(moving.exact_joints[start as usize].normal),
-                    turns: true,
+                let start = moving.features[m].start;
+                line(negative(moving.exact_joints[start as usize].normal), true)
+            }
+            SheetKind::RoundRound | SheetKind::FixedBow | SheetKind::MovingBow => {
+                let (a, b) = (&fixed.exact_features[f], &moving.exact_features[m]);
+                Locus::Circle {
+                    center: ExactSpiral {
+                        u: a.center,
+                        w: negative(b.center),
+                    },
+                    radius: a.radius + b.radius,
                 }
             }
-            SheetKind::RoundRound | SheetKind::FixedBow | SheetKind::MovingBow => Locus::Circle {
-                center: ExactSpiral {
-                    u: a.center,
-                    w: negative(b.center),
-                },
-                radius: a.radius + b.radius,
-            },
         };
         Self {
+            fixed,
+            moving,
             rough: sheet,
             locus,
-            start: end(sheet.start_at),
-            end: end(sheet.end_at),
         }
+    }
+
+    /// Where its curve starts and ends.
+    fn ends(&self) -> [ExactSpiral; 2] {
+        let end = |at| end(self.fixed, self.moving, self.rough, at);
+        let start = match self.locus {
+            Locus::Line { through, .. } => through,
+            Locus::Circle { .. } => end(self.rough.start_at),
+        };
+        [start, end(self.rough.end_at)]
     }
 
     /// Its curve at an orientation.
     pub(crate) fn curve(&self, turn: &ExactTurn) -> ExactCurve {
-        let (start, end) = (self.start.at(turn), self.end.at(turn));
-        let (carrier, middle) = match self.locus {
-            Locus::Line { normal, turns } => {
-                let normal = if turns {
-                    turned(normal, turn.cos, turn.sin)
-                } else {
-                    normal
-                };
-                let through = start;
-                (Carrier::Line { normal, through }, (Dd::ZERO, Dd::ZERO))
-            }
-            Locus::Circle { center, radius } => {
-                let center = center.at(turn);
-                let middle = if self.rough.is_bow() {
-                    // Both ends are nearly in one direction from far away.
-                    let v = rounded(plus(minus(start, center), minus(end, center)));
-                    Vector::new(v.0, v.1).unit()
-                } else {
-                    let theta = turn.theta.to_f64();
-                    let (from, to) = (
-                        self.rough.start_angle.at(theta),
-                        self.rough.end_angle.at(theta),
-                    );
-                    Vector::from_angle(0.5 * (from + to)) * self.rough.radius.signum()
-                };
-                let middle = exactly((middle.x, middle.y));
-                (Carrier::Circle { center, radius }, middle)
-            }
+        let [start, end] = self.ends().map(|p| p.at(turn));
+        let carrier = self.carrier(turn);
+        let middle = match carrier.carrier {
+            Carrier::Circle { center, .. } => self.middle(turn, || {
+                // Both ends are nearly in one direction from far away.
+                let v = rounded(plus(minus(start, center), minus(end, center)));
+                Vector::new(v.0, v.1).unit()
+            }),
+            _ => (Dd::ZERO, Dd::ZERO),
         };
         ExactCurve {
             carrier,
             start,
             end,
             middle,
-            is_bow: self.rough.is_bow(),
         }
     }
 
-    /// The carrier at an orientation.
-    pub(crate) fn carrier(&self, turn: &ExactTurn) -> Carrier<Dd> {
-        self.curve(turn).carrier
+    /// From the centre of a circle to about the middle of the curve.
+    fn middle(&self, turn: &ExactTurn, of_bow: impl Fn() -> Vector) -> Xy<Dd> {
+        let middle = if self.rough.is_bow() {
+            of_bow()
+        } else {
+            let theta = turn.theta.to_f64();
+            let (from, to) = (
+                self.rough.start_angle.at(theta),
+                self.rough.end_angle.at(theta),
+            );
+            Vector::from_angle(0.5 * (from + to)) * self.rough.radius.signum()
+        };
+        exactly((middle.x, middle.y))
     }
 
-    /// The coefficients of p ↦ n·(p − start) − offset at a spiral.
-    fn height(&self, normal: Xy<Dd>, turns: bool, p: &ExactSpiral, offset: Dd) -> Condition {
-        let (u, w) = (minus(p.u, self.start.u), minus(p.w, self.start.w));
-        let (stays, moves) = if turns { (w, u) } else { (u, w) };
-        Condition {
-            coefficients: height_coefficients(normal, stays, moves, offset, turns),
-            scale: p.size() + self.start.size() + offset.to_f64().abs(),
+    /// The carrier at an orientation.
+    pub(crate) fn carrier(&self, turn: &ExactTurn) -> ExactCarrier {
+        let carrier = match self.locus {
+            Locus::Line {
+                normal,
+                turns,
+                through,
+            } => Carrier::Line {
+                normal: if turns {
+                    turned(normal, turn.cos, turn.sin)
+                } else {
+                    normal
+                },
+                through: through.at(turn),
+            },
+            Locus::Circle { center, radius } => Carrier::Circle {
+                center: center.at(turn),
+                radius,
+            },
+        };
+        ExactCarrier {
+            carrier,
+            is_bow: self.rough.is_bow(),
         }
     }
 
     fn passing(&self, p: &ExactSpiral) -> Condition {
         match self.locus {
-            Locus::Line { normal, turns } => self.height(normal, turns, p, Dd::ZERO),
+            Locus::Line {
+                normal,
+                turns,
+                through,
+            } => height(normal, turns, &through, p, Dd::ZERO),
             Locus::Circle { center, radius } => apart(p, &center, radius),
         }
     }
@@ -199,25 +215,36 @@ impl<'a> ExactSheet<'a> {
     /// Calls `take` with every condition under which crossings of two sheets come or go; see `condition.rs`.
     fn conditions(&self, other: &Self, shared: &SharedEnds, mut take: impl FnMut(Condition)) {
         let [end_shared, start_shared] = shared.corners.map(|c| c.is_some());
+        let ([start, end], [other_start, other_end]) = (self.ends(), other.ends());
         let mut passing = |shared: bool, end: &ExactSpiral, over: &Self| {
             if !shared {
                 take(over.passing(end));
             }
         };
-        passing(start_shared, &self.start, other);
-        passing(end_shared, &self.end, other);
-        passing(end_shared, &other.start, self);
-        passing(start_shared, &other.end, self);
+        passing(start_shared, &start, other);
+        passing(end_shared, &end, other);
+        passing(end_shared, &other_start, self);
+        passing(start_shared, &other_end, self);
         match (&self.locus, &other.locus) {
             (Locus::Line { .. }, Locus::Line { .. }) => {}
-            (&Locus::Line { normal, turns }, Locus::Circle { center, radius }) => {
+            (
+                Locus::Line {
+                    normal,
+                    turns,
+                    through,
+                },
+                Locus::Circle { center, radius },
+            )
+            | (
+                Locus::Circle { center, radius },
+                Locus::Line {
+                    normal,
+                    turns,
+                    through,
+                },
+            ) => {
                 for r in [*radius, -*radius] {
-                    take(self.height(normal, turns, center, r));
-                }
-            }
-            (Locus::Circle { center, radius }, &Locus::Line { normal, turns }) => {
-                for r in [*radius, -*radius] {
-                    take(other.height(normal, turns, center, r));
+                    take(height(*normal, *turns, through, center, r));
                 }
             }
             (
@@ -261,6 +288,46 @@ impl<'a> ExactSheet<'a> {
                 }
             });
         });
+    }
+}
+
+/// Where a curve starts or ends.
+fn end(fixed: &Outline, moving: &Outline, sheet: &Sheet, at: EndAt) -> ExactSpiral {
+    let (a, b) = (
+        &fixed.exact_features[sheet.fixed as usize],
+        &moving.exact_features[sheet.moving as usize],
+    );
+    match at {
+        EndAt::Fixed(j) => {
+            let j = &fixed.exact_joints[j as usize];
+            ExactSpiral {
+                u: plus(j.point, times(j.normal, b.radius)),
+                w: negative(b.center),
+            }
+        }
+        EndAt::Moving(j) => {
+            let j = &moving.exact_joints[j as usize];
+            ExactSpiral {
+                u: a.center,
+                w: negative(plus(j.point, times(j.normal, a.radius))),
+            }
+        }
+    }
+}
+
+/// The condition p ↦ n·(p − through) − offset at a spiral.
+fn height(
+    normal: Xy<Dd>,
+    turns: bool,
+    through: &ExactSpiral,
+    p: &ExactSpiral,
+    offset: Dd,
+) -> Condition {
+    let (u, w) = (minus(p.u, through.u), minus(p.w, through.w));
+    let (stays, moves) = if turns { (w, u) } else { (u, w) };
+    Condition {
+        coefficients: height_coefficients(normal, stays, moves, offset, turns),
+        scale: p.size() + through.size() + offset.to_f64().abs(),
     }
 }
 
@@ -319,98 +386,15 @@ pub(crate) struct ExactCrossing {
     pub(crate) enters: bool,
 }
 
-impl ExactCurve {
-    /// Length of travel from about the middle of the curve to a point of it, given as `place_on` gives it.
-    fn length_of(&self, v: Xy<Dd>) -> Dd {
-        match self.carrier {
-            Carrier::Line { normal, .. } => {
-                let all = dot(left(normal), minus(self.end, self.start));
-                v.0 - all.scaled(0.5)
-            }
-            Carrier::Circle { radius, .. } => {
-                Dd::atan2(cross(self.middle, v), dot(self.middle, v)) * radius
-            }
-            Carrier::Bow(_) => Dd::ZERO,
-        }
-    }
-
-    /// The same of a point of the plane on the curve.
-    fn position(&self, p: Xy<Dd>) -> Dd {
-        match self.carrier {
-            Carrier::Line { normal, through } => {
-                self.length_of((dot(left(normal), minus(p, through)), Dd::ZERO))
-            }
-            Carrier::Circle { center, .. } => self.length_of(minus(p, center)),
-            Carrier::Bow(_) => Dd::ZERO,
-        }
-    }
-
-    /// The places of its ends.
-    pub(crate) fn ends(&self) -> (Dd, Dd) {
-        let (start, end) = (self.position(self.start), self.position(self.end));
-        match self.carrier {
-            // All of a circle ends where it starts, half a turn from the middle.
-            Carrier::Circle { .. } if start > end => {
-                if start.abs() > end.abs() {
-                    (-start.abs(), end)
-                } else {
-                    (start, end.abs())
-                }
-            }
-            _ => (start, end),
-        }
-    }
-
-    /// The point at a place, given as a length of travel from about the middle.
-    pub(crate) fn point(&self, place: Dd) -> Xy<Dd> {
-        match self.carrier {
-            Carrier::Line { normal, .. } => {
-                let middle = times(plus(self.start, self.end), Dd::from(0.5));
-                plus(middle, times(left(normal), place))
-            }
-            Carrier::Circle { center, radius } => {
-                let (sin, cos) = (place / radius).sin_cos();
-                let way = turned(self.middle, cos, sin);
-                let far = times(way, radius.abs() / length(self.middle));
-                plus(center, far)
-            }
-            Carrier::Bow(_) => self.start,
-        }
-    }
-
-    /// Where it starts and ends.
-    pub(crate) fn end_points(&self) -> [Xy<Dd>; 2] {
-        [self.start, self.end]
-    }
-
-    /// The normal towards the free side at a point of it.
-    pub(crate) fn normal(&self, p: Xy<Dd>) -> Xy<Dd> {
-        match self.carrier {
-            Carrier::Line { normal, .. } => normal,
-            Carrier::Circle { center, radius } => times(minus(p, center), Dd::ONE / radius),
-            Carrier::Bow(bow) => bow.normal,
-        }
-    }
-
-    /// On which side of it a point beside it is: whether on that of its line's normal, or outside of its circle.
-    pub(crate) fn side_of(&self, p: Xy<Dd>) -> Option<bool> {
-        let off = match self.carrier {
-            Carrier::Line { normal, through } => dot(normal, minus(p, through)),
-            Carrier::Circle { center, radius } => length(minus(p, center)) - radius.abs(),
-            Carrier::Bow(_) => return None,
-        };
-        let (place, (lo, hi)) = (self.position(p), self.ends());
-        (lo < place && place < hi).then_some(!off.is_negative())
-    }
-
-    /// Where another curve's carrier crosses its own, as a length of travel; where they do not, the nearest place to that.
-    pub(crate) fn place(&self, other: &Self, root: u8, swapped: bool) -> Dd {
+impl ExactCarrier {
+    /// Where another carrier crosses it, as [`place_on`] gives it; where they do not, the nearest place to that.
+    pub(crate) fn crossed_by(&self, other: &Self, root: u8, swapped: bool) -> Xy<Dd> {
         let root = if swapped {
             other.own_root(self, root)
         } else {
             self.own_root(other, root)
         };
-        self.length_of(place_on(&self.carrier, &other.carrier, root, swapped))
+        place_on(&self.carrier, &other.carrier, root, swapped)
     }
 
     /// Roots with large circles are named by where the first curve enters: the name of that crossing here.
@@ -500,19 +484,109 @@ impl ExactCurve {
             _ => false,
         }
     }
+}
+
+impl ExactCurve {
+    /// Length of travel from about the middle of the curve to a point of it, given as `place_on` gives it.
+    fn length_of(&self, v: Xy<Dd>) -> Dd {
+        match self.carrier.carrier {
+            Carrier::Line { normal, .. } => {
+                let all = dot(left(normal), minus(self.end, self.start));
+                v.0 - all.scaled(0.5)
+            }
+            Carrier::Circle { radius, .. } => {
+                Dd::atan2(cross(self.middle, v), dot(self.middle, v)) * radius
+            }
+            Carrier::Bow(_) => Dd::ZERO,
+        }
+    }
+
+    /// The same of a point of the plane on the curve.
+    fn position(&self, p: Xy<Dd>) -> Dd {
+        match self.carrier.carrier {
+            Carrier::Line { normal, through } => {
+                self.length_of((dot(left(normal), minus(p, through)), Dd::ZERO))
+            }
+            Carrier::Circle { center, .. } => self.length_of(minus(p, center)),
+            Carrier::Bow(_) => Dd::ZERO,
+        }
+    }
+
+    /// The places of its ends.
+    pub(crate) fn ends(&self) -> (Dd, Dd) {
+        let (start, end) = (self.position(self.start), self.position(self.end));
+        match self.carrier.carrier {
+            // All of a circle ends where it starts, half a turn from the middle.
+            Carrier::Circle { .. } if start > end => {
+                if start.abs() > end.abs() {
+                    (-start.abs(), end)
+                } else {
+                    (start, end.abs())
+                }
+            }
+            _ => (start, end),
+        }
+    }
+
+    /// The point at a place, given as a length of travel from about the middle.
+    pub(crate) fn point(&self, place: Dd) -> Xy<Dd> {
+        match self.carrier.carrier {
+            Carrier::Line { normal, .. } => {
+                let middle = times(plus(self.start, self.end), Dd::from(0.5));
+                plus(middle, times(left(normal), place))
+            }
+            Carrier::Circle { center, radius } => {
+                let (sin, cos) = (place / radius).sin_cos();
+                let way = turned(self.middle, cos, sin);
+                let far = times(way, radius.abs() / length(self.middle));
+                plus(center, far)
+            }
+            Carrier::Bow(_) => self.start,
+        }
+    }
+
+    /// Where it starts and ends.
+    pub(crate) fn end_points(&self) -> [Xy<Dd>; 2] {
+        [self.start, self.end]
+    }
+
+    /// The normal towards the free side at a point of it.
+    pub(crate) fn normal(&self, p: Xy<Dd>) -> Xy<Dd> {
+        match self.carrier.carrier {
+            Carrier::Line { normal, .. } => normal,
+            Carrier::Circle { center, radius } => times(minus(p, center), Dd::ONE / radius),
+            Carrier::Bow(bow) => bow.normal,
+        }
+    }
+
+    /// On which side of it a point beside it is: whether on that of its line's normal, or outside of its circle.
+    pub(crate) fn side_of(&self, p: Xy<Dd>) -> Option<bool> {
+        let off = match self.carrier.carrier {
+            Carrier::Line { normal, through } => dot(normal, minus(p, through)),
+            Carrier::Circle { center, radius } => length(minus(p, center)) - radius.abs(),
+            Carrier::Bow(_) => return None,
+        };
+        let (place, (lo, hi)) = (self.position(p), self.ends());
+        (lo < place && place < hi).then_some(!off.is_negative())
+    }
+
+    /// Where another carrier crosses its own, as a length of travel; where they do not, the nearest place to that.
+    pub(crate) fn place(&self, other: &ExactCarrier, root: u8, swapped: bool) -> Dd {
+        self.length_of(self.carrier.crossed_by(other, root, swapped))
+    }
 
     /// The crossing with the given name, wherever it lies on the carriers.
     pub(crate) fn crossing(&self, other: &Self, root: u8) -> Option<ExactCrossing> {
         let lines = matches!(
-            (&self.carrier, &other.carrier),
+            (&self.carrier.carrier, &other.carrier.carrier),
             (Carrier::Line { .. }, Carrier::Line { .. })
         );
-        if !self.meets(other) || (lines && root > 0) {
+        if !self.carrier.meets(&other.carrier) || (lines && root > 0) {
             return None;
         }
-        let root = self.own_root(other, root);
-        let v = place_on(&self.carrier, &other.carrier, root, false);
-        let point = match self.carrier {
+        let root = self.carrier.own_root(&other.carrier, root);
+        let v = place_on(&self.carrier.carrier, &other.carrier.carrier, root, false);
+        let point = match self.carrier.carrier {
             Carrier::Line { normal, through } => plus(through, times(left(normal), v.0)),
             Carrier::Circle { center, .. } => plus(center, v),
             Carrier::Bow(_) => return None,
@@ -520,13 +594,13 @@ impl ExactCurve {
         Some(ExactCrossing {
             places: (self.length_of(v), other.position(point)),
             point,
-            enters: self.enters(other, root),
+            enters: self.carrier.enters(&other.carrier, root),
         })
     }
 
     /// How far outward along a direction from a point its carrier lies, near that point.
     pub(crate) fn height(&self, p: Xy<Dd>, outward: Xy<Dd>) -> Dd {
-        match self.carrier {
+        match self.carrier.carrier {
             Carrier::Line { normal, through } => {
                 dot(normal, minus(through, p)) / dot(normal, outward)
             }

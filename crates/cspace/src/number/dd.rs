@@ -122,18 +122,12 @@ impl Dd {
     /// The same for |x| ≤ 0.05.
     fn sin_cos_of_little(self) -> (Self, Self) {
         let square = self * self;
-        let mut term = self;
-        let mut sin = self;
-        let mut k = 1.0;
-        // The terms shrink by a factor of 400 at least: eight leave less than 1e-34.
-        for _ in 0..9 {
-            term = -(term * square) / ((k + 1.0) * (k + 2.0));
-            sin = sin + term;
-            k += 2.0;
-            if term.hi.abs() < 1e-34 {
-                break;
-            }
+        // x (1 − x²/3! + x⁴/5! …): what is left out is below 1e-35.
+        let mut sum = INVERSE[0];
+        for &c in &INVERSE[1..] {
+            sum = c - sum * square;
         }
+        let sin = sum * self;
         // 1 − 2 sin²(x/2) would need another series; the root is exact as |sin| is small.
         let cos = (Self::ONE - sin * sin).sqrt();
         (sin, cos)
@@ -150,6 +144,43 @@ impl Dd {
         first + t - t * t * t / 3.0
     }
 }
+
+/// 1/n! of the odd n from 17 down to 1.
+const INVERSE: [Dd; 9] = [
+    Dd {
+        hi: 2.8114572543455206e-15,
+        lo: 1.6508842730861433e-31,
+    },
+    Dd {
+        hi: 7.647163731819816e-13,
+        lo: 7.03872877733453e-30,
+    },
+    Dd {
+        hi: 1.6059043836821613e-10,
+        lo: 1.2585294588752098e-26,
+    },
+    Dd {
+        hi: 2.505210838544172e-08,
+        lo: -1.448814070935912e-24,
+    },
+    Dd {
+        hi: 2.7557319223985893e-06,
+        lo: -1.858393274046472e-22,
+    },
+    Dd {
+        hi: 0.0001984126984126984,
+        lo: 1.7209558293420705e-22,
+    },
+    Dd {
+        hi: 0.008333333333333333,
+        lo: 1.1564823173178714e-19,
+    },
+    Dd {
+        hi: 0.16666666666666666,
+        lo: 9.25185853854297e-18,
+    },
+    Dd { hi: 1.0, lo: 0.0 },
+];
 
 /// Sine and cosine of a multiple of π/32.
 fn multiples(step: i32) -> (Dd, Dd) {
@@ -259,10 +290,8 @@ impl Div for Dd {
         let q1 = self.hi / o.hi;
         let r = self - o * q1;
         let q2 = r.hi / o.hi;
-        let r = r - o * q2;
-        let q3 = r.hi / o.hi;
-        let (q1, q2) = quick_two_sum(q1, q2);
-        Self { hi: q1, lo: q2 } + Self::from(q3)
+        let (hi, lo) = quick_two_sum(q1, q2);
+        Self { hi, lo }
     }
 }
 

@@ -299,7 +299,7 @@ impl Tracer<'_> {
 /// Whether two sheets have one carrier at an orientation.
 fn coincide(geometry: &Geometry, run: &PairRun, theta: Dd) -> bool {
     let turn = ExactTurn::by(theta);
-    let [f, g] = [run.first, run.second].map(|s| exact_sheet(geometry, s).curve(&turn));
+    let [f, g] = [run.first, run.second].map(|s| exact_sheet(geometry, s).carrier(&turn));
     f.is_one_with(&g)
 }
 

@@ -4,8 +4,6 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use core::f64::consts::PI;
-
 use crate::contact::{Carrier, ExactTurn, Geometry, Sheet, place_on};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::plane::{Xy, cross, dot, minus, times};
@@ -13,7 +11,7 @@ use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
 
 use super::branch::Branch;
 use super::clusters::Moment;
-use super::placing::{ExactPlacing, exact_sheet};
+use super::placing::{Placing, exact_sheet};
 
 /// Pieces narrower than this are not halved further (radians).
 ///
@@ -94,9 +92,7 @@ pub(super) struct Passing<'a> {
 }
 
 impl Passing<'_> {
-    /// The difference of the places of the two branches; `None` where they cannot meet.
-    ///
-    /// On a line a difference of lengths; on a circle the sine of the angle from x to y, times the radius.
+    /// The difference of the places of the two branches; see [`between`].
     fn difference<T: Real>(&self, cos: T, sin: T) -> T {
         let sheets = &self.geometry.contacts.sheets;
         let f = &sheets[self.sheet as usize];
@@ -112,7 +108,7 @@ impl Passing<'_> {
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
-            (p.0 * q.1 - p.1 * q.0) * T::constant(1.0 / f.radius.abs())
+            cross(p, q) * T::constant(1.0 / f.radius.abs())
         } else {
             p.0 - q.0
         }
@@ -153,7 +149,7 @@ impl Passing<'_> {
                         let to = Dd::from((e.theta + around).min(b));
                         let from = if from < lo { lo } else { from };
                         let to = if hi < to { hi } else { to };
-                        self.change_of_order(from, to)
+                        self.change_of_order(from, to, Some(e.theta))
                             .into_iter()
                             .for_each(&mut *found);
                     }
@@ -174,14 +170,16 @@ impl Passing<'_> {
                     &mut |a, b| vague.push((a, b)),
                 );
                 let changes =
-                    (brackets.into_iter()).filter_map(|(a, b)| self.change_of_order(a, b));
+                    (brackets.into_iter()).filter_map(|(a, b)| self.change_of_order(a, b, None));
                 changes.for_each(&mut *found);
             }
         }
         let count = vague.len() as u64;
         for (a, b) in vague {
             if f.is_some() {
-                self.change_of_order(a, b).into_iter().for_each(&mut *found);
+                self.change_of_order(a, b, None)
+                    .into_iter()
+                    .for_each(&mut *found);
                 continue;
             }
             let mut budget = PLACE_BUDGET;
@@ -190,7 +188,10 @@ impl Passing<'_> {
                     Dd::from(e.theta) - 2.0 * e.error,
                     Dd::from(e.theta) + 2.0 * e.error,
                 );
-                found(self.change_of_order(around.0, around.1).unwrap_or(e.into()));
+                found(
+                    self.change_of_order(around.0, around.1, None)
+                        .unwrap_or(e.into()),
+                );
             };
             self.isolate_places(
                 a.to_f64(),
@@ -203,55 +204,97 @@ impl Passing<'_> {
         count
     }
 
-    /// The difference of the places of the two branches in double-double.
+    /// The difference of the places of the two branches in double-double; see [`between`].
     fn apart(&self, theta: Dd) -> Dd {
-        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
-        placing.place(self.x) - placing.place(self.y)
+        let turn = ExactTurn::by(theta);
+        let carrier = |s| exact_sheet(self.geometry, s).carrier(&turn);
+        let f = carrier(self.sheet);
+        let place = |b: &Branch| {
+            let g = carrier(b.other(self.sheet));
+            f.crossed_by(&g, b.root, b.second == self.sheet)
+        };
+        between(&f.carrier, place(self.x), place(self.y))
     }
 
-    /// Where the two branches pass each other between two orientations, if their order changes: by the rule of false position,
-    /// an end that stays counting half (Illinois).
-    ///
-    /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
-    fn change_of_order(&self, lo: Dd, hi: Dd) -> Option<Moment> {
-        /// Smaller ones are rounding (length): where three carriers always share a point.
-        const NONE: f64 = 1e-27;
-        let ((mut a, mut at_a), (mut b, mut at_b)) = ((lo, self.apart(lo)), (hi, self.apart(hi)));
-        // Larger differences are a turn around a circle.
-        let sheet = &self.geometry.contacts.sheets[self.sheet as usize];
-        let jump = if sheet.is_line() {
-            f64::INFINITY
-        } else {
-            PI * sheet.radius.abs()
-        };
-        let told = |d: Dd| (NONE..jump).contains(&d.to_f64().abs());
-        if !told(at_a) || !told(at_b) || at_a.is_negative() == at_b.is_negative() {
+    /// The same in doubles, if its sign is certain.
+    fn roughly_apart(&self, theta: f64) -> Option<f64> {
+        /// Errors are estimates; this much worse they may be.
+        const MARGIN: f64 = 8.0;
+        let placing = Placing::new(self.geometry, self.sheet, theta);
+        let small = |s: &u32| self.geometry.contacts.sheets[*s as usize].is_small();
+        if self.sheets().iter().any(small) {
             return None;
         }
-        for _ in 0..100 {
+        let ((p, e), (q, f)) = (placing.crossed_by(self.x), placing.crossed_by(self.y));
+        let apart = between(placing.carrier(), p, q);
+        (apart.abs() > MARGIN * (e + f)).then_some(apart)
+    }
+
+    /// Where the two branches pass each other between two orientations, if their order changes: by secants, from where doubles
+    /// tell that it may be, halving where a secant leaves the interval or does not shorten it.
+    ///
+    /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
+    fn change_of_order(&self, lo: Dd, hi: Dd, near: Option<f64>) -> Option<Moment> {
+        /// Smaller ones are rounding (length): where three carriers always share a point.
+        const NONE: f64 = 1e-27;
+        let at = |theta: Dd| {
+            let rough = self.roughly_apart(theta.to_f64()).map(Dd::from);
+            let apart = rough.unwrap_or_else(|| self.apart(theta));
+            (apart.to_f64().abs() >= NONE).then_some(apart)
+        };
+        let ((mut a, at_a), (mut b, at_b)) = ((lo, at(lo)?), (hi, at(hi)?));
+        if at_a.is_negative() == at_b.is_negative() {
+            return None;
+        }
+        // The secant through the ends, and where it is zero.
+        let mut slope = (at_b - at_a) / (b - a);
+        let mut c = near.map_or_else(|| a - at_a / slope, Dd::from);
+        let mut last: Option<(Dd, Dd)> = None;
+        // The longest step that counts as one of a secant.
+        let mut longest = (b - a).to_f64();
+        for _ in 0..MOST_STEPS {
             if (b - a).to_f64() <= SAME_EXACT {
                 break;
             }
-            let mut c = a + (b - a) * (at_a / (at_a - at_b));
             if !(a < c && c < b) {
                 c = (a + b).scaled(0.5);
             }
             let at_c = self.apart(c);
-            if at_c.to_f64().abs() < 0.01 * NONE {
+            if at_c.is_negative() == at_a.is_negative() {
+                a = c;
+            } else {
+                b = c;
+            }
+            if let Some((before, at_before)) = last {
+                slope = (at_c - at_before) / (c - before);
+            }
+            let step = -(at_c / slope);
+            let size = step.to_f64().abs();
+            // The next would be as the product of the last two.
+            let next = last.map_or(f64::INFINITY, |l| size * (l.0 - c).to_f64().abs());
+            last = Some((c, at_c));
+            if at_c.to_f64().abs() < 0.01 * NONE || size + next * CURVED < SAME_EXACT {
                 (a, b) = (c, c);
                 break;
             }
-            if at_c.is_negative() == at_a.is_negative() {
-                (a, at_a) = (c, at_c);
-                at_b = at_b.scaled(0.5);
-            } else {
-                (b, at_b) = (c, at_c);
-                at_a = at_a.scaled(0.5);
+            if next * CURVED < SAME_EXACT {
+                (a, b) = (c + step, c + step);
+                break;
             }
+            longest *= 0.5;
+            c = if size <= longest {
+                c + step
+            } else {
+                (a + b).scaled(0.5)
+            };
         }
         let theta = (a + b).scaled(0.5);
-        let slope = ((self.apart(hi) - self.apart(lo)) / (hi - lo)).to_f64();
-        let error = (b - a).to_f64() + exact_error(NONE, slope);
+        let (_, at_last) = last?;
+        // Places on opposite sides of a circle change their order, too.
+        if at_last.to_f64().abs() > NEAR {
+            return None;
+        }
+        let error = (b - a).to_f64() + exact_error(NONE, slope.to_f64());
         Some(Moment { theta, error })
     }
 
@@ -260,7 +303,7 @@ impl Passing<'_> {
         let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
         TrigPolynomial::sampled(|cos, sin| {
             let turn = ExactTurn::of(cos, sin);
-            concurrency([0, 1, 2].map(|i| three[i].carrier(&turn)))
+            concurrency([0, 1, 2].map(|i| three[i].carrier(&turn).carrier))
         })
     }
 
@@ -336,8 +379,6 @@ impl Passing<'_> {
     /// The root in an interval in which there is one, by Newton's rule within a bracket; `None` if the two branches are apart
     /// there.
     fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64) -> Option<Event> {
-        /// Branches further apart than this (length) at the root are not those that meet.
-        const NEAR: f64 = 1e-4;
         /// Steps shorter than this are rounding, radians.
         const SAME: f64 = 1e-15;
         let at_lo = f.at(lo).0;
@@ -366,8 +407,35 @@ impl Passing<'_> {
     }
 }
 
+/// How far one place on a carrier is before another: on a line a difference of lengths; on a circle the sine of the angle between
+/// them, times the radius, and beyond quarter turns what goes on from that.
+fn between<T: Real>(carrier: &Carrier<T>, p: Xy<T>, q: Xy<T>) -> T {
+    let Carrier::Circle { radius, .. } = *carrier else {
+        return p.0 - q.0;
+    };
+    let sine = cross(p, q).over(radius);
+    if dot(p, q).rough() >= 0.0 {
+        return sine;
+    }
+    let twice = T::constant(2.0) * radius;
+    if (sine.rough() < 0.0) == (radius.rough() < 0.0) {
+        twice - sine
+    } else {
+        -twice - sine
+    }
+}
+
+/// Branches further apart than this (length) where their order changes are not those that meet.
+const NEAR: f64 = 1e-4;
+
 /// Steps shorter than this are rounding in double-double, radians.
 const SAME_EXACT: f64 = 1e-30;
+
+/// Steps towards a meeting, at most.
+const MOST_STEPS: usize = 200;
+
+/// Bound on half the second derivative of places by their first, per radian, where secants converge at all.
+const CURVED: f64 = 1e6;
 
 /// Error of a root of a function that is known up to an error and has a slope there.
 fn exact_error(error: f64, slope: f64) -> f64 {

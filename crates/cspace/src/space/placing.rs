@@ -40,7 +40,7 @@ impl<'a> ExactPlacing<'a> {
 
     /// The place of a branch: length of travel from about the middle of the curve.
     pub(super) fn place(&self, b: &Branch) -> Dd {
-        let other = exact_sheet(self.geometry, b.other(self.index)).curve(&self.turn);
+        let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
         self.curve.place(&other, b.root, b.second == self.index)
     }
 
@@ -130,15 +130,29 @@ impl<'a> Placing<'a> {
         self.length_of(place_on(&f, &g, b.root, b.second == self.index))
     }
 
-    /// The place, not beyond the ends of the curve, and its rounding error.
-    pub(super) fn within(&self, b: &Branch) -> (f64, f64) {
+    /// The carrier of the sheet.
+    pub(super) fn carrier(&self) -> &Carrier<f64> {
+        &self.carrier
+    }
+
+    /// Where a branch crosses the carrier, as [`place_on`] gives it, and its rounding error; infinite where it is not known.
+    pub(super) fn crossed_by(&self, b: &Branch) -> ((f64, f64), f64) {
         let (f, g, apart) = self.carriers(b);
         let v = place_on(&f, &g, b.root, b.second == self.index);
         let error = apart * place_error(&f, &g, v);
-        let place = self.length_of(v);
-        if place.is_nan() {
+        if v.0.is_nan() || v.1.is_nan() {
+            return (v, f64::INFINITY);
+        }
+        (v, error)
+    }
+
+    /// The place, not beyond the ends of the curve, and its rounding error.
+    pub(super) fn within(&self, b: &Branch) -> (f64, f64) {
+        let (v, error) = self.crossed_by(b);
+        if !error.is_finite() {
             return (0.0, f64::INFINITY);
         }
+        let place = self.length_of(v);
         let half = self.half.max(0.0);
         (place.clamp(-half, half), error)
     }
