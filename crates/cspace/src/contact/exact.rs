@@ -212,19 +212,33 @@ impl<'a> ExactSheet<'a> {
         }
     }
 
-    /// Calls `take` with every condition under which crossings of two sheets come or go; see `condition.rs`.
-    fn conditions(&self, other: &Self, shared: &SharedEnds, mut take: impl FnMut(Condition)) {
+    /// Calls `found` with every condition under which crossings of two sheets come or go, by its number; see `condition.rs`.
+    fn conditions(
+        &self,
+        other: &Self,
+        shared: &SharedEnds,
+        asked: impl Fn(usize) -> bool,
+        mut take: impl FnMut(usize, Condition),
+    ) {
         let [end_shared, start_shared] = shared.corners.map(|c| c.is_some());
-        let ([start, end], [other_start, other_end]) = (self.ends(), other.ends());
-        let mut passing = |shared: bool, end: &ExactSpiral, over: &Self| {
-            if !shared {
-                take(over.passing(end));
+        let end = |of: &Self, at| end(of.fixed, of.moving, of.rough, at);
+        let mut number = 0;
+        let mut ask = |condition: &dyn Fn() -> Condition| {
+            if asked(number) {
+                take(number, condition());
             }
+            number += 1;
         };
-        passing(start_shared, &start, other);
-        passing(end_shared, &end, other);
-        passing(end_shared, &other_start, self);
-        passing(start_shared, &other_end, self);
+        for (shared, of, at, over) in [
+            (start_shared, self, self.rough.start_at, other),
+            (end_shared, self, self.rough.end_at, other),
+            (end_shared, other, other.rough.start_at, self),
+            (start_shared, other, other.rough.end_at, self),
+        ] {
+            if !shared {
+                ask(&|| over.passing(&end(of, at)));
+            }
+        }
         match (&self.locus, &other.locus) {
             (Locus::Line { .. }, Locus::Line { .. }) => {}
             (
@@ -244,7 +258,7 @@ impl<'a> ExactSheet<'a> {
                 },
             ) => {
                 for r in [*radius, -*radius] {
-                    take(height(*normal, *turns, through, center, r));
+                    ask(&|| height(*normal, *turns, through, center, r));
                 }
             }
             (
@@ -256,39 +270,60 @@ impl<'a> ExactSheet<'a> {
             ) => {
                 let (a, b) = (radius.abs(), r.abs());
                 for distance in [a + b, a - b] {
-                    take(apart(center, c, distance));
+                    ask(&|| apart(center, c, distance));
                 }
             }
         }
     }
 
     /// Calls `found` with every orientation within a range at which crossings with another sheet may come or go, and its error:
-    /// of those conditions that are `asked` for by their number.
+    /// as far as doubles tell by condition (see [`Rough`]).
     pub(crate) fn events(
         &self,
         other: &Self,
         shared: &SharedEnds,
         range: (Dd, Dd),
-        asked: impl Fn(usize) -> bool,
+        rough: impl Fn(usize) -> Rough,
         mut found: impl FnMut(Dd, f64),
     ) {
         let middle = (range.0 + range.1).scaled(0.5);
         let half = (range.1 - range.0).scaled(0.5).to_f64();
-        let mut number = 0;
-        self.conditions(other, shared, |c| {
-            number += 1;
-            if !asked(number - 1) {
-                return;
-            }
-            c.roots(|theta, error| {
+        let asked = |number| rough(number) != Rough::None;
+        self.conditions(other, shared, asked, |number, c| {
+            let mut take = |theta: Dd, error| {
                 let turns = ((theta - middle) / Dd::TAU).to_f64().round();
                 let theta = theta - Dd::TAU * turns;
                 if (theta - middle).to_f64().abs() <= half + error {
                     found(theta, error);
                 }
-            });
+            };
+            match rough(number) {
+                Rough::At(roots) if roots.iter().flatten().all(|&r| c.is_simple(r)) => {
+                    for r in roots.into_iter().flatten() {
+                        let (theta, error) = c.root_near(r);
+                        take(theta, error);
+                    }
+                }
+                _ => c.roots(take),
+            }
         });
     }
+}
+
+/// What doubles tell of the roots of a condition.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Rough {
+    /// There is none.
+    None,
+    /// There are these, to within [`Rough::ERROR`].
+    At([Option<f64>; 2]),
+    /// Nothing is certain.
+    Unknown,
+}
+
+impl Rough {
+    /// Roots that are known worse are not certain (radians).
+    pub(crate) const ERROR: f64 = 1e-11;
 }
 
 /// Where a curve starts or ends.
@@ -333,11 +368,13 @@ fn height(
 
 fn apart(p: &ExactSpiral, q: &ExactSpiral, distance: Dd) -> Condition {
     let (u, w) = (minus(p.u, q.u), minus(p.w, q.w));
-    let reach = length(u) + length(w) + distance.abs();
-    let parts = p.size() + q.size() + distance.to_f64().abs();
+    let size = |v: Xy<Dd>| v.0.to_f64().abs() + v.1.to_f64().abs();
+    let distance_size = distance.to_f64().abs();
+    let reach = size(u) + size(w) + distance_size;
+    let parts = p.size() + q.size() + distance_size;
     Condition {
         coefficients: apart_coefficients(u, w, distance),
-        scale: reach.to_f64() * parts,
+        scale: reach * parts,
     }
 }
 
@@ -351,6 +388,38 @@ struct Condition {
 const COEFFICIENT_ERROR: f64 = 64.0 * Dd::EPSILON;
 
 impl Condition {
+    /// Value, first and second derivative at an orientation in doubles.
+    fn at(&self, theta: f64) -> [Dd; 3] {
+        let [alpha, beta, gamma] = self.coefficients;
+        let (sin, cos) = Dd::from(theta).sin_cos();
+        let wave = alpha * cos + beta * sin;
+        [wave + gamma, beta * cos - alpha * sin, -wave]
+    }
+
+    /// Whether it has just one root where doubles tell of one, and that is found by [`root_near`](Self::root_near).
+    fn is_simple(&self, theta: f64) -> bool {
+        /// The cube of the distance of a root from where doubles tell it, in double-double, is nothing.
+        const NEAR: f64 = 10.0 * Rough::ERROR;
+        /// The angle from a double root, at least.
+        const FAR: f64 = 1e-3;
+        let [alpha, beta, gamma] = self.coefficients.map(Dd::to_f64);
+        let (sin, cos) = theta.sin_cos();
+        let slope = beta * cos - alpha * sin;
+        let value = alpha * cos + beta * sin + gamma;
+        slope.abs() > FAR * alpha.hypot(beta)
+            && value.abs() <= NEAR * slope.abs()
+            && slope.abs() > FAR * self.scale
+    }
+
+    /// The root near to where doubles tell it: by the parabola there.
+    fn root_near(&self, theta: f64) -> (Dd, f64) {
+        let [value, slope, bend] = self.at(theta);
+        let step = -(value / slope);
+        let step = step - step * step * bend / slope * 0.5;
+        let error = 2.0 * COEFFICIENT_ERROR * self.scale / slope.to_f64().abs() + COEFFICIENT_ERROR;
+        (Dd::from(theta) + step, error)
+    }
+
     /// Its roots up to whole turns: as in `number/trig.rs`.
     fn roots(&self, mut found: impl FnMut(Dd, f64)) {
         let [alpha, beta, gamma] = self.coefficients;

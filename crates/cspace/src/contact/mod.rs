@@ -24,7 +24,7 @@ pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};
 pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape, wrap};
-pub(crate) use exact::{ExactCurve, ExactSheet, ExactTurn, exact_crossings};
+pub(crate) use exact::{ExactCurve, ExactSheet, ExactTurn, Rough, exact_crossings};
 pub use function::ContactFunction;
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Bodies, Geometry, Placed, growths};

@@ -1,7 +1,8 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
 use crate::contact::{
-    Crossing, ExactTurn, Geometry, SharedEnds, Sheet, conditions, crossing, exact_crossings, roots,
+    Crossing, ExactTurn, Geometry, Rough, SharedEnds, Sheet, conditions, crossing, exact_crossings,
+    roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Dd;
@@ -59,10 +60,10 @@ impl PairEvents {
 pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents {
     let found = parallel::chunks(pairs, CHUNK, |_, runs| {
         let mut found = PairEvents::default();
-        let mut has_roots = Vec::new();
+        let mut rough = Vec::new();
         for run in runs {
             let events = &mut found.events;
-            events_of(geometry, run, &mut has_roots, |e| events.push(e));
+            events_of(geometry, run, &mut rough, |e| events.push(e));
             found.until.push(found.events.len());
         }
         found
@@ -80,7 +81,7 @@ pub(super) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
 fn events_of(
     geometry: &Geometry,
     run: &PairRun,
-    has_roots: &mut Vec<bool>,
+    rough: &mut Vec<Rough>,
     mut found: impl FnMut(Moment),
 ) {
     let contacts = &geometry.contacts;
@@ -90,23 +91,30 @@ fn events_of(
         tangent: false,
         corners: f.shared_corners(g, contacts.first_vertex_name),
     };
-    has_roots.clear();
+    rough.clear();
     if !f.is_flat() && !g.is_flat() {
         let (lo, hi) = (run.lo.to_f64(), run.hi.to_f64());
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let (sin, cos) = mid.sin_cos();
         conditions(f, g, &shared, |t| {
-            let mut any = false;
-            t.roots(mid, cos, sin, half, |_| any = true);
-            has_roots.push(any);
+            let mut all = Rough::None;
+            t.roots(mid, cos, sin, half, |root| {
+                all = match all {
+                    _ if root.error > Rough::ERROR => Rough::Unknown,
+                    Rough::None => Rough::At([Some(root.theta), None]),
+                    Rough::At([first, None]) => Rough::At([first, Some(root.theta)]),
+                    _ => Rough::Unknown,
+                };
+            });
+            rough.push(all);
         });
-        if !has_roots.contains(&true) {
+        if rough.iter().all(|r| *r == Rough::None) {
             return;
         }
     }
     let [x, y] = [run.first, run.second].map(|s| exact_sheet(geometry, s));
-    let asked = |condition: usize| has_roots.get(condition).is_none_or(|&any| any);
-    x.events(&y, &shared, (run.lo, run.hi), asked, |theta, error| {
+    let rough = |condition: usize| rough.get(condition).map_or(Rough::Unknown, |r| *r);
+    x.events(&y, &shared, (run.lo, run.hi), rough, |theta, error| {
         found(Moment { theta, error });
     });
 }

@@ -28,8 +28,8 @@ pub(super) struct Shared {
 }
 
 impl Extent {
-    /// The common range as measured, if there is one.
-    pub(super) fn shared_with(&self, other: &Self) -> Option<Shared> {
+    /// From where to where both are, and the error of that length.
+    fn common(&self, other: &Self) -> (f64, f64, f64) {
         let (lo, lo_error) = if self.lo > other.lo {
             (self.lo, self.lo_error)
         } else {
@@ -40,11 +40,17 @@ impl Extent {
         } else {
             (other.hi, other.hi_error)
         };
+        (lo, hi, lo_error + hi_error)
+    }
+
+    /// The common range as measured, if there is one.
+    pub(super) fn shared_with(&self, other: &Self) -> Option<Shared> {
+        let (lo, hi, error) = self.common(other);
         let length = hi - lo;
         (length > SHORTEST_OVERLAP).then_some(Shared {
             lo,
             hi,
-            certain: length > lo_error + hi_error + SHORTEST_OVERLAP,
+            certain: length > error + SHORTEST_OVERLAP,
         })
     }
 }
@@ -54,15 +60,6 @@ impl Extent {
 pub(super) enum Side {
     Below,
     Above,
-}
-
-impl Side {
-    fn other(self) -> Self {
-        match self {
-            Self::Below => Self::Above,
-            Self::Above => Self::Below,
-        }
-    }
 }
 
 /// Measures cells of one sheet where they meet a cluster.
@@ -82,6 +79,8 @@ pub(super) struct CellExtents<'a> {
     speed: f64,
     /// The bounds measured so far: most are asked for again, by the cell on their other side.
     known: Vec<((u32, Side), (f64, f64))>,
+    /// The same as far as doubles tell.
+    rough: Vec<(u32, (f64, f64))>,
 }
 
 impl<'a> CellExtents<'a> {
@@ -108,51 +107,68 @@ impl<'a> CellExtents<'a> {
             cluster,
             width: clusters.width(cluster),
             known: Vec::new(),
+            rough: Vec::new(),
         }
     }
 
-    pub(super) fn of(&mut self, cell: &Cell, side: Side) -> Extent {
-        /// Errors are estimates, of events and of places; this much worse they may be.
-        const MARGIN: f64 = 2.0;
-        let (lo, lo_error) = self.bound(cell.left, -1.0, side);
-        let (hi, hi_error) = self.bound(cell.right, 1.0, side);
-        Extent {
-            lo,
-            hi,
-            lo_error: MARGIN * lo_error,
-            hi_error: MARGIN * hi_error,
+    /// What a cell that ends at the cluster shares with one that begins there: by doubles if these decide whether there is anything.
+    pub(super) fn shared(&mut self, lower: &Cell, upper: &Cell) -> Option<Shared> {
+        let one = |a: u32, b: u32| a != END && a == b;
+        if one(lower.right, upper.left) || one(upper.right, lower.left) {
+            return None;
         }
+        let ends = |this: &mut Self, cell: &Cell| {
+            extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| this.rough(b, end)))
+        };
+        let (below, above) = (ends(self, lower), ends(self, upper));
+        let (lo, hi, error) = below.common(&above);
+        if (hi - lo - SHORTEST_OVERLAP).abs() > error {
+            return below.shared_with(&above);
+        }
+        let (below, above) = (self.of(lower, Side::Below), self.of(upper, Side::Above));
+        below.shared_with(&above)
+    }
+
+    pub(super) fn of(&mut self, cell: &Cell, side: Side) -> Extent {
+        extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| self.bound(b, end, side)))
     }
 
     /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
     fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
-        if branch == END {
-            return (end * self.at.half(), self.speed * self.width + PLACE_ERROR);
+        /// What is known better than this is known well enough, in the pair's frame.
+        const GOOD: f64 = 1e-12;
+        let rough = self.rough(branch, end);
+        if branch == END || rough.1 <= GOOD {
+            return rough;
         }
         let key = (branch, side);
         if let Some(known) = self.known.iter().find(|k| k.0 == key) {
             return known.1;
         }
-        let (measured, both) = self.measured(branch, side);
+        let measured = self.approached(&self.branches[branch as usize], side);
         self.known.push((key, measured));
-        if both {
-            self.known.push(((branch, side.other()), measured));
-        }
         measured
     }
 
-    /// The place of a branch and its error, and whether it is the same from the other side.
-    fn measured(&self, branch: u32, side: Side) -> ((f64, f64), bool) {
-        /// What is known better than this is known well enough, in the pair's frame.
-        const GOOD: f64 = 1e-12;
-        let b = &self.branches[branch as usize];
-        let (at, rounding) = self.at.within(b);
-        let error = rounding * (1.0 + self.speed * self.width / PLACE_ERROR);
-        let small = |s: u32| self.geometry.contacts.sheets[s as usize].is_small();
-        if error <= GOOD && !small(self.sheet) && !small(b.other(self.sheet)) {
-            return ((at, error), true);
+    /// The same as far as doubles tell; an infinite error where they do not.
+    fn rough(&mut self, branch: u32, end: f64) -> (f64, f64) {
+        if branch == END {
+            return (end * self.at.half(), self.speed * self.width + PLACE_ERROR);
         }
-        (self.approached(b, side), false)
+        if let Some(known) = self.rough.iter().find(|k| k.0 == branch) {
+            return known.1;
+        }
+        let b = &self.branches[branch as usize];
+        let small = |s: u32| self.geometry.contacts.sheets[s as usize].is_small();
+        let measured = if small(self.sheet) || small(b.other(self.sheet)) {
+            (0.0, f64::INFINITY)
+        } else {
+            let (at, rounding) = self.at.within(b);
+            let moved = self.speed * self.width / PLACE_ERROR;
+            (at, rounding * (1.0 + moved))
+        };
+        self.rough.push((branch, measured));
+        measured
     }
 
     /// The place in double-double, a little aside: where two lines become one, their crossing is undefined, yet it has a limit.
@@ -189,6 +205,18 @@ impl<'a> CellExtents<'a> {
         let beyond = (place(other) - near).abs();
         // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
         (near, ROUNDING + 3.0 * (far - near).abs() + beyond)
+    }
+}
+
+/// The extent between two places with their errors.
+fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
+    /// Errors are estimates, of events and of places; this much worse they may be.
+    const MARGIN: f64 = 2.0;
+    Extent {
+        lo,
+        hi,
+        lo_error: MARGIN * lo_error,
+        hi_error: MARGIN * hi_error,
     }
 }
 

@@ -8,7 +8,7 @@ use super::branch::Branch;
 use super::candidates::SheetRun;
 use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
-use super::extent::{CellExtents, Extent, Shared, Side};
+use super::extent::{CellExtents, Shared, Side};
 use super::gaps::{Gaps, Slab};
 use super::pinches::{Pinch, pinches_of};
 use super::triple::OnSheet;
@@ -234,15 +234,12 @@ impl Sweep<'_> {
         }
         let pinches = pinches_of(self.pinches, sheet, at);
         let mut extents = self.extents(sheet, at);
-        let upper: Vec<(u32, Extent)> = opening
-            .map(|c| (c, extents.of(&cells[c as usize], Side::Above)))
-            .collect();
         for &lower in closing {
-            let b = extents.of(&cells[lower as usize], Side::Below);
-            for &(upper, a) in &upper {
+            for upper in opening.clone() {
                 if matters(lower) || matters(upper) {
                     let goes_on = |s: &Shared| !self.moves(pinches, 0.5 * (s.lo + s.hi));
-                    let shared = b.shared_with(&a).filter(goes_on);
+                    let both = [lower, upper].map(|c| &cells[c as usize]);
+                    let shared = extents.shared(both[0], both[1]).filter(goes_on);
                     vertical.extend(shared.map(|shared| VerticalContact {
                         lower,
                         upper,
