@@ -28,30 +28,32 @@ pub(super) struct Shared {
 }
 
 impl Extent {
-    /// From where to where both are, and the error of that length.
-    fn common(&self, other: &Self) -> (f64, f64, f64) {
-        let (lo, lo_error) = if self.lo > other.lo {
-            (self.lo, self.lo_error)
-        } else {
-            (other.lo, other.lo_error)
-        };
-        let (hi, hi_error) = if self.hi < other.hi {
-            (self.hi, self.hi_error)
-        } else {
-            (other.hi, other.hi_error)
-        };
-        (lo, hi, lo_error + hi_error)
-    }
-
     /// The common range as measured, if there is one.
     pub(super) fn shared_with(&self, other: &Self) -> Option<Shared> {
-        let (lo, hi, error) = self.common(other);
-        let length = hi - lo;
-        (length > SHORTEST_OVERLAP).then_some(Shared {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        (hi - lo > SHORTEST_OVERLAP).then(|| Shared {
             lo,
             hi,
-            certain: length > error + SHORTEST_OVERLAP,
+            certain: self.overlaps(other) == Some(true),
         })
+    }
+
+    /// Whether they share a range, if the errors of their ends leave no doubt.
+    fn overlaps(&self, other: &Self) -> Option<bool> {
+        // The longest range and the shortest.
+        let length = |sign: f64| {
+            let end = |place: f64, error: f64| place + sign * error;
+            let hi = end(self.hi, self.hi_error).min(end(other.hi, other.hi_error));
+            let lo = end(-self.lo, self.lo_error).min(end(-other.lo, other.lo_error));
+            hi + lo
+        };
+        if length(-1.0) > SHORTEST_OVERLAP {
+            Some(true)
+        } else if length(1.0) <= SHORTEST_OVERLAP {
+            Some(false)
+        } else {
+            None
+        }
     }
 }
 
@@ -121,8 +123,7 @@ impl<'a> CellExtents<'a> {
             extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| this.rough(b, end)))
         };
         let (below, above) = (ends(self, lower), ends(self, upper));
-        let (lo, hi, error) = below.common(&above);
-        if (hi - lo - SHORTEST_OVERLAP).abs() > error {
+        if below.overlaps(&above).is_some() {
             return below.shared_with(&above);
         }
         let (below, above) = (self.of(lower, Side::Below), self.of(upper, Side::Above));
