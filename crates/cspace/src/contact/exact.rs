@@ -497,6 +497,24 @@ impl ExactCarrier {
         }
     }
 
+    /// The point of the plane at a place as [`place_on`] gives it.
+    pub(crate) fn point(&self, v: Xy<Dd>) -> Xy<Dd> {
+        match self.carrier {
+            Carrier::Line { normal, through } => plus(through, times(left(normal), v.0)),
+            Carrier::Circle { center, .. } => plus(center, v),
+            Carrier::Bow(bow) => bow.through,
+        }
+    }
+
+    /// The normal towards the free side at a point of it.
+    pub(crate) fn normal(&self, p: Xy<Dd>) -> Xy<Dd> {
+        match self.carrier {
+            Carrier::Line { normal, .. } => normal,
+            Carrier::Circle { center, radius } => times(minus(p, center), Dd::ONE / radius),
+            Carrier::Bow(bow) => bow.normal,
+        }
+    }
+
     /// Whether both lie on one line or circle.
     pub(crate) fn is_one_with(&self, other: &Self) -> bool {
         /// What is nearer than this is one: orientations at which circles become one are known to the square root of the
@@ -619,13 +637,9 @@ impl ExactCurve {
         [self.start, self.end]
     }
 
-    /// The normal towards the free side at a point of it.
-    pub(crate) fn normal(&self, p: Xy<Dd>) -> Xy<Dd> {
-        match self.carrier.carrier {
-            Carrier::Line { normal, .. } => normal,
-            Carrier::Circle { center, radius } => times(minus(p, center), Dd::ONE / radius),
-            Carrier::Bow(bow) => bow.normal,
-        }
+    /// Its carrier.
+    pub(crate) fn carrier(&self) -> &ExactCarrier {
+        &self.carrier
     }
 
     /// On which side of it a point beside it is: whether on that of its line's normal, or outside of its circle.
@@ -655,11 +669,7 @@ impl ExactCurve {
         }
         let root = self.carrier.own_root(&other.carrier, root);
         let v = place_on(&self.carrier.carrier, &other.carrier.carrier, root, false);
-        let point = match self.carrier.carrier {
-            Carrier::Line { normal, through } => plus(through, times(left(normal), v.0)),
-            Carrier::Circle { center, .. } => plus(center, v),
-            Carrier::Bow(_) => return None,
-        };
+        let point = self.carrier.point(v);
         Some(ExactCrossing {
             places: (self.length_of(v), other.position(point)),
             point,

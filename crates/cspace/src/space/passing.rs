@@ -11,7 +11,7 @@ use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
 
 use super::branch::Branch;
 use super::clusters::Moment;
-use super::placing::{Placing, exact_sheet};
+use super::placing::{ExactPlacing, Placing, exact_sheet};
 
 /// Pieces narrower than this are not halved further (radians).
 ///
@@ -91,7 +91,83 @@ pub(super) struct Passing<'a> {
     pub(super) y: &'a Branch,
 }
 
+/// Where a branch is along its sheet's curve at the beginning, in the middle and at the end of a narrow interval.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample {
+    places: [Dd; 3],
+    /// Bound on what the parabola through these leaves out.
+    rest: f64,
+}
+
+impl Sample {
+    /// Of a branch on a sheet; `None` where its crossing is too blunt for the interval.
+    pub(super) fn new(
+        geometry: &Geometry,
+        sheet: u32,
+        placings: &[ExactPlacing<'_>; 3],
+        b: &Branch,
+        length: f64,
+    ) -> Option<Self> {
+        /// Speed of carriers, per radian, over the sine of the angle of crossing: how far off places could become singular.
+        const SPEED: f64 = 8.0;
+        /// The largest share of that which the interval may be.
+        const NARROW: f64 = 1e-2;
+        let sheets = &geometry.contacts.sheets;
+        let both = [sheet, b.other(sheet)].map(|s| &sheets[s as usize]);
+        let sharp = both
+            .iter()
+            .filter(|s| s.is_circle())
+            .map(|s| s.radius.abs())
+            .fold(placings[1].sharpness(b), f64::min);
+        let share = SPEED * length / sharp;
+        (share < NARROW && !both.iter().any(|s| s.is_flat())).then(|| Self {
+            places: [0, 1, 2].map(|i: usize| placings[i].place(b)),
+            rest: share.powi(3),
+        })
+    }
+
+    /// Whether the order of two branches changes once in the interval, or never; `None` if that is not certain.
+    fn change(&self, other: &Self) -> Option<bool> {
+        let d = [0, 1, 2].map(|i| (self.places[i] - other.places[i]).to_f64());
+        let rest = self.rest + other.rest;
+        // Q(s) = d₁ + (d₂ − d₀) s / 2 + c s², −1 ≤ s ≤ 1.
+        let c = (0.5 * (d[0] + d[2]) - d[1]).abs();
+        let one_sign = d.iter().all(|&x| x > 0.0) || d.iter().all(|&x| x < 0.0);
+        let least = d.iter().map(|x| x.abs()).fold(f64::INFINITY, f64::min);
+        if one_sign && least > c + rest {
+            Some(false)
+        } else if d[0] * d[2] < 0.0
+            && 0.5 * (d[2] - d[0]).abs() > 2.0 * c + 4.0 * rest
+            && d[0].abs().min(d[2].abs()) > rest
+        {
+            Some(true)
+        } else {
+            None
+        }
+    }
+}
+
 impl Passing<'_> {
+    /// The same as [`isolate`](Self::isolate) in a narrow interval, if samples of both branches there are enough to tell.
+    pub(super) fn told_by(
+        &self,
+        [x, y]: [&Sample; 2],
+        lo: Dd,
+        hi: Dd,
+        found: &mut impl FnMut(Moment),
+    ) -> bool {
+        match x.change(y) {
+            Some(true) => {
+                self.change_of_order(lo, hi, None)
+                    .into_iter()
+                    .for_each(found);
+                true
+            }
+            Some(false) => true,
+            None => false,
+        }
+    }
+
     /// The difference of the places of the two branches; see [`between`].
     fn difference<T: Real>(&self, cos: T, sin: T) -> T {
         let sheets = &self.geometry.contacts.sheets;
@@ -298,7 +374,17 @@ impl Passing<'_> {
         Some(Moment { theta, error })
     }
 
-    /// What vanishes where the three carriers meet, in double-double.
+    /// What vanishes where the three carriers meet; `None` with a large arc, about whose centre nothing can be reckoned.
+    pub(super) fn rough_polynomial(&self) -> Option<TrigPolynomial> {
+        let sheets = &self.geometry.contacts.sheets;
+        let three = self.sheets().map(|s| &sheets[s as usize]);
+        let flat = three.iter().any(|s| s.is_flat());
+        (!flat).then(|| {
+            TrigPolynomial::sampled(|cos, sin| concurrency(three.map(|s| s.carrier(cos, sin))))
+        })
+    }
+
+    /// The same in double-double.
     fn polynomial(&self) -> TrigPolynomial<Dd> {
         let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
         TrigPolynomial::sampled(|cos, sin| {

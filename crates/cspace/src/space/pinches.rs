@@ -32,7 +32,7 @@ pub(super) fn pinched(geometry: &Geometry, sheets: (u32, u32), beside: &[ExactTu
     let [f, g] = [sheets.0, sheets.1].map(|s| placed(geometry, s, beside));
     let passes = |f: &[ExactCurve; 2], g: &[ExactCurve; 2], end: usize| {
         let p = f.map(|c| c.end_points()[end]);
-        let opposite = dot(f[0].normal(p[0]), g[0].normal(p[0])).is_negative();
+        let opposite = dot(f[0].carrier().normal(p[0]), g[0].carrier().normal(p[0])).is_negative();
         opposite && is_passed(g, p)
     };
     [0, 1]

@@ -5,6 +5,7 @@ use crate::contact::{
 };
 use crate::geometry::{Rotation, Vector};
 use crate::number::Dd;
+use crate::number::plane::cross;
 
 use super::branch::Branch;
 
@@ -42,6 +43,15 @@ impl<'a> ExactPlacing<'a> {
     pub(super) fn place(&self, b: &Branch) -> Dd {
         let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
         self.curve.place(&other, b.root, b.second == self.index)
+    }
+
+    /// The sine of the angle at which a branch crosses the curve, about.
+    pub(super) fn sharpness(&self, b: &Branch) -> f64 {
+        let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
+        let v = (self.curve.carrier()).crossed_by(&other, b.root, b.second == self.index);
+        let point = self.curve.carrier().point(v);
+        let normals = [self.curve.carrier(), &other].map(|c| c.normal(point));
+        cross(normals[0], normals[1]).to_f64().abs()
     }
 
     /// The places of the ends.

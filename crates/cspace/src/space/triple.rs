@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use crate::contact::Geometry;
+use crate::contact::{ExactTurn, Geometry};
 use crate::number::{Dd, TrigPolynomial};
 use crate::parallel;
 
@@ -14,7 +14,8 @@ use super::branch::{Branch, Encounter};
 use super::clusters::{Clusters, Moment, SAME};
 use super::gaps::{Gaps, Slab};
 use super::meetings::Meetings;
-use super::passing::{Passing, concurrency};
+use super::passing::{Passing, Sample};
+use super::placing::ExactPlacing;
 
 /// The branches on every sheet, as indices; the branches of sheet i are `list[first[i]..first[i + 1]]`.
 #[derive(Debug)]
@@ -169,21 +170,25 @@ struct Search<'a> {
     gaps: Gaps,
     /// What vanishes where two branches pass each other, for pairs already looked at; `None` for pairs that never do, or
     /// within that if a large arc is involved, about whose centre nothing can be reckoned.
-    concurrencies: HashMap<(u32, u32), Option<Option<TrigPolynomial>>>,
+    concurrencies: HashMap<(u32, u32), Option<Option<Option<TrigPolynomial>>>>,
     found: Triples,
 }
 
 /// An interval between two clusters in which the same branches exist on the sheet.
-struct Window<'a> {
-    active: &'a [u32],
+struct Window<'w, 'a> {
+    active: &'w [u32],
     /// From the beginning of the one cluster to the end of the other.
     lo: Dd,
     hi: Dd,
     /// For every two of its branches, by their indices, the events found: a range of the list of events.
     found: Vec<Option<(u32, u32)>>,
+    /// Where branches are, in a narrow window: of each that was asked for, if it can be told.
+    samples: Vec<Option<Option<Sample>>>,
+    /// The sheet at the beginning, in the middle and at the end of a narrow window.
+    placings: Option<[ExactPlacing<'a>; 3]>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
     fn run(&mut self, list: &[u32]) {
         let mut times: Vec<u32> = list
             .iter()
@@ -204,6 +209,8 @@ impl Search<'_> {
                     lo: self.clusters.exact_ends(w[0]).0,
                     hi: self.clusters.exact_ends(w[1]).1,
                     found: core::mem::take(&mut found),
+                    samples: vec![None; active.len()],
+                    placings: None,
                 };
                 self.slab(&mut window, lo, hi);
                 found = window.found;
@@ -212,7 +219,7 @@ impl Search<'_> {
     }
 
     /// Looks at a part of a window, and again at its pieces if some branches pass each other.
-    fn slab(&mut self, window: &mut Window, lo: Dd, hi: Dd) {
+    fn slab(&mut self, window: &mut Window<'_, 'a>, lo: Dd, hi: Dd) {
         let mut gaps = core::mem::take(&mut self.gaps);
         gaps.arrange(
             self.geometry,
@@ -259,43 +266,51 @@ impl Search<'_> {
         }
     }
 
+    /// Where a branch of a narrow window, given by its index there, is at its beginning, in the middle and at its end.
+    fn sample(&self, window: &mut Window<'_, 'a>, index: usize, b: &Branch) -> Option<Sample> {
+        let (lo, hi) = (window.lo, window.hi);
+        let length = (hi - lo).to_f64();
+        if length >= NARROW {
+            return None;
+        }
+        let (geometry, sheet) = (self.geometry, self.sheet);
+        let placings = window.placings.get_or_insert_with(|| {
+            [lo, (lo + hi).scaled(0.5), hi]
+                .map(|theta| ExactPlacing::new(geometry, sheet, ExactTurn::by(theta)))
+        });
+        *window.samples[index]
+            .get_or_insert_with(|| Sample::new(geometry, sheet, placings, b, length))
+    }
+
     /// The events at which two branches of a window, given by their order, pass each other in it.
-    fn passings(&mut self, window: &mut Window, i: u32, j: u32) -> (u32, u32) {
+    fn passings(&mut self, window: &mut Window<'_, 'a>, i: u32, j: u32) -> (u32, u32) {
         let (active, size) = (window.active, window.active.len());
         let index = |b: u32| active.partition_point(|&a| a < b);
-        let slot = &mut window.found[index(i) * size + index(j)];
-        if let Some(range) = *slot {
+        let slot = index(i) * size + index(j);
+        if let Some(range) = window.found[slot] {
             return range;
         }
-        let from = self.found.events.len() as u32;
         let (x, y) = (&self.branches[i as usize], &self.branches[j as usize]);
-        let (sheet, found) = (self.sheet, &mut self.found);
-        let pair = Passing {
-            geometry: self.geometry,
-            sheet,
-            x,
-            y,
-        };
-        let sheets = &self.geometry.contacts.sheets;
+        let sheet = self.sheet;
+        let (meetings, from) = (self.meetings, self.found.events.len() as u32);
         let known = self.concurrencies.entry((i, j)).or_insert_with(|| {
             let (from, to) = (x.from.max(y.from), x.to.min(y.to));
             let (f, g) = (x.other(sheet), y.other(sheet));
-            self.meetings.may_meet(f, g, from, to).then(|| {
-                let three = [sheet, f, g].map(|s| &sheets[s as usize]);
-                let flat = three.iter().any(|s| s.is_flat());
-                (!flat).then(|| {
-                    TrigPolynomial::sampled(|cos, sin| {
-                        concurrency(three.map(|s| s.carrier(cos, sin)))
-                    })
-                })
-            })
+            meetings.may_meet(f, g, from, to).then_some(None)
         });
-        if let Some(f) = known {
+        if known.is_some() {
+            let (lo, hi) = (window.lo, window.hi);
+            let samples = [(index(i), x), (index(j), y)].map(|(k, b)| self.sample(window, k, b));
+            let pair = Passing {
+                geometry: self.geometry,
+                sheet,
+                x,
+                y,
+            };
+            let found = &mut self.found;
             let events = &mut found.events;
             let mut three = [sheet, x.other(sheet), y.other(sheet)];
             three.sort_unstable();
-            let (lo, hi) = (window.lo, window.hi);
-            let (lo, hi) = (window.lo, window.hi);
             let mut take = |event: Moment| {
                 if lo <= event.theta && event.theta <= hi {
                     events.push(Meeting {
@@ -305,12 +320,19 @@ impl Search<'_> {
                     });
                 }
             };
-            let vague = pair.isolate(f.as_ref(), lo, hi, &mut take);
+            let told = match &samples {
+                [Some(x), Some(y)] => pair.told_by([x, y], lo, hi, &mut take),
+                _ => false,
+            };
+            if !told && let Some(Some(f)) = self.concurrencies.get_mut(&(i, j)) {
+                let f = f.get_or_insert_with(|| pair.rough_polynomial());
+                found.by_places += pair.isolate(f.as_ref(), lo, hi, &mut take);
+            }
             found.isolated += 1;
-            found.by_places += vague;
         }
+        let found = &self.found;
         let range = (from, found.events.len() as u32);
-        *slot = Some(range);
+        window.found[slot] = Some(range);
         range
     }
 }
