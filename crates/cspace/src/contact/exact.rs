@@ -588,7 +588,25 @@ impl ExactCurve {
         }
     }
 
-    /// The same of a point of the plane on the curve.
+    /// What grows with the length of travel to a point, given as `place_on` gives it: on a circle y / (|x| + |y|) along and across
+    /// the direction to its middle, continued beyond the quarter turns.
+    pub(crate) fn rank(&self, v: Xy<Dd>) -> Dd {
+        let Carrier::Circle { radius, .. } = self.carrier.carrier else {
+            return v.0;
+        };
+        let (x, y) = (dot(self.middle, v), cross(self.middle, v));
+        let y = if radius.is_negative() { -y } else { y };
+        let quarter = y / (x.abs() + y.abs());
+        if !x.is_negative() {
+            quarter
+        } else if y.is_negative() {
+            -quarter - 2.0
+        } else {
+            -quarter + 2.0
+        }
+    }
+
+    /// The length of travel to a point of the plane on the curve.
     fn position(&self, p: Xy<Dd>) -> Dd {
         match self.carrier.carrier {
             Carrier::Line { normal, through } => {

@@ -9,32 +9,15 @@ use crate::number::Dd;
 use super::branch::Branch;
 use super::cells::END;
 use super::clusters::Clusters;
-use super::placing::{ExactPlacing, Placing};
-
-/// The middle of an interval of orientations in which nothing happens.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Slab {
-    pub(super) theta: Dd,
-    /// Whether what is decided there is decided in double-double.
-    pub(super) is_narrow: bool,
-}
-
-impl Slab {
-    /// From one cluster to another.
-    pub(super) fn between(clusters: &Clusters, from: u32, to: u32) -> Self {
-        Self {
-            theta: clusters.exact_between(from, to),
-            is_narrow: clusters.are_close(from, to),
-        }
-    }
-}
+use super::placing::{ExactPlacing, Placing, Rank};
 
 /// The branches that cross a contact curve at one orientation, in order of travel.
 #[derive(Debug, Default)]
 pub(super) struct Gaps {
-    /// Ranks along the curve, and branches.
-    order: Vec<(f64, u32)>,
-    /// The same ranks in double-double, where they are asked for.
+    /// Branches.
+    order: Vec<u32>,
+    /// The same with their ranks in doubles, and in double-double where these leave something open.
+    rough: Vec<(Rank, u32)>,
     exact: Vec<(Dd, u32)>,
     /// For each branch in order whether the curve enters blocked space there.
     enters: Vec<bool>,
@@ -63,38 +46,45 @@ impl Gaps {
         branches: &[Branch],
         sheet: u32,
         active: &[u32],
-        slab: Slab,
+        theta: Dd,
     ) {
         self.order.clear();
         let small = |s: u32| geometry.contacts.sheets[s as usize].is_small();
-        let some_small = || {
-            small(sheet)
-                || active
-                    .iter()
-                    .any(|&b| small(branches[b as usize].other(sheet)))
-        };
-        if active.len() > 1 && (slab.is_narrow || some_small()) {
-            let placing = ExactPlacing::new(geometry, sheet, ExactTurn::by(slab.theta));
+        let some_small = small(sheet)
+            || active
+                .iter()
+                .any(|&b| small(branches[b as usize].other(sheet)));
+        let told = active.len() < 2
+            || !some_small && {
+                let placing = Placing::new(geometry, sheet, theta.to_f64());
+                let rank = placing.ranking();
+                self.rough.clear();
+                self.rough
+                    .extend(active.iter().map(|&b| (rank(&branches[b as usize]), b)));
+                self.rough
+                    .sort_unstable_by(|a, b| a.0.rank.total_cmp(&b.0.rank).then(a.1.cmp(&b.1)));
+                self.rough
+                    .windows(2)
+                    .all(|w| placing.are_apart(&w[0].0, &w[1].0))
+            };
+        if active.len() < 2 {
+            self.order.extend(active);
+        } else if told {
+            self.order.extend(self.rough.iter().map(|r| r.1));
+        } else {
+            let placing = ExactPlacing::new(geometry, sheet, ExactTurn::by(theta));
             self.exact.clear();
-            let place = |&b: &u32| (placing.place(&branches[b as usize]), b);
-            self.exact.extend(active.iter().map(place));
+            let rank = |&b: &u32| (placing.rank(&branches[b as usize]), b);
+            self.exact.extend(active.iter().map(rank));
             self.exact
                 .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            let rough = |&(place, b): &(Dd, u32)| (place.to_f64(), b);
-            self.order.extend(self.exact.iter().map(rough));
-        } else {
-            let placing = Placing::new(geometry, sheet, slab.theta.to_f64());
-            let rank = placing.ranking();
-            self.order
-                .extend(active.iter().map(|&b| (rank(&branches[b as usize]), b)));
-            self.order
-                .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            self.order.extend(self.exact.iter().map(|r| r.1));
         }
         self.enters.clear();
         self.enters.extend(
             self.order
                 .iter()
-                .map(|&(_, b)| branches[b as usize].enters(sheet)),
+                .map(|&b| branches[b as usize].enters(sheet)),
         );
     }
 
@@ -105,13 +95,13 @@ impl Gaps {
 
     /// A branch by its place in the order.
     pub(super) fn branch(&self, place: usize) -> u32 {
-        self.order[place].1
+        self.order[place]
     }
 
     /// The branches on both sides of a gap, [`END`] where it goes to the end of the curve.
     pub(super) fn bounds(&self, gap: usize) -> (u32, u32) {
-        let before = gap.checked_sub(1).map_or(END, |i| self.order[i].1);
-        let after = self.order.get(gap).map_or(END, |o| o.1);
+        let before = gap.checked_sub(1).map_or(END, |i| self.order[i]);
+        let after = self.order.get(gap).map_or(END, |o| *o);
         (before, after)
     }
 

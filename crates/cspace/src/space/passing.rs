@@ -11,7 +11,7 @@ use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
 
 use super::branch::Branch;
 use super::clusters::Moment;
-use super::placing::{ExactPlacing, Placing, exact_sheet};
+use super::placing::{ExactPlacing, Placing, between, exact_sheet};
 
 /// Pieces narrower than this are not halved further (radians).
 ///
@@ -490,24 +490,6 @@ impl Passing<'_> {
         }
         let d = self.gap(theta);
         (d.value.abs() <= NEAR || d.value.is_nan()).then(|| event(theta, d.value, d.slope))
-    }
-}
-
-/// How far one place on a carrier is before another: on a line a difference of lengths; on a circle the sine of the angle between
-/// them, times the radius, and beyond quarter turns what goes on from that.
-fn between<T: Real>(carrier: &Carrier<T>, p: Xy<T>, q: Xy<T>) -> T {
-    let Carrier::Circle { radius, .. } = *carrier else {
-        return p.0 - q.0;
-    };
-    let sine = cross(p, q).over(radius);
-    if dot(p, q).rough() >= 0.0 {
-        return sine;
-    }
-    let twice = T::constant(2.0) * radius;
-    if (sine.rough() < 0.0) == (radius.rough() < 0.0) {
-        twice - sine
-    } else {
-        -twice - sine
     }
 }
 

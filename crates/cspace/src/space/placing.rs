@@ -5,7 +5,8 @@ use crate::contact::{
 };
 use crate::geometry::{Rotation, Vector};
 use crate::number::Dd;
-use crate::number::plane::cross;
+use crate::number::Real;
+use crate::number::plane::{Xy, cross, dot};
 
 use super::branch::Branch;
 
@@ -19,6 +20,14 @@ pub(super) struct Placing<'a> {
     mid_angle: f64,
     /// The place of the middle, on a line from its start, on a bow from its point.
     middle: f64,
+}
+
+/// Where a branch comes among those on a curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rank {
+    pub(super) rank: f64,
+    v: (f64, f64),
+    error: f64,
 }
 
 /// A sheet at one orientation in double-double, able to place branches along its curve.
@@ -45,6 +54,13 @@ impl<'a> ExactPlacing<'a> {
         self.curve.place(&other, b.root, b.second == self.index)
     }
 
+    /// What orders branches by their places, as the places themselves would, at less cost: see [`Placing::ranking`].
+    pub(super) fn rank(&self, b: &Branch) -> Dd {
+        let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
+        let v = (self.curve.carrier()).crossed_by(&other, b.root, b.second == self.index);
+        self.curve.rank(v)
+    }
+
     /// The sine of the angle at which a branch crosses the curve, about.
     pub(super) fn sharpness(&self, b: &Branch) -> f64 {
         let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
@@ -57,6 +73,24 @@ impl<'a> ExactPlacing<'a> {
     /// The places of the ends.
     pub(super) fn ends(&self) -> (Dd, Dd) {
         self.curve.ends()
+    }
+}
+
+/// How far one place on a carrier is before another: on a line a difference of lengths; on a circle the sine of the angle between
+/// them, times the radius, and beyond quarter turns what goes on from that.
+pub(super) fn between<T: Real>(carrier: &Carrier<T>, p: Xy<T>, q: Xy<T>) -> T {
+    let Carrier::Circle { radius, .. } = *carrier else {
+        return p.0 - q.0;
+    };
+    let sine = cross(p, q).over(radius);
+    if dot(p, q).rough() >= 0.0 {
+        return sine;
+    }
+    let twice = T::constant(2.0) * radius;
+    if (sine.rough() < 0.0) == (radius.rough() < 0.0) {
+        twice - sine
+    } else {
+        -twice - sine
     }
 }
 
@@ -167,19 +201,19 @@ impl<'a> Placing<'a> {
         (place.clamp(-half, half), error)
     }
 
-    /// What orders branches by their places, as the places themselves would, at less cost.
+    /// What orders branches by their places, as the places themselves would, at less cost; with the place as [`place_on`] gives
+    /// it, and its error.
     ///
     /// On a circle it grows with the angle from the middle of the curve: y / (|x| + |y|) along and across that
     /// direction, continued beyond the quarter turns.
-    pub(super) fn ranking(&self) -> impl Fn(&Branch) -> f64 {
+    pub(super) fn ranking(&self) -> impl Fn(&Branch) -> Rank {
         let middle = match self.carrier {
             Carrier::Line { .. } | Carrier::Bow(_) => Vector::ZERO,
             Carrier::Circle { radius, .. } => Vector::from_angle(self.mid_angle) * radius.signum(),
         };
         move |b| {
-            let (f, g, _) = self.carriers(b);
-            let v = place_on(&f, &g, b.root, b.second == self.index);
-            match self.carrier {
+            let (v, error) = self.crossed_by(b);
+            let rank = match self.carrier {
                 Carrier::Line { .. } | Carrier::Bow(_) => v.0,
                 Carrier::Circle { radius, .. } => {
                     let v = Vector::new(v.0, v.1);
@@ -191,8 +225,16 @@ impl<'a> Placing<'a> {
                         2.0_f64.copysign(y) - quarter
                     }
                 }
-            }
+            };
+            Rank { rank, v, error }
         }
+    }
+
+    /// Whether two places that follow each other are apart by more than their errors.
+    pub(super) fn are_apart(&self, p: &Rank, q: &Rank) -> bool {
+        /// Errors are estimates; this much worse they may be.
+        const MARGIN: f64 = 8.0;
+        between(&self.carrier, p.v, q.v).abs() > MARGIN * (p.error + q.error)
     }
 
     /// The carriers of the sheet and of what a branch crosses, about one origin; and the length to which rounding is relative:

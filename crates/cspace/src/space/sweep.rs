@@ -9,7 +9,7 @@ use super::candidates::SheetRun;
 use super::cells::{Cell, VerticalContact};
 use super::clusters::Clusters;
 use super::extent::{CellExtents, Shared, Side};
-use super::gaps::{Gaps, Slab};
+use super::gaps::Gaps;
 use super::pinches::{Pinch, pinches_of};
 use super::triple::OnSheet;
 
@@ -141,7 +141,7 @@ impl Sweep<'_> {
                 self.branches,
                 run.sheet,
                 active.after(t0),
-                Slab::between(clusters, t0, t1),
+                clusters.exact_between(t0, t1),
             );
             keys.clear();
             keys.extend((0..=gaps.branches()).map(|gap| gaps.bounds(gap)));

@@ -12,7 +12,7 @@ use crate::parallel;
 use super::active::Active;
 use super::branch::{Branch, Encounter};
 use super::clusters::{Clusters, Moment, SAME};
-use super::gaps::{Gaps, Slab};
+use super::gaps::Gaps;
 use super::meetings::Meetings;
 use super::passing::{Passing, Sample};
 use super::placing::ExactPlacing;
@@ -51,7 +51,7 @@ impl OnSheet {
     }
 }
 
-/// In intervals narrower than this (radians) branches are put in order in double-double.
+/// In intervals narrower than this (radians) samples of branches tell which of them pass each other.
 const NARROW: f64 = 1e-5;
 
 /// Sheets searched at a time by one thread.
@@ -226,10 +226,7 @@ impl<'a> Search<'a> {
             self.branches,
             self.sheet,
             window.active,
-            Slab {
-                theta: (lo + hi).scaled(0.5),
-                is_narrow: (hi - lo).to_f64() < NARROW,
-            },
+            (lo + hi).scaled(0.5),
         );
         let mut cuts: Vec<Moment> = Vec::new();
         for n in 0..gaps.branches() {
