@@ -108,18 +108,16 @@ impl Sample {
         b: &Branch,
         length: f64,
     ) -> Option<Self> {
-        /// Speed of carriers, per radian, over the sine of the angle of crossing: how far off places could become singular.
-        const SPEED: f64 = 8.0;
+        /// How fast the square of the sine of the angle of crossing changes at most, per radian, times the least radius: where
+        /// it vanishes places are singular.
+        const SPEED: f64 = 16.0;
         /// The largest share of that which the interval may be.
         const NARROW: f64 = 1e-2;
         let sheets = &geometry.contacts.sheets;
         let both = [sheet, b.other(sheet)].map(|s| &sheets[s as usize]);
-        let sharp = both
-            .iter()
-            .filter(|s| s.is_circle())
-            .map(|s| s.radius.abs())
-            .fold(placings[1].sharpness(b), f64::min);
-        let share = SPEED * length / sharp;
+        let radii = both.iter().filter(|s| s.is_circle());
+        let least = radii.map(|s| s.radius.abs()).fold(1.0, f64::min);
+        let share = SPEED * length / (placings[1].sharpness(b).powi(2) * least);
         (share < NARROW && !both.iter().any(|s| s.is_flat())).then(|| Self {
             places: [0, 1, 2].map(|i: usize| placings[i].place(b)),
             rest: share.powi(3),
