@@ -344,15 +344,9 @@ impl Passing<'_> {
             }
             let step = -(at_c / slope);
             let size = step.to_f64().abs();
-            // The next would be as the product of the last two.
-            let next = last.map_or(f64::INFINITY, |l| size * (l.0 - c).to_f64().abs());
             last = Some((c, at_c));
-            if at_c.to_f64().abs() < 0.01 * NONE || size + next * CURVED < SAME_EXACT {
+            if at_c.to_f64().abs() < 0.01 * NONE || size < SAME_EXACT {
                 (a, b) = (c, c);
-                break;
-            }
-            if next * CURVED < SAME_EXACT {
-                (a, b) = (c + step, c + step);
                 break;
             }
             longest *= 0.5;
@@ -499,9 +493,6 @@ const SAME_EXACT: f64 = 1e-30;
 
 /// Steps towards a meeting, at most.
 const MOST_STEPS: usize = 200;
-
-/// Bound on half the second derivative of places by their first, per radian, where secants converge at all.
-const CURVED: f64 = 1e6;
 
 /// Error of a root of a function that is known up to an error and has a slope there.
 fn exact_error(error: f64, slope: f64) -> f64 {
