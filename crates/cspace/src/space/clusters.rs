@@ -44,8 +44,8 @@ const BESIDE: f64 = 1.0 / (1u64 << 20) as f64;
 const CLOSE: f64 = 1e-5;
 
 /// Orientations nearer to each other than this (radians) are one: it is above the rounding of double-double, and below what
-/// a generic drawing has.
-pub(super) const SAME: f64 = 1e-24;
+/// a generic drawing has. What vertices moved by 10⁻¹³ tell apart is as near as the square of that.
+pub(super) const SAME: f64 = 1e-28;
 
 /// Added to the errors of events found between clusters, radians, where it is asked which event is known best.
 const BETWEEN: f64 = 1.0;

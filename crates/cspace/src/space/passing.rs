@@ -310,7 +310,7 @@ impl Passing<'_> {
     /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
     fn change_of_order(&self, lo: Dd, hi: Dd, near: Option<f64>) -> Option<Moment> {
         /// Smaller ones are rounding (length): where three carriers always share a point.
-        const NONE: f64 = 1e-27;
+        const NONE: f64 = 1e-29;
         let at = |theta: Dd| {
             let rough = self.roughly_apart(theta.to_f64()).map(Dd::from);
             let apart = rough.unwrap_or_else(|| self.apart(theta));
