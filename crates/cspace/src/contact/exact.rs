@@ -430,14 +430,16 @@ impl Condition {
             return;
         }
         let (most, least) = (amplitude + gamma, amplitude - gamma);
-        if most.to_f64() < -error || least.to_f64() < -error {
+        let near = most.to_f64().min(least.to_f64());
+        // Vertices are moved so far that a double root is one by the making of the parts: where two arcs face each other, the
+        // contact of their ends touches the circle of their contacts. What only touches zero changes nothing.
+        if near <= error {
             return;
         }
         let middle = Dd::atan2(beta, alpha);
-        let near = most.to_f64().min(least.to_f64()).max(0.0);
         let aside = Dd::atan2(most.sqrt(), least.sqrt()).scaled(2.0);
-        // dφ = dγ / (A sin φ), and A sin φ = √((A + γ)(A − γ)); at a double root the square root of that.
-        let slope = (near * a).sqrt().max((error * a).sqrt());
+        // dφ = dγ / (A sin φ), and A sin φ = √((A + γ)(A − γ)).
+        let slope = (near * a).sqrt();
         let error = 2.0 * error / slope + COEFFICIENT_ERROR;
         found(middle + aside, error);
         if !aside.is_zero() {
