@@ -202,27 +202,32 @@ impl Passing<'_> {
         // Where doubles tell nothing.
         let mut unclear: Vec<(Dd, Dd)> = Vec::new();
         let mut vague: Vec<(Dd, Dd)> = Vec::new();
+        let (first, last) = (lo.to_f64(), hi.to_f64());
+        // The ends are not rounded: there may be a meeting between an end and the double that is nearest to it.
+        let exactly = |t: f64| match t {
+            _ if t <= first => lo,
+            _ if t >= last => hi,
+            _ => Dd::from(t),
+        };
         match f {
             Some(f) if (hi - lo).to_f64() >= NARROW => {
                 let mut brackets = Vec::new();
                 f.brackets(
-                    lo.to_f64(),
-                    hi.to_f64(),
+                    first,
+                    last,
                     NARROWEST,
                     &mut |a, b| brackets.push((a, b)),
-                    &mut |a, b| unclear.push((Dd::from(a), Dd::from(b))),
+                    &mut |a, b| unclear.push((exactly(a), exactly(b))),
                 );
                 for (a, b) in brackets {
                     // Which side of zero the value is on at an end may be beyond doubles, too.
                     let told = |t: f64| f.at(t).0.abs() > f.error();
                     if b - a <= 2.0 * NARROWEST || !told(a) || !told(b) {
-                        unclear.push((Dd::from(a), Dd::from(b)));
+                        unclear.push((exactly(a), exactly(b)));
                     } else if let Some(e) = self.refine(f, a, b) {
                         let around = AROUND.max(8.0 * e.error);
-                        let from = Dd::from((e.theta - around).max(a));
-                        let to = Dd::from((e.theta + around).min(b));
-                        let from = if from < lo { lo } else { from };
-                        let to = if hi < to { hi } else { to };
+                        let from = exactly((e.theta - around).max(a));
+                        let to = exactly((e.theta + around).min(b));
                         self.change_of_order(from, to, Some(e.theta))
                             .into_iter()
                             .for_each(&mut *found);
@@ -459,6 +464,8 @@ impl Passing<'_> {
     fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64) -> Option<Event> {
         /// Steps shorter than this are rounding, radians.
         const SAME: f64 = 1e-15;
+        /// Rounding of an orientation, and what steps leave of it, radians.
+        const ROOT_ERROR: f64 = 8.0 * SAME;
         let at_lo = f.at(lo).0;
         let mut theta = 0.5 * (lo + hi);
         // Halving the bracket where a step leaves it or does not shorten it enough.
@@ -481,7 +488,10 @@ impl Passing<'_> {
             theta = next;
         }
         let d = self.gap(theta);
-        (d.value.abs() <= NEAR || d.value.is_nan()).then(|| event(theta, d.value, d.slope))
+        // How far the root is known, and with it the places: of lines that are nearly parallel these move fast.
+        let off = f.error() / f.at(theta).1.abs() + ROOT_ERROR;
+        let near = d.value.abs() <= NEAR + off * d.slope.abs();
+        (near || d.value.is_nan()).then(|| event(theta, d.value, d.slope))
     }
 }
 
