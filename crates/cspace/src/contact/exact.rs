@@ -363,6 +363,7 @@ fn height(
     Condition {
         coefficients: height_coefficients(normal, stays, moves, offset, turns),
         scale: p.size() + through.size() + offset.to_f64().abs(),
+        kind: Kind::Height { moves },
     }
 }
 
@@ -375,6 +376,12 @@ fn apart(p: &ExactSpiral, q: &ExactSpiral, distance: Dd) -> Condition {
     Condition {
         coefficients: apart_coefficients(u, w, distance),
         scale: reach * parts,
+        kind: Kind::Apart {
+            u,
+            w,
+            distance: distance.abs(),
+            parts,
+        },
     }
 }
 
@@ -382,6 +389,20 @@ fn apart(p: &ExactSpiral, q: &ExactSpiral, distance: Dd) -> Condition {
 struct Condition {
     coefficients: [Dd; 3],
     scale: f64,
+    kind: Kind,
+}
+
+/// What the extreme values of a condition are made of.
+enum Kind {
+    /// The height of what moves so over a line.
+    Height { moves: Xy<Dd> },
+    /// |u + R w|² less the square of a distance, made from parts of that size.
+    Apart {
+        u: Xy<Dd>,
+        w: Xy<Dd>,
+        distance: Dd,
+        parts: f64,
+    },
 }
 
 /// Error of a coefficient, in units of its scale.
@@ -420,27 +441,50 @@ impl Condition {
         (Dd::from(theta) + step, error)
     }
 
+    /// √(α² + β²) + γ and √(α² + β²) − γ, with their errors: of distances as products of lengths, for of circles of nearly one radius
+    /// about nearly one centre the differences of lengths are known, not those of their squares.
+    fn extremes(&self) -> [(Dd, f64); 2] {
+        match self.kind {
+            Kind::Height { moves } => {
+                let (amplitude, gamma) = (length(moves), self.coefficients[2]);
+                [amplitude + gamma, amplitude - gamma].map(|x| (x, COEFFICIENT_ERROR * self.scale))
+            }
+            Kind::Apart {
+                u,
+                w,
+                distance: d,
+                parts,
+            } => {
+                let (a, b) = (length(u), length(w));
+                [(a + b - d, a + b + d), (d - (a - b), d + (a - b))].map(|(x, y)| {
+                    let error = COEFFICIENT_ERROR * parts;
+                    let sizes = x.to_f64().abs() + y.to_f64().abs();
+                    (x * y, error * (sizes + error))
+                })
+            }
+        }
+    }
+
     /// Its roots up to whole turns: as in `number/trig.rs`.
     fn roots(&self, mut found: impl FnMut(Dd, f64)) {
-        let [alpha, beta, gamma] = self.coefficients;
-        let amplitude = (alpha * alpha + beta * beta).sqrt();
+        let [alpha, beta, _] = self.coefficients;
+        let a = (alpha * alpha + beta * beta).sqrt().to_f64();
         let error = COEFFICIENT_ERROR * self.scale;
-        let a = amplitude.to_f64();
         if a <= 4.0 * error {
             return;
         }
-        let (most, least) = (amplitude + gamma, amplitude - gamma);
-        let near = most.to_f64().min(least.to_f64());
         // Vertices are moved so far that a double root is one by the making of the parts: where two arcs face each other, the
         // contact of their ends touches the circle of their contacts. What only touches zero changes nothing.
-        if near <= error {
+        let [(most, most_error), (least, least_error)] = self.extremes();
+        let (m, l) = (most.to_f64(), least.to_f64());
+        if m <= most_error || l <= least_error {
             return;
         }
         let middle = Dd::atan2(beta, alpha);
         let aside = Dd::atan2(most.sqrt(), least.sqrt()).scaled(2.0);
-        // dφ = dγ / (A sin φ), and A sin φ = √((A + γ)(A − γ)).
-        let slope = (near * a).sqrt();
-        let error = 2.0 * error / slope + COEFFICIENT_ERROR;
+        // By the derivatives of twice the angle whose tangent is √(most / least).
+        let of_aside = (m * l).sqrt() / (m + l) * (most_error / m + least_error / l);
+        let error = 2.0 * (of_aside + error / a) + COEFFICIENT_ERROR;
         found(middle + aside, error);
         if !aside.is_zero() {
             found(middle - aside, error);
