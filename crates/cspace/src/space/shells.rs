@@ -42,7 +42,7 @@ const TRIED: usize = 8;
 const NARROW: f64 = 1e-5;
 
 /// Where curves are nearer to each other than this (length), doubles do not tell what is free between them.
-const TELLING: f64 = 1e-10;
+const TELLING: f64 = 2e-12;
 
 /// A cell that what bounds it leaves open, in its shell and its ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
