@@ -25,6 +25,8 @@ use super::symmetry::{Names, PairSymmetry};
 pub(super) struct Assembler<'a> {
     pub(super) linker: Linker<'a>,
     pub(super) shells: &'a Shells,
+    /// Orientations that are in doubt in the slab that was computed.
+    pub(super) doubtful: &'a [(f64, f64)],
     pub(super) window: Window,
     pub(super) symmetry: PairSymmetry,
     pub(super) names: &'a Names,
@@ -70,8 +72,7 @@ impl Assembler<'_> {
             parallel::join(|| links.side(&patches), || links.vertical());
         let critical_orientations = lifts.critical_orientations(&chains.chains);
         let doubts = doubts(
-            &self.linker,
-            self.shells,
+            self.doubtful,
             &lifts,
             (&patches, &side_links),
             &critical_orientations,

@@ -112,6 +112,28 @@ impl Clusters {
         (merged, moved)
     }
 
+    /// These clusters with each of some runs, from a first to a last, as one; and where each of the old ones went.
+    pub(super) fn contracted(&self, runs: &[(u32, u32)]) -> (Self, Vec<u32>) {
+        let mut this = Self::default();
+        let mut moved = Vec::with_capacity(self.len());
+        let mut runs = runs.iter().peekable();
+        let mut i = 0;
+        while i < self.len() {
+            let last = match runs.next_if(|run| run.0 as usize == i) {
+                Some(run) => run.1 as usize,
+                None => i,
+            };
+            let middle = i.midpoint(last);
+            this.lo.push(self.lo[i]);
+            this.hi.push(self.hi[last]);
+            this.best.push(self.best[middle]);
+            this.turns.push(self.turns[middle]);
+            moved.resize(last + 1, this.len() as u32 - 1);
+            i = last + 1;
+        }
+        (this, moved)
+    }
+
     pub(super) fn len(&self) -> usize {
         self.lo.len()
     }

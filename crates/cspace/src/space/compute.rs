@@ -12,7 +12,9 @@ use super::branch::{Traced, branches, pair_events};
 use super::candidates::Candidates;
 use super::chains::Linker;
 use super::clusters::{Clusters, Moment};
+use super::contract::contract;
 use super::core::Cores;
+use super::doubt::doubtful;
 use super::graph::{ContactSpace, Window};
 use super::limits::{MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS};
 use super::shells::ShellFinder;
@@ -350,7 +352,7 @@ impl ContactSpace {
             candidates: &candidates,
             coincidences: &coincidences,
         };
-        let shells = finder.find(&mut cells);
+        let mut shells = finder.find(&mut cells);
         drop((candidates, coincidences));
         lap(&mut seconds.shells);
         if std::env::var("CSPACE_DEBUG").is_ok() {
@@ -380,6 +382,15 @@ impl ContactSpace {
             seconds: StageSeconds::default(),
         };
         let (lo, hi) = window.unwrap_or((span.lo, span.lo + TAU));
+        let doubtful = doubtful(&clusters, &cells.cells, &shells);
+        let contracted = contract(
+            &geometry,
+            &branches,
+            &clusters,
+            &mut cells.cells,
+            &mut shells,
+        );
+        let clusters = contracted.unwrap_or(clusters);
         let assembler = Assembler {
             linker: Linker {
                 geometry: &geometry,
@@ -388,6 +399,7 @@ impl ContactSpace {
                 cells: &cells.cells,
             },
             shells: &shells,
+            doubtful: &doubtful,
             window: Window {
                 lo,
                 hi,

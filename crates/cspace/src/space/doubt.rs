@@ -8,18 +8,15 @@ use core::f64::consts::{PI, TAU};
 
 use crate::feature::tolerance::NARROWEST_BAND;
 
-use super::chains::Linker;
+use super::cells::Cell;
+use super::clusters::Clusters;
 use super::graph::{SideLink, Window};
 use super::lifts::Lifts;
 use super::patch::Patch;
 use super::shells::Shells;
 
-/// Bands narrower than this (radians) are in doubt: critical orientations may be known to 10⁻⁶ rad only.
-const NARROW: f64 = 1e-5;
-
-/// So are orientations between two clusters nearer to each other than this (radians), critical or not: a pocket that is lost
-/// leaves no critical orientations. Large pairs have many clusters, so that it is to be little.
-pub(super) const CROWDED: f64 = 2e-6;
+/// Bands narrower than this (radians) are in doubt: doubles do not tell places on curves that cross there at as small an angle.
+const NARROW: f64 = 1e-9;
 
 /// Disjoint intervals of orientation, radians, in ascending order.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -95,32 +92,27 @@ impl Doubts {
     }
 }
 
+/// Where cells are in doubt: within clusters that are known to less than the narrowest band, where shells were in conflict, and where
+/// curves lie on each other.
+pub(super) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> Vec<(f64, f64)> {
+    let rough = clusters.rough().map(|i| (clusters.lo(i), clusters.hi(i)));
+    let in_conflict = (cells.iter().zip(&shells.in_conflict))
+        .filter(|(_, conflict)| **conflict)
+        .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
+    let doubled = shells.doubled.iter().copied();
+    union(rough.chain(in_conflict).chain(doubled).collect())
+}
+
 /// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where
-/// many events crowd, where shells were in conflict, where curves lie on each other, in narrow bands, and where a patch is followed by none.
+/// shells were in conflict, where curves lie on each other, in narrow bands, and where a patch is followed by none.
 pub(super) fn doubts(
-    linker: &Linker<'_>,
-    shells: &Shells,
+    doubtful: &[(f64, f64)],
     lifts: &Lifts<'_>,
     (patches, side_links): (&[Patch], &[SideLink]),
     critical_orientations: &[f64],
     window: Window,
 ) -> Doubts {
-    let clusters = linker.clusters;
-    let rough = clusters.rough().map(|i| (clusters.lo(i), clusters.hi(i)));
-    let crowded = (1..clusters.len() as u32)
-        .filter(|&i| clusters.lo(i) - clusters.hi(i - 1) < CROWDED)
-        .map(|i| (clusters.lo(i - 1), clusters.hi(i)));
-    let in_conflict = (linker.cells.iter().zip(&shells.in_conflict))
-        .filter(|(_, conflict)| **conflict)
-        .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
-    let doubled = shells.doubled.iter().copied();
-    let once = union(
-        (rough.chain(crowded))
-            .chain(in_conflict)
-            .chain(doubled)
-            .collect(),
-    );
-    let copies = once.iter().flat_map(|&(lo, hi)| {
+    let copies = doubtful.iter().flat_map(|&(lo, hi)| {
         lifts.shifts(lo, hi).map(move |slabs| {
             let by = lifts.steps.period(slabs);
             (lo + by, hi + by)

@@ -9,6 +9,7 @@ mod cells;
 mod chains;
 mod clusters;
 mod compute;
+mod contract;
 mod core;
 mod covering;
 mod doubt;
