@@ -242,10 +242,11 @@ impl<'a> Lifts<'a> {
 /// Orientations nearer than this, radians, are one that rounding has split.
 const SAME_ORIENTATION: f64 = 8.0 * f64::EPSILON;
 
-/// Brings an orientation to [−π, π); half a turn is −π, whichever side of it rounding has it on.
+/// Brings an orientation to [−π, π); half a turn is −π, whichever side of it rounding or the perturbation of the
+/// parts has it on.
 pub(super) fn normalized(theta: f64) -> f64 {
     let t = theta - TAU * ((theta + PI) / TAU).floor();
-    if (t - PI).abs() <= SAME_ORIENTATION || (t + PI).abs() <= SAME_ORIENTATION {
+    if (t - PI).abs() <= NARROWEST_BAND || (t + PI).abs() <= NARROWEST_BAND {
         -PI
     } else if t >= PI {
         t - TAU
