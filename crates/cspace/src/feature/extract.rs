@@ -84,7 +84,7 @@ impl Outline {
             if let Some(wishes) = wishes.get_mut(loop_index) {
                 pieces = generic(&pieces, wishes).unwrap_or(pieces);
             }
-            share_direction_along_lines(&mut pieces);
+            straightened(&mut pieces);
             let loop_index = loop_index as u32;
             let growth = growth(loop_index);
             outline.add_loop(loop_index, &pieces, boundary.is_reversed(), growth);
@@ -423,23 +423,38 @@ fn turn(before: &Piece, after: &Piece) -> f64 {
     cross(d1, d2).to_f64().atan2(dot(d1, d2).to_f64())
 }
 
-/// Lines that follow each other smoothly share one direction, that of the first.
-fn share_direction_along_lines(pieces: &mut [Piece]) {
+/// Lines that follow each other smoothly are put on one line, from where the first starts to where the last ends: contacts of
+/// each are then contacts of one line, as far as double-double tells, however short the pieces are.
+fn straightened(pieces: &mut [Piece]) {
     let n = pieces.len();
-    let smooth_lines = |before: &Piece, after: &Piece| {
-        before.arc.is_none()
-            && after.arc.is_none()
-            && matches!(corner(before, after), Corner::Smooth { .. })
-    };
-    let Some(first) = (0..n).find(|&i| !smooth_lines(&pieces[(i + n - 1) % n], &pieces[i])) else {
-        return;
-    };
-    for step in 1..n {
-        let (i, j) = ((first + step - 1) % n, (first + step) % n);
-        if smooth_lines(&pieces[i], &pieces[j]) {
-            let direction = pieces[i].end_direction;
-            pieces[j].start_direction = direction;
-            pieces[j].end_direction = direction;
+    let goes_on: Vec<bool> = (0..n)
+        .map(|i| {
+            let (before, after) = (&pieces[i], &pieces[(i + 1) % n]);
+            before.arc.is_none()
+                && after.arc.is_none()
+                && matches!(corner(before, after), Corner::Smooth { .. })
+        })
+        .collect();
+    for first in 0..n {
+        let count = (1..=n)
+            .find(|k| !goes_on[(first + k - 1) % n])
+            .unwrap_or_default();
+        if goes_on[(first + n - 1) % n] || count < 2 {
+            continue;
+        }
+        let start = pieces[first].start;
+        let chord = minus(pieces[(first + count - 1) % n].end, start);
+        let direction = times(chord, Dd::ONE / length(chord));
+        for k in 0..count {
+            let i = (first + k) % n;
+            pieces[i].start_direction = direction;
+            pieces[i].end_direction = direction;
+            if k + 1 < count {
+                let along = dot(direction, minus(pieces[i].end, start));
+                let joint = plus(start, times(direction, along));
+                pieces[i].end = joint;
+                pieces[(i + 1) % n].start = joint;
+            }
         }
     }
 }
