@@ -60,12 +60,12 @@ pub(crate) const OVERSHOOT_SEPARATION: f64 = 1.0 / (1u64 << 46) as f64;
 /// A pin in a socket with less play than this is held to be an exact fit.
 pub(crate) const SMALLEST_CIRCLE: f64 = 8.0 * GROWTH;
 
-/// Critical orientations nearer to each other than this are one (radians, about 1.5e-11): bands are at least this wide.
+/// Critical orientations nearer to each other than this are one (radians, about 1.2e-10): bands are at least this wide.
 ///
 /// Two lines that become one at a critical orientation cross, half a band away, at half this angle: the rounding of
 /// about 1e-14 is multiplied by its inverse, and places on the lines are still known to a few thousandths. Bands that only
 /// [`GROWTH`] makes, along lines not much shorter than the parts, are narrower than this and not told apart.
-pub(crate) const NARROWEST_BAND: f64 = 1.0 / (1u64 << 36) as f64;
+pub(crate) const NARROWEST_BAND: f64 = 1.0 / (1u64 << 33) as f64;
 
 /// Vertical neighbours must share at least this length of a patch to be linked (length).
 pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;
