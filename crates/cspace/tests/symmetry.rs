@@ -92,7 +92,7 @@ fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
 /// Links of one space as links of the other, by the same patches; those of patches that go around may be cut elsewhere.
 fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
     // Three contacts are one circle at a critical orientation: what follows what there depends on the growth of the parts.
-    if name == "three pegs in three holes" {
+    if name.starts_with("three pegs") {
         return;
     }
     let around = |space: &ContactSpace, i: u32| {

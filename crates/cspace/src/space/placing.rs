@@ -3,7 +3,7 @@
 use crate::contact::{
     Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, Sheet, place_error, place_on, wrap,
 };
-use crate::geometry::{Rotation, Vector};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::number::Real;
 use crate::number::plane::{Xy, cross, dot};
@@ -68,6 +68,12 @@ impl<'a> ExactPlacing<'a> {
         let point = self.curve.carrier().point(v);
         let normals = [self.curve.carrier(), &other].map(|c| c.normal(point));
         cross(normals[0], normals[1]).to_f64().abs()
+    }
+
+    /// The point at a place, rounded.
+    pub(super) fn point(&self, place: Dd) -> Point {
+        let p = self.curve.point(place);
+        Point::new(p.0.to_f64(), p.1.to_f64())
     }
 
     /// The places of the ends.

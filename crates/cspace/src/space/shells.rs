@@ -1,7 +1,8 @@
 //! Shells: cells that hang together, and whether they bound free space.
 
-use crate::contact::Geometry;
-use crate::geometry::{Rotation, Vector};
+use crate::contact::{Curve, ExactTurn, Geometry};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Dd;
 use crate::parallel;
 use crate::union_find::UnionFind;
 
@@ -10,7 +11,7 @@ use super::candidates::Candidates;
 use super::cells::{Cell, END, SideContact, VerticalContact};
 use super::clusters::Clusters;
 use super::levels::Levels;
-use super::placing::Placing;
+use super::placing::{ExactPlacing, Placing};
 use super::sweep::Cells;
 
 /// Contacts between cells, and the verdict on each cell.
@@ -289,14 +290,11 @@ impl ShellFinder<'_> {
     /// Cells that follow each other are on the boundary of free space together or not at all, so of each ring of cells those
     /// that what bounds them leaves open are tested for themselves: rings are few. That what continues or follows them has
     /// blocked cells does not count against it, for with many curves through one point that may be a false link: a pocket
-    /// of which nothing else tells would be lost. Nor do cells that follow them for less than [`NARROW`] only, where curves
-    /// are told apart by growth.
+    /// of which nothing else tells would be lost.
     fn judge(&self, cells: &[Cell], shells: &mut Shells) {
         let mut rings = UnionFind::new(cells.len());
         for s in &shells.side {
-            if self.duration(s.from, s.to) > NARROW {
-                rings.union(s.before, s.after);
-            }
+            rings.union(s.before, s.after);
         }
         let ring: Vec<u32> = (0..cells.len() as u32).map(|i| rings.find(i)).collect();
         let mut blocked_shell = vec![false; cells.len()];
@@ -371,23 +369,43 @@ impl ShellFinder<'_> {
         blocked_ring: &[bool],
     ) -> Verdict {
         // What a test says of each ring, where doubles can tell.
-        let rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
+        let lasting = |ring: &[Member]| {
+            let duration = |m: &Member| {
+                let c = &cells[m.cell as usize];
+                self.duration(c.from, c.to)
+            };
+            ring.iter().map(duration).fold(0.0, f64::max)
+        };
+        let mut rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
             .map(|ring| {
-                let wide = !self.is_narrow(cells, ring);
+                let wide = lasting(ring) > NARROW;
                 (ring, wide.then(|| self.ring_is_free(cells, ring)).flatten())
             })
             .collect();
-        let mut rings = rings;
         if !blocked && rings.iter().all(|r| r.1.is_none()) {
-            // A pocket that does not last.
-            for (ring, tested) in &mut rings {
-                *tested = self.ring_is_free(cells, ring);
+            // A pocket that does not last is tested where it lasts longest.
+            let by_duration = |a: &usize, b: &usize| {
+                let [a, b] = [a, b].map(|&i| lasting(rings[i].0));
+                b.total_cmp(&a)
+            };
+            let mut longest: Vec<usize> = (0..rings.len()).collect();
+            longest.sort_by(by_duration);
+            for i in longest.into_iter().take(TRIED) {
+                rings[i].1 = self.ring_is_free(cells, rings[i].0);
+                if rings[i].1.is_some() {
+                    break;
+                }
             }
         }
         let mut tests = rings.iter().filter(|r| r.1.is_some()).count();
         let some_free = rings.iter().any(|r| r.1 == Some(true));
         let some_blocked = blocked || rings.iter().any(|r| r.1 == Some(false));
         let conflict = some_free && some_blocked;
+        if conflict && std::env::var("CSPACE_DEBUG").is_ok() {
+            for (ring, tested) in &rings {
+                eprintln!("CONF blocked {blocked} ring {} first {} dur {:e} tested {tested:?} blocked_ring {} largest {}", ring.len(), ring[0].cell, lasting(ring), blocked_ring[ring[0].ring as usize], self.largest(cells, ring));
+            }
+        }
         let mut free = Vec::with_capacity(shell.len());
         for (ring, tested) in rings {
             let apart = tested.is_none() || blocked_ring[ring[0].ring as usize];
@@ -409,12 +427,6 @@ impl ShellFinder<'_> {
     /// From the end of one cluster to the beginning of another, radians.
     fn duration(&self, from: u32, to: u32) -> f64 {
         self.clusters.duration(from, to)
-    }
-
-    /// Whether a ring is a single cell of short duration, which no other follows for longer.
-    fn is_narrow(&self, cells: &[Cell], ring: &[Member]) -> bool {
-        let cell = &cells[ring[0].cell as usize];
-        ring.len() == 1 && self.duration(cell.from, cell.to) <= NARROW
     }
 
     /// The cell that has most room of those of longest duration.
@@ -461,6 +473,28 @@ impl ShellFinder<'_> {
         )
     }
 
+    /// The point of a cell by its share of the length, in the middle of its duration.
+    ///
+    /// Curves cross at small angles near the orientation at which they are one: there places are found in double-double.
+    fn point(&self, cell: &Cell, share: f64, curve: &Curve) -> Point {
+        if self.duration(cell.from, cell.to) > NARROW {
+            let (lo, hi) = self.range(cell, self.middle(cell));
+            return curve.point(lo + share * (hi - lo));
+        }
+        let turn = ExactTurn::by(self.clusters.exact_between(cell.from, cell.to));
+        let placing = ExactPlacing::new(self.geometry, cell.sheet, turn);
+        let (from, to) = placing.ends();
+        let place = |b: u32, end: Dd| {
+            if b == END {
+                end
+            } else {
+                placing.place(&self.branches[b as usize])
+            }
+        };
+        let (lo, hi) = (place(cell.left, from), place(cell.right, to));
+        placing.point(lo + (hi - lo) * share)
+    }
+
     fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
         self.is_free(&cells[self.largest(cells, ring) as usize])
     }
@@ -479,11 +513,10 @@ impl ShellFinder<'_> {
         const STEP: f64 = 1.0 / 256.0;
         let theta = self.middle(cell);
         let turn = Rotation::by(theta);
-        let (lo, hi) = self.range(cell, theta);
         let sheets = &self.geometry.contacts.sheets;
         let sheet = &sheets[cell.sheet as usize];
         let curve = sheet.curve(theta, turn);
-        let p = curve.point(lo + share * (hi - lo));
+        let p = self.point(cell, share, &curve);
         let normal: Vector = curve.normal(p);
         let mut reach = if !sheet.is_line() {
             STEP.min(0.5 * sheet.radius.abs())
