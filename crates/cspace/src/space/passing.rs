@@ -367,19 +367,8 @@ impl Passing<'_> {
         if at_last.to_f64().abs() > NEAR {
             return None;
         }
-        let rounding = NONE.max(self.rounding(theta));
-        let error = (b - a).to_f64() + exact_error(rounding, slope.to_f64());
+        let error = (b - a).to_f64() + exact_error(NONE, slope.to_f64());
         Some(Moment { theta, error })
-    }
-
-    /// How well the places of the two branches are known in double-double (length): the worse, the smaller the angles at which
-    /// the carriers cross.
-    fn rounding(&self, theta: Dd) -> f64 {
-        /// Rounding of a carrier in double-double.
-        const ROUNDING: f64 = 1e-31;
-        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
-        let of = |b: &Branch| ROUNDING / placing.sharpness(b).max(ROUNDING);
-        of(self.x) + of(self.y)
     }
 
     /// What vanishes where the three carriers meet; `None` with a large arc, about whose centre nothing can be reckoned.
