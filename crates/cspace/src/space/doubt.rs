@@ -99,8 +99,7 @@ pub(super) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> 
     let in_conflict = (cells.iter().zip(&shells.in_conflict))
         .filter(|(_, conflict)| **conflict)
         .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
-    let doubled = shells.doubled.iter().copied();
-    union(rough.chain(in_conflict).chain(doubled).collect())
+    union(rough.chain(in_conflict).collect())
 }
 
 /// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where

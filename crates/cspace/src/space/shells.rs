@@ -22,8 +22,6 @@ pub(super) struct Shells {
     pub(super) free: Vec<bool>,
     /// For every cell whether it is where a shell's bounds and tests tell different things.
     pub(super) in_conflict: Vec<bool>,
-    /// When cells that nothing bounds as blocked lie on each other (radians).
-    pub(super) doubled: Vec<(f64, f64)>,
     /// For every cell the smallest cell of its shell.
     pub(super) shell: Vec<u32>,
     /// How many configurations were tested for overlap.
@@ -103,7 +101,6 @@ impl ShellFinder<'_> {
             vertical,
             free: Vec::new(),
             in_conflict: Vec::new(),
-            doubled: self.doubled(cells),
             shell,
             tests: 0,
             judged: 0,
@@ -203,28 +200,6 @@ impl ShellFinder<'_> {
         };
         levels.connect(&groups, &mut shells.vertical);
         shells
-    }
-
-    /// When the curves of two contacts lie on each other, and neither is blocked there by what bounds it.
-    fn doubled(&self, all: &Cells) -> Vec<(f64, f64)> {
-        let contacts = &self.geometry.contacts;
-        let Some(doubled) = &contacts.doubled else {
-            return vec![(contacts.span.lo, contacts.span.hi)];
-        };
-        let open = |sheet: u32| {
-            (all.of(sheet))
-                .filter(|(_, c)| !c.blocked)
-                .map(|(_, c)| (self.clusters.lo(c.from), self.clusters.hi(c.to)))
-        };
-        let both = |a: (f64, f64), b: (f64, f64)| (a.0.max(b.0), a.1.min(b.1));
-        let mut found = Vec::new();
-        for d in doubled {
-            for f in open(d.first) {
-                let f = both(f, (d.lo, d.hi));
-                found.extend(open(d.second).map(|g| both(f, g)).filter(|s| s.0 < s.1));
-            }
-        }
-        found
     }
 
     /// Cells that follow each other at shared ends and at branches, unless both are blocked anyway.
