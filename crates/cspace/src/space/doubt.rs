@@ -16,7 +16,7 @@ use super::patch::Patch;
 use super::shells::Shells;
 
 /// Bands narrower than this (radians) are in doubt: doubles do not tell places on curves that cross there at as small an angle.
-const NARROW: f64 = 1e-9;
+const NARROW: f64 = 2.0 * NARROWEST_BAND;
 
 /// Disjoint intervals of orientation, radians, in ascending order.
 #[derive(Debug, Clone, PartialEq, Default)]
