@@ -172,11 +172,6 @@ impl Growths {
         )
     }
 
-    /// Whether all loops are grown alike.
-    pub(crate) fn are_even(&self) -> bool {
-        self.levels.iter().all(|&l| l == 0)
-    }
-
     /// By how much a loop is grown.
     pub(crate) fn of(&self, loop_index: u32) -> f64 {
         let level = self.levels.get(loop_index as usize).copied();

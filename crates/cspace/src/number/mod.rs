@@ -11,9 +11,9 @@ mod trig;
 pub(crate) use ball::Ball;
 pub(crate) use dd::Dd;
 pub(crate) use jet::Jet;
-pub(crate) use polynomial::{Angle, TrigPolynomial};
+pub(crate) use polynomial::TrigPolynomial;
 pub(crate) use series::Series;
-pub(crate) use trig::{ANGLE_ERROR, Event, Known, LARGEST_ERROR, Trig};
+pub(crate) use trig::{Event, Known, Trig};
 
 use core::ops::{Add, Mul, Neg, Sub};
 

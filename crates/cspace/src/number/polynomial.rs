@@ -244,7 +244,7 @@ mod tests {
     /// 1.5 + cos θ − 2 sin 3θ + sin 4θ, of all frequencies but 2, against its derivatives as they are known.
     #[test]
     fn values_and_slopes_are_those_of_the_function() {
-        let p = TrigPolynomial::sampled(|c, s| {
+        let p = TrigPolynomial::sampled(|c: f64, s: f64| {
             let theta = s.atan2(c);
             let value = 1.5 + theta.cos() - 2.0 * (3.0 * theta).sin() + (4.0 * theta).sin();
             (value, 4.0)

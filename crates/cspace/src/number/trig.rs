@@ -1,6 +1,6 @@
 //! Roots of α cos θ + β sin θ + γ: every event between two contact curves is one.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 /// A number and a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,14 +44,14 @@ impl Event {
 /// Error of a coefficient, in units of its scale.
 const COEFFICIENT_ERROR: f64 = 8.0 * f64::EPSILON;
 /// Error of an angle computed from exact coefficients, radians.
-pub(crate) const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
+const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
 /// A function that varies by less than this (in units of its scale) is constant up to rounding and has no roots.
 const CONSTANT: f64 = 64.0 * f64::EPSILON;
 /// The largest error with which a root is reported, radians.
 ///
 /// Arcs of nearly equal radii that touch lose and regain each other several times within some 1e-7: one cluster has them
 /// all.
-pub(crate) const LARGEST_ERROR: f64 = 1e-6;
+const LARGEST_ERROR: f64 = 1e-6;
 
 impl Trig {
     /// From coefficients that are right to a few ulps of `scale`, and nothing better known.
@@ -70,26 +70,6 @@ impl Trig {
             most: known(amplitude + gamma),
             least: known(amplitude - gamma),
         }
-    }
-
-    /// The orientation at which the function touches zero, as far as rounding can tell, with the error of that orientation:
-    /// where it is largest or least, which is known much better than the roots that it may have beside.
-    ///
-    /// ```text
-    /// |A + γ| or |A − γ| within its error: at atan2(β, α), or half a turn from there
-    /// ```
-    pub(crate) fn touch(&self) -> Option<Event> {
-        let none = |k: Known| k.value.abs() <= k.error;
-        let aside = match (none(self.most), none(self.least)) {
-            (true, false) => 0.0,
-            (false, true) => PI,
-            _ => return None,
-        };
-        let amplitude = self.alpha.hypot(self.beta);
-        (amplitude > CONSTANT * self.scale).then(|| Event {
-            theta: self.beta.atan2(self.alpha) + aside,
-            error: COEFFICIENT_ERROR * self.scale / amplitude + ANGLE_ERROR,
-        })
     }
 
     /// Calls `found` with every root in the interval (mid − half, mid + half), with its error.
@@ -158,7 +138,7 @@ mod tests {
 
     fn roots(t: Trig) -> Vec<Event> {
         let mut all = Vec::new();
-        t.roots(0.1, 0.1_f64.cos(), 0.1_f64.sin(), PI, |e| all.push(e));
+        t.roots(0.1, 0.1_f64.cos(), 0.1_f64.sin(), 0.5 * TAU, |e| all.push(e));
         all
     }
 
@@ -189,19 +169,6 @@ mod tests {
     fn has_none_when_constant_or_out_of_reach() {
         assert!(roots(cosine(1e-15, 0.0, 1.0)).is_empty());
         assert!(roots(cosine(1.0, 1.1, 1.0)).is_empty());
-    }
-
-    /// A function touches zero from below where it is largest, from above where it is least; and not where it passes.
-    #[test]
-    fn tells_where_it_touches() {
-        let touch = |alpha, gamma| cosine(alpha, gamma, 1.0).touch();
-        let from_below = touch(1.0, -1.0 + 2e-16).unwrap();
-        assert!(from_below.theta.abs() < 1e-15 && from_below.error < 1e-14);
-        let from_above = touch(1.0, 1.0 - 2e-16).unwrap();
-        assert!((from_above.theta - PI).abs() < 1e-15);
-        assert_eq!(touch(1.0, -1.0 + 1e-13), None);
-        assert_eq!(touch(1.0, 0.0), None);
-        assert_eq!(touch(1e-16, 0.0), None);
     }
 
     /// Interval and root may be one point: rounding is not to lose it.

@@ -204,12 +204,6 @@ impl Clusters {
     }
 
     /// Orientations just below and above a cluster, where places have hardly moved: at most [`BESIDE`] from its ends.
-    pub(super) fn just_beside(&self, i: u32) -> (f64, f64) {
-        let (below, above) = self.exactly_beside(i);
-        (below.to_f64(), above.to_f64())
-    }
-
-    /// The same in double-double.
     pub(super) fn exactly_beside(&self, i: u32) -> (Dd, Dd) {
         let (below, above) = (self.exact_below(i), self.exact_above(i));
         let near = (self.lo[i as usize] - BESIDE, self.hi[i as usize] + BESIDE);

@@ -55,10 +55,10 @@ mod tests {
             covering.go_to(place);
             covering.here().collect::<Vec<_>>()
         };
-        assert_eq!(at(-1.0), []);
+        assert!(at(-1.0).is_empty());
         assert_eq!(at(0.75), [0, 1, 3]);
         assert_eq!(at(1.6), [0, 2, 3]);
         assert_eq!(at(3.0), [3]);
-        assert_eq!(at(10.0), []);
+        assert!(at(10.0).is_empty());
     }
 }

@@ -8,7 +8,6 @@ use crate::number::Dd;
 
 use super::branch::Branch;
 use super::cells::END;
-use super::clusters::Clusters;
 use super::placing::{ExactPlacing, Placing, Rank};
 
 /// The branches that cross a contact curve at one orientation, in order of travel.

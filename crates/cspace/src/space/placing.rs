@@ -151,11 +151,6 @@ impl<'a> Placing<'a> {
         }
     }
 
-    /// The same sheet at another orientation.
-    pub(super) fn turned(&self, theta: f64) -> Self {
-        Self::new(self.geometry, self.index, theta)
-    }
-
     /// Half the length of the contact curve.
     pub(super) fn half(&self) -> f64 {
         self.half

@@ -3,6 +3,7 @@
 use super::*;
 use crate::contact::{Curve, Geometry};
 use crate::feature::FeatureKind;
+use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::Rotation;
 use crate::part::{Part, Vertex};
 
@@ -203,10 +204,10 @@ fn centres_of_arcs_that_touch_are_their_radii_apart() {
     assert!(kinds.into_iter().all(|n| n > 0), "{kinds:?}");
 }
 
-/// An arc in a fillet: with play it goes around a circle, if it just fits there is one point, and if it is too large nothing; of
-/// large arcs play is what it is along them. Half of a fillet that is all but a half circle is no place for one that has none.
+/// An arc in a fillet goes around a circle if it has play there, and is no contact if it just fits or is too large; of large
+/// arcs play is what it is along them.
 #[test]
-fn arcs_that_just_fit_have_a_point() {
+fn arcs_with_play_go_around_a_circle() {
     for (radius, sweep) in [(0.5, 1.5), (0.5, 0.95 * PI), (300.0, 4e-3)] {
         let limit = if radius < 1.0 {
             SMALLEST_CIRCLE
@@ -249,18 +250,6 @@ fn arcs_that_just_fit_have_a_point() {
             let circles = contacts.sheets.iter();
             let circles = circles.filter(|s| (s.fixed, s.moving) == (ia, ib)).count();
             assert_eq!(circles > 0, play > 1.0, "{radius} {sweep} {play}");
-            let name = |end: u32| contacts.points.name(end);
-            let sizes = &contacts.sizes;
-            let point = name(sizes.vertices(ia, ib));
-            let united = [
-                sizes.fixed_joint(a.start, ib),
-                sizes.fixed_joint(a.end, ib),
-                sizes.moving_joint(ia, b.start),
-                sizes.moving_joint(ia, b.end),
-            ]
-            .map(|end| name(end) == point);
-            let fits = play == 0.5 || (play == -0.5 && sweep < 0.9 * PI);
-            assert_eq!(united, [fits; 4], "{radius} {sweep} {play}");
         }
     }
 }

@@ -81,7 +81,7 @@ fn conditions_vanish_where_distances_do() {
                 corners: corners.map(|c| c.then_some(f.start)),
             };
             let mut found = Vec::new();
-            conditions(f, g, &shared, |t, _| found.push(t));
+            conditions(f, g, &shared, |t| found.push(t));
             let zero = vanishing(f, g, corners, Rotation::IDENTITY);
             assert_eq!(found.len(), zero.len());
             // Where one changes its sign, so does the other: each condition has the roots of a distance of its own.
@@ -127,7 +127,7 @@ fn extremes_are_known_from_lengths() {
             tangent: false,
             corners: [None; 2],
         };
-        conditions(f, g, &shared, |t, _| {
+        conditions(f, g, &shared, |t| {
             let amplitude = t.alpha.hypot(t.beta);
             for (known, value) in [
                 (t.most, amplitude + t.gamma),

@@ -73,20 +73,3 @@ fn names_below_are_those_of_the_features_below() {
         assert_eq!(SIZES.name_below(name, &carried()), below);
     }
 }
-
-/// What is united is one, also over several steps; the name is that of a point, and nothing else is renamed.
-#[test]
-fn points_are_named_once() {
-    let mut points = Points::default();
-    points.unite(100, [1, 2, 3, 4]);
-    points.unite(101, [5, 6, 7, 8]);
-    assert_eq!([1, 2, 3, 4, 100].map(|n| points.name(n)), [100; 5]);
-    assert_eq!([5, 6, 7, 8, 101].map(|n| points.name(n)), [101; 5]);
-    assert_eq!(points.name(9), 9);
-    points.unite(102, [4, 9, 10, 8]);
-    for n in (1..=10).chain(100..=102) {
-        assert_eq!(points.name(n), 100, "{n}");
-    }
-    points.unite(99, [20, 21, 22, 23]);
-    assert_eq!((points.name(1), points.name(20)), (100, 99));
-}

@@ -61,7 +61,7 @@ fn crossings_come_and_go_at_events() {
         (vec![lobes(1.0)], rounded(0.7, 0.4, 0.1)),
         (vec![plate.clone()], rectangle(1.0, 0.5)),
     ];
-    let (mut changed, mut left_out) = (0, 0);
+    let mut changed = 0;
     for (fixed, moving) in pairs {
         let geometry = Geometry::new(
             &part("fixed", &fixed),
@@ -84,25 +84,15 @@ fn crossings_come_and_go_at_events() {
             let run = PairRun {
                 first,
                 second,
-                lo,
-                hi,
+                lo: Dd::from(lo),
+                hi: Dd::from(hi),
             };
             let found = pair_events(&geometry, &[run]);
-            let [events, beyond] = found.of(0);
-            left_out += beyond.len();
+            let events = found.of(0);
             const STEPS: usize = 100;
-            let mut looked: Vec<f64> = (0..STEPS)
+            let looked: Vec<f64> = (0..STEPS)
                 .map(|k| lo + (hi - lo) * (k as f64 + 0.5) / STEPS as f64)
                 .collect();
-            for e in beyond {
-                looked.extend(
-                    [1e-3, 1e-5, 1e-7, 1e-8]
-                        .iter()
-                        .flat_map(|d| [e.theta - d, e.theta + d]),
-                );
-            }
-            looked.retain(|t| (lo + 1e-9..hi - 1e-9).contains(t));
-            looked.sort_by(f64::total_cmp);
             let now: Vec<_> = looked
                 .iter()
                 .map(|&t| crossings_between(&geometry, &run, t))
@@ -111,14 +101,14 @@ fn crossings_come_and_go_at_events() {
                 if c[0] != c[1] {
                     changed += 1;
                     let between =
-                        |e: &Event| t[0] <= e.theta + e.error && e.theta - e.error <= t[1];
+                        |e: &Moment| (t[0]..=t[1]).contains(&e.theta.to_f64());
                     assert!(
                         events.iter().any(between),
-                        "{f:?} {g:?} {t:?} {c:?} {events:?} {beyond:?}"
+                        "{f:?} {g:?} {t:?} {c:?} {events:?}"
                     );
                 }
             }
         }
     }
-    assert!(changed > 300 && left_out > 500, "{changed} {left_out}");
+    assert!(changed > 300, "{changed}");
 }

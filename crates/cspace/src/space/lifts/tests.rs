@@ -1,7 +1,8 @@
 //! Copies of chains against their definition: every shift is tried and its interval cut with the window.
 
 use super::*;
-use crate::number::Event;
+use crate::number::Dd;
+use crate::space::clusters::Moment;
 
 const SLABS: u32 = 3;
 const PERIOD: f64 = TAU / 3.0;
@@ -20,7 +21,10 @@ const fn window(lo: f64, hi: f64, full_turn: bool) -> Window {
 }
 
 fn clusters() -> Clusters {
-    let event = |theta| Event { theta, error: 0.0 };
+    let event = |theta: f64| Moment {
+        theta: Dd::from(theta),
+        error: 0.0,
+    };
     Clusters::new(PHASES.map(event))
 }
 
