@@ -17,7 +17,10 @@ use rayon::prelude::*;
 const LEFT_OUT: [&str; 1] = ["gears 26 and 24"];
 
 /// Pairs whose contact curves cross at angles of a millionth: their crossings are known to 10⁻¹³, divided by that.
-const GRAZING: [&str; 2] = ["pin in socket of equal radius", "peg in hole, clearance 1e-6"];
+const GRAZING: [&str; 2] = [
+    "pin in socket of equal radius",
+    "peg in hole, clearance 1e-6",
+];
 
 /// Lengths are compared to this share of the size.
 const NEAR: f64 = 1e-9;
@@ -146,7 +149,11 @@ fn same_slices(trial: &Trial, theta: f64) {
                 .max(p.2.distance(q.2))
                 .max(p.3.distance(q.3));
         let grazing = GRAZING.contains(&trial.pair.name.as_str());
-        let known = if grazing { 1e-6 * trial.size } else { 10.0 * shortest };
+        let known = if grazing {
+            1e-6 * trial.size
+        } else {
+            10.0 * shortest
+        };
         trial.check(off <= known, || {
             format!("at {theta:.17} {:?} is {off:e} off", p.0)
         });

@@ -29,7 +29,7 @@ pub use function::ContactFunction;
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Bodies, Geometry, Placed, growths};
 #[cfg(feature = "fuzzing")]
-pub(crate) use sheet::{EndAngle, SheetKind};
+pub(crate) use sheet::{EndAngle, EndAt, SheetKind};
 pub(crate) use sheet::{Seam, SharedEnds, Sheet, WIDEST_SAGITTA};
 pub use spiral::{Spiral, Swing};
 pub(crate) use twist::{Permutation, Steps, Twist};

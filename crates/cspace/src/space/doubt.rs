@@ -184,7 +184,7 @@ mod tests {
         assert_eq!(doubts.intervals().len(), expected.len());
         for (found, expected) in doubts.intervals().iter().zip(expected) {
             let off = (found.0 - expected.0).abs() + (found.1 - expected.1).abs();
-            assert!(off < 1e-10, "{found:?} {expected:?}");
+            assert!(off < 4.0 * NARROWEST_BAND, "{found:?} {expected:?}");
         }
         for turns in [-2.0, 0.0, 5.0] {
             let at = |theta: f64| doubts.hold(theta + turns * TAU);

@@ -378,7 +378,14 @@ impl ShellFinder<'_> {
         let conflict = some_free && some_blocked;
         if conflict && std::env::var("CSPACE_DEBUG").is_ok() {
             for (ring, tested) in &rings {
-                eprintln!("CONF blocked {blocked} ring {} first {} dur {:e} tested {tested:?} blocked_ring {} largest {}", ring.len(), ring[0].cell, lasting(ring), blocked_ring[ring[0].ring as usize], self.largest(cells, ring));
+                eprintln!(
+                    "CONF blocked {blocked} ring {} first {} dur {:e} tested {tested:?} blocked_ring {} largest {}",
+                    ring.len(),
+                    ring[0].cell,
+                    lasting(ring),
+                    blocked_ring[ring[0].ring as usize],
+                    self.largest(cells, ring)
+                );
             }
         }
         let mut free = Vec::with_capacity(shell.len());

@@ -204,20 +204,16 @@ fn centres_of_arcs_that_touch_are_their_radii_apart() {
     assert!(kinds.into_iter().all(|n| n > 0), "{kinds:?}");
 }
 
-/// An arc in a fillet goes around a circle if it has play there, and is no contact if it just fits or is too large; of large
-/// arcs play is what it is along them.
+/// An arc in a fillet goes around a circle if it has play there, however little, and is no contact if it is too large.
 #[test]
 fn arcs_with_play_go_around_a_circle() {
-    for (radius, sweep) in [(0.5, 1.5), (0.5, 0.95 * PI), (300.0, 4e-3)] {
-        let limit = if radius < 1.0 {
-            SMALLEST_CIRCLE
-        } else {
-            SMALLEST_CIRCLE / sweep
-        };
+    /// Much more than what the parts are grown by and moved.
+    const LIMIT: f64 = SMALLEST_CIRCLE;
+    for (radius, sweep) in [(0.5, 1.5), (0.5, 0.95 * PI)] {
         for play in [-10.0, -0.5, 0.5, 10.0] {
             let half = |r: f64| r * f64::sin(0.5 * sweep);
             let bulge = f64::tan(0.25 * sweep);
-            let (outer, inner) = (half(radius), half(radius - 2.0 * play * limit));
+            let (outer, inner) = (half(radius), half(radius - 2.0 * play * LIMIT));
             let fixed = [
                 (-1.0, -1.0, 0.0),
                 (1.0, -1.0, 0.0),
@@ -246,10 +242,10 @@ fn arcs_with_play_go_around_a_circle() {
             );
             // Drawn at half the size, and grown by a little.
             let less = -(a.radius() + b.radius());
-            assert!((less / limit - play).abs() < 0.3, "{} {play}", less / limit);
+            assert!((less / LIMIT - play).abs() < 0.3, "{} {play}", less / LIMIT);
             let circles = contacts.sheets.iter();
             let circles = circles.filter(|s| (s.fixed, s.moving) == (ia, ib)).count();
-            assert_eq!(circles > 0, play > 1.0, "{radius} {sweep} {play}");
+            assert_eq!(circles > 0, play > 0.0, "{radius} {sweep} {play}");
         }
     }
 }

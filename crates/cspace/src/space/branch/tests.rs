@@ -100,8 +100,7 @@ fn crossings_come_and_go_at_events() {
             for (t, c) in looked.windows(2).zip(now.windows(2)) {
                 if c[0] != c[1] {
                     changed += 1;
-                    let between =
-                        |e: &Moment| (t[0]..=t[1]).contains(&e.theta.to_f64());
+                    let between = |e: &Moment| (t[0]..=t[1]).contains(&e.theta.to_f64());
                     assert!(
                         events.iter().any(between),
                         "{f:?} {g:?} {t:?} {c:?} {events:?}"
