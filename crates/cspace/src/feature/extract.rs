@@ -569,7 +569,8 @@ fn mitre(before: &Piece, after: &Piece, n1: Xy<Dd>, n2: Xy<Dd>, growth: f64) -> 
         let step = plus(times(left(n), h), times(right(m), k));
         let step = times(step, Dd::ONE / det);
         // The edges may go on into each other all but smoothly.
-        if !(length(step).to_f64() < growth) {
+        let far = length(step).to_f64();
+        if far.is_nan() || far >= growth {
             break;
         }
         apex = plus(apex, step);

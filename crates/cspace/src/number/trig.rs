@@ -139,7 +139,7 @@ mod tests {
     fn roots(t: Trig) -> Vec<Event> {
         let mut all = Vec::new();
         t.roots(0.1, 0.1_f64.cos(), 0.1_f64.sin(), 0.5 * TAU, |e| {
-            all.push(e)
+            all.push(e);
         });
         all
     }

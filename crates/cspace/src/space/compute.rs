@@ -355,9 +355,6 @@ impl ContactSpace {
         let mut shells = finder.find(&mut cells);
         drop((candidates, coincidences));
         lap(&mut seconds.shells);
-        if std::env::var("CSPACE_DEBUG").is_ok() {
-            eprintln!("conflicts {}", shells.conflicts);
-        }
 
         progress.stage(Stage::Graph)?;
         let statistics = Statistics {

@@ -108,89 +108,6 @@ impl ShellFinder<'_> {
             conflicts: 0,
         };
         self.judge(&cells.cells, &mut shells);
-        if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
-            for (i, s) in self.geometry.contacts.sheets.iter().enumerate() {
-                eprintln!(
-                    "sheet {i} {:?} f {} m {} {:.17}..{:.17} dur {:e} names {} {} at {:?} {:?} radius {:e}",
-                    s.kind,
-                    s.fixed,
-                    s.moving,
-                    s.lo,
-                    s.hi,
-                    (s.to - s.from).to_f64(),
-                    s.start_name,
-                    s.end_name,
-                    s.start_at,
-                    s.end_at,
-                    s.radius
-                );
-            }
-            for (i, f) in self.geometry.fixed.features.iter().enumerate() {
-                eprintln!("fixed {i} {f:?}");
-            }
-            for (i, f) in self.geometry.moving.features.iter().enumerate() {
-                eprintln!("moving {i} {f:?}");
-            }
-            for (i, c) in (0u32..).zip(&cells.cells) {
-                let s = &self.geometry.contacts.sheets[c.sheet as usize];
-                let b = |b: u32| {
-                    if b == END {
-                        "END".to_owned()
-                    } else {
-                        let x = &self.branches[b as usize];
-                        format!(
-                            "{}/{}r{}{}",
-                            b,
-                            x.other(c.sheet),
-                            x.root,
-                            if x.enters(c.sheet) { "e" } else { "l" }
-                        )
-                    }
-                };
-                eprintln!(
-                    "cell {i} sheet {} {:?} f{:?} m{:?} {:.17}..{:.17} dur {:e} [{} .. {}] blocked {} free {} shell {} bottom {:?} top {:?}",
-                    c.sheet,
-                    s.kind,
-                    self.geometry.fixed.features[s.fixed as usize].name,
-                    self.geometry.moving.features[s.moving as usize].name,
-                    self.clusters.at(c.from),
-                    self.clusters.at(c.to),
-                    self.duration(c.from, c.to),
-                    b(c.left),
-                    b(c.right),
-                    c.blocked,
-                    shells.free[i as usize],
-                    shells.shell[i as usize],
-                    c.at_bottom,
-                    c.at_top
-                );
-            }
-            for v in &shells.vertical {
-                {
-                    eprintln!(
-                        "vertical {} {} at {:.17} {} {} certain {}",
-                        v.lower,
-                        v.upper,
-                        self.clusters.at(v.at),
-                        v.lo,
-                        v.hi,
-                        v.certain
-                    );
-                }
-            }
-            for v in &shells.side {
-                {
-                    eprintln!(
-                        "side {} {} from {:.17} to {:.17} branch {}",
-                        v.before,
-                        v.after,
-                        self.clusters.at(v.from),
-                        self.clusters.at(v.to),
-                        v.branch
-                    );
-                }
-            }
-        }
         // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
         // what may be too short to join shells is still the best there is to link patches by.
         shells.vertical.truncate(without_levels);
@@ -317,12 +234,6 @@ impl ShellFinder<'_> {
         for (a, b) in side.chain(vertical) {
             let shell = shells.shell[a as usize] as usize;
             if shells.free[a as usize] != shells.free[b as usize] {
-                if std::env::var("CSPACE_DEBUG").is_ok() {
-                    eprintln!(
-                        "contradiction {a} {b} free {} {}",
-                        shells.free[a as usize], shells.free[b as usize]
-                    );
-                }
                 unexplained[shell] = false;
                 contradicting[a as usize] = true;
                 contradicting[b as usize] = true;
@@ -376,18 +287,6 @@ impl ShellFinder<'_> {
         let some_free = rings.iter().any(|r| r.1 == Some(true));
         let some_blocked = blocked || rings.iter().any(|r| r.1 == Some(false));
         let conflict = some_free && some_blocked;
-        if conflict && std::env::var("CSPACE_DEBUG").is_ok() {
-            for (ring, tested) in &rings {
-                eprintln!(
-                    "CONF blocked {blocked} ring {} first {} dur {:e} tested {tested:?} blocked_ring {} largest {}",
-                    ring.len(),
-                    ring[0].cell,
-                    lasting(ring),
-                    blocked_ring[ring[0].ring as usize],
-                    self.largest(cells, ring)
-                );
-            }
-        }
         let mut free = Vec::with_capacity(shell.len());
         for (ring, tested) in rings {
             let apart = tested.is_none() || blocked_ring[ring[0].ring as usize];

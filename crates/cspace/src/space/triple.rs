@@ -137,17 +137,6 @@ impl Triples {
         let same = |a: &Meeting, b: &Meeting| {
             a.three == b.three && (b.event.theta - a.event.theta).to_f64() <= SAME_MEETING
         };
-        if std::env::var("CSPACE_DEBUG").is_ok_and(|v| v == "2") {
-            for m in &self.events {
-                eprintln!(
-                    "meeting {:?} on {} at {:.20} error {:e}",
-                    m.three,
-                    m.sheet,
-                    m.event.theta.to_f64(),
-                    m.event.error
-                );
-            }
-        }
         for one in self.events.chunk_by_mut(same) {
             let (lo, hi) = (one[0].event.theta, one[one.len() - 1].event.theta);
             for m in one {
