@@ -205,7 +205,30 @@ impl<'a> CellExtents<'a> {
         };
         let beyond = (place(other) - near).abs();
         // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
-        (near, ROUNDING + 3.0 * (far - near).abs() + beyond)
+        let error = self.rounding(b, edge + step) + 3.0 * (far - near).abs() + beyond;
+        (near, error)
+    }
+
+    /// Rounding of a place that was found in double-double: of large arcs that of their centres, divided by the sine of the angle
+    /// at which they cross, and at a tangency the root of that.
+    fn rounding(&self, b: &Branch, theta: Dd) -> f64 {
+        /// Rounding of a place near the parts (length).
+        const NEAR: f64 = 1e-15;
+        /// Rounding of a centre, as a share of its distance.
+        const CENTER: f64 = 1e-31;
+        let sheets = [self.sheet, b.other(self.sheet)];
+        let flat = sheets
+            .map(|s| &self.geometry.contacts.sheets[s as usize])
+            .into_iter()
+            .filter(|s| s.is_flat())
+            .map(|s| s.radius.abs())
+            .fold(0.0, f64::max);
+        if flat == 0.0 {
+            return NEAR;
+        }
+        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+        let sine = placing.sharpness(b);
+        NEAR + CENTER * flat / sine.max(CENTER.sqrt())
     }
 }
 
@@ -220,6 +243,3 @@ fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
         hi_error: MARGIN * hi_error,
     }
 }
-
-/// Rounding of a place that was found in double-double (length).
-const ROUNDING: f64 = 1e-15;

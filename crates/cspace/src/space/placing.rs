@@ -1,7 +1,7 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
 use crate::contact::{
-    Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, Sheet, place_error, place_on, wrap,
+    Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on, wrap,
 };
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
@@ -171,7 +171,7 @@ impl<'a> Placing<'a> {
     /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
     /// nearest place to one.
     pub(super) fn place(&self, b: &Branch) -> f64 {
-        let (f, g, _) = self.carriers(b);
+        let (f, g) = self.carriers(b);
         self.length_of(place_on(&f, &g, b.root, b.second == self.index))
     }
 
@@ -180,15 +180,16 @@ impl<'a> Placing<'a> {
         &self.carrier
     }
 
-    /// Where a branch crosses the carrier, as [`place_on`] gives it, and its rounding error; infinite where it is not known.
+    /// Where a branch crosses the carrier, as [`place_on`] gives it, and its rounding error; infinite where it is not known, and
+    /// of large arcs.
     pub(super) fn crossed_by(&self, b: &Branch) -> ((f64, f64), f64) {
-        let (f, g, apart) = self.carriers(b);
+        let (f, g) = self.carriers(b);
         let v = place_on(&f, &g, b.root, b.second == self.index);
-        let error = apart * place_error(&f, &g, v);
-        if v.0.is_nan() || v.1.is_nan() {
+        let flat = [&f, &g].iter().any(|c| matches!(c, Carrier::Bow(_)));
+        if flat || v.0.is_nan() || v.1.is_nan() {
             return (v, f64::INFINITY);
         }
-        (v, error)
+        (v, place_error(&f, &g, v))
     }
 
     /// The place, not beyond the ends of the curve, and its rounding error.
@@ -238,18 +239,10 @@ impl<'a> Placing<'a> {
         between(&self.carrier, p.v, q.v).abs() > MARGIN * (p.error + q.error)
     }
 
-    /// The carriers of the sheet and of what a branch crosses, about one origin; and the length to which rounding is relative:
-    /// of circles about nearly one centre, how far the centres are apart.
-    fn carriers(&self, b: &Branch) -> (Carrier<f64>, Carrier<f64>, f64) {
-        let sheets = &self.geometry.contacts.sheets;
-        let other = &sheets[b.other(self.index) as usize];
-        let Rotation { cos, sin } = self.turn;
-        let sheet = &sheets[self.index as usize];
-        if let Some((o, apart)) = sheet.close_to(other) {
-            let about = |s: &Sheet| s.about(&o).carrier(cos, sin);
-            return (about(sheet), about(other), apart);
-        }
-        (self.carrier, other.carrier(cos, sin), 1.0)
+    /// The carriers of the sheet and of what a branch crosses.
+    fn carriers(&self, b: &Branch) -> (Carrier<f64>, Carrier<f64>) {
+        let other = &self.geometry.contacts.sheets[b.other(self.index) as usize];
+        (self.carrier, other.carrier(self.turn.cos, self.turn.sin))
     }
 
     /// Length of travel from the middle to a place as [`place_on`] gives it.
