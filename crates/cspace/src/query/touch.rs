@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::contact::{Carrier, Level};
-use crate::feature::tolerance::GROWTH;
+use crate::feature::tolerance::{GROWTH, NARROWEST_BAND};
 use crate::number::{Ball, Jet, Real};
 use crate::space::{ContactSpace, Patch};
 
@@ -17,8 +17,13 @@ const ON_CURVE: f64 = 8.0 * GROWTH;
 const DEPTH: f64 = 2.0 * ON_CURVE;
 /// At that depth it may be beyond an end of a patch by this (length of the pair's frame): there the answer is checked.
 const BESIDE: f64 = 64.0 * ON_CURVE;
-/// Orientations of patches are taken to begin and end a little later (radians): more than their rounding, after turns.
-const SEAM: f64 = 64.0 * f64::EPSILON;
+/// Orientations of patches are rounded by this, after a turn (radians).
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Patches are taken to begin earlier and end later by this (radians): critical orientations are known to that, and a pocket may
+/// close in between.
+const SEAM: f64 = NARROWEST_BAND;
+/// How fast a curve and its ends move at most where nothing is singular (length of the pair's frame per radian).
+const SPEED: f64 = 4.0;
 /// Times are halved until neither way nor orientation moves by this (length of the pair's frame, and radians).
 const NARROWEST: f64 = 1e-13;
 
@@ -130,7 +135,7 @@ impl<'a> Search<'a> {
     fn presences(&self, patch: &Patch, lo: f64, hi: f64, mut with: impl FnMut(f64, f64, f64)) {
         let (a, b) = (self.path.theta(lo), self.path.theta(hi));
         let (least, most) = (a.min(b), a.max(b));
-        let seam = SEAM * (1.0 + least.abs().max(most.abs()));
+        let seam = SEAM + ROUNDING * least.abs().max(most.abs());
         let (first, last) = if self.space.window.full_turn {
             let turns = |x: f64| x / TAU;
             (
@@ -186,9 +191,9 @@ impl<'a> Search<'a> {
 
     /// Whether the position is off the curves of the patch at all times mid − half to mid + half.
     fn is_away(&self, along: &Along<'_>, mid: f64, half: f64) -> bool {
-        let (theta, wide) = self.within(along, mid, half);
+        let (theta, wide, beyond) = self.within(along, mid, half);
         let swept = Swept::new(along.patch, theta, wide);
-        let moves = self.path.speed() * half;
+        let moves = self.path.speed() * half + SPEED * beyond;
         swept.is_away(self.path.inner_at(mid), moves + self.near())
     }
 
@@ -197,13 +202,13 @@ impl<'a> Search<'a> {
         self.space.frame.rounding() + if self.from_contact { BESIDE } else { ON_CURVE }
     }
 
-    /// The orientations of the patch about a time: the middle, and half their range.
-    fn within(&self, along: &Along<'_>, mid: f64, half: f64) -> (f64, f64) {
+    /// The orientations of the patch about a time: the middle, half their range, and how far the time is beyond them.
+    fn within(&self, along: &Along<'_>, mid: f64, half: f64) -> (f64, f64, f64) {
         let theta = self.path.theta(mid) - along.turn;
-        let wide = self.path.turning.abs() * half + SEAM;
+        let wide = self.path.turning.abs() * half + ROUNDING;
         let clamp = |t: f64| t.clamp(along.patch.lo, along.patch.hi);
         let (a, b) = (clamp(theta - wide), clamp(theta + wide));
-        (0.5 * (a + b), 0.5 * (b - a))
+        (0.5 * (a + b), 0.5 * (b - a), (theta - clamp(theta)).abs())
     }
 
     /// The contact function of a patch over times, with its derivative by time; above the depth at which it is sought.
@@ -270,13 +275,14 @@ impl<'a> Search<'a> {
             return;
         }
         let frame = &self.space.frame;
-        let (theta, wide) = self.within(along, time, half);
+        let (theta, wide, beyond) = self.within(along, time, half);
         let curve = self.space.curve(along.patch, theta);
         let p = frame.outer_from_inner(self.path.inner_at(time), theta);
         let off = curve.nearest(p.position()).distance(p.position()) * frame.scale;
         // How the position, and the curve with its ends, move within the uncertainty of time and orientation.
         let swept = Swept::new(along.patch, theta, wide);
-        let uncertain = self.path.speed() * half + swept.spread + swept.slack;
+        let moved = self.path.speed() * half + SPEED * beyond;
+        let uncertain = moved + swept.spread + swept.slack;
         if off > self.near() + uncertain {
             return;
         }

@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use crate::contact::Geometry;
-use crate::feature::tolerance::NARROWEST_BAND;
+use crate::feature::tolerance::{NARROWEST_BAND, SHORTEST_OVERLAP};
 use crate::union_find::UnionFind;
 
 use super::branch::Branch;
@@ -20,7 +20,8 @@ use super::shells::Shells;
 /// Curves nearer than this to each other are one where a run is contracted (length).
 const ONE_CURVE: f64 = 1e-9;
 
-/// What two cells share where a run is contracted is longer than this (length): places move while it lasts.
+/// What two cells share where a run is contracted is longer than this (length), or than a quarter of the shorter: places move
+/// while it lasts.
 const SHARED: f64 = 1e-8;
 
 /// In place of the number of a run: none.
@@ -245,7 +246,9 @@ impl Contraction<'_> {
             other = (f.position(points[0]), f.position(points[2]));
         }
         let (lo, hi) = (below.extent.lo.max(other.0), below.extent.hi.min(other.1));
-        (hi - lo > SHARED).then_some((lo, hi))
+        // Cells of small pockets are short themselves.
+        let shorter = (below.extent.hi - below.extent.lo).min(other.1 - other.0);
+        (hi - lo > SHARED.min(0.25 * shorter).max(SHORTEST_OVERLAP)).then_some((lo, hi))
     }
 }
 

@@ -76,6 +76,13 @@ impl<'a> ExactPlacing<'a> {
         Point::new(p.0.to_f64(), p.1.to_f64())
     }
 
+    /// Whether the carrier of another sheet lies further out than the place, in a direction.
+    pub(super) fn is_covered_by(&self, place: Dd, other: u32, outward: Vector) -> bool {
+        let other = exact_sheet(self.geometry, other).curve(&self.turn);
+        let outward = (Dd::from(outward.x), Dd::from(outward.y));
+        !other.height(self.curve.point(place), outward).is_negative()
+    }
+
     /// The places of the ends.
     pub(super) fn ends(&self) -> (Dd, Dd) {
         self.curve.ends()

@@ -362,6 +362,12 @@ impl ShellFinder<'_> {
             let (lo, hi) = self.range(cell, self.middle(cell));
             return curve.point(lo + share * (hi - lo));
         }
+        let (placing, place) = self.exact_place(cell, share);
+        placing.point(place)
+    }
+
+    /// The same place along the curve in double-double.
+    fn exact_place(&self, cell: &Cell, share: f64) -> (ExactPlacing<'_>, Dd) {
         let turn = ExactTurn::by(self.clusters.exact_between(cell.from, cell.to));
         let placing = ExactPlacing::new(self.geometry, cell.sheet, turn);
         let (from, to) = placing.ends();
@@ -373,14 +379,14 @@ impl ShellFinder<'_> {
             }
         };
         let (lo, hi) = (place(cell.left, from), place(cell.right, to));
-        placing.point(lo + (hi - lo) * share)
+        (placing, lo + (hi - lo) * share)
     }
 
     fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
         self.is_free(&cells[self.largest(cells, ring) as usize])
     }
 
-    /// An honest test beside a place of a cell; `None` if other curves are so near to all places that doubles do not tell.
+    /// An honest test beside a place of a cell; `None` if curves that face it are so near to all places that doubles do not tell.
     fn is_free(&self, cell: &Cell) -> Option<bool> {
         [0.5, 0.27, 0.81]
             .iter()
@@ -404,10 +410,10 @@ impl ShellFinder<'_> {
         } else {
             STEP
         };
-        for other in self.candidates.around(theta, p, reach) {
-            let s = &sheets[other as usize];
+        for other_sheet in self.candidates.around(theta, p, reach) {
+            let s = &sheets[other_sheet as usize];
             let exists = s.lo <= theta && theta <= s.hi;
-            if other == cell.sheet || !exists {
+            if other_sheet == cell.sheet || !exists {
                 continue;
             }
             let off = s.carrier(turn.cos, turn.sin).off(p);
@@ -415,7 +421,17 @@ impl ShellFinder<'_> {
                 let other = s.curve(theta, turn);
                 let on_it = other.position(p).abs() <= other.half_length() + TELLING;
                 if off < TELLING && on_it {
-                    return None;
+                    let one_circle = sheet.is_circle() == s.is_circle()
+                        && (sheet.radius - s.radius).abs() < TELLING;
+                    if !one_circle || other.normal(p).dot(normal) < 0.0 {
+                        return None;
+                    }
+                    // They lie on each other and face the same way. What lies behind changes nothing, what lies in front blocks.
+                    let (placing, place) = self.exact_place(cell, share);
+                    if placing.is_covered_by(place, other_sheet, normal) {
+                        return Some(false);
+                    }
+                    continue;
                 }
                 reach = other.hit(p, normal, reach).unwrap_or(reach);
             }
