@@ -5,7 +5,6 @@
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
 use crate::contact::{Carrier, ExactTurn, Geometry, Sheet, place_on};
-use crate::feature::tolerance::NARROWEST_BAND;
 use crate::number::plane::{Xy, cross, dot, minus, times};
 use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
 
@@ -21,6 +20,9 @@ const NARROWEST: f64 = 1e-8;
 
 /// In intervals narrower than this (radians) doubles are not asked.
 const NARROW: f64 = 1e-6;
+
+/// As [`NARROWEST`] where places are enclosed (radians): their order before and after decides the rest.
+const NARROWEST_PLACES: f64 = 1e-13;
 
 /// As [`NARROWEST`] in double-double.
 const NARROWEST_EXACT: f64 = 1e-18;
@@ -275,7 +277,7 @@ impl Passing<'_> {
             self.isolate_places(
                 a.to_f64(),
                 b.to_f64(),
-                NARROWEST_BAND,
+                NARROWEST_PLACES,
                 &mut budget,
                 &mut take,
             );
@@ -344,7 +346,10 @@ impl Passing<'_> {
             } else {
                 b = c;
             }
-            if let Some((before, at_before)) = last {
+            // The difference of two values that are rounding is no slope.
+            if let Some((before, at_before)) = last
+                && at_before.to_f64().abs() > 16.0 * NONE
+            {
                 slope = (at_c - at_before) / (c - before);
             }
             let step = -(at_c / slope);
@@ -368,6 +373,8 @@ impl Passing<'_> {
             return None;
         }
         let error = (b - a).to_f64() + exact_error(NONE, slope.to_f64());
+        // It is between the orientations at which the order is known.
+        let error = error.min((hi - lo).to_f64());
         Some(Moment { theta, error })
     }
 
