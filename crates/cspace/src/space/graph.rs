@@ -197,8 +197,8 @@ impl ContactSpace {
 
     /// Intervals of orientation in which the patches are not relied upon alone: in ascending order, in [−π, π] for a full turn.
     ///
-    /// Bands of less than 10⁻⁵ rad are among them, critical orientations that are known to less than 10⁻¹¹ rad, places where
-    /// something may change twice within 2·10⁻⁶ rad, and whatever a shell of contact spans that what bounds it and a test of overlap judged differently. There,
+    /// Bands of less than 2.4·10⁻¹⁰ rad are among them, critical orientations that are known less well than to 1.2·10⁻¹⁰ rad, and
+    /// contacts beside a conflict: linked, and yet judged differently by what bounds them and by a test of overlap. There,
     /// [`classify`](Self::classify) asks the parts themselves; a slice, a link or a motion may be wrong.
     pub fn doubtful_orientations(&self) -> &[(f64, f64)] {
         self.doubts.intervals()

@@ -32,8 +32,7 @@ pub struct Statistics {
 
 /// How often a decision was certain at once, and how often it took more, or was left to the resolution.
 ///
-/// There is no arithmetic of more digits: what a bound on the error of `f64` leaves open is enclosed in another way, or counts
-/// as one.
+/// What a bound on the error of `f64` leaves open is decided in double-double.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Decisions {
     /// Intervals of orientation in which two branches may pass each other: decided by the polynomial of three carriers.
