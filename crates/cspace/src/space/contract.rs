@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use crate::contact::Geometry;
-use crate::feature::tolerance::{NARROWEST_BAND, SHORTEST_OVERLAP};
+use crate::feature::tolerance::NARROWEST_BAND;
 use crate::union_find::UnionFind;
 
 use super::branch::Branch;
@@ -23,6 +23,9 @@ const ONE_CURVE: f64 = 1e-9;
 /// What two cells share where a run is contracted is longer than this (length), or than a quarter of the shorter: places move
 /// while it lasts.
 const SHARED: f64 = 1e-8;
+
+/// It is longer than this (length) in any case: what growth and perturbation leave within the narrowest band is shorter.
+const SHORTEST: f64 = 4.0 * NARROWEST_BAND;
 
 /// In place of the number of a run: none.
 const NONE: u32 = u32::MAX;
@@ -248,7 +251,7 @@ impl Contraction<'_> {
         let (lo, hi) = (below.extent.lo.max(other.0), below.extent.hi.min(other.1));
         // Cells of small pockets are short themselves.
         let shorter = (below.extent.hi - below.extent.lo).min(other.1 - other.0);
-        (hi - lo > SHARED.min(0.25 * shorter).max(SHORTEST_OVERLAP)).then_some((lo, hi))
+        (hi - lo > SHARED.min(0.25 * shorter).max(SHORTEST)).then_some((lo, hi))
     }
 }
 
