@@ -91,6 +91,36 @@ pub(crate) struct ExactCurve {
     end: Xy<Dd>,
     /// From the centre of a circle to about the middle of the curve, of length about one.
     middle: Xy<Dd>,
+    /// How places on a large circle are told.
+    chart: Option<Chart>,
+}
+
+/// Places on a large circle as doubles have them: by the tangent of half the angle about its centre from a point near the parts
+/// (see `bow.rs`), which differs from the length of travel in the third order; counted from the middle of the curve.
+#[derive(Debug, Clone, Copy)]
+struct Chart {
+    through: Xy<Dd>,
+    normal: Xy<Dd>,
+    curvature: Dd,
+    middle: Dd,
+}
+
+impl Chart {
+    /// The place of a point, from where the circle is told.
+    fn of(&self, p: Xy<Dd>) -> Dd {
+        let d = minus(p, self.through);
+        let fall = self.curvature * dot(self.normal, d);
+        dot(left(self.normal), d) / (fall.scaled(0.5) + 1.0)
+    }
+
+    /// The point at a place, to the rounding of the point near the parts.
+    fn point(&self, place: Dd) -> Xy<Dd> {
+        let u = place + self.middle;
+        let half = u * self.curvature.scaled(0.5);
+        let t = u / (half * half + 1.0);
+        let way = plus(times(left(self.normal), t), times(self.normal, -(t * half)));
+        plus(self.through, way)
+    }
 }
 
 impl<'a> ExactSheet<'a> {
@@ -157,7 +187,27 @@ impl<'a> ExactSheet<'a> {
             start,
             end,
             middle,
+            chart: self.chart(turn, start, end),
         }
+    }
+
+    /// How places on its curve are told, if that is large.
+    fn chart(&self, turn: &ExactTurn, start: Xy<Dd>, end: Xy<Dd>) -> Option<Chart> {
+        let Locus::Circle { radius, .. } = self.locus else {
+            return None;
+        };
+        let (cos, sin) = (turn.cos.to_f64(), turn.sin.to_f64());
+        let Carrier::Bow(bow) = self.rough.carrier(cos, sin) else {
+            return None;
+        };
+        let chart = Chart {
+            through: exactly(bow.through),
+            normal: exactly(bow.normal),
+            curvature: Dd::ONE / radius,
+            middle: Dd::ZERO,
+        };
+        let middle = (chart.of(start) + chart.of(end)).scaled(0.5);
+        Some(Chart { middle, ..chart })
     }
 
     /// From the centre of a circle to about the middle of the curve.
@@ -622,6 +672,9 @@ impl ExactCarrier {
 impl ExactCurve {
     /// Length of travel from about the middle of the curve to a point of it, given as `place_on` gives it.
     fn length_of(&self, v: Xy<Dd>) -> Dd {
+        if let Some(chart) = &self.chart {
+            return chart.of(self.carrier.point(v)) - chart.middle;
+        }
         match self.carrier.carrier {
             Carrier::Line { normal, .. } => {
                 let all = dot(left(normal), minus(self.end, self.start));
@@ -668,7 +721,7 @@ impl ExactCurve {
         let (start, end) = (self.position(self.start), self.position(self.end));
         match self.carrier.carrier {
             // All of a circle ends where it starts, half a turn from the middle.
-            Carrier::Circle { .. } if start > end => {
+            Carrier::Circle { .. } if start > end && self.chart.is_none() => {
                 if start.abs() > end.abs() {
                     (-start.abs(), end)
                 } else {
@@ -687,9 +740,13 @@ impl ExactCurve {
                 plus(middle, times(left(normal), place))
             }
             Carrier::Circle { center, radius } => {
-                let (sin, cos) = (place / radius).sin_cos();
-                let way = turned(self.middle, cos, sin);
-                let far = times(way, radius.abs() / length(self.middle));
+                let way = if let Some(chart) = &self.chart {
+                    minus(chart.point(place), center)
+                } else {
+                    let (sin, cos) = (place / radius).sin_cos();
+                    turned(self.middle, cos, sin)
+                };
+                let far = times(way, radius.abs() / length(way));
                 plus(center, far)
             }
             Carrier::Bow(_) => self.start,

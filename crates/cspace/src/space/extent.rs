@@ -77,6 +77,8 @@ pub(super) struct CellExtents<'a> {
     clusters: &'a Clusters,
     cluster: u32,
     width: f64,
+    /// Half the length of the curve.
+    half: f64,
     /// The largest speed of an end or a crossing, to be divided by the sine, in the pair's frame per radian.
     speed: f64,
     /// The bounds measured so far: most are asked for again, by the cell on their other side.
@@ -99,10 +101,19 @@ impl<'a> CellExtents<'a> {
             clusters.at(cluster),
             clusters.turn(cluster),
         );
+        // Ends that turn about a far centre are lost in the rounding of the orientation.
+        let half = if geometry.contacts.sheets[sheet as usize].is_flat() {
+            let turn = ExactTurn::by(clusters.exact_at(cluster));
+            let (from, to) = ExactPlacing::new(geometry, sheet, turn).ends();
+            (0.5 * (to - from).to_f64()).max(0.0)
+        } else {
+            at.half()
+        };
         Self {
             geometry,
             sheet,
             speed: at.speed(),
+            half,
             at,
             branches,
             clusters,
@@ -134,13 +145,19 @@ impl<'a> CellExtents<'a> {
         extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| self.bound(b, end, side)))
     }
 
+    /// How far places may be off where the curve is drawn in doubles.
+    pub(super) fn drawn_error(&self) -> f64 {
+        self.speed * TURN_ERROR
+    }
+
     /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
     fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
-        /// What is known better than this is known well enough, in the pair's frame.
-        const GOOD: f64 = 1e-12;
         let rough = self.rough(branch, end);
-        if branch == END || rough.1 <= GOOD {
+        if rough.1 <= GOOD {
             return rough;
+        }
+        if branch == END {
+            return (end * self.half, ROUNDING + self.speed * self.width);
         }
         let key = (branch, side);
         if let Some(known) = self.known.iter().find(|k| k.0 == key) {
@@ -154,7 +171,8 @@ impl<'a> CellExtents<'a> {
     /// The same as far as doubles tell; an infinite error where they do not.
     fn rough(&mut self, branch: u32, end: f64) -> (f64, f64) {
         if branch == END {
-            return (end * self.at.half(), self.speed * self.width + PLACE_ERROR);
+            let moved = self.speed * (self.width + TURN_ERROR);
+            return (end * self.at.half(), moved + PLACE_ERROR);
         }
         if let Some(known) = self.rough.iter().find(|k| k.0 == branch) {
             return known.1;
@@ -166,22 +184,39 @@ impl<'a> CellExtents<'a> {
         } else {
             let (at, rounding) = self.at.within(b);
             let moved = self.speed * self.width / PLACE_ERROR;
-            (at, rounding * (1.0 + moved))
+            (at, rounding * (1.0 + moved) + self.drawn_error())
         };
         self.rough.push((branch, measured));
         measured
     }
 
     /// The place in double-double, a little aside: where two lines become one, their crossing is undefined, yet it has a limit.
+    ///
+    /// Near to the cluster the place has hardly moved, but curves that become one cross at an angle so small that their rounding
+    /// is much of it; farther aside it is the other way round. The best that is found counts.
     fn approached(&self, b: &Branch, side: Side) -> (f64, f64) {
-        /// How far aside, radians: far above the rounding of orientations, and far below what moves places.
-        const ASIDE: f64 = 1e-20;
+        /// How far aside, radians: above the rounding of orientations, and far below what moves places.
+        const ASIDE: [f64; 3] = [1e-20, 1e-17, 1e-14];
+        let mut best = self.approached_to(b, side, ASIDE[0]);
+        for aside in ASIDE.into_iter().skip(1) {
+            if best.1 > GOOD {
+                let found = self.approached_to(b, side, aside);
+                if found.1 < best.1 {
+                    best = found;
+                }
+            }
+        }
+        best
+    }
+
+    /// The same at most so far aside.
+    fn approached_to(&self, b: &Branch, side: Side, aside: f64) -> (f64, f64) {
         let (lo, hi) = self.clusters.exact_ends(self.cluster);
         let (edge, slab) = match side {
             Side::Below => (lo, self.clusters.exact_below(self.cluster)),
             Side::Above => (hi, self.clusters.exact_above(self.cluster)),
         };
-        let step = ((slab - edge).to_f64() * 0.5).clamp(-ASIDE, ASIDE);
+        let step = ((slab - edge).to_f64() * 0.5).clamp(-aside, aside);
         let place = |theta: Dd| {
             let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
             let (from, to) = placing.ends();
@@ -189,7 +224,7 @@ impl<'a> CellExtents<'a> {
             // From the same end as in doubles.
             let p = if p < from { from } else { p };
             let p = if p > to { to } else { p };
-            let half = self.at.half();
+            let half = self.half;
             if p.to_f64() < 0.0 {
                 (p - from).to_f64() - half
             } else {
@@ -205,30 +240,9 @@ impl<'a> CellExtents<'a> {
         };
         let beyond = (place(other) - near).abs();
         // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
-        let error = self.rounding(b, edge + step) + 3.0 * (far - near).abs() + beyond;
-        (near, error)
-    }
-
-    /// Rounding of a place that was found in double-double: of large arcs that of their centres, divided by the sine of the angle
-    /// at which they cross, and at a tangency the root of that.
-    fn rounding(&self, b: &Branch, theta: Dd) -> f64 {
-        /// Rounding of a place near the parts (length).
-        const NEAR: f64 = 1e-15;
-        /// Rounding of a centre, as a share of its distance.
-        const CENTER: f64 = 1e-31;
-        let sheets = [self.sheet, b.other(self.sheet)];
-        let flat = sheets
-            .map(|s| &self.geometry.contacts.sheets[s as usize])
-            .into_iter()
-            .filter(|s| s.is_flat())
-            .map(|s| s.radius.abs())
-            .fold(0.0, f64::max);
-        if flat == 0.0 {
-            return NEAR;
-        }
-        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
-        let sine = placing.sharpness(b);
-        NEAR + CENTER * flat / sine.max(CENTER.sqrt())
+        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(edge + step));
+        let rounding = ROUNDING + placing.rounding(b);
+        (near, rounding + 3.0 * (far - near).abs() + beyond)
     }
 }
 
@@ -243,3 +257,12 @@ fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
         hi_error: MARGIN * hi_error,
     }
 }
+
+/// What is known better than this is known well enough (length).
+const GOOD: f64 = 1e-12;
+
+/// Rounding of an orientation and its rotation in doubles, radians.
+const TURN_ERROR: f64 = 4.0 * f64::EPSILON;
+
+/// Rounding of a place that was found in double-double (length).
+const ROUNDING: f64 = 1e-15;

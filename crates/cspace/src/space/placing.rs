@@ -83,6 +83,15 @@ impl<'a> ExactPlacing<'a> {
         !other.height(self.curve.point(place), outward).is_negative()
     }
 
+    /// How far rounding may have moved a place (length): circles are told by their centres, and the larger they are and the
+    /// blunter they cross, the worse a place is known.
+    pub(super) fn rounding(&self, b: &Branch) -> f64 {
+        let sheets = &self.geometry.contacts.sheets;
+        let radius = |s: u32| sheets[s as usize].radius.abs();
+        let size = radius(self.index).max(radius(b.other(self.index))).max(1.0);
+        Dd::EPSILON * size / self.sharpness(b).max(f64::MIN_POSITIVE)
+    }
+
     /// The places of the ends.
     pub(super) fn ends(&self) -> (Dd, Dd) {
         self.curve.ends()
