@@ -237,7 +237,7 @@ bands that were computed. `cspace info` tells the class of the pair itself.
 --theta is for the pairs that have orientations; the others are computed as if it were not given, and a
 note on standard error says so. It is an error if --pair names one of them.
 
-A clearance below the resolution counts as none: such a channel is blocked, and the summary says so.";
+A clearance that is too small counts as none: such a channel is blocked. The summary says how small.";
 
 const SLICE: &str = "\
 Examples:

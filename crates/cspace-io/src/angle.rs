@@ -4,7 +4,7 @@
 ///
 /// An angle is brought to the first turn by taking off whole turns, and a turn in `f64` is off by 2.4·10⁻¹⁶. At 10⁶ rad
 /// neighbouring doubles are 1.2·10⁻¹⁰ rad apart and the turns taken off are wrong by 4·10⁻¹¹ rad; both are still near the
-/// 1.5·10⁻¹¹ rad to which critical orientations are told apart. Far beyond, an angle says nothing about where a part is.
+/// 1.2·10⁻¹⁰ rad to which critical orientations are told apart. Far beyond, an angle says nothing about where a part is.
 pub const LARGEST_ANGLE: f64 = 1e6;
 
 /// Units of angle, each with its size as a fraction of a turn; radians are handled apart.

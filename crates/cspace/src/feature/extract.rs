@@ -436,10 +436,13 @@ fn straightened(pieces: &mut [Piece]) {
         })
         .collect();
     for first in 0..n {
+        if goes_on[(first + n - 1) % n] {
+            continue;
+        }
         let count = (1..=n)
             .find(|k| !goes_on[(first + k - 1) % n])
             .unwrap_or_default();
-        if goes_on[(first + n - 1) % n] || count < 2 {
+        if count < 2 {
             continue;
         }
         let start = pieces[first].start;

@@ -62,10 +62,15 @@ pub(crate) const SMALLEST_CIRCLE: f64 = 8.0 * GROWTH;
 
 /// Critical orientations nearer to each other than this are one (radians, about 1.2e-10): bands are at least this wide.
 ///
-/// Two lines that become one at a critical orientation cross, half a band away, at half this angle: the rounding of
-/// about 1e-14 is multiplied by its inverse, and places on the lines are still known to a few thousandths. Bands that only
-/// [`GROWTH`] makes, along lines not much shorter than the parts, are narrower than this and not told apart.
+/// Growth and the perturbation of vertices open pockets that the drawing does not have, and close others; they last about
+/// 1e-12 rad, divided by how fast the contacts part. Bands a hundred times wider are the drawing's.
 pub(crate) const NARROWEST_BAND: f64 = 1.0 / (1u64 << 33) as f64;
+
+/// A play by which parts fit into each other is seen if it is larger than this (length, about 4.7e-10).
+///
+/// A part of the frame's size with a play c can turn by about c, one with long teeth by a half or a third of it: four times
+/// [`NARROWEST_BAND`].
+pub(crate) const LEAST_CLEARANCE: f64 = 4.0 * NARROWEST_BAND;
 
 /// Vertical neighbours must share at least this length of a patch to be linked (length).
 pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;

@@ -150,7 +150,15 @@ impl PairSpace {
         }
     }
 
-    /// The resolution in the model's unit of length: clearances below it count as none.
+    /// Clearances below this count as none, in the model's unit of length.
+    pub fn least_clearance(&self) -> f64 {
+        match self {
+            Self::Planar(space) => space.least_clearance(),
+            _ => self.resolution(),
+        }
+    }
+
+    /// The resolution in the model's unit of length: contacts are known to this.
     pub fn resolution(&self) -> f64 {
         match self {
             Self::Lower(pair) => pair.resolution(),

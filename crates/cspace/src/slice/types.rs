@@ -72,7 +72,7 @@ pub struct Slice {
     /// Whether the curves are not to be relied upon.
     ///
     /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations). Of a slice from
-    /// scratch: what bounds curves and tests of overlap contradict each other here and up to 10⁻¹¹ rad above, or contacts of
+    /// scratch: what bounds curves and tests of overlap contradict each other here and up to 1.2·10⁻¹⁰ rad above, or contacts of
     /// arcs of one loop with arcs of another lie on one circle. Of either: a curve does not begin where the one before it ends.
     #[serde(default)]
     pub doubtful: bool,

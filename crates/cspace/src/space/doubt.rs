@@ -92,8 +92,7 @@ impl Doubts {
     }
 }
 
-/// Where cells are in doubt: within clusters that are known to less than the narrowest band, where shells were in conflict, and where
-/// curves lie on each other.
+/// Where cells are in doubt: within clusters that are known to less than the narrowest band, and where shells were in conflict.
 pub(super) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> Vec<(f64, f64)> {
     let rough = clusters.rough().map(|i| (clusters.lo(i), clusters.hi(i)));
     let in_conflict = (cells.iter().zip(&shells.in_conflict))
@@ -103,7 +102,7 @@ pub(super) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> 
 }
 
 /// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where
-/// shells were in conflict, where curves lie on each other, in narrow bands, and where a patch is followed by none.
+/// shells were in conflict, in narrow bands, and where a patch is followed by none.
 pub(super) fn doubts(
     doubtful: &[(f64, f64)],
     lifts: &Lifts<'_>,

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use serde::{Deserialize, Serialize};
 
 use crate::contact::Bodies;
-use crate::feature::tolerance::CONTACT;
+use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
 use crate::feature::{Outline, PairFrame};
 use crate::geometry::Configuration;
 use crate::part::Part;
@@ -264,12 +264,21 @@ impl ContactSpace {
         &self.statistics
     }
 
-    /// The resolution in the model's unit of length: clearances below it count as none.
+    /// The resolution in the model's unit of length: contacts are known to this.
     ///
     /// With symmetry, how far the parts as drawn are from being symmetric is part of it. It is 2⁻³⁷ of the pair's size, and
     /// more if a part has a corner of less than some 30°: parts are grown, and such a corner by more than its sides.
     pub fn resolution(&self) -> f64 {
         self.frame.outer_length(CONTACT + self.grown) + self.symmetry.deviation
+    }
+
+    /// Clearances below this count as none, in the model's unit of length: 2⁻³¹ ≈ 4.7·10⁻¹⁰ of the pair's frame, and the
+    /// [resolution](Self::resolution).
+    ///
+    /// Parts that fit into each other with so little play can turn against each other by about the play, divided by their
+    /// size; a pocket of free space that lasts less than the narrowest band is left out.
+    pub fn least_clearance(&self) -> f64 {
+        self.frame.outer_length(LEAST_CLEARANCE) + self.resolution()
     }
 
     /// Positions nearer than this to a contact curve are in contact (model length): the resolution, but for what may be

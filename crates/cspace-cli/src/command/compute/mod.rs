@@ -41,6 +41,7 @@ struct Summary<'a> {
     free_regions: usize,
     regions: Regions<'a>,
     resolution: f64,
+    least_clearance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     doubtful_orientations: Option<&'a [(f64, f64)]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -207,6 +208,7 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
         free_regions: space.free_regions(),
         regions: Regions::Planar(&[]),
         resolution: space.resolution(),
+        least_clearance: space.least_clearance(),
         doubtful_orientations: None,
         statistics: None,
         seconds: Seconds::Total { total: seconds },

@@ -62,8 +62,8 @@ pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) ->
     }
     writeln!(
         text,
-        "  resolution     {:.1e}{unit}: a clearance below it counts as none",
-        s.resolution
+        "  resolution     {:.1e}{unit}; a clearance below {:.1e}{unit} counts as none",
+        s.resolution, s.least_clearance
     )?;
     let computed = match (pair.is_saved(), &s.seconds) {
         (true, Seconds::Stages(_)) => " when it was computed",
