@@ -107,10 +107,14 @@ fn straight<T: Real>(sheet: &Sheet, cos: T, sin: T) -> ((T, T), (T, T), f64) {
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::panic)]
-mod tests {
+pub(super) mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
     use super::super::pair::Geometry;
+    use super::super::sheet::SheetKind;
     use super::*;
-    use crate::geometry::{Point, Vector};
+    use crate::geometry::{Point, Rotation, Vector};
+    use crate::number::{Ball, Series};
     use crate::part::{Part, Vertex};
 
     fn part(name: &str, size: f64, bulges: [f64; 4]) -> Part {
@@ -125,9 +129,30 @@ mod tests {
         Part::new(name, vec![outline]).unwrap()
     }
 
+    /// The same contact with circles about their centres, and ends as two vectors: right as long as the radii are no larger
+    /// than here.
+    pub(in crate::contact) fn plain(sheet: &Sheet) -> Sheet {
+        let spiral = |s: &Spiral| Spiral::new(s.u + s.swing.arm, s.turning());
+        let mut plain = *sheet;
+        (plain.start, plain.end) = (spiral(&sheet.start), spiral(&sheet.end));
+        let near = spiral(&sheet.any());
+        if sheet.is_bow() {
+            let inward = -(sheet.normal * sheet.radius);
+            let (mut u, mut w) = (near.u, near.w);
+            if sheet.kind == SheetKind::MovingBow {
+                w = w + inward;
+            } else {
+                u += inward;
+            }
+            plain.kind = SheetKind::RoundRound;
+            (plain.fixed_point, plain.moving_point) = (u, Point::ORIGIN + -w);
+        }
+        plain
+    }
+
     /// The centre of what a sheet is about its centre, and its signed radius; of a line a point, the normal, and no radius.
     fn carried(sheet: &Sheet, theta: f64) -> (Point, Vector, Option<f64>) {
-        match sheet.carrier(theta.cos(), theta.sin()) {
+        match plain(sheet).carrier(theta.cos(), theta.sin()) {
             Carrier::Circle { center, radius } => {
                 (Point::new(center.0, center.1), Vector::ZERO, Some(radius))
             }
@@ -136,16 +161,7 @@ mod tests {
                 Vector::new(normal.0, normal.1),
                 None,
             ),
-            Carrier::Bow(bow) => {
-                let through = Point::new(bow.through.0, bow.through.1);
-                let normal = Vector::new(bow.normal.0, bow.normal.1);
-                if bow.curvature == 0.0 {
-                    (through, normal, None)
-                } else {
-                    let radius = 1.0 / bow.curvature;
-                    (through - normal * radius, Vector::ZERO, Some(radius))
-                }
-            }
+            Carrier::Bow(_) => unreachable!("a circle about its centre"),
         }
     }
 
@@ -226,5 +242,115 @@ mod tests {
             assert_eq!(always_touch(g, f), touch, "{f:?} {g:?}");
         }
         assert!(always > 10, "{always}");
+    }
+
+    fn flat_geometry() -> Geometry {
+        let fixed = part("fixed", 1.0, [1e-3, 0.3, -8e-4, 0.0]);
+        let moving = part("moving", 0.6, [6e-4, 0.0, -7e-4, -0.2]);
+        Geometry::new(&fixed, &moving, None, usize::MAX)
+    }
+
+    /// Value and derivatives of a condition.
+    fn series(condition: &Condition<'_>, theta: f64) -> Series {
+        let (cos, sin) = Series::cos_sin(theta);
+        condition.at(cos, sin).0
+    }
+
+    /// Values and slopes against distances of centres, which tell them to some digits.
+    #[test]
+    fn conditions_are_those_of_centres_and_radii() {
+        let geometry = flat_geometry();
+        for (f, g, orientations) in flat_pairs(&geometry) {
+            for condition in tangencies(f, g) {
+                for theta in orientations {
+                    let h = 1e-3;
+                    let at = |t: f64| by_centers(&condition, t);
+                    let (cos, sin) = (theta.cos(), theta.sin());
+                    let value = condition.at(cos, sin).0;
+                    let off = (value - at(theta)).abs();
+                    assert!(off < 1e-9, "{off} {value} {f:?} {g:?}");
+                    let slope = series(&condition, theta).slope;
+                    let expected = (at(theta + h) - at(theta - h)) / (2.0 * h);
+                    let near = 1e-6 * (1.0 + condition.pace());
+                    assert!((slope - expected).abs() < near, "{slope} {expected}");
+                }
+            }
+        }
+    }
+
+    /// What is said to be the error of a value is about its rounding, as an enclosure tells it.
+    #[test]
+    fn errors_of_values_are_those_of_rounding() {
+        let geometry = flat_geometry();
+        for (f, g, orientations) in flat_pairs(&geometry) {
+            for condition in tangencies(f, g) {
+                for theta in orientations {
+                    let (cos, sin) = Ball::new(theta, 0.0).cos_sin();
+                    let (enclosed, size) = condition.at(cos, sin);
+                    let said = MARGIN * LENGTH_ERROR * size * condition.pace();
+                    let bounds = enclosed.radius / said;
+                    assert!((1e-5..10.0).contains(&bounds), "{bounds}");
+                }
+            }
+        }
+    }
+
+    /// Two lines through one point that are all but parallel: the little by which they are not has all its digits.
+    #[test]
+    fn what_is_all_but_tangent_is_known_to_its_own_digits() {
+        let geometry = flat_geometry();
+        let (f, ..) = (flat_pairs(&geometry).into_iter())
+            .find(|(f, ..)| f.is_bow() && f.swing.is_none())
+            .unwrap();
+        for angle in [1e-3_f64, 1e-6, -1e-6] {
+            let mut g = *f;
+            g.normal = Rotation::by(angle) * f.normal;
+            // Bows of one curvature through one point: the squares of half the angle and no more.
+            let condition = Condition::Alike(f, &g, true);
+            let expected = 2.0 * (0.5 * angle).sin().powi(2);
+            for value in [condition.at(1.0, 0.0).0, series(&condition, 0.0).value] {
+                assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+            }
+        }
+    }
+
+    /// A line that stands still, with its normal upwards.
+    fn upright() -> Sheet {
+        let geometry = flat_geometry();
+        let of = |s: &&Sheet| s.kind == SheetKind::LineRound && !s.is_flat();
+        let mut line = *geometry.contacts.sheets.iter().find(of).unwrap();
+        line.normal = Vector::new(0.0, 1.0);
+        line
+    }
+
+    /// A circle that stands still.
+    fn round(center: Point, radius: f64) -> Sheet {
+        let geometry = flat_geometry();
+        let mut round = *(geometry.contacts.sheets.iter())
+            .find(|s| s.is_circle())
+            .unwrap();
+        (round.fixed_point, round.moving_point, round.radius) = (center, Point::ORIGIN, radius);
+        round
+    }
+
+    /// A line, and a circle about a point that goes around a circle: tangent at two orientations and no more.
+    #[test]
+    fn touching_at_two_orientations_is_not_touching_always() {
+        let mut line = upright();
+        let mut circle = round(Point::ORIGIN, 0.3);
+        circle.moving_point = Point::new(-1.0, 0.0);
+        // At these and half a turn less them.
+        for at in [0.0, FRAC_PI_2 - 0.05, FRAC_PI_2 + 0.05] {
+            line.start = Spiral::new(Point::new(0.0, at.sin() + 0.3), Vector::ZERO);
+            let holds = |d: f64| {
+                let value = |c: Condition<'_>| series(&c, at + d).value;
+                tangencies(&line, &circle).any(|c| value(c).abs() < 1e-14)
+            };
+            assert!(holds(0.0) && holds(PI - 2.0 * at) && !holds(0.3));
+            let mut during = circle;
+            (during.lo, during.hi, line.lo, line.hi) = (at - 0.2, at + 0.2, at - 0.2, at + 0.2);
+            assert!(!always_touch(&line, &during), "{at}");
+            assert!(!always_touch(&during, &line), "{at}");
+        }
     }
 }

@@ -844,3 +844,7 @@ pub(crate) fn exact_crossings(
             .map(|x| x.enters)
     })
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic)]
+mod tests;

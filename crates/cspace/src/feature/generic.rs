@@ -472,7 +472,7 @@ fn least_moves(sides: &[Side], knots: &[Knot], residuals: &[Dd]) -> Vec<[f64; 3]
 ///
 /// It is in double-double, since a line of many pieces makes it as ill-conditioned as the fourth power of their number.
 struct Band {
-    /// Row p, column p − HALF + k is at [p][k].
+    /// Row p, column p − HALF + k is at `[p][k]`.
     rows: Vec<[Dd; HALF + 1]>,
 }
 

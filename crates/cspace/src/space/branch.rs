@@ -191,17 +191,6 @@ struct Tracer<'a> {
 }
 
 impl Tracer<'_> {
-    fn exact_crossings_between(&self, run: &PairRun, theta: Dd) -> [Option<bool>; 2] {
-        let contacts = &self.geometry.contacts;
-        let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
-        let [x, y] = [run.first, run.second].map(|s| exact_sheet(self.geometry, s));
-        let shared = SharedEnds {
-            tangent: false,
-            corners: f.shared_corners(g, contacts.first_vertex_name),
-        };
-        exact_crossings(&x, &y, &shared, &ExactTurn::by(theta))
-    }
-
     fn trace(&mut self, run: &PairRun, events: &[Moment]) {
         let clusters = self.clusters;
         let (from, to) = (clusters.index(run.lo), clusters.index(run.hi));
@@ -254,7 +243,7 @@ impl Tracer<'_> {
         let mut apart = false;
         for w in self.times.windows(2) {
             let now = if small || clusters.are_close(w[0], w[1]) {
-                self.exact_crossings_between(run, clusters.exact_between(w[0], w[1]))
+                exact_crossings_between(self.geometry, run, clusters.exact_between(w[0], w[1]))
             } else {
                 crossings_between(self.geometry, run, clusters.between(w[0], w[1]))
             };
@@ -309,6 +298,18 @@ fn coincide(geometry: &Geometry, run: &PairRun, theta: Dd) -> bool {
     let turn = ExactTurn::by(theta);
     let [f, g] = [run.first, run.second].map(|s| exact_sheet(geometry, s).carrier(&turn));
     f.is_one_with(&g)
+}
+
+/// The same as [`crossings_between`] in double-double.
+fn exact_crossings_between(geometry: &Geometry, run: &PairRun, theta: Dd) -> [Option<bool>; 2] {
+    let contacts = &geometry.contacts;
+    let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
+    let [x, y] = [run.first, run.second].map(|s| exact_sheet(geometry, s));
+    let shared = SharedEnds {
+        tangent: false,
+        corners: f.shared_corners(g, contacts.first_vertex_name),
+    };
+    exact_crossings(&x, &y, &shared, &ExactTurn::by(theta))
 }
 
 /// For each root whether the curves cross there, and if so whether the first enters.
