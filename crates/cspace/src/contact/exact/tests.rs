@@ -63,6 +63,8 @@ fn curves_are_those_of_doubles() {
     /// Distances, as far as doubles tell them of the largest circles, and rounding of double-double.
     const NEAR: f64 = 1e-11;
     const NONE: f64 = 1e-26;
+    /// Places on a large circle are told from a point near the parts, that is known in doubles.
+    const NONE_OF_LARGE: f64 = 1e-15;
     let geometry = geometry();
     for s in &geometry.contacts.sheets {
         for share in [0.1, 0.5, 0.8] {
@@ -77,11 +79,8 @@ fn curves_are_those_of_doubles() {
             assert!(point(end).distance(rough.end) < NEAR, "{s:?}");
             let (from, to) = curve.ends();
             let length = (to - from).to_f64();
-            // Places on a bow are twice the tangents of half the angles from its point, times the radius.
             let expected = if let CurveShape::Bow(bow) = rough.shape {
-                let [a, b] = [rough.start, rough.end]
-                    .map(|p| 2.0 * s.radius * (0.5 * bow.place(p) / s.radius).atan());
-                b - a
+                bow.place(rough.end) - bow.place(rough.start)
             } else {
                 2.0 * rough.half_length()
             };
@@ -91,7 +90,8 @@ fn curves_are_those_of_doubles() {
             );
             for (place, p) in [(from, start), (to, end)] {
                 let off = length_of(minus(curve.point(place), p));
-                assert!(off < NONE, "{off} {s:?}");
+                let none = if s.is_flat() { NONE_OF_LARGE } else { NONE };
+                assert!(off < none, "{off} {s:?}");
                 let normal = curve.carrier().normal(p);
                 let height = curve.height(p, normal).to_f64().abs();
                 assert!(height < NONE, "{height} {s:?}");
@@ -154,7 +154,12 @@ fn crossings_are_those_of_doubles() {
                 // It is on both carriers, and at both places.
                 for (curve, place) in [(&c, y.places.0), (&d, y.places.1)] {
                     let off = length_of(minus(curve.point(place), y.point));
-                    assert!(off < 1e-24, "{off} {f:?} {g:?}");
+                    let none = if f.is_flat() || g.is_flat() {
+                        1e-15
+                    } else {
+                        1e-24
+                    };
+                    assert!(off < none, "{off} {f:?} {g:?}");
                 }
                 let place =
                     |c: &ExactCurve, d: &ExactCurve, swapped| c.place(d.carrier(), root, swapped);
