@@ -21,10 +21,18 @@ pub mod space;
 mod union_find;
 
 pub use axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
-pub use contact::{ContactFunction, Spiral, Swing};
+pub use contact::{
+    ContactFunction, ContactValue, FeatureShape, Placement, Spiral, Swing, Touching,
+    contact_function, touching,
+};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
-pub use pair::{Coordinates, LowerPair, PairClass, PairError, PairSpace, QueryError, Relation};
+pub use number::{Dual, Scalar, SecondOrder};
+pub use pair::{
+    ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
+    LowerPair, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
+    QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
+};
 pub use part::{Edge, Loop, Part, PartError, PartSymmetry, Vertex};
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,

@@ -67,7 +67,7 @@ impl Axis {
 }
 
 /// Which of the two parts of a pair.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
     /// The part called fixed, whose coordinate is u.

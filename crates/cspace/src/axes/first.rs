@@ -1,6 +1,6 @@
 //! The first contact along a motion of constant rates.
 
-use crate::pair::{Coordinates, PairContact, PairMotion};
+use crate::pair::{Coordinates, PairContact, PairMotion, PatchId};
 use crate::query::{Classification, MotionError};
 
 use super::along::{Along, Way};
@@ -74,7 +74,7 @@ impl FixedAxesSpace {
                     u: from.0 + rates.0 * time,
                     v: from.1 + rates.1 * time,
                 },
-                patch,
+                patch: PatchId(patch),
             }),
             (None, Some(time)) => PairMotion::Leaves { time },
             (None, None) => PairMotion::Free,

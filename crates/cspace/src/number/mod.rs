@@ -5,6 +5,7 @@ mod dd;
 mod jet;
 pub(crate) mod plane;
 mod polynomial;
+mod scalar;
 mod series;
 mod trig;
 
@@ -12,6 +13,7 @@ pub(crate) use ball::Ball;
 pub(crate) use dd::Dd;
 pub(crate) use jet::Jet;
 pub(crate) use polynomial::TrigPolynomial;
+pub use scalar::{Dual, Scalar, SecondOrder};
 pub(crate) use series::Series;
 pub(crate) use trig::{Event, Known, Trig};
 

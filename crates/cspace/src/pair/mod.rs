@@ -7,13 +7,23 @@
 //! | symmetric | one slab and copies ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
 //! | general | the general method ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
 
+mod along;
+mod graph;
+mod ids;
+mod locate;
 mod lower;
+mod patch;
 mod query;
 mod relation;
 mod saved;
 mod space;
 
+pub use along::{SmoothMotion, SmoothOutcome};
+pub use graph::{LinkKind, PairLink, PairRegion};
+pub use ids::{FeatureId, LinkId, PatchId, RegionId};
+pub use locate::Location;
 pub use lower::{Joint, LowerPair, PermanentContact, PermanentKind};
+pub use patch::{ByDrawing, ByVertex, FeatureContact, PairPatch};
 pub use query::{Neighbours, PairContact, PairMotion, PairNearest, QueryError};
 pub use relation::{Coordinates, PairClass, Relation};
 pub use saved::{SavedLower, SavedPair};

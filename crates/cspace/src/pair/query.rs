@@ -3,6 +3,8 @@
 use crate::geometry::Configuration;
 use crate::query::{Classification, MotionError, MotionOutcome};
 
+use super::ids::PatchId;
+use super::patch::PairPatch;
 use super::relation::{Coordinates, PairClass};
 use super::space::PairSpace;
 
@@ -14,14 +16,14 @@ pub struct PairContact {
     /// The configuration then.
     pub at: Coordinates,
     /// The patch it touches: one of them, where it touches several.
-    pub patch: u32,
+    pub patch: PatchId,
 }
 
 /// The contact nearest to a configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairNearest {
     /// The patch it is on.
-    pub patch: u32,
+    pub patch: PatchId,
     /// The configuration in contact.
     pub at: Coordinates,
     /// How far the moving part moves to it: a length, or radians of a part that turns on its axis.
@@ -46,13 +48,13 @@ pub enum PairMotion {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Neighbours {
     /// Those before it, at its left boundary.
-    pub before: Vec<u32>,
+    pub before: Vec<PatchId>,
     /// Those after it, at its right boundary.
-    pub after: Vec<u32>,
+    pub after: Vec<PatchId>,
     /// Those it continues at its lowest orientation. Patches of fixed axes have none.
-    pub below: Vec<u32>,
+    pub below: Vec<PatchId>,
     /// Those that continue it at its highest orientation.
-    pub above: Vec<u32>,
+    pub above: Vec<PatchId>,
 }
 
 /// Why a question has no answer.
@@ -76,30 +78,47 @@ pub enum QueryError {
     #[error("there is no patch {patch}; the last is {last}")]
     NoPatch {
         /// The number given.
-        patch: u32,
+        patch: PatchId,
         /// The largest there is.
-        last: u32,
+        last: PatchId,
     },
     /// The parts never part.
     #[error(
         "the parts of a lower pair are in contact for ever: there is no first or nearest contact"
     )]
     Permanent,
+    /// The question is about orientations, and the pair has none as a coordinate.
+    #[error("a {class} pair has no orientation as a coordinate")]
+    NoOrientation {
+        /// The class.
+        class: PairClass,
+    },
+    /// The parts overlap there.
+    #[error("the parts overlap at the configuration")]
+    Blocked,
     /// A motion cannot be followed.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
 
-impl PairSpace {
-    fn wrong(&self, given: Coordinates) -> QueryError {
-        QueryError::Coordinates {
-            class: self.class(),
-            wanted: match self {
-                Self::FixedAxes(_) => Coordinates::Axes { u: 0.0, v: 0.0 }.names(),
-                _ => Coordinates::Planar(Configuration::new(0.0, 0.0, 0.0)).names(),
-            },
+impl QueryError {
+    /// Coordinates of another class than the pair's.
+    pub(super) fn coordinates(class: PairClass, given: Coordinates) -> Self {
+        let wanted = match class {
+            PairClass::FixedAxes => Coordinates::Axes { u: 0.0, v: 0.0 },
+            _ => Coordinates::Planar(Configuration::default()),
+        };
+        Self::Coordinates {
+            class,
+            wanted: wanted.names(),
             given: given.names(),
         }
+    }
+}
+
+impl PairSpace {
+    pub(super) fn wrong(&self, given: Coordinates) -> QueryError {
+        QueryError::coordinates(self.class(), given)
     }
 
     /// Whether a configuration is free, blocked or in contact.
@@ -120,9 +139,13 @@ impl PairSpace {
     ///
     /// # Errors
     /// If it is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
-    pub fn contacts(&self, at: Coordinates, tolerance: f64) -> Result<Vec<(u32, f64)>, QueryError> {
+    pub fn contacts(
+        &self,
+        at: Coordinates,
+        tolerance: f64,
+    ) -> Result<Vec<(PatchId, f64)>, QueryError> {
         self.classify(at)?;
-        Ok(match (self, at) {
+        let found: Vec<(u32, f64)> = match (self, at) {
             (Self::Lower(pair), Coordinates::Planar(c)) => {
                 let off = |f: &crate::ContactFunction| f.value(c.position(), c.theta).abs();
                 (0..)
@@ -134,7 +157,9 @@ impl PairSpace {
             (Self::FixedAxes(space), Coordinates::Axes { u, v }) => space.contacts(u, v, tolerance),
             (Self::Planar(space), Coordinates::Planar(c)) => space.contacts(c, tolerance),
             _ => return Err(self.wrong(at)),
-        })
+        };
+        let named = |(patch, distance)| (PatchId(patch), distance);
+        Ok(found.into_iter().map(named).collect())
     }
 
     /// The contact nearest to a configuration: of a planar pair by translation alone, of a pair with fixed axes by the
@@ -151,7 +176,7 @@ impl PairSpace {
             (Self::Lower(_), _) => return Err(QueryError::Permanent),
             (Self::FixedAxes(space), Coordinates::Axes { u, v }) => {
                 space.nearest_contact(u, v).map(|n| PairNearest {
-                    patch: n.patch,
+                    patch: PatchId(n.patch),
                     at: Coordinates::Axes {
                         u: n.at.0,
                         v: n.at.1,
@@ -161,7 +186,7 @@ impl PairSpace {
             }
             (Self::Planar(space), Coordinates::Planar(c)) => {
                 space.nearest_contact(c).map(|n| PairNearest {
-                    patch: n.patch,
+                    patch: PatchId(n.patch),
                     at: Coordinates::Planar(n.configuration),
                     distance: n.distance,
                 })
@@ -196,7 +221,7 @@ impl PairSpace {
                     MotionOutcome::Contact(contact) => PairMotion::Contact(PairContact {
                         time: contact.time,
                         at: Coordinates::Planar(contact.configuration),
-                        patch: contact.patch,
+                        patch: PatchId(contact.patch),
                     }),
                 })
             }
@@ -206,54 +231,55 @@ impl PairSpace {
         }
     }
 
+    /// A patch.
+    ///
+    /// # Errors
+    /// If there is no such patch.
+    pub fn patch(&self, id: PatchId) -> Result<PairPatch<'_>, QueryError> {
+        let count = self.patch_count();
+        if id.index() >= count {
+            return Err(QueryError::NoPatch {
+                patch: id,
+                last: PatchId((count as u32).saturating_sub(1)),
+            });
+        }
+        Ok(PairPatch::new(self, id))
+    }
+
     /// The neighbours of a patch. Permanent contacts have none.
     ///
     /// # Errors
     /// If there is no such patch.
-    pub fn neighbours(&self, patch: u32) -> Result<Neighbours, QueryError> {
-        let count = self.patches() as u32;
-        if patch >= count {
-            return Err(QueryError::NoPatch {
-                patch,
-                last: count.saturating_sub(1),
-            });
-        }
-        let sorted = |mut list: Vec<u32>| {
+    pub fn neighbours(&self, patch: PatchId) -> Result<Neighbours, QueryError> {
+        self.patch(patch).map(|p| p.neighbours())
+    }
+
+    pub(super) fn neighbours_of(&self, patch: PatchId) -> Neighbours {
+        let sorted = |list: &mut dyn Iterator<Item = u32>| {
+            let mut list: Vec<PatchId> = list.map(PatchId).collect();
             list.sort_unstable();
             list.dedup();
             list
         };
-        Ok(match self {
+        match self {
             Self::Lower(_) => Neighbours::default(),
             Self::FixedAxes(space) => {
-                let p = &space.patches()[patch as usize];
+                let p = &space.patches()[patch.index()];
                 Neighbours {
-                    before: p.previous.into_iter().collect(),
-                    after: p.next.into_iter().collect(),
+                    before: p.previous.into_iter().map(PatchId).collect(),
+                    after: p.next.into_iter().map(PatchId).collect(),
                     ..Neighbours::default()
                 }
             }
             Self::Planar(space) => {
-                let vertical = space.vertical_links();
+                let patch = patch.0;
                 Neighbours {
-                    before: sorted(space.links_before(patch).map(|l| l.before).collect()),
-                    after: sorted(space.links_after(patch).map(|l| l.after).collect()),
-                    below: sorted(
-                        vertical
-                            .iter()
-                            .filter(|l| l.upper == patch)
-                            .map(|l| l.lower)
-                            .collect(),
-                    ),
-                    above: sorted(
-                        vertical
-                            .iter()
-                            .filter(|l| l.lower == patch)
-                            .map(|l| l.upper)
-                            .collect(),
-                    ),
+                    before: sorted(&mut space.links_before(patch).map(|l| l.before)),
+                    after: sorted(&mut space.links_after(patch).map(|l| l.after)),
+                    below: sorted(&mut space.links_below(patch).map(|l| l.lower)),
+                    above: sorted(&mut space.links_above(patch).map(|l| l.upper)),
                 }
             }
-        })
+        }
     }
 }

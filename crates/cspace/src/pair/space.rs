@@ -168,7 +168,7 @@ impl PairSpace {
     }
 
     /// Number of contact patches; of a lower pair its permanent contacts.
-    pub fn patches(&self) -> usize {
+    pub fn patch_count(&self) -> usize {
         match self {
             Self::Lower(pair) => pair.contacts().len(),
             Self::FixedAxes(space) => space.patches().len(),
@@ -177,7 +177,7 @@ impl PairSpace {
     }
 
     /// Number of bands. What has no orientation to cut has one.
-    pub fn bands(&self) -> usize {
+    pub fn band_count(&self) -> usize {
         match self {
             Self::Planar(space) => space.bands().len(),
             _ => 1,
@@ -185,7 +185,7 @@ impl PairSpace {
     }
 
     /// Number of connected components of free space. A joint leaves none: all its configurations are in contact.
-    pub fn free_regions(&self) -> usize {
+    pub fn region_count(&self) -> usize {
         match self {
             Self::Lower(_) => 0,
             Self::FixedAxes(space) => space.regions().len(),

@@ -7,6 +7,7 @@ mod bounds;
 mod check;
 mod corner;
 mod curve;
+mod distance;
 mod edge;
 mod error;
 mod frame;
@@ -22,6 +23,7 @@ pub mod tolerance;
 mod vertex;
 
 pub use bounds::Bounds;
+pub(crate) use distance::distance_of;
 pub use edge::Edge;
 pub use error::PartError;
 pub use loops::{Loop, Part};

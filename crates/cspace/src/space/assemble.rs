@@ -78,7 +78,7 @@ impl Assembler<'_> {
             &critical_orientations,
             self.window,
         );
-        let walk = Walk::new(patches.len(), &side_links);
+        let walk = Walk::new(patches.len(), &side_links, &vertical_links);
         let (more_fixed, more_moving) = self.names.added();
         let mut space = ContactSpace {
             fixed: fixed.clone(),

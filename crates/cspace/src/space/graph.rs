@@ -110,42 +110,55 @@ impl FeatureCounts {
     }
 }
 
-/// For every patch its side links, by the end at which they lie.
+/// For every patch its links, by the end at which they lie.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Walk {
-    /// Links in which patch i comes before: `after_links[after_first[i]..after_first[i + 1]]`.
-    pub(crate) after_first: Vec<u32>,
-    pub(crate) after_links: Vec<u32>,
-    pub(crate) before_first: Vec<u32>,
-    pub(crate) before_links: Vec<u32>,
+    after: LinksOf,
+    before: LinksOf,
+    above: LinksOf,
+    below: LinksOf,
+}
+
+/// Numbers of links for every patch: those of patch i are `links[first[i]..first[i + 1]]`.
+#[derive(Debug, Clone, Default)]
+struct LinksOf {
+    first: Vec<u32>,
+    links: Vec<u32>,
+}
+
+impl LinksOf {
+    /// The links by the patch at one of their ends.
+    fn new(patches: usize, ends: impl Iterator<Item = u32> + Clone) -> Self {
+        let mut first = vec![0u32; patches + 1];
+        for end in ends.clone() {
+            first[end as usize + 1] += 1;
+        }
+        for i in 0..patches {
+            first[i + 1] += first[i];
+        }
+        let mut at = first.clone();
+        let mut links = vec![0; first[patches] as usize];
+        for (i, end) in (0u32..).zip(ends) {
+            let slot = &mut at[end as usize];
+            links[*slot as usize] = i;
+            *slot += 1;
+        }
+        Self { first, links }
+    }
+
+    fn of(&self, patch: u32) -> &[u32] {
+        let i = patch as usize;
+        &self.links[self.first[i] as usize..self.first[i + 1] as usize]
+    }
 }
 
 impl Walk {
-    pub(crate) fn new(patches: usize, links: &[SideLink]) -> Self {
-        let gather = |end: fn(&SideLink) -> u32| {
-            let mut first = vec![0u32; patches + 1];
-            for l in links {
-                first[end(l) as usize + 1] += 1;
-            }
-            for i in 0..patches {
-                first[i + 1] += first[i];
-            }
-            let mut at = first.clone();
-            let mut list = vec![0; links.len()];
-            for (i, l) in (0u32..).zip(links) {
-                let slot = &mut at[end(l) as usize];
-                list[*slot as usize] = i;
-                *slot += 1;
-            }
-            (first, list)
-        };
-        let (after_first, after_links) = gather(|l| l.before);
-        let (before_first, before_links) = gather(|l| l.after);
+    pub(crate) fn new(patches: usize, side: &[SideLink], vertical: &[VerticalLink]) -> Self {
         Self {
-            after_first,
-            after_links,
-            before_first,
-            before_links,
+            after: LinksOf::new(patches, side.iter().map(|l| l.before)),
+            before: LinksOf::new(patches, side.iter().map(|l| l.after)),
+            above: LinksOf::new(patches, vertical.iter().map(|l| l.lower)),
+            below: LinksOf::new(patches, vertical.iter().map(|l| l.upper)),
         }
     }
 }
@@ -238,20 +251,26 @@ impl ContactSpace {
 
     /// The side links at the right boundary of a patch, in order of orientation.
     pub fn links_after(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
-        let range = self.walk.after_first[patch as usize] as usize
-            ..self.walk.after_first[patch as usize + 1] as usize;
-        self.walk.after_links[range]
-            .iter()
-            .map(|&l| &self.side_links[l as usize])
+        let links = self.walk.after.of(patch).iter();
+        links.map(|&l| &self.side_links[l as usize])
     }
 
     /// The side links at the left boundary of a patch, in order of orientation.
     pub fn links_before(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
-        let range = self.walk.before_first[patch as usize] as usize
-            ..self.walk.before_first[patch as usize + 1] as usize;
-        self.walk.before_links[range]
-            .iter()
-            .map(|&l| &self.side_links[l as usize])
+        let links = self.walk.before.of(patch).iter();
+        links.map(|&l| &self.side_links[l as usize])
+    }
+
+    /// The vertical links at the last orientation of a patch.
+    pub fn links_above(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
+        let links = self.walk.above.of(patch).iter();
+        links.map(|&l| &self.vertical_links[l as usize])
+    }
+
+    /// The vertical links at the first orientation of a patch.
+    pub fn links_below(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
+        let links = self.walk.below.of(patch).iter();
+        links.map(|&l| &self.vertical_links[l as usize])
     }
 
     /// The connected components of free space; the unbounded one first.

@@ -218,7 +218,11 @@ impl ContactSpace {
         each("side link", &saved.side_links, |l| {
             fit::check_link(&saved.patches, l)
         })?;
-        let walk = Walk::new(saved.patches.len(), &saved.side_links);
+        let walk = Walk::new(
+            saved.patches.len(),
+            &saved.side_links,
+            &saved.vertical_links,
+        );
         let growths = growths(&fixed, &moving);
         let grown = frame.grown((&fixed, growths.0), (&moving, growths.1));
         Ok(Self {

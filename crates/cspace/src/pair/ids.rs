@@ -1,0 +1,68 @@
+//! Numbers of what a space consists of. Each kind has a type of its own, so that they cannot be mixed up.
+
+use serde::{Deserialize, Serialize};
+
+use crate::axes::Role;
+use crate::feature::FeatureName;
+
+macro_rules! id {
+    ($(#[$doc:meta])* $name:ident) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+        #[serde(transparent)]
+        pub struct $name(pub u32);
+
+        impl $name {
+            /// The number as an index, from 0.
+            pub const fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
+
+        impl core::fmt::Display for $name {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                self.0.fmt(f)
+            }
+        }
+    };
+}
+
+id! {
+    /// The number of a contact patch, in the order of [`PairSpace::patches`](crate::PairSpace::patches).
+    PatchId
+}
+id! {
+    /// The number of a free region, in the order of [`PairSpace::regions`](crate::PairSpace::regions).
+    RegionId
+}
+id! {
+    /// The number of a link between two patches, in the order of [`PairSpace::links`](crate::PairSpace::links).
+    LinkId
+}
+
+/// A feature of one of the two parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct FeatureId {
+    /// Whose it is.
+    pub part: Role,
+    /// The loop and the vertex it comes from, and what it is.
+    pub name: FeatureName,
+}
+
+impl FeatureId {
+    /// A feature of the fixed part.
+    pub const fn of_fixed(name: FeatureName) -> Self {
+        Self {
+            part: Role::Fixed,
+            name,
+        }
+    }
+
+    /// A feature of the moving part.
+    pub const fn of_moving(name: FeatureName) -> Self {
+        Self {
+            part: Role::Moving,
+            name,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Where a configuration is: in which free region, blocked, or outside what was computed; and how far the parts are apart.
+
+use crate::part::distance_of;
+
+use super::ids::RegionId;
+use super::query::QueryError;
+use super::relation::Coordinates;
+use super::space::PairSpace;
+use crate::query::Classification;
+
+/// Where a configuration is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Location {
+    /// The parts are apart, in this free region.
+    Free(RegionId),
+    /// The parts touch, to the resolution.
+    Contact,
+    /// The parts overlap.
+    Blocked,
+    /// It is not finite, or outside the window of orientations or the ranges of motion: nothing was computed there.
+    Outside,
+}
+
+impl PairSpace {
+    /// Where a configuration is.
+    ///
+    /// # Errors
+    /// If it is in the coordinates of another class.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Location, Options, PairSpace, Part, Relation, Vertex};
+    /// let square = |r: f64| -> Vec<Vertex> {
+    ///     [(-r, -r), (r, -r), (r, r), (-r, r)].iter().map(|&(x, y)| Vertex::line(x, y)).collect()
+    /// };
+    /// let ring = Part::new("ring", vec![square(3.0), square(2.0)])?;
+    /// let block = Part::new("block", vec![square(1.0)])?;
+    /// let space = PairSpace::compute(&ring, &block, Relation::Planar, &Options::default())?;
+    /// let at = |x| Coordinates::Planar(Configuration::new(x, 0.0, 0.0));
+    /// assert!(matches!(space.locate(at(0.0))?, Location::Free(_)));
+    /// assert_ne!(space.locate(at(0.0))?, space.locate(at(9.0))?);
+    /// assert_eq!(space.locate(at(2.5))?, Location::Blocked);
+    /// assert!(!space.connected(at(0.0), at(9.0))?);
+    /// assert!((space.clearance(at(0.3))? - 0.7).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn locate(&self, at: Coordinates) -> Result<Location, QueryError> {
+        let class = match self.classify(at) {
+            Err(QueryError::Outside) => return Ok(Location::Outside),
+            class => class?,
+        };
+        let region = match (self, at) {
+            (Self::FixedAxes(space), Coordinates::Axes { u, v }) => space.region_at(u, v),
+            (Self::Planar(space), Coordinates::Planar(c)) => space.region_at(c),
+            _ => None,
+        };
+        Ok(match (class, region) {
+            (Classification::Contact, _) => Location::Contact,
+            (Classification::Free, Some(region)) => Location::Free(RegionId(region)),
+            _ => Location::Blocked,
+        })
+    }
+
+    /// Whether two configurations are free and in one region, so that a motion without overlap leads from one to the other.
+    ///
+    /// # Errors
+    /// If one is in the coordinates of another class.
+    pub fn connected(&self, a: Coordinates, b: Coordinates) -> Result<bool, QueryError> {
+        let (a, b) = (self.locate(a)?, self.locate(b)?);
+        Ok(matches!(a, Location::Free(_)) && a == b)
+    }
+
+    /// How far the parts are apart at a configuration: the least distance of their boundaries, in the model's unit of length.
+    /// 0 where they touch.
+    ///
+    /// # Errors
+    /// If the configuration is in the coordinates of another class or outside, or the parts overlap there.
+    pub fn clearance(&self, at: Coordinates) -> Result<f64, QueryError> {
+        match self.classify(at)? {
+            Classification::Contact => Ok(0.0),
+            Classification::Blocked => Err(QueryError::Blocked),
+            Classification::Free => {
+                let placed = match (self, at) {
+                    (Self::FixedAxes(space), Coordinates::Axes { u, v }) => {
+                        space.configuration(u, v)
+                    }
+                    (_, Coordinates::Planar(c)) => c,
+                    _ => return Err(self.wrong(at)),
+                };
+                Ok(distance_of(self.fixed(), self.moving(), placed))
+            }
+        }
+    }
+}
