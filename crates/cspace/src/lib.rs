@@ -25,7 +25,10 @@ pub use contact::{ContactFunction, Spiral, Swing};
 pub use feature::{FeatureKind, FeatureName};
 pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use pair::{Coordinates, LowerPair, PairClass, PairError, PairSpace, QueryError, Relation};
-pub use part::{Edge, Loop, Part, PartError, PartSymmetry, Vertex};
+pub use part::{
+    ArcSize, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError, PartSymmetry,
+    Vertex,
+};
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,
 };
