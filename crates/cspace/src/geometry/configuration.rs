@@ -2,8 +2,6 @@
 
 use core::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use super::convert::write_numbers;
 use super::{Point, Rotation, Vector};
 
@@ -15,7 +13,8 @@ use super::{Point, Rotation, Vector};
 /// let q = quarter_turn.fixed_from_moving(Point::new(2.0, 0.0));
 /// assert!(q.distance(Point::new(1.0, 2.0)) < 1e-15);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Configuration {
     /// Displacement along the fixed part's first axis.
     pub x: f64,

@@ -20,6 +20,8 @@ pub const CHORD_TOLERANCE: f64 = 1e-6;
 
 /// Which way an arc turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Direction {
     /// To the left: positive bulge.
     CounterClockwise,
@@ -29,6 +31,8 @@ pub enum Direction {
 
 /// Which of the two arcs of one radius, direction and ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ArcSize {
     /// That of at most half a turn.
     Short,

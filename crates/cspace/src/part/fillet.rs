@@ -22,6 +22,7 @@ pub const WHOLE_EDGE: f64 = 1e-9;
 
 /// A rounded corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Fillet {
     /// What is left of the edge before the corner; none if the fillet takes all of it.
     pub before: Option<Edge>,
