@@ -224,12 +224,15 @@ pub fn bulge_through(
     if size(to).min(size(on)) <= RESOLUTION * length {
         return Err(none);
     }
-    let (to, on) = (to.unit(), on.unit());
+    // Only directions matter; of about unit length their products are numbers.
+    let about_unit = |v: Vector| v * (1.0 / v.x.abs().max(v.y.abs()));
+    let (to, on) = (about_unit(to), about_unit(on));
     let (cos, sin) = (to.dot(on), to.cross(on));
+    let both = sin.hypot(cos);
     let bulge = if cos >= 0.0 {
-        sin / (1.0 + cos)
+        sin / (both + cos)
     } else {
-        (1.0 - cos) / sin
+        (both - cos) / sin
     };
     checked(bulge).map_err(|_| none)
 }
