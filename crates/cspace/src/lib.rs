@@ -1,4 +1,13 @@
 //! Exact configuration spaces of planar parts bounded by line segments and circular arcs.
+//!
+//! # Cargo features
+//!
+//! Both are on unless `default-features = false` is given.
+//!
+//! - `serde`: what is public and plain data can be written and read by `serde`, such as a
+//!   [`SavedSpace`](space::SavedSpace).
+//! - `rayon`: work is divided among the threads of the `rayon` pool from which it is called. Without it one thread, the
+//!   caller's, does all of it. Results are the same with any number of threads.
 
 // It reads no files and prints nothing.
 #![warn(clippy::print_stdout, clippy::print_stderr)]
@@ -33,7 +42,10 @@ pub use pair::{
     LowerPair, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
     QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
 };
-pub use part::{Edge, Loop, Part, PartError, PartSymmetry, Vertex};
+pub use part::{
+    ArcSize, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError, PartSymmetry,
+    Vertex,
+};
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,
 };

@@ -101,7 +101,7 @@ impl Trial<'_> {
             PairMotion::Leaves { .. } => self.tally.leaves += 1,
             PairMotion::Contact(c) => {
                 self.tally.contacts += 1;
-                self.touches(at(c.time), rates, c.patch, c.at);
+                self.touches(at(c.time), rates, c.patch.0, c.at);
                 return Some(at(c.time));
             }
         }

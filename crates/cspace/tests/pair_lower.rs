@@ -6,8 +6,9 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use cspace::pair::{Joint, PairMotion, PermanentKind, SavedLower};
 use cspace::{
-    Axis, Classification, Configuration, Coordinates, FixedAxesSpace, LowerPair, Options,
-    PairClass, PairError, PairSpace, Part, Point, QueryError, Relation, Rotation, Vector, Vertex,
+    Axis, Classification, Configuration, Coordinates, FixedAxesSpace, Location, LowerPair, Options,
+    PairClass, PairError, PairSpace, Part, PatchId, Point, QueryError, Relation, Rotation, Vector,
+    Vertex,
 };
 
 const AT: Point = Point::new(1.5, -0.75);
@@ -199,8 +200,8 @@ fn questions_without_a_meaning_are_refused() {
     for joint in joints() {
         let space = space(joint);
         assert_eq!(space.class(), PairClass::Lower);
-        assert_eq!((space.free_regions(), space.bands()), (0, 1));
-        let permanent = space.patches();
+        assert_eq!((space.region_count(), space.band_count()), (0, 1));
+        let permanent = space.patch_count();
         assert!(matches!(
             space.classify(axes),
             Err(QueryError::Coordinates {
@@ -210,6 +211,15 @@ fn questions_without_a_meaning_are_refused() {
             })
         ));
         assert!(space.contacts(axes, 1.0).is_err());
+        assert_eq!(
+            space.bands(),
+            Err(QueryError::NoOrientation {
+                class: PairClass::Lower
+            })
+        );
+        assert_eq!(space.locate(planar), Ok(Location::Contact));
+        let patch = space.patches().next().unwrap();
+        assert_eq!(patch.features(), Err(QueryError::Permanent));
         let nowhere = Coordinates::Planar(Configuration::new(f64::NAN, 0.0, 0.0));
         assert_eq!(space.classify(nowhere), Err(QueryError::Outside));
         assert_eq!(space.contacts(planar, 1e-9).unwrap().len(), permanent);
@@ -218,7 +228,7 @@ fn questions_without_a_meaning_are_refused() {
             Err::<PairMotion, _>(QueryError::Permanent)
         );
         for i in 0..permanent as u32 {
-            let n = space.neighbours(i).unwrap();
+            let n = space.neighbours(PatchId(i)).unwrap();
             assert!(
                 [n.before, n.after, n.below, n.above]
                     .iter()
@@ -226,7 +236,7 @@ fn questions_without_a_meaning_are_refused() {
             );
         }
         assert!(matches!(
-            space.neighbours(permanent as u32),
+            space.neighbours(PatchId(permanent as u32)),
             Err(QueryError::NoPatch { .. })
         ));
     }

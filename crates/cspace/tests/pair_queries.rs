@@ -5,7 +5,8 @@
 use cspace::pair::PairMotion;
 use cspace::{
     AxesError, Axis, Classification, ComputeError, Configuration, Coordinates, MotionError,
-    Options, PairClass, PairError, PairSpace, Part, Point, QueryError, Relation, Vector, Vertex,
+    Options, PairClass, PairError, PairSpace, Part, PatchId, Point, QueryError, Relation, Vector,
+    Vertex,
 };
 
 /// Radii of the fixed and of the moving disc, and the distance of their centres in contact.
@@ -167,14 +168,16 @@ fn coordinates_of_another_class_are_refused() {
 #[test]
 fn neighbours_are_mutual() {
     for space in [planar(None), planar(Some((-1.0, 1.0))), sliding()] {
-        let count = space.patches() as u32;
-        let all: Vec<_> = (0..count).map(|i| space.neighbours(i).unwrap()).collect();
+        let count = space.patch_count() as u32;
+        let all: Vec<_> = (0..count)
+            .map(|i| space.neighbours(PatchId(i)).unwrap())
+            .collect();
         let mut links = 0;
-        for (i, n) in (0u32..).zip(&all) {
+        for (i, n) in (0..).map(PatchId).zip(&all) {
             for (mine, theirs) in [(&n.after, 0), (&n.before, 1), (&n.above, 2), (&n.below, 3)] {
                 assert!(mine.is_sorted_by(|a, b| a < b));
                 for &j in mine {
-                    let other = &all[j as usize];
+                    let other = &all[j.index()];
                     let back = [&other.before, &other.after, &other.below, &other.above];
                     assert!(back[theirs].contains(&i), "{i} {j}");
                 }
@@ -184,17 +187,17 @@ fn neighbours_are_mutual() {
         assert!(links >= count as usize / 2, "{links}");
         if let PairSpace::Planar(space) = &space {
             for l in space.side_links() {
-                assert!(all[l.before as usize].after.contains(&l.after));
+                assert!(all[l.before as usize].after.contains(&PatchId(l.after)));
             }
             for l in space.vertical_links() {
-                assert!(all[l.lower as usize].above.contains(&l.upper));
+                assert!(all[l.lower as usize].above.contains(&PatchId(l.upper)));
             }
         }
         let beyond = QueryError::NoPatch {
-            patch: count,
-            last: count - 1,
+            patch: PatchId(count),
+            last: PatchId(count - 1),
         };
-        assert_eq!(space.neighbours(count), Err(beyond));
+        assert_eq!(space.neighbours(PatchId(count)), Err(beyond));
     }
 }
 

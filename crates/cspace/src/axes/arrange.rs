@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 
 use crate::union_find::UnionFind;
 
@@ -13,7 +13,8 @@ use super::names::{Key, Name};
 use super::piece::{Pair, Piece};
 
 /// What is at an end of a cell.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Stop {
     /// The end of its piece.
     Node(Key),
@@ -22,7 +23,8 @@ pub(super) enum Stop {
 }
 
 /// A piece between two crossings, or an end: on the boundary of free space as a whole, or not.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Cell {
     pub(super) piece: u32,
     /// From and to: x of a graph, y of a vertical piece (in the piece's own turn).

@@ -12,7 +12,8 @@ use crate::part::{Part, Vertex};
 use super::motion::Motion;
 
 /// How often a partition has been made before.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Aside(u8);
 
 /// The golden section: no two directions or lengths are in a simple ratio.

@@ -1,12 +1,11 @@
 //! Axes as the user gives them.
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::{Point, Vector};
 
 /// How a part can move.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case", tag = "type")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case", tag = "type"))]
 pub enum AxisMotion {
     /// Not at all; its coordinate is 0.
     Fixed,
@@ -23,7 +22,8 @@ pub enum AxisMotion {
 }
 
 /// How a part can move, and how far.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axis {
     /// The motion.
     pub motion: AxisMotion,
@@ -67,8 +67,9 @@ impl Axis {
 }
 
 /// Which of the two parts of a pair.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Role {
     /// The part called fixed, whose coordinate is u.
     Fixed,

@@ -23,7 +23,8 @@ const CHECKED: f64 = 1e-5;
 const TRIED_AT: f64 = 0.382;
 
 /// A free interval of y over a band.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Gap {
     /// The cell below it, or none at a limit of y, and where nothing touches.
     pub(super) lower: Option<u32>,
@@ -35,7 +36,8 @@ pub(super) struct Gap {
 }
 
 /// An interval of x in which the order of the free boundary's cells does not change.
-#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Band {
     pub(super) lo: f64,
     pub(super) hi: f64,
@@ -44,7 +46,8 @@ pub(super) struct Band {
 }
 
 /// A connected component of free space.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Region {
     pub(super) sample: (f64, f64),
     pub(super) x: (f64, f64),

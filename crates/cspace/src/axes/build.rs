@@ -3,7 +3,7 @@
 //! Of every orbit of features of the swept part one is looked at, over its full turn; what it touches in the k-th copy of
 //! the window its k-th image touches in the window itself (`repeats`).
 
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 
 use super::carriers::carriers;
 use super::condition::Condition;

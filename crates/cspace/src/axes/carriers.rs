@@ -8,7 +8,8 @@ use super::cycle::Cycle;
 use super::scene::Scene;
 
 /// When two features touch: their carriers, at zero coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Carriers {
     /// A line of the first part and an arc or vertex of the second: n(x)·(q(y) − l(x)) = ρ.
     FirstLine {

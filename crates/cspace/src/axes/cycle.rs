@@ -22,7 +22,8 @@ use super::motion::Motion;
 use super::side::Side;
 
 /// A line, a circle or a point.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Cycle {
     /// A point of it; of a circle that is not large its centre.
     pub(super) through: Point,

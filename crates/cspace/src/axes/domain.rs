@@ -3,7 +3,8 @@
 use core::f64::consts::{PI, TAU};
 
 /// The values of one coordinate, in the frame of the pair.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Extent {
     pub(super) lo: f64,
     pub(super) hi: f64,
@@ -11,7 +12,8 @@ pub(super) struct Extent {
 }
 
 /// What is at the two ends of an extent.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum ExtentKind {
     /// The same place: a full turn.
     Circle,

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 
 use super::arrange::{Arrangement, Cell};
 use super::body::Bodies;

@@ -7,7 +7,8 @@ use crate::geometry::{Point, Rotation, Vector};
 use super::cycle::Cycle;
 
 /// A motion of one degree of freedom at most, with coordinate t.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Motion {
     /// No motion.
     Still,
@@ -61,7 +62,8 @@ impl Motion {
 /// The motions of both parts.
 ///
 /// The first has the coordinate x along which the plane is swept, the second the coordinate y.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Motions {
     pub(super) first: Motion,
     pub(super) second: Motion,

@@ -1,9 +1,8 @@
 //! Names of nodes: ends of curves that have one name are one place.
 
 /// What a node is, so that ends of curves find each other.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Name {
     /// A joint of the first part touches a round feature of the second.
     FirstJoint(u32, u32),
@@ -30,9 +29,8 @@ pub(super) enum Name {
 }
 
 /// A name, which of several such configurations, and in which turn.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Key {
     pub(super) name: Name,
     pub(super) root: u8,

@@ -1,7 +1,5 @@
 //! Contact curves as patches of the one band a fixed-axes pair has.
 
-use serde::{Deserialize, Serialize};
-
 use crate::feature::FeatureName;
 
 use super::chain::{Chain, end_of, goes_up};
@@ -14,7 +12,8 @@ use super::space::FixedAxesSpace;
 ///
 /// It is travelled with blocked space on its left and free space on its right in the (u, v) plane. It has no upper or lower
 /// neighbours; where it ends without a neighbour, a motion is at its limit (section 3.2 of Sacks 1999).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesPatch {
     /// The feature of the fixed part.
     pub fixed: FeatureName,
@@ -31,8 +30,9 @@ pub struct AxesPatch {
 }
 
 /// What is a function of what on a branch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum BranchForm {
     /// v is a monotone function of u, or constant.
     VOfU,
@@ -41,7 +41,8 @@ pub enum BranchForm {
 }
 
 /// A piece of a contact curve on which one coordinate is a monotone function of the other, in closed form.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesBranch {
     /// The contact curve it belongs to.
     pub patch: u32,

@@ -14,7 +14,8 @@ pub(super) struct Pair {
 }
 
 /// An end of a piece. Its y is `base` + 2π `turns`; the base is the node's and the same for all pieces that end there.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct End {
     pub(super) key: Key,
     pub(super) x: f64,
@@ -29,7 +30,8 @@ impl End {
 }
 
 /// A piece of the contact curve of a pair on which y is a monotone function of x, or x is constant.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Piece {
     pub(super) pair: u32,
     /// Root 0 has free space above it, root 1 below. Of a vertical piece, 0 has it on the right, 1 on the left.

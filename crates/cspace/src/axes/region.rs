@@ -5,7 +5,8 @@ use super::motion::Motion;
 use super::space::FixedAxesSpace;
 
 /// A connected component of free space.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesRegion {
     /// A configuration (u, v) within it, between the least and greatest u and v below.
     pub sample: (f64, f64),

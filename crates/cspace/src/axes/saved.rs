@@ -1,7 +1,5 @@
 //! A fixed-axes space as plain data.
 
-use serde::{Deserialize, Serialize};
-
 use crate::feature::FeatureName;
 use crate::space::{SavedError, SavedPart};
 
@@ -37,7 +35,10 @@ const FORMAT: &str = "fixed-axes-space";
 /// assert_eq!(again.patches(), space.patches());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+// What follows from parts and axes is there to be written, and is not read back.
+#[cfg_attr(not(feature = "serde"), allow(dead_code))]
 pub struct SavedAxesSpace {
     /// Always `fixed-axes-space`.
     pub format: String,
@@ -59,7 +60,10 @@ pub struct SavedAxesSpace {
     pub free_regions: Vec<AxesRegion>,
     /// Counts of the computation.
     pub statistics: AxesStatistics,
-    #[serde(default, skip_serializing_if = "Aside::is_none")]
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Aside::is_none")
+    )]
     aside: Aside,
     map: Map,
     motions: Motions,

@@ -36,7 +36,8 @@ const MOST_TURNS: u32 = 1000;
 /// From u and v to x and y and back.
 ///
 /// x is the coordinate along which the plane is swept: one of a part that turns, if there is one.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Map {
     pub(super) frame: PairFrame,
     pub(super) swapped: bool,

@@ -49,7 +49,8 @@ pub struct FixedAxesSpace {
 }
 
 /// Counts of a computation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesStatistics {
     /// Pairs of features that touch somewhere.
     pub pairs: usize,

@@ -1,7 +1,5 @@
 //! Contact functions: zero where two features touch, positive where they are apart.
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
@@ -13,8 +11,9 @@ use super::spiral::{Spiral, turned};
 ///
 /// Its value at a position p and orientation θ is the distance of the features' carriers along the contact normal:
 /// zero on the contact patch, positive on its free side.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case", tag = "kind")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case", tag = "kind"))]
 pub enum ContactFunction {
     /// Fixed line against moving arc or vertex (equation 1, the line fixed): n·(p − c(θ)).
     FixedLine {

@@ -1,7 +1,5 @@
 //! Points that move with orientation: the ends of contact curves, and the centres of circular ones.
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
@@ -9,14 +7,18 @@ use crate::number::Real;
 ///
 /// So move the ends of all contact curves (one normal there is that of a joint, fixed or turning with the moving
 /// part), and the centres of the circular ones. The last term is there for arcs of large radius only: see [`Swing`].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spiral {
     /// The part that stays.
     pub u: Point,
     /// The part that turns.
     pub w: Vector,
     /// How the end of a long arm swings.
-    #[serde(default, skip_serializing_if = "Swing::is_none")]
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Swing::is_none")
+    )]
     pub swing: Swing,
 }
 
@@ -25,7 +27,8 @@ pub struct Spiral {
 /// Where an arc of radius r touches, the contact is at r (n + R m) from a point of the arc, with opposing normals n and m
 /// of the parts. The two terms cancel. Of an arc much larger than the parts all digits would be lost; so the difference is
 /// written down as one.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Swing {
     /// The arm a; zero for none.
     pub arm: Vector,

@@ -9,7 +9,8 @@ use crate::part::{Edge, Part};
 ///
 /// With centres c and d of the fixed and the moving part, and scale s, a configuration (p, θ) of the pair is at
 /// s (p − c + `R_θ` d) in this frame. The scale is a power of two, so scaling is exact.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct PairFrame {
     pub(crate) fixed_center: Point,
     pub(crate) moving_center: Point,

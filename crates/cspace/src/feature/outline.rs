@@ -1,14 +1,13 @@
 //! Features and joints of one part in the pair's frame.
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
 use crate::number::plane::Xy;
 
 /// What a feature is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum FeatureKind {
     /// A line segment.
     Line,
@@ -21,7 +20,8 @@ pub enum FeatureKind {
 }
 
 /// A feature of a part, by its place in the part as given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureName {
     /// What it is.
     pub kind: FeatureKind,

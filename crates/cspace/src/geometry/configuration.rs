@@ -1,7 +1,8 @@
 //! The relative position and orientation of two parts.
 
-use serde::{Deserialize, Serialize};
+use core::fmt;
 
+use super::convert::write_numbers;
 use super::{Point, Rotation, Vector};
 
 /// Where the moving part is, seen from the fixed part: its point q lies at (x, y) + `R_θ` q.
@@ -12,7 +13,8 @@ use super::{Point, Rotation, Vector};
 /// let q = quarter_turn.fixed_from_moving(Point::new(2.0, 0.0));
 /// assert!(q.distance(Point::new(1.0, 2.0)) < 1e-15);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Configuration {
     /// Displacement along the fixed part's first axis.
     pub x: f64,
@@ -23,6 +25,9 @@ pub struct Configuration {
 }
 
 impl Configuration {
+    /// The two frames are one: the position is (0, 0) and the orientation 0.
+    pub const IDENTITY: Self = Self::new(0.0, 0.0, 0.0);
+
     /// The configuration with the given coordinates; `theta` in radians.
     #[inline]
     pub const fn new(x: f64, y: f64, theta: f64) -> Self {
@@ -41,10 +46,74 @@ impl Configuration {
         Rotation::by(self.theta) * q + Vector::new(self.x, self.y)
     }
 
-    /// The configuration of the fixed part seen from the moving one: R⁻¹(q − (x, y)).
+    /// The configuration of the fixed part seen from the moving one: it takes a point q to R⁻¹(q − (x, y)). The
+    /// orientation is −θ, not reduced modulo a turn.
     #[inline]
     pub fn inverse(self) -> Self {
         let back = Rotation::by(self.theta).inverse() * Vector::new(-self.x, -self.y);
         Self::new(back.x, back.y, -self.theta)
+    }
+
+    /// The configuration of a seen from c, where this one is that of b seen from c: with q a point in the frame of a,
+    /// `c_from_b.compose(b_from_a)` takes q to where `c_from_b` takes what `b_from_a` takes it to. Its position is
+    /// p + `R_θ` p′, its orientation θ + θ′, where this configuration is (p, θ) and the other (p′, θ′).
+    ///
+    /// The orientation is the sum and is not reduced modulo a turn: a part that has turned twice is told from one that has
+    /// not turned.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Point};
+    /// let bench_from_table = Configuration::new(3.0, 0.0, core::f64::consts::FRAC_PI_2);
+    /// let table_from_block = Configuration::new(1.0, 0.0, 0.25);
+    /// let bench_from_block = bench_from_table.compose(table_from_block);
+    ///
+    /// let q = Point::new(0.5, 0.25);
+    /// let by_steps = bench_from_table.fixed_from_moving(table_from_block.fixed_from_moving(q));
+    /// assert!(bench_from_block.fixed_from_moving(q).distance(by_steps) < 1e-15);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn compose(self, b_from_a: Self) -> Self {
+        let p = self.fixed_from_moving(b_from_a.position());
+        Self::new(p.x, p.y, self.theta + b_from_a.theta)
+    }
+}
+
+/// Written `(x, y, θ rad)`; a precision such as `{:.3}` is that of each number.
+impl fmt::Display for Configuration {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_numbers(f, &[self.x, self.y, self.theta], " rad")
+    }
+}
+
+/// From (x, y, θ), θ in radians.
+impl From<(f64, f64, f64)> for Configuration {
+    #[inline]
+    fn from((x, y, theta): (f64, f64, f64)) -> Self {
+        Self::new(x, y, theta)
+    }
+}
+
+/// From [x, y, θ], θ in radians.
+impl From<[f64; 3]> for Configuration {
+    #[inline]
+    fn from([x, y, theta]: [f64; 3]) -> Self {
+        Self::new(x, y, theta)
+    }
+}
+
+/// To (x, y, θ), θ in radians.
+impl From<Configuration> for (f64, f64, f64) {
+    #[inline]
+    fn from(c: Configuration) -> Self {
+        (c.x, c.y, c.theta)
+    }
+}
+
+/// To [x, y, θ], θ in radians.
+impl From<Configuration> for [f64; 3] {
+    #[inline]
+    fn from(c: Configuration) -> Self {
+        [c.x, c.y, c.theta]
     }
 }

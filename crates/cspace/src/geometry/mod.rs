@@ -1,6 +1,7 @@
 //! Points, vectors, rotations and configurations of the plane.
 
 mod configuration;
+mod convert;
 mod point;
 mod rotation;
 

@@ -6,6 +6,7 @@ use super::{Point, Vector};
 
 /// A rotation about the origin, kept as the cosine and sine of its angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rotation {
     /// Cosine of the angle.
     pub cos: f64,

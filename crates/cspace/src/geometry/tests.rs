@@ -97,3 +97,49 @@ fn rotations_and_configurations_are_complex_maps() {
     assert!(is_near((home.x, home.y), (p.x, p.y)));
     assert_eq!(c.inverse().theta, -angle);
 }
+
+#[test]
+fn composed_configurations_take_points_one_after_the_other() {
+    let c_from_b = Configuration::new(10.0, -20.0, 2.5);
+    let b_from_a = Configuration::new(-3.0, 0.25, 5.0);
+    let (p, c_from_a) = (Point::new(2.0, -7.0), c_from_b.compose(b_from_a));
+    let by_steps = c_from_b.fixed_from_moving(b_from_a.fixed_from_moving(p));
+    let at_once = c_from_a.fixed_from_moving(p);
+    assert!(is_near((at_once.x, at_once.y), (by_steps.x, by_steps.y)));
+    // More than a turn stays more than a turn.
+    assert_eq!(c_from_a.theta, 7.5);
+
+    let back = c_from_a.inverse().compose(c_from_a);
+    assert!(is_near((back.x, back.y), (0.0, 0.0)) && back.theta == 0.0);
+    assert_eq!(Configuration::IDENTITY.compose(c_from_b), c_from_b);
+    assert_eq!(c_from_b.compose(Configuration::IDENTITY), c_from_b);
+}
+
+#[test]
+fn numbers_come_in_and_go_out_in_order() {
+    let c = Configuration::new(1.0, -2.5, 0.125);
+    assert_eq!(Configuration::from((1.0, -2.5, 0.125)), c);
+    assert_eq!(Configuration::from([1.0, -2.5, 0.125]), c);
+    assert_eq!(<[f64; 3]>::from(c), [1.0, -2.5, 0.125]);
+    assert_eq!(<(f64, f64, f64)>::from(c), (1.0, -2.5, 0.125));
+    let (p, v) = (Point::new(1.0, 2.0), Vector::new(3.0, 4.0));
+    assert_eq!((Point::from((1.0, 2.0)), Point::from([1.0, 2.0])), (p, p));
+    assert_eq!((Vector::from((3.0, 4.0)), Vector::from([3.0, 4.0])), (v, v));
+    assert_eq!(
+        (<[f64; 2]>::from(p), <(f64, f64)>::from(p)),
+        ([1.0, 2.0], (1.0, 2.0))
+    );
+    assert_eq!(
+        (<[f64; 2]>::from(v), <(f64, f64)>::from(v)),
+        ([3.0, 4.0], (3.0, 4.0))
+    );
+}
+
+#[test]
+fn text_has_the_precision_asked_for() {
+    assert_eq!(Point::new(1.0, -2.5).to_string(), "(1, -2.5)");
+    assert_eq!(format!("{:.2}", Vector::new(1.0, -2.5)), "(1.00, -2.50)");
+    let c = Configuration::new(1.0, -2.5, 0.125);
+    assert_eq!(c.to_string(), "(1, -2.5, 0.125 rad)");
+    assert_eq!(format!("{c:.1}"), "(1.0, -2.5, 0.1 rad)");
+}

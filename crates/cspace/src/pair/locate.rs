@@ -10,6 +10,7 @@ use crate::query::Classification;
 
 /// Where a configuration is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Location {
     /// The parts are apart, in this free region.
     Free(RegionId),

@@ -2,8 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
 use crate::axes::{Axis, AxisMotion};
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::tolerance::GROWTH;
@@ -12,8 +10,9 @@ use crate::part::Part;
 use crate::query::Classification;
 
 /// A permanent connection of two parts. Both are drawn in the assembly's frame as they are at zero motion.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case", tag = "type")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case", tag = "type"))]
 pub enum Joint {
     /// The parts turn about a common point.
     Revolute {
@@ -32,7 +31,8 @@ pub enum Joint {
 }
 
 /// A contact that a joint never gives up.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PermanentContact {
     /// What it is: a point of the moving part on a line or an arc of the fixed part.
     pub kind: PermanentKind,
@@ -43,8 +43,9 @@ pub struct PermanentContact {
 }
 
 /// What touches for ever.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PermanentKind {
     /// A point of the moving part on a line of the fixed part.
     PointLine,

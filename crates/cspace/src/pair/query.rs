@@ -10,6 +10,7 @@ use super::space::PairSpace;
 
 /// Where a motion first touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairContact {
     /// When, in the unit of time of the rates.
     pub time: f64,
@@ -21,6 +22,7 @@ pub struct PairContact {
 
 /// The contact nearest to a configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairNearest {
     /// The patch it is on.
     pub patch: PatchId,
@@ -32,6 +34,8 @@ pub struct PairNearest {
 
 /// What becomes of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PairMotion {
     /// It is free to the end.
     Free,
@@ -46,6 +50,7 @@ pub enum PairMotion {
 
 /// The neighbours of a patch along the boundary of free space, each once, in order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Neighbours {
     /// Those before it, at its left boundary.
     pub before: Vec<PatchId>,

@@ -1,15 +1,14 @@
 //! How two parts are related, and so what class of pair they are.
 
-use serde::{Deserialize, Serialize};
-
 use crate::axes::Axis;
 use crate::geometry::Configuration;
 
 use super::lower::Joint;
 
 /// The classes of pairs, by the method that computes them (section 3.2 of Sacks 1999).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PairClass {
     /// A joint connects the two parts: their relative motion does not come from contact.
     Lower,
@@ -41,6 +40,8 @@ impl core::fmt::Display for PairClass {
 
 /// How the two parts of a pair can move relative to each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Relation {
     /// As their joint lets them, within limits (radians or the model's unit of length) if there are any.
     Joint(Joint, Option<(f64, f64)>),
@@ -56,8 +57,9 @@ pub enum Relation {
 }
 
 /// A configuration, or its rates, in the coordinates of a pair's class.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(untagged))]
 pub enum Coordinates {
     /// Position and orientation of the moving part in the fixed part's frame: lower, symmetric and general pairs.
     Planar(Configuration),

@@ -1,7 +1,5 @@
 //! Configuration spaces of pairs of any class as plain data.
 
-use serde::{Deserialize, Serialize};
-
 use crate::axes::SavedAxesSpace;
 use crate::space::{SAVED_VERSION, SavedError, SavedPart, SavedSpace, check_head};
 
@@ -11,7 +9,8 @@ use super::space::PairSpace;
 const FORMAT: &str = "lower-pair";
 
 /// A lower pair as plain data.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SavedLower {
     /// Always `lower-pair`.
     pub format: String,
@@ -32,8 +31,9 @@ pub struct SavedLower {
 /// A configuration space as plain data, told apart by its `format`.
 ///
 /// The schemas in the folder `docs` of the project's repository describe every field and its unit.
-#[derive(Debug, Clone, Serialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(untagged))]
 pub enum SavedPair {
     /// Of a general or symmetric pair; its format is `contact-space`.
     Planar(Box<SavedSpace>),

@@ -12,6 +12,7 @@ use crate::geometry::Point;
 /// # Ok::<(), cspace::PartError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bounds {
     /// The corner with the least coordinates.
     pub min: Point,

@@ -4,6 +4,7 @@ use crate::geometry::{Point, Vector};
 
 /// A line segment or circular arc of a part's boundary; travelling it, material is on the left.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Edge {
     /// Where the edge starts.
     pub start: Point,

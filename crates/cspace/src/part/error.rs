@@ -2,6 +2,7 @@
 
 use crate::geometry::Point;
 
+use super::builder::OutlineError;
 use super::tolerance::{FULL_BULGE, MAX_COORDINATE, MAX_OFFSET, MAX_VERTICES, MIN_SIZE};
 
 /// Why loops do not make a part. Loops, vertices and edges are counted from 0, as given; an edge
@@ -163,4 +164,30 @@ pub enum PartError {
         /// The same loop.
         other_loop: usize,
     },
+
+    /// A size of a plain shape is not a positive number.
+    #[error("the {what} is {value:?}: give a positive number")]
+    BadSize {
+        /// Which size.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+    },
+
+    /// A size of a plain shape cannot be told from nothing beside the others.
+    #[error(
+        "the {what} is {value:e}, at most {least:e}, which is nothing in a part of this size: give a larger one"
+    )]
+    TooThin {
+        /// Which size.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+        /// What it must be more than.
+        least: f64,
+    },
+
+    /// An outline cannot be drawn.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
 }

@@ -8,6 +8,7 @@
 use core::cmp::Ordering;
 
 use crate::geometry::{Point, Rotation, Vector};
+use crate::parallel;
 
 use super::meeting::meeting;
 use super::outline::Outline;
@@ -35,7 +36,7 @@ pub(super) fn check_meetings(outline: &Outline) -> Result<Vec<bool>, PartError> 
         first()?;
         return second();
     }
-    let (first, second) = rayon::join(first, second);
+    let (first, second) = parallel::join(first, second);
     first.and(second)
 }
 

@@ -1,13 +1,12 @@
 //! One vertex of a loop, with the edge that leaves it.
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::Point;
 
 /// A corner of a loop. The bulge belongs to the edge that leaves it.
 ///
 /// The bulge is tan(sweep / 4): positive counter-clockwise, 0 a line, ±1 a half circle (as in DXF).
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Vertex {
     /// First coordinate.
     pub x: f64,

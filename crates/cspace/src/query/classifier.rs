@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::space::ContactSpace;

@@ -2,15 +2,14 @@
 
 use core::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
 use crate::geometry::{Configuration, Vector};
 use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
 
 /// What a configuration is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Classification {
     /// The parts do not overlap.
     Free,

@@ -5,6 +5,7 @@ use crate::space::ContactSpace;
 
 /// The contact that is nearest to a configuration by translation alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearestContact {
     /// The patch it is on.
     pub patch: u32,

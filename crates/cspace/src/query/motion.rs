@@ -9,6 +9,7 @@ use super::touch::Search;
 
 /// Where a motion first touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FirstContact {
     /// When, in the unit of time of the rates.
     pub time: f64,
@@ -20,6 +21,8 @@ pub struct FirstContact {
 
 /// What becomes of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum MotionOutcome {
     /// It is free to the end.
     Free,

@@ -2,8 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
 use crate::contact::{Curve, CurveShape, Geometry};
 use crate::feature::tolerance::TORN;
 use crate::feature::{FeatureName, PairFrame};
@@ -13,8 +11,9 @@ use crate::part::{Edge, Part};
 use super::arrange::Arrangement;
 
 /// A directed segment or circular arc.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum CurveGeometry {
     /// From start to end.
     Segment {
@@ -46,7 +45,8 @@ pub enum CurveGeometry {
 }
 
 /// A piece of the boundary of free space in a slice: blocked space is on its left, free space on its right.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SliceCurve {
     /// The feature of the fixed part that touches.
     pub fixed: FeatureName,
@@ -61,7 +61,8 @@ pub struct SliceCurve {
 }
 
 /// All positions at one orientation, split into free and blocked by closed loops of contact curves.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Slice {
     /// The orientation in radians.
     pub theta: f64,
@@ -74,7 +75,7 @@ pub struct Slice {
     /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations). Of a slice from
     /// scratch: what bounds curves and tests of overlap contradict each other here and up to 1.2·10⁻¹⁰ rad above, or contacts of
     /// arcs of one loop with arcs of another lie on one circle. Of either: a curve does not begin where the one before it ends.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub doubtful: bool,
 }
 

@@ -5,7 +5,7 @@
 //! material near the middle of the square: about the middle if that is inside, otherwise the nearest place of the boundary, a
 //! disc of radius 0. For a disc of the other part, wherever it is, the table then has the disc that overlaps it most, nearly.
 
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 
 use crate::contact::Geometry;
 use crate::feature::Material;

@@ -116,6 +116,8 @@ pub enum ComputeError {
 
 /// Stages of a computation, for progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Stage {
     /// Features and sheets.
     Sheets,

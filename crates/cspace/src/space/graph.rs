@@ -2,8 +2,6 @@
 
 use std::sync::{Arc, OnceLock};
 
-use serde::{Deserialize, Serialize};
-
 use crate::contact::Bodies;
 use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
 use crate::feature::{Outline, PairFrame};
@@ -17,7 +15,8 @@ use super::stats::Statistics;
 use super::symmetry::PairSymmetry;
 
 /// The orientations a contact space covers.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Window {
     /// First orientation, radians.
     pub lo: f64,
@@ -28,7 +27,8 @@ pub struct Window {
 }
 
 /// Two patches that follow each other along the boundary of free space, within bands.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SideLink {
     /// The patch that ends there in the direction of travel; its right boundary is the curve of the link.
     pub before: u32,
@@ -41,7 +41,8 @@ pub struct SideLink {
 }
 
 /// Two patches that continue each other in orientation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VerticalLink {
     /// The patch that ends at the orientation.
     pub lower: u32,
@@ -54,7 +55,8 @@ pub struct VerticalLink {
 }
 
 /// A connected component of free space over all orientations of the window.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FreeRegion {
     /// Whether it reaches arbitrarily far positions. Exactly one region does.
     pub unbounded: bool,
@@ -89,7 +91,8 @@ pub struct ContactSpace {
 }
 
 /// Lines, arcs and vertices that are not smooth joints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureCounts {
     /// Of the fixed part.
     pub fixed: u32,
@@ -165,6 +168,7 @@ impl Walk {
 
 /// An interval between consecutive critical orientations: within it nothing but lengths changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Band {
     /// The critical orientation it begins at.
     pub lo: f64,

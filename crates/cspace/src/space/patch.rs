@@ -1,14 +1,13 @@
 //! Contact patches and their boundary curves.
 
-use serde::{Deserialize, Serialize};
-
 use crate::contact::{Carrier, ContactFunction, Spiral, place_error, place_on};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::number::{Real, Series};
 
 /// A maximal piece of the contact space on which one pair of features touches between the same two boundary curves.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Patch {
     /// The feature of the fixed part.
     pub fixed: FeatureName,
@@ -29,8 +28,9 @@ pub struct Patch {
 }
 
 /// A boundary curve of a patch: a position for every orientation, in closed form.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case", tag = "kind")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case", tag = "kind"))]
 pub enum Boundary {
     /// One of the two features ends: its neighbour takes over.
     End {
@@ -47,8 +47,9 @@ pub enum Boundary {
 }
 
 /// The kinds of boundary curves, by the contact curves that cross there (section 3.1 of Sacks 1999).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum BoundaryKind {
     /// The end of a feature.
     FeatureEnd,

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
 use crate::contact::{ContactFunction, Spiral, growths};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::Point;
@@ -22,7 +20,8 @@ mod fit;
 pub const SAVED_VERSION: u32 = 1;
 
 /// A part as it was given.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SavedPart {
     /// Its name.
     pub name: String,
@@ -50,7 +49,8 @@ impl SavedPart {
 }
 
 /// The frame in which patches are written: position p of the moving part is at scale · (p − `fixed_center` + `R_θ` `moving_center`).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SavedFrame {
     /// Centre of the fixed part, in its own frame.
     pub fixed_center: Point,
@@ -80,7 +80,8 @@ pub struct SavedFrame {
 /// assert_eq!(error.to_string(), "side link 0 is damaged: there is no such patch");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SavedSpace {
     /// Always `contact-space`.
     pub format: String,
@@ -107,13 +108,13 @@ pub struct SavedSpace {
     /// Connected components of free space.
     pub free_regions: Vec<FreeRegion>,
     /// The symmetry of the parts, and the slabs it made of the computation.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub symmetry: PairSymmetry,
     /// How many bands were computed; 0 where this is not known.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub computed_bands: u32,
     /// Intervals of orientation in which the patches are not relied upon alone.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub doubtful_orientations: Vec<(f64, f64)>,
     /// Counts and times of the computation.
     pub statistics: Statistics,

@@ -1,9 +1,8 @@
 //! What a computation did, and how long it took.
 
-use serde::{Deserialize, Serialize};
-
 /// Counts and times of one computation.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Statistics {
     /// Sheets: feature pairs that can touch, by intervals in which their ends keep their identity.
     pub sheets: u64,
@@ -24,7 +23,7 @@ pub struct Statistics {
     /// Shells whose bounds and tests disagreed and were decided cell by cell; 0 in sound computations.
     pub conflicts: u64,
     /// How often which certainty was reached.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub decisions: Decisions,
     /// Seconds taken, by stage.
     pub seconds: StageSeconds,
@@ -33,7 +32,8 @@ pub struct Statistics {
 /// How often a decision was certain at once, and how often it took more, or was left to the resolution.
 ///
 /// What a bound on the error of `f64` leaves open is decided in double-double.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Decisions {
     /// Intervals of orientation in which two branches may pass each other: decided by the polynomial of three carriers.
     pub passings: u64,
@@ -53,7 +53,8 @@ pub struct Decisions {
 }
 
 /// Seconds taken by each stage.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StageSeconds {
     /// Features, sheets and their names.
     pub sheets: f64,

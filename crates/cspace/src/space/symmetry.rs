@@ -2,8 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
 use crate::contact::{Geometry, Placed, Steps};
 use crate::feature::FeatureName;
 use crate::part::{Corresponding, Part, Symmetrized};
@@ -24,7 +22,8 @@ pub enum Symmetry {
 ///
 /// A fixed part of fold k and a moving part of fold m make lcm(k, m) slabs of orientations that are images of each
 /// other (figure 4 of Sacks 1999 has one symmetric part): one is computed, the others are copies.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairSymmetry {
     /// Fold of the fixed part about its own centre; 1 without symmetry, or where none was looked for.
     pub fixed: u32,

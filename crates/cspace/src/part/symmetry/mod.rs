@@ -27,6 +27,7 @@ pub const SYMMETRIC: f64 = 1.0 / (1_u64 << 30) as f64;
 
 /// The rotations about its own centre that map a part to itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PartSymmetry {
     fold: u32,
     center: Point,

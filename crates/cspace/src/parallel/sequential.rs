@@ -1,0 +1,40 @@
+//! The iterators of `rayon` that are used here, by their names, on the caller's thread.
+
+use core::slice::Iter;
+
+/// What is given out by reference.
+pub(crate) trait ByReference<T> {
+    fn par_iter(&self) -> Iter<'_, T>;
+}
+
+impl<T> ByReference<T> for [T] {
+    fn par_iter(&self) -> Iter<'_, T> {
+        self.iter()
+    }
+}
+
+/// What is given out by value.
+pub(crate) trait ByValue: IntoIterator + Sized {
+    fn into_par_iter(self) -> Self::IntoIter {
+        self.into_iter()
+    }
+}
+
+impl<I: IntoIterator> ByValue for I {}
+
+/// What an iterator among threads can do besides what every iterator can.
+pub(crate) trait Divided: Iterator + Sized {
+    /// How few items a thread is given at least.
+    fn with_min_len(self, _: usize) -> Self {
+        self
+    }
+
+    fn flat_map_iter<U: IntoIterator, F: FnMut(Self::Item) -> U>(
+        self,
+        work: F,
+    ) -> core::iter::FlatMap<Self, U, F> {
+        self.flat_map(work)
+    }
+}
+
+impl<I: Iterator> Divided for I {}

@@ -1,0 +1,266 @@
+//! The bulge of an arc from what a drawing says of it: its centre, its radius, or a point it goes through.
+//!
+//! All give tan(sweep / 4), positive counter-clockwise, from the two ends. Only differences of points enter, so that the
+//! accuracy does not depend on where the arc is drawn.
+
+use crate::geometry::{Point, Vector};
+
+use super::tolerance::{FULL_BULGE, RESOLUTION};
+
+/// How far apart the distances of a centre from the two ends of its arc may be, as a fraction of the longer distance.
+///
+/// Drawings give centres in decimals, often six of them. The arc goes exactly through its ends, and its centre is the
+/// nearest place equally far from both.
+pub const CENTER_TOLERANCE: f64 = 1e-6;
+
+/// By what fraction a chord may be longer than the diameter of its arc, which is then a half circle.
+///
+/// Half circles are drawn with a radius and ends that were rounded one by one, to some six decimals.
+pub const CHORD_TOLERANCE: f64 = 1e-6;
+
+/// Which way an arc turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Direction {
+    /// To the left: positive bulge.
+    CounterClockwise,
+    /// To the right: negative bulge.
+    Clockwise,
+}
+
+/// Which of the two arcs of one radius, direction and ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum ArcSize {
+    /// That of at most half a turn.
+    Short,
+    /// That of at least half a turn.
+    Long,
+}
+
+/// Why an arc cannot be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ArcError {
+    /// A coordinate is not a finite number.
+    #[error("a coordinate is not a finite number: give numbers for x and y")]
+    NotFinite,
+    /// The arc ends where it starts.
+    #[error("the arc ends where it starts: draw a full circle as two half circles")]
+    NoChord,
+    /// A radius is not a positive number.
+    #[error("the radius is {radius:?}: give a positive number")]
+    BadRadius {
+        /// The radius.
+        radius: f64,
+    },
+    /// The ends are farther apart than the diameter.
+    #[error(
+        "the radius {radius:?} is too small, for the ends are {chord:?} apart: give at least {:?}, or move the ends together",
+        0.5 * chord
+    )]
+    RadiusTooSmall {
+        /// The radius.
+        radius: f64,
+        /// The distance of the ends.
+        chord: f64,
+    },
+    /// The centre is nearer to one end than to the other.
+    #[error(
+        "the centre is {from_start:?} from the arc's start and {from_end:?} from its end, which differ by more than {CENTER_TOLERANCE:e} of the longer: move the centre to where both are equal"
+    )]
+    OffCenter {
+        /// The distance of the centre from the start.
+        from_start: f64,
+        /// Its distance from the end.
+        from_end: f64,
+    },
+    /// No arc goes through the point: it is an end, or on the line of the ends but not between them.
+    #[error(
+        "no arc from ({:?}, {:?}) to ({:?}, {:?}) goes through ({:?}, {:?}): give a point beside the line of the ends, or between them",
+        start.x, start.y, end.x, end.y, through.x, through.y
+    )]
+    NotThrough {
+        /// Where the arc starts.
+        start: Point,
+        /// Where it ends.
+        end: Point,
+        /// The point.
+        through: Point,
+    },
+}
+
+impl Direction {
+    /// The sign of the bulge: 1 or −1.
+    #[inline]
+    pub const fn sign(self) -> f64 {
+        match self {
+            Self::CounterClockwise => 1.0,
+            Self::Clockwise => -1.0,
+        }
+    }
+}
+
+/// The bulge of the arc about a centre.
+///
+/// With h the height of the centre to the left of the chord and l half the chord's length, counter-clockwise
+/// l / (h + √(h² + l²)). The centre may be as much nearer to one end as [`CENTER_TOLERANCE`] says.
+///
+/// # Errors
+/// If a coordinate is not finite, the ends are one place, or the centre is not equally far from both.
+///
+/// ```
+/// use cspace::part::{bulge_about, ArcError, Direction};
+/// let bulge = bulge_about([1.0, 0.0], [0.0, 1.0], [0.0, 0.0], Direction::CounterClockwise)?;
+/// assert!((bulge - (core::f64::consts::FRAC_PI_8).tan()).abs() < 1e-15);
+/// # Ok::<(), ArcError>(())
+/// ```
+pub fn bulge_about(
+    start: impl Into<Point>,
+    end: impl Into<Point>,
+    center: impl Into<Point>,
+    direction: Direction,
+) -> Result<f64, ArcError> {
+    let (start, end, center) = (start.into(), end.into(), center.into());
+    let (chord, length) = chord(start, end)?;
+    let to_center = center - start;
+    let (from_start, from_end) = (size(to_center), size(center - end));
+    if !(from_start.is_finite() && from_end.is_finite()) {
+        return Err(ArcError::NotFinite);
+    }
+    if (from_start - from_end).abs() > CENTER_TOLERANCE * from_start.max(from_end) {
+        return Err(ArcError::OffCenter {
+            from_start,
+            from_end,
+        });
+    }
+    let half = 0.5 * length;
+    let height = direction.sign() * chord.unit().cross(to_center);
+    let radius = height.hypot(half);
+    let bulge = if height >= 0.0 {
+        half / (height + radius)
+    } else {
+        (radius - height) / half
+    };
+    checked(direction.sign() * bulge)
+}
+
+/// The bulge of the arc of a radius, which turns in a direction by less or more than half a turn.
+///
+/// With s = chord / (2 radius) and c = √(1 − s²), s / (1 + c) for the short arc and (1 + c) / s for the long one. A chord
+/// longer than the diameter by no more than [`CHORD_TOLERANCE`] gives a half circle.
+///
+/// # Errors
+/// If a coordinate is not finite, the ends are one place, the radius is not positive, or less than half the chord.
+///
+/// ```
+/// use cspace::part::{bulge_with_radius, ArcError, ArcSize, Direction};
+/// let bulge = |r, size| bulge_with_radius([0.0, 0.0], [2.0, 0.0], r, Direction::Clockwise, size);
+/// assert_eq!(bulge(1.0, ArcSize::Short)?, -1.0);
+/// assert!((bulge(1.25, ArcSize::Short)? + 0.5).abs() < 1e-15);
+/// assert!((bulge(1.25, ArcSize::Long)? + 2.0).abs() < 1e-15);
+/// assert!(matches!(bulge(0.9, ArcSize::Short), Err(ArcError::RadiusTooSmall { .. })));
+/// # Ok::<(), ArcError>(())
+/// ```
+pub fn bulge_with_radius(
+    start: impl Into<Point>,
+    end: impl Into<Point>,
+    radius: f64,
+    direction: Direction,
+    size: ArcSize,
+) -> Result<f64, ArcError> {
+    let (_, length) = chord(start.into(), end.into())?;
+    if !(radius.is_finite() && radius > 0.0) {
+        return Err(ArcError::BadRadius { radius });
+    }
+    let ratio = 0.5 * length / radius;
+    if ratio > 1.0 + CHORD_TOLERANCE {
+        return Err(ArcError::RadiusTooSmall {
+            radius,
+            chord: length,
+        });
+    }
+    let sin = ratio.min(1.0);
+    let cos = ((1.0 - sin) * (1.0 + sin)).sqrt();
+    let bulge = match size {
+        ArcSize::Short => sin / (1.0 + cos),
+        ArcSize::Long => (1.0 + cos) / sin,
+    };
+    checked(direction.sign() * bulge)
+}
+
+/// The bulge of the arc that goes through a third point; 0, a line, if the point is between the ends on their line.
+///
+/// The way to the point and the way on from it differ in direction by half the sweep.
+///
+/// # Errors
+/// If a coordinate is not finite, the ends are one place, or the point is an end or on their line but not between them.
+///
+/// ```
+/// use cspace::part::{bulge_through, ArcError};
+/// assert_eq!(bulge_through([-1.0, 0.0], [1.0, 0.0], [0.0, -1.0])?, 1.0);
+/// assert_eq!(bulge_through([-1.0, 0.0], [1.0, 0.0], [0.5, 0.0])?, 0.0);
+/// assert!(bulge_through([-1.0, 0.0], [1.0, 0.0], [2.0, 0.0]).is_err());
+/// # Ok::<(), ArcError>(())
+/// ```
+pub fn bulge_through(
+    start: impl Into<Point>,
+    end: impl Into<Point>,
+    through: impl Into<Point>,
+) -> Result<f64, ArcError> {
+    let (start, end, through) = (start.into(), end.into(), through.into());
+    let (_, length) = chord(start, end)?;
+    let none = ArcError::NotThrough {
+        start,
+        end,
+        through,
+    };
+    if !through.is_finite() {
+        return Err(ArcError::NotFinite);
+    }
+    let (to, on) = (through - start, end - through);
+    if size(to).min(size(on)) <= RESOLUTION * length {
+        return Err(none);
+    }
+    // Only directions matter; of about unit length their products are numbers.
+    let about_unit = |v: Vector| v * (1.0 / v.x.abs().max(v.y.abs()));
+    let (to, on) = (about_unit(to), about_unit(on));
+    let (cos, sin) = (to.dot(on), to.cross(on));
+    let both = sin.hypot(cos);
+    let bulge = if cos >= 0.0 {
+        sin / (both + cos)
+    } else {
+        (both - cos) / sin
+    };
+    checked(bulge).map_err(|_| none)
+}
+
+/// From the start of an arc to its end, and how far that is.
+fn chord(start: Point, end: Point) -> Result<(Vector, f64), ArcError> {
+    let chord = end - start;
+    let length = size(chord);
+    // Also where a difference is too large to be a number.
+    if !length.is_finite() {
+        return Err(ArcError::NotFinite);
+    }
+    if length == 0.0 {
+        return Err(ArcError::NoChord);
+    }
+    Ok((chord, length))
+}
+
+/// The length, also of vectors of which the square is no number.
+fn size(v: Vector) -> f64 {
+    v.x.hypot(v.y)
+}
+
+/// Beyond the largest bulge an arc cannot be told from a full circle, nor its ends from each other.
+fn checked(bulge: f64) -> Result<f64, ArcError> {
+    if bulge.abs() <= FULL_BULGE {
+        Ok(bulge)
+    } else {
+        Err(ArcError::NoChord)
+    }
+}

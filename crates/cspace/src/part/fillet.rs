@@ -1,0 +1,268 @@
+//! Corners rounded by an arc that is tangent to both edges.
+//!
+//! Seen from the corner, the line or circle of an edge with unit normal n towards the fillet and curvature κ (positive if
+//! it curves towards the fillet) is n · p = κ p² / 2. A centre c at distance r of it, on the fillet's side, has
+//!
+//! n · c = r + κ s, with s = (c² − r²) / 2.
+//!
+//! Two edges give c = r m + s q, where m solves n · m = 1 and q solves n · q = κ for both; put into s, that is a quadratic
+//! equation for s. Its root that goes to 0 with r belongs to the circles that come out of the corner. No centre of an edge
+//! enters, so that arcs may be as flat as they like.
+
+use crate::geometry::Vector;
+
+use super::Edge;
+use super::tolerance::RESOLUTION;
+
+/// A fillet that leaves less of an edge than this fraction of its length, or needs so much more, takes the whole edge.
+///
+/// Two fillets that share an edge, as at the ends of a slot, leave nothing of it but what the rounding of the radius to
+/// some nine digits leaves.
+pub const WHOLE_EDGE: f64 = 1e-9;
+
+/// A rounded corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Fillet {
+    /// What is left of the edge before the corner; none if the fillet takes all of it.
+    pub before: Option<Edge>,
+    /// The fillet: an arc of at most half a turn. Its index is that of the edge after the corner.
+    pub arc: Edge,
+    /// What is left of the edge after the corner; none if the fillet takes all of it.
+    pub after: Option<Edge>,
+}
+
+/// Why a corner cannot be rounded.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FilletError {
+    /// A radius is not a positive number.
+    #[error("the fillet's radius is {radius:?}: give a positive number")]
+    BadRadius {
+        /// The radius.
+        radius: f64,
+    },
+    /// The edges go on in one direction, or the second turns back on the first, within [`RESOLUTION`] radians.
+    #[error(
+        "there is no corner to round, for the edges leave it along one line: remove the fillet"
+    )]
+    NoCorner,
+    /// An edge is not described by finite numbers or has no length, or the second does not start where the first ends.
+    #[error(
+        "the edges beside the fillet do not meet, or one has no length: give edges that follow each other"
+    )]
+    NoEdges,
+    /// The fillet is not tangent to both edges within their ends.
+    #[error(
+        "a fillet of radius {radius:?} does not fit: {}",
+        match largest {
+            Some(r) => format!("give at most {r:?}"),
+            None => "remove it, or lengthen the edges beside it".to_owned(),
+        }
+    )]
+    TooLarge {
+        /// The radius.
+        radius: f64,
+        /// The largest that fits, if there is one.
+        largest: Option<f64>,
+    },
+    /// A fillet at a neighbouring corner takes all of an edge.
+    #[error(
+        "a fillet of a neighbouring corner takes all of an edge beside this one: give that fillet a smaller radius"
+    )]
+    NoEdgeLeft,
+}
+
+/// Rounds the corner between two edges, lines or arcs, by an arc of the radius that is tangent to both. It lies in the
+/// corner's narrower side and joins both edges within their ends.
+///
+/// # Errors
+/// If there is no corner to round, or the fillet does not fit; then the largest that would is told.
+///
+/// ```
+/// use cspace::part::{fillet, FilletError};
+/// use cspace::{Edge, Point};
+/// let edge = |start: [f64; 2], end: [f64; 2]| Edge { start: start.into(), end: end.into(), bulge: 0.0, index: 0 };
+/// let (before, after) = (edge([0.0, 0.0], [4.0, 0.0]), edge([4.0, 0.0], [4.0, 2.0]));
+/// let rounded = fillet(&before, &after, 0.5)?;
+/// assert!(rounded.arc.start.distance(Point::new(3.5, 0.0)) < 1e-15);
+/// assert!(rounded.arc.end.distance(Point::new(4.0, 0.5)) < 1e-15);
+///
+/// let Err(FilletError::TooLarge { largest: Some(largest), .. }) = fillet(&before, &after, 3.0) else { panic!() };
+/// assert!((largest - 2.0).abs() < 1e-12);
+/// # Ok::<(), FilletError>(())
+/// ```
+pub fn fillet(before: &Edge, after: &Edge, radius: f64) -> Result<Fillet, FilletError> {
+    if !(radius.is_finite() && radius > 0.0) {
+        return Err(FilletError::BadRadius { radius });
+    }
+    let corner = Corner::new(before, after)?;
+    if let Some(fillet) = corner.rounded(radius, WHOLE_EDGE) {
+        return Ok(fillet);
+    }
+    Err(FilletError::TooLarge {
+        radius,
+        largest: corner.largest_below(radius),
+    })
+}
+
+/// The corner between two edges.
+struct Corner<'a> {
+    before: &'a Edge,
+    after: &'a Edge,
+    /// 1 if it turns left, −1 if right.
+    side: f64,
+    /// The unit directions in which the first edge arrives and the second leaves.
+    directions: [Vector; 2],
+    /// The unit normals towards the fillet.
+    normals: [Vector; 2],
+    /// The curvatures, positive towards the fillet.
+    curvatures: [f64; 2],
+    /// The edges' lengths.
+    lengths: [f64; 2],
+}
+
+impl<'a> Corner<'a> {
+    fn new(before: &'a Edge, after: &'a Edge) -> Result<Self, FilletError> {
+        let directions = [before.end_direction(), after.start_direction()];
+        let lengths = [before.length(), after.length()];
+        let sound = |length: f64| length.is_finite() && length > 0.0;
+        let [u, w] = directions;
+        let sin = u.cross(w);
+        if !(before.end == after.start && lengths.into_iter().all(sound) && sin.is_finite()) {
+            return Err(FilletError::NoEdges);
+        }
+        if sin.abs() <= RESOLUTION {
+            return Err(FilletError::NoCorner);
+        }
+        let side = sin.signum();
+        Ok(Self {
+            before,
+            after,
+            side,
+            directions,
+            normals: directions.map(|d| d.left() * side),
+            curvatures: [before, after].map(|e| side * e.curvature()),
+            lengths,
+        })
+    }
+
+    /// The fillet, if it fits; it may need `slack` more of an edge's length than there is.
+    fn rounded(&self, radius: f64, slack: f64) -> Option<Fillet> {
+        // In units of the radius from here.
+        let [a, b] = self.curvatures.map(|k| k * radius);
+        if a.max(b) >= 1.0 {
+            return None; // An edge curves more than the fillet.
+        }
+        let (center, normals) = (self.center(a, b)?, self.normals);
+        // From the feet to the centre.
+        let inward = [(normals[0], a), (normals[1], b)];
+        let inward = inward.map(|(n, k)| (n - center * k) * (1.0 / (1.0 - k)));
+        let feet = inward.map(|n| center - n);
+        let corner = self.before.end;
+        let places = feet.map(|foot| corner + foot * radius);
+
+        let [u, w] = self.directions;
+        let used = [along(u, -feet[0], a != 0.0), along(w, feet[1], b != 0.0)];
+        let left = [0, 1].map(|i| 1.0 - used[i] * radius / self.lengths[i]);
+        // Written so that what is not a number does not fit.
+        if !left.into_iter().all(|l| l >= -slack) {
+            return None;
+        }
+        let is_whole = left.map(|l| l <= slack);
+        let start = if is_whole[0] {
+            self.before.start
+        } else {
+            places[0]
+        };
+        let end = if is_whole[1] {
+            self.after.end
+        } else {
+            places[1]
+        };
+        let turn = (self.side * inward[0].cross(inward[1])).atan2(inward[0].dot(inward[1]));
+        // Half a turn may be rounded to a little more.
+        let turn = if turn < 0.0 {
+            turn + core::f64::consts::TAU
+        } else {
+            turn
+        };
+        let rest = |bulge: f64, share: f64| (bulge.atan() * share).tan();
+        Some(Fillet {
+            before: (!is_whole[0]).then(|| Edge {
+                end: start,
+                bulge: rest(self.before.bulge, left[0]),
+                ..*self.before
+            }),
+            arc: Edge {
+                start,
+                end,
+                bulge: self.side * (0.25 * turn).tan(),
+                index: self.after.index,
+            },
+            after: (!is_whole[1]).then(|| Edge {
+                start: end,
+                bulge: rest(self.after.bulge, left[1]),
+                ..*self.after
+            }),
+        })
+    }
+
+    /// The fillet's centre from the corner, in units of the radius, for curvatures in its inverse.
+    fn center(&self, a: f64, b: f64) -> Option<Vector> {
+        let ([u, w], n) = (self.directions, self.normals[0]);
+        let (cos, sin) = (u.dot(w), self.side * u.cross(w));
+        // Half the angle by which the corner turns.
+        let tan = if cos >= 0.0 {
+            sin / (1.0 + cos)
+        } else {
+            (1.0 - cos) / sin
+        };
+        let m = n - u * tan;
+        let q = n * a + u * ((cos * a - b) / sin);
+        // q² s² − 2 (1 − m · q) s + m² − 1 = 0, and m² − 1 is the square of the tangent.
+        let half = 1.0 - m.dot(q);
+        let root = half * half - q.dot(q) * tan * tan;
+        if !(half > 0.0 && root >= 0.0) {
+            return None; // So large a circle does not reach into the corner.
+        }
+        Some(m + q * (tan * tan / (half + root.sqrt())))
+    }
+
+    /// The largest radius below one that does not fit. What fits goes on to fit when it shrinks.
+    fn largest_below(&self, radius: f64) -> Option<f64> {
+        /// Halvings after which a radius is next to nothing beside the edges.
+        const HALVINGS: u32 = 200;
+        /// As many as a double has digits, and some.
+        const BISECTIONS: u32 = 60;
+        let (mut low, mut high) = (0.5 * radius, radius);
+        let mut halvings = 0;
+        while self.rounded(low, 0.0).is_none() {
+            if halvings == HALVINGS {
+                return None;
+            }
+            halvings += 1;
+            (low, high) = (0.5 * low, low);
+        }
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if self.rounded(middle, 0.0).is_some() {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Some(low)
+    }
+}
+
+/// The length of an edge between the corner and a foot, given the chord and the unit direction at the corner, which the
+/// chord differs from by half the sweep; negative of a line that does not come by the foot.
+fn along(direction: Vector, chord: Vector, is_arc: bool) -> f64 {
+    if !is_arc {
+        return direction.dot(chord);
+    }
+    let half = direction.cross(chord).atan2(direction.dot(chord)).abs();
+    let ratio = if half == 0.0 { 1.0 } else { half / half.sin() };
+    chord.length() * ratio
+}
