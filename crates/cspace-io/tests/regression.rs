@@ -581,7 +581,7 @@ fn rounded_bar_in_its_own_shape_of_play_1e_7() {
     assert_eq!(caged.count(), 2);
 }
 
-/// Two pins in holes, and a star in its own shape, with the plays that README promises.
+/// Two pins in holes, and a star in its own shape, with plays above those that docs/limits.md warns of.
 #[test]
 fn pockets_of_small_play() {
     use cspace::Vertex;
