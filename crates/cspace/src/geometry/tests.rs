@@ -1,5 +1,7 @@
 //! The plane as complex numbers: products and quotients of these say what the operations on points must give.
 
+use core::f64::consts::{PI, TAU};
+
 use super::*;
 
 /// (a + bi)(c + di)
@@ -96,4 +98,17 @@ fn rotations_and_configurations_are_complex_maps() {
     let home = c.inverse().fixed_from_moving(placed);
     assert!(is_near((home.x, home.y), (p.x, p.y)));
     assert_eq!(c.inverse().theta, -angle);
+}
+
+#[test]
+fn angles_are_brought_home() {
+    for (angle, home) in [
+        (0.5, 0.5),
+        (0.5 + TAU, 0.5),
+        (-0.5 - 2.0 * TAU, -0.5),
+        (4.0, 4.0 - TAU),
+    ] {
+        assert!((wrap(angle) - home).abs() < 1e-14, "{angle}");
+    }
+    assert_eq!((wrap(PI), wrap(-PI), wrap(3.0 * PI)), (PI, PI, PI));
 }
