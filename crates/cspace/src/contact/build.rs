@@ -3,16 +3,14 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::feature::tolerance::NARROWEST_BAND;
-use crate::feature::{Feature, Outline, unwrap_near};
-use crate::geometry::{Point, Vector};
+use crate::feature::{Feature, Outline};
+use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
 
-use super::doubled::{Doubled, doubled};
-use super::names::Sizes;
+use super::end_names::EndNames;
+use super::period::{Period, Span};
 use super::sheet::{EndAngle, EndAt, Seam, Sheet, SheetKind};
-use super::span::Span;
 use super::spiral::{Spiral, Swing};
-use super::twist::Carried;
 
 /// The sheets, and who shares their ends.
 #[derive(Debug)]
@@ -25,23 +23,21 @@ pub(crate) struct Contacts {
     ends: Vec<(u32, u32)>,
     starts: Vec<(u32, u32)>,
     /// How features are permuted from slab to slab.
-    pub(crate) carried: Carried,
-    /// Sheets whose curves lie on each other; `None` if there are too many to list.
-    pub(crate) doubled: Option<Vec<Doubled>>,
-    sizes: Sizes,
+    pub(crate) period: Period,
+    names: EndNames,
 }
 
 impl Contacts {
     /// The name of the same end one slab lower.
     pub(crate) fn name_below(&self, name: u32) -> u32 {
-        self.sizes.name_below(name, &self.carried)
+        self.names.name_below(name, &self.period)
     }
 
     /// The feature pair that does one slab lower what this one does.
     pub(crate) fn pair_below(&self, fixed: u32, moving: u32) -> (u32, u32) {
         (
-            self.carried.fixed_back.features[fixed as usize],
-            self.carried.moving_back.features[moving as usize],
+            self.period.fixed_back.features[fixed as usize],
+            self.period.moving_back.features[moving as usize],
         )
     }
 
@@ -85,16 +81,16 @@ impl Contacts {
         fixed: &Outline,
         moving: &Outline,
         span: Span,
-        carried: Carried,
+        period: Period,
         most: usize,
     ) -> Self {
-        let sizes = Sizes::new(fixed, moving);
+        let names = EndNames::new(fixed, moving);
         let mut builder = Builder {
             fixed,
             moving,
             span,
-            carried: &carried,
-            sizes,
+            period: &period,
+            names,
             fixed_vertex: fixed.vertex_of_joint(),
             moving_vertex: moving.vertex_of_joint(),
             fixed_line: fixed.line_of_joint(),
@@ -109,14 +105,13 @@ impl Contacts {
                 break;
             }
         }
-        let first_vertex_name = sizes.first_vertex();
+        let first_vertex_name = names.first_vertex();
         let sheets = builder.sheets;
         let index = |name: fn(&Sheet) -> u32| {
             let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
             list.sort_unstable();
             list
         };
-        let doubled = doubled(fixed, moving, &sheets);
         let (starts, ends) = (index(|s| s.start_name), index(|s| s.end_name));
         Self {
             sheets,
@@ -124,9 +119,8 @@ impl Contacts {
             first_vertex_name,
             ends,
             starts,
-            carried,
-            doubled,
-            sizes,
+            period,
+            names,
         }
     }
 }
@@ -143,8 +137,8 @@ struct Builder<'a> {
     fixed: &'a Outline,
     moving: &'a Outline,
     span: Span,
-    carried: &'a Carried,
-    sizes: Sizes,
+    period: &'a Period,
+    names: EndNames,
     fixed_vertex: Vec<Option<u32>>,
     moving_vertex: Vec<Option<u32>>,
     fixed_line: Vec<Option<u32>>,
@@ -437,8 +431,8 @@ impl Builder<'_> {
     /// the features that are there, and of the turn in which they are.
     fn seam_below(&self, fixed: u32, moving: u32, k: i32, piece: u8) -> Seam {
         let (a, b) = (
-            self.carried.fixed_back.features[fixed as usize],
-            self.carried.moving_back.features[moving as usize],
+            self.period.fixed_back.features[fixed as usize],
+            self.period.moving_back.features[moving as usize],
         );
         let first = |a: u32, b: u32| {
             first_orientation(
@@ -528,15 +522,15 @@ impl Builder<'_> {
 
     fn fixed_joint_name(&self, joint: u32, ib: u32, b: &Feature) -> u32 {
         match self.fixed_vertex[joint as usize] {
-            Some(vertex) if b.is_vertex() => self.sizes.vertices(vertex, ib),
-            _ => self.sizes.fixed_joint(joint, ib),
+            Some(vertex) if b.is_vertex() => self.names.vertices(vertex, ib),
+            _ => self.names.fixed_joint(joint, ib),
         }
     }
 
     fn moving_joint_name(&self, ia: u32, a: &Feature, joint: u32) -> u32 {
         match self.moving_vertex[joint as usize] {
-            Some(vertex) if a.is_vertex() => self.sizes.vertices(ia, vertex),
-            _ => self.sizes.moving_joint(ia, joint),
+            Some(vertex) if a.is_vertex() => self.names.vertices(ia, vertex),
+            _ => self.names.moving_joint(ia, joint),
         }
     }
 }
@@ -566,21 +560,21 @@ fn large(a: &Feature, b: &Feature) -> (SheetKind, Point, Point, Vector, Swing) {
             Swing::NONE,
         ),
         (Some(n), None) => (
-            SheetKind::FixedBow,
+            SheetKind::FixedFlatArc,
             n.point + n.normal * b.radius(),
             b.center(),
             n.normal,
             Swing::NONE,
         ),
         (None, Some(m)) => (
-            SheetKind::MovingBow,
+            SheetKind::MovingFlatArc,
             a.center(),
             m.point + m.normal * a.radius(),
             -m.normal,
             Swing::NONE,
         ),
         (Some(n), Some(m)) => (
-            SheetKind::FixedBow,
+            SheetKind::FixedFlatArc,
             n.point,
             m.point,
             n.normal,

@@ -1,17 +1,20 @@
 //! Carriers of contact curves at one orientation, and where two of them cross, in any arithmetic.
+//!
+//! All three are one oriented circle: a point, the normal there and a curvature, which is 0 for a line. Only a circle whose
+//! centre is among the parts is written by centre and radius instead, for it may be as small as a point.
 
 use crate::geometry::{Point, Vector};
 use crate::number::Real;
 use crate::number::plane::{dot, minus};
 
-use super::bow::{Bow, Level};
+use super::flat_arc::{Equation, FlatArc};
 
 /// A line through a point with a unit normal, a circle, or a circle so large that it is told by a point too.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Carrier<T> {
     Line { normal: (T, T), through: (T, T) },
     Circle { center: (T, T), radius: T },
-    Bow(Bow<T>),
+    FlatArc(FlatArc<T>),
 }
 
 impl Carrier<f64> {
@@ -26,7 +29,53 @@ impl Carrier<f64> {
                 let v = p - Point::new(center.0, center.1);
                 (v.length() - radius.abs()).abs()
             }
-            Self::Bow(bow) => bow.distance(p).abs(),
+            Self::FlatArc(arc) => arc.distance(p).abs(),
+        }
+    }
+}
+
+impl<T: Real> Carrier<T> {
+    /// A line or flat arc as a flat arc, of curvature 0 if it is a line.
+    pub(super) fn flat_arc(&self) -> Option<FlatArc<T>> {
+        match *self {
+            Self::Line { normal, through } => Some(FlatArc {
+                through,
+                normal,
+                curvature: 0.0,
+            }),
+            Self::FlatArc(arc) => Some(arc),
+            Self::Circle { .. } => None,
+        }
+    }
+
+    /// Its equation for the way from a point; of a circle by centre and radius it is multiplied by the radius.
+    pub(crate) fn equation(&self, from: (T, T)) -> Equation<T> {
+        let real = T::constant;
+        match *self {
+            Self::Line { normal, through } => Equation {
+                a: normal,
+                k: 0.0,
+                c: -dot(normal, minus(through, from)),
+            },
+            Self::FlatArc(arc) => {
+                let e = minus(arc.through, from);
+                let k = real(arc.curvature);
+                Equation {
+                    a: (arc.normal.0 - k * e.0, arc.normal.1 - k * e.1),
+                    k: arc.curvature,
+                    c: k * real(0.5) * dot(e, e) - dot(arc.normal, e),
+                }
+            }
+            Self::Circle { center, radius } => {
+                let e = minus(center, from);
+                let side = radius.rough().signum();
+                let s = real(side);
+                Equation {
+                    a: (-(s * e.0), -(s * e.1)),
+                    k: side,
+                    c: s * real(0.5) * (dot(e, e) - radius * radius),
+                }
+            }
         }
     }
 }
@@ -42,7 +91,7 @@ fn size<T: Real>(radius: T) -> T {
 }
 
 /// Where carrier g crosses carrier f, relative to f: for a line (length along it, unused), for a circle the vector
-/// from its centre, for a bow its place (see [`Bow`], unused). The root is named as in `crossing`, with `swapped` telling
+/// from its centre, for a flat arc its place (see [`FlatArc`], unused). The root is named as in `crossing`, with `swapped` telling
 /// that f is the second of the two there.
 #[inline]
 pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swapped: bool) -> (T, T) {
@@ -110,32 +159,26 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             let across = signed(product.root().over(twice), (root == 1) != swapped);
             (v.0 * along - v.1 * across, v.1 * along + v.0 * across)
         }
-        (Carrier::Bow(_), _) | (_, Carrier::Bow(_)) => place_of_bow(f, g, (root == 1) != swapped),
+        (Carrier::FlatArc(_), _) | (_, Carrier::FlatArc(_)) => {
+            place_of_flat_arc(f, g, (root == 1) != swapped)
+        }
     }
 }
 
-/// The same if one of the two is a bow; f enters the blocked side of g there, or leaves it.
+/// The same if one of the two is a flat arc; f enters the blocked side of g there, or leaves it.
 #[cold]
 #[inline(never)]
-fn place_of_bow<T: Real>(f: &Carrier<T>, g: &Carrier<T>, enters: bool) -> (T, T) {
+fn place_of_flat_arc<T: Real>(f: &Carrier<T>, g: &Carrier<T>, enters: bool) -> (T, T) {
     let zero = T::constant(0.0);
-    match (*f, *g) {
-        (Carrier::Bow(bow), _) => (bow.crossing(&Level::of(g, bow.through), enters), zero),
-        (Carrier::Line { normal, through }, _) => {
-            let line = Bow {
-                through,
-                normal,
-                curvature: 0.0,
-            };
-            (line.crossing(&Level::of(g, through), enters), zero)
-        }
-        (Carrier::Circle { center, .. }, Carrier::Bow(bow)) => {
+    match (*f, f.flat_arc(), *g) {
+        (_, Some(arc), _) => (arc.crossing(&g.equation(arc.through), enters), zero),
+        (Carrier::Circle { center, .. }, None, Carrier::FlatArc(arc)) => {
             // Where f enters the blocked side of g, g leaves that of f.
-            let d = bow.way(bow.crossing(&Level::of(f, bow.through), !enters));
-            let from = minus(bow.through, center);
+            let d = arc.way(arc.crossing(&f.equation(arc.through), !enters));
+            let from = minus(arc.through, center);
             (from.0 + d.0, from.1 + d.1)
         }
-        (Carrier::Circle { .. }, _) => (zero, zero),
+        _ => (zero, zero),
     }
 }
 
@@ -155,9 +198,9 @@ pub(crate) fn place_error(f: &Carrier<f64>, g: &Carrier<f64>, place: (f64, f64))
             let n = vector(normal);
             (n, point(through) + n.left() * place.0, 0.0)
         }
-        Carrier::Bow(bow) => {
-            let p = bow.point(place.0);
-            (bow.normal_at(p), p, 0.0)
+        Carrier::FlatArc(arc) => {
+            let p = arc.point(place.0);
+            (arc.normal_at(p), p, 0.0)
         }
         Carrier::Circle { center, radius } => {
             let v = vector(place);
@@ -169,12 +212,12 @@ pub(crate) fn place_error(f: &Carrier<f64>, g: &Carrier<f64>, place: (f64, f64))
     let other = match *g {
         Carrier::Line { normal, .. } => vector(normal),
         Carrier::Circle { center, radius } => (at - point(center)) * (1.0 / radius),
-        Carrier::Bow(bow) => bow.normal_at(at),
+        Carrier::FlatArc(arc) => arc.normal_at(at),
     };
     let curvature = |c: &Carrier<f64>| match *c {
         Carrier::Line { .. } => 0.0,
         Carrier::Circle { radius, .. } => 1.0 / radius,
-        Carrier::Bow(bow) => bow.curvature,
+        Carrier::FlatArc(arc) => arc.curvature,
     };
     // Seen from one side of the common tangent.
     let bend = (curvature(f) - curvature(g) * normal.dot(other).signum()).abs();

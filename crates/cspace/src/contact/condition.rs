@@ -8,7 +8,8 @@ use crate::geometry::{Point, Vector};
 use crate::number::plane::{Xy, cross, dot, left};
 use crate::number::{Known, Real, Trig};
 
-use super::sheet::{SharedEnds, Sheet, SheetKind};
+use super::shared::SharedEnds;
+use super::sheet::{Sheet, SheetKind};
 use super::spiral::Spiral;
 
 /// Calls `take` with every condition of the pair.

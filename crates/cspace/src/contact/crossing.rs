@@ -3,8 +3,8 @@
 use crate::feature::tolerance::SAME_CARRIER;
 use crate::geometry::{Point, Vector};
 
-use super::bow::{Bow, Level};
 use super::curve::{Curve, CurveShape};
+use super::flat_arc::FlatArc;
 
 /// A crossing of the carriers of two contact curves f and g.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,14 +57,14 @@ pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
                 ..
             },
         ) => circle_circle(c1, r1, c2, r2, root),
-        (CurveShape::Bow(bow), _) => bow_other(&bow, g, root, root == 1),
-        (_, CurveShape::Bow(bow)) => bow_other(&bow, f, root, root == 0),
+        (CurveShape::FlatArc(arc), _) => flat_arc_other(&arc, g, root, root == 1),
+        (_, CurveShape::FlatArc(arc)) => flat_arc_other(&arc, f, root, root == 0),
     }
 }
 
-fn bow_other(bow: &Bow<f64>, other: &Curve, root: u8, entered: bool) -> Option<Crossing> {
-    let level = Level::of(&other.carrier(), bow.through);
-    let point = bow.crossed(&level, entered)?;
+fn flat_arc_other(arc: &FlatArc<f64>, other: &Curve, root: u8, entered: bool) -> Option<Crossing> {
+    let equation = other.carrier().equation(arc.through);
+    let point = arc.crossed(&equation, entered)?;
     Some(Crossing {
         point,
         enters: root == 1,

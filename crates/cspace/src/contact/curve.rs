@@ -1,12 +1,12 @@
 //! A contact curve of one slice: a directed segment or arc with blocked space on its left.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::PI;
 
 use crate::feature::tolerance::JOINT;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Vector, wrap};
 
-use super::bow::{Bow, WIDEST};
 use super::carrier::Carrier;
+use super::flat_arc::{FlatArc, WIDEST};
 
 /// A directed segment or arc; free space, if any, is on the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,14 +29,7 @@ pub(crate) enum CurveShape {
         half: f64,
     },
     /// A circle much larger than the parts.
-    Bow(Bow<f64>),
-}
-
-/// Brings an angle to (−π, π].
-#[inline]
-pub(crate) fn wrap(angle: f64) -> f64 {
-    let a = angle - TAU * (angle / TAU).round();
-    if a <= -PI { a + TAU } else { a }
+    FlatArc(FlatArc<f64>),
 }
 
 impl Curve {
@@ -46,7 +39,9 @@ impl Curve {
         match self.shape {
             CurveShape::Line { normal } => 0.5 * normal.left().dot(self.end - self.start),
             CurveShape::Circle { radius, half, .. } => half * radius.abs(),
-            CurveShape::Bow(bow) => (0.5 * (bow.place(self.end) - bow.place(self.start))).max(0.0),
+            CurveShape::FlatArc(arc) => {
+                (0.5 * (arc.place(self.end) - arc.place(self.start))).max(0.0)
+            }
         }
     }
 
@@ -62,13 +57,13 @@ impl Curve {
                 center: (center.x, center.y),
                 radius,
             },
-            CurveShape::Bow(bow) => Carrier::Bow(bow),
+            CurveShape::FlatArc(arc) => Carrier::FlatArc(arc),
         }
     }
 
-    /// The place of its middle on a bow.
-    fn middle_of_bow(&self, bow: &Bow<f64>) -> f64 {
-        0.5 * (bow.place(self.start) + bow.place(self.end))
+    /// The place of its middle on a flat arc.
+    fn middle_of_flat_arc(&self, arc: &FlatArc<f64>) -> f64 {
+        0.5 * (arc.place(self.start) + arc.place(self.end))
     }
 
     /// Place of a point of the curve: length of travel from the middle.
@@ -88,7 +83,7 @@ impl Curve {
                 let v = (p - center) * radius.signum();
                 wrap(v.angle() - mid_angle) * radius
             }
-            CurveShape::Bow(bow) => bow.place(p) - self.middle_of_bow(&bow),
+            CurveShape::FlatArc(arc) => arc.place(p) - self.middle_of_flat_arc(&arc),
         }
     }
 
@@ -103,7 +98,7 @@ impl Curve {
                 mid_angle,
                 ..
             } => center + Vector::from_angle(mid_angle + s / radius) * radius,
-            CurveShape::Bow(bow) => bow.point(s + self.middle_of_bow(&bow)),
+            CurveShape::FlatArc(arc) => arc.point(s + self.middle_of_flat_arc(&arc)),
         }
     }
 
@@ -113,7 +108,7 @@ impl Curve {
         match self.shape {
             CurveShape::Line { normal } => normal,
             CurveShape::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
-            CurveShape::Bow(bow) => bow.normal_at(p),
+            CurveShape::FlatArc(arc) => arc.normal_at(p),
         }
     }
 
@@ -142,9 +137,9 @@ impl Curve {
                     take(along + square.sqrt());
                 }
             }
-            CurveShape::Bow(bow) => {
-                for t in bow.met(p, d) {
-                    if (bow.place(p + d * t) * bow.curvature).abs() < WIDEST {
+            CurveShape::FlatArc(arc) => {
+                for t in arc.met(p, d) {
+                    if (arc.place(p + d * t) * arc.curvature).abs() < WIDEST {
                         take(t);
                     }
                 }
@@ -183,9 +178,9 @@ impl Curve {
                 lo.y = center.y - r;
             }
         }
-        if let CurveShape::Bow(bow) = self.shape {
+        if let CurveShape::FlatArc(arc) = self.shape {
             // Twice the height of the arc over its chord, and more.
-            let height = 0.25 * bow.curvature.abs() * (self.end - self.start).length_squared();
+            let height = 0.25 * arc.curvature.abs() * (self.end - self.start).length_squared();
             let height = Vector::new(height, height);
             (lo, hi) = (lo + -height, hi + height);
         }

@@ -12,7 +12,8 @@ use crate::number::plane::{
 
 use super::carrier::{Carrier, place_on};
 use super::condition::{apart_coefficients, height_coefficients};
-use super::sheet::{EndAt, SharedEnds, Sheet, SheetKind};
+use super::shared::SharedEnds;
+use super::sheet::{EndAt, Sheet, SheetKind};
 
 /// An orientation in double-double, with its rotation.
 #[derive(Debug, Clone, Copy)]
@@ -80,7 +81,7 @@ pub(crate) struct ExactSheet<'a> {
 pub(crate) struct ExactCarrier {
     pub(crate) carrier: Carrier<Dd>,
     /// Whether roots with it are named by where it enters.
-    is_bow: bool,
+    is_flat_arc: bool,
 }
 
 /// The curve of a sheet at one orientation.
@@ -96,7 +97,7 @@ pub(crate) struct ExactCurve {
 }
 
 /// Places on a large circle as doubles have them: by the tangent of half the angle about its centre from a point near the parts
-/// (see `bow.rs`), which differs from the length of travel in the third order; counted from the middle of the curve.
+/// (see `flat_arc.rs`), which differs from the length of travel in the third order; counted from the middle of the curve.
 #[derive(Debug, Clone, Copy)]
 struct Chart {
     through: Xy<Dd>,
@@ -141,7 +142,7 @@ impl<'a> ExactSheet<'a> {
                 let start = moving.features[m].start;
                 line(negative(moving.exact_joints[start as usize].normal), true)
             }
-            SheetKind::RoundRound | SheetKind::FixedBow | SheetKind::MovingBow => {
+            SheetKind::RoundRound | SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => {
                 let (a, b) = (&fixed.exact_features[f], &moving.exact_features[m]);
                 Locus::Circle {
                     center: ExactSpiral {
@@ -197,12 +198,12 @@ impl<'a> ExactSheet<'a> {
             return None;
         };
         let (cos, sin) = (turn.cos.to_f64(), turn.sin.to_f64());
-        let Carrier::Bow(bow) = self.rough.carrier(cos, sin) else {
+        let Carrier::FlatArc(arc) = self.rough.carrier(cos, sin) else {
             return None;
         };
         let chart = Chart {
-            through: exactly(bow.through),
-            normal: exactly(bow.normal),
+            through: exactly(arc.through),
+            normal: exactly(arc.normal),
             curvature: Dd::ONE / radius,
             middle: Dd::ZERO,
         };
@@ -211,9 +212,9 @@ impl<'a> ExactSheet<'a> {
     }
 
     /// From the centre of a circle to about the middle of the curve.
-    fn middle(&self, turn: &ExactTurn, of_bow: impl Fn() -> Vector) -> Xy<Dd> {
-        let middle = if self.rough.is_bow() {
-            of_bow()
+    fn middle(&self, turn: &ExactTurn, of_flat_arc: impl Fn() -> Vector) -> Xy<Dd> {
+        let middle = if self.rough.is_flat_arc() {
+            of_flat_arc()
         } else {
             let theta = turn.theta.to_f64();
             let (from, to) = (
@@ -247,7 +248,7 @@ impl<'a> ExactSheet<'a> {
         };
         ExactCarrier {
             carrier,
-            is_bow: self.rough.is_bow(),
+            is_flat_arc: self.rough.is_flat_arc(),
         }
     }
 
@@ -564,7 +565,7 @@ impl ExactCarrier {
 
     /// Roots with large circles are named by where the first curve enters: the name of that crossing here.
     fn own_root(&self, other: &Self, root: u8) -> u8 {
-        if self.is_bow || other.is_bow {
+        if self.is_flat_arc || other.is_flat_arc {
             (0..2)
                 .find(|&r| self.enters(other, r) == (root == 1))
                 .unwrap_or(root)
@@ -598,7 +599,7 @@ impl ExactCarrier {
         match self.carrier {
             Carrier::Line { normal, through } => plus(through, times(left(normal), v.0)),
             Carrier::Circle { center, .. } => plus(center, v),
-            Carrier::Bow(bow) => bow.through,
+            Carrier::FlatArc(arc) => arc.through,
         }
     }
 
@@ -607,7 +608,7 @@ impl ExactCarrier {
         match self.carrier {
             Carrier::Line { normal, .. } => normal,
             Carrier::Circle { center, radius } => times(minus(p, center), Dd::ONE / radius),
-            Carrier::Bow(bow) => bow.normal,
+            Carrier::FlatArc(arc) => arc.normal,
         }
     }
 
@@ -683,7 +684,7 @@ impl ExactCurve {
             Carrier::Circle { radius, .. } => {
                 Dd::atan2(cross(self.middle, v), dot(self.middle, v)) * radius
             }
-            Carrier::Bow(_) => Dd::ZERO,
+            Carrier::FlatArc(_) => Dd::ZERO,
         }
     }
 
@@ -712,7 +713,7 @@ impl ExactCurve {
                 self.length_of((dot(left(normal), minus(p, through)), Dd::ZERO))
             }
             Carrier::Circle { center, .. } => self.length_of(minus(p, center)),
-            Carrier::Bow(_) => Dd::ZERO,
+            Carrier::FlatArc(_) => Dd::ZERO,
         }
     }
 
@@ -749,7 +750,7 @@ impl ExactCurve {
                 let far = times(way, radius.abs() / length(way));
                 plus(center, far)
             }
-            Carrier::Bow(_) => self.start,
+            Carrier::FlatArc(_) => self.start,
         }
     }
 
@@ -768,7 +769,7 @@ impl ExactCurve {
         let off = match self.carrier.carrier {
             Carrier::Line { normal, through } => dot(normal, minus(p, through)),
             Carrier::Circle { center, radius } => length(minus(p, center)) - radius.abs(),
-            Carrier::Bow(_) => return None,
+            Carrier::FlatArc(_) => return None,
         };
         let (place, (lo, hi)) = (self.position(p), self.ends());
         (lo < place && place < hi).then_some(!off.is_negative())
@@ -813,7 +814,7 @@ impl ExactCurve {
                     -off
                 }
             }
-            Carrier::Bow(_) => Dd::ZERO,
+            Carrier::FlatArc(_) => Dd::ZERO,
         }
     }
 }

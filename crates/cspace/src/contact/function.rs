@@ -3,8 +3,8 @@
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
-use super::bow::Bow;
 use super::carrier::Carrier;
+use super::flat_arc::FlatArc;
 use super::spiral::{Spiral, turned};
 
 /// The contact function of a pair of features, equations (1)–(3) of Sacks 1999, in the pair's frame.
@@ -67,7 +67,7 @@ impl ContactFunction {
             Self::Circle { center, radius } => {
                 (p.distance(center.at(turn)) - radius.abs()) * radius.signum()
             }
-            Self::FlatCircle { .. } => self.bow(turn).map_or(f64::NAN, |b| b.distance(p)),
+            Self::FlatCircle { .. } => self.flat_arc(turn).map_or(f64::NAN, |b| b.distance(p)),
         }
     }
 
@@ -126,14 +126,14 @@ impl ContactFunction {
                 normal,
                 turns,
                 radius,
-            } => Carrier::Bow(Bow::of(through, *normal, *turns, *radius, cos, sin)),
+            } => Carrier::FlatArc(FlatArc::of(through, *normal, *turns, *radius, cos, sin)),
         }
     }
 
     /// The circle at one orientation, if it is a flat one.
-    pub(crate) fn bow(&self, turn: Rotation) -> Option<Bow<f64>> {
+    pub(crate) fn flat_arc(&self, turn: Rotation) -> Option<FlatArc<f64>> {
         match self.carrier(turn.cos, turn.sin) {
-            Carrier::Bow(bow) => Some(bow),
+            Carrier::FlatArc(arc) => Some(arc),
             _ => None,
         }
     }

@@ -6,9 +6,9 @@ use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Bounds, Inside, Part};
 
-use super::bow::Bow;
 use super::crossing::{crossing, roots};
 use super::curve::{Curve, CurveShape};
+use super::flat_arc::FlatArc;
 
 /// One part, ready to be tested: its boundary as curves, and two points at every loop.
 #[derive(Debug)]
@@ -34,7 +34,7 @@ impl Body {
                 shape: match (f.shape, f.near) {
                     (Shape::Line { normal }, _) => CurveShape::Line { normal },
                     (Shape::Round { radius, .. }, Some(near)) => {
-                        CurveShape::Bow(Bow::new(near.point, near.normal, 1.0 / radius))
+                        CurveShape::FlatArc(FlatArc::new(near.point, near.normal, 1.0 / radius))
                     }
                     (Shape::Round { center, radius }, None) => CurveShape::Circle {
                         center,
@@ -103,7 +103,7 @@ pub(super) fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve 
                 mid_angle: mid_angle + theta,
                 half,
             },
-            CurveShape::Bow(bow) => CurveShape::Bow(bow.moved(turn, p)),
+            CurveShape::FlatArc(arc) => CurveShape::FlatArc(arc.moved(turn, p)),
         },
     }
 }

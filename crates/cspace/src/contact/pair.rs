@@ -1,15 +1,13 @@
 //! Everything about a pair of parts that does not depend on the orientation.
 
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION};
-use crate::feature::{Outline, PairFrame, Perturbation};
+use crate::feature::{Growths, Outline, PairFrame, Perturbation};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
 use super::build::Contacts;
 use super::overlap::{Body, overlap};
-use super::span::Span;
-use super::sums::Growths;
-use super::twist::{Carried, LoopImages, Steps};
+use super::period::{LoopImages, Period, Span, Steps};
 
 /// A pair in its own frame: outlines, sheets of contact, and the bodies for tests of overlap.
 #[derive(Debug)]
@@ -64,7 +62,7 @@ impl Geometry {
         most: usize,
     ) -> Self {
         let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving));
-        let carried = Carried::none(&outlines.fixed, &outlines.moving);
+        let period = Period::none(&outlines.fixed, &outlines.moving);
         let span = match window {
             Some((lo, hi)) => Span {
                 lo,
@@ -73,7 +71,7 @@ impl Geometry {
             },
             None => Span::slab(&outlines.fixed, &outlines.moving, 1),
         };
-        outlines.sheets(span, carried, most)
+        outlines.sheets(span, period, most)
     }
 
     /// Prepares one slab of a symmetric pair. `None` if features do not correspond under the symmetry.
@@ -90,13 +88,13 @@ impl Geometry {
         };
         let (of_fixed, of_moving) = (lengths(fixed), lengths(moving));
         let outlines = Outlines::new(fixed, moving);
-        let carried = Carried::new(
+        let period = Period::new(
             steps,
             (&outlines.fixed, LoopImages::of(fixed.images, &of_fixed)),
             (&outlines.moving, LoopImages::of(moving.images, &of_moving)),
         )?;
         let span = Span::slab(&outlines.fixed, &outlines.moving, steps.slabs);
-        Some(outlines.sheets(span, carried, most))
+        Some(outlines.sheets(span, period, most))
     }
 
     pub(crate) fn fixed_part(&self) -> &Part {
@@ -210,8 +208,8 @@ impl Outlines {
         }
     }
 
-    fn sheets(self, span: Span, carried: Carried, most: usize) -> Geometry {
-        let contacts = Contacts::new(&self.fixed, &self.moving, span, carried, most);
+    fn sheets(self, span: Span, period: Period, most: usize) -> Geometry {
+        let contacts = Contacts::new(&self.fixed, &self.moving, span, period, most);
         let Self {
             frame,
             fixed,

@@ -4,14 +4,14 @@ use core::f64::consts::{PI, TAU};
 
 use super::generic::{ExactVertex, made_generic};
 use super::inscribed::inscribed_disc;
-use super::outline::{
-    ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
-};
 use super::perturbation::Perturbation;
 use super::tolerance::{
     GROWTH, LARGEST_CIRCLE, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION, SAME_CARRIER, SMOOTH, STRAIGHT,
 };
-use crate::geometry::{Point, Vector};
+use super::types::{
+    ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
+};
+use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
 use crate::number::plane::{
     Xy, cross, dot, left, length, minus, negative, plus, right, rounded, times, turned,
@@ -579,9 +579,4 @@ fn mitre(before: &Piece, after: &Piece, n1: Xy<Dd>, n2: Xy<Dd>, growth: f64) -> 
         apex = plus(apex, step);
     }
     apex
-}
-
-/// The angle that differs from `angle` by whole turns and is nearest to `near`.
-pub(crate) fn unwrap_near(angle: f64, near: f64) -> f64 {
-    angle + TAU * ((near - angle) / TAU).round()
 }

@@ -1,7 +1,7 @@
 //! The frame in which a pair is computed.
 
-use super::outline::Outline;
 use super::tolerance::{CONTACT, GROWTH, MITRE};
+use super::types::Outline;
 use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::part::{Edge, Part};
 

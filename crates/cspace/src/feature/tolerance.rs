@@ -104,3 +104,20 @@ pub(crate) const LARGEST_CIRCLE: f64 = 128.0;
 /// It is within 2⁻³⁵ ≈ 2.9e-11 of the length of the chord. The orientations at which it touches a line are as many; so there are
 /// some [`NARROWEST_BAND`] of them at least.
 pub(crate) const STRAIGHT: f64 = 1.0 / (1u64 << 32) as f64;
+
+/// Features have outward normals in common if more than this (radians): a joint belongs to two of them.
+pub(crate) const COMMON_NORMALS: f64 = 1e-9;
+
+/// The largest distance of two positions in contact (length): each part fits the unit disc.
+pub(crate) const LONGEST: f64 = 4.0;
+
+/// More than the height of the arc of a large circle over its chord (length).
+///
+/// One of the arcs that touch is large, so that it and what touches it turn by no more than [`LONGEST`] / [`LARGEST_CIRCLE`].
+pub(crate) const WIDEST_SAGITTA: f64 = 0.125 * LONGEST * LONGEST / LARGEST_CIRCLE;
+
+/// Doubles do not tell places on circles of a smaller radius (length).
+pub(crate) const SMALL_CIRCLE: f64 = 1e-6;
+
+/// Centres of circles nearer than this are close (length): farther ones are known to 1e-10 of their distance.
+pub(crate) const CLOSE_CENTERS: f64 = 1.0 / (1u64 << 20) as f64;

@@ -1,5 +1,6 @@
 //! Rotations of the plane.
 
+use core::f64::consts::{PI, TAU};
 use core::ops::Mul;
 
 use super::{Point, Vector};
@@ -52,4 +53,16 @@ impl Mul<Point> for Rotation {
     fn mul(self, p: Point) -> Point {
         Point::ORIGIN + self * p.to_vector()
     }
+}
+
+/// Brings an angle to (−π, π].
+#[inline]
+pub(crate) fn wrap(angle: f64) -> f64 {
+    let a = angle - TAU * (angle / TAU).round();
+    if a <= -PI { a + TAU } else { a }
+}
+
+/// The angle that differs from `angle` by whole turns and is nearest to `near`.
+pub(crate) fn unwrap_near(angle: f64, near: f64) -> f64 {
+    angle + TAU * ((near - angle) / TAU).round()
 }

@@ -1,5 +1,7 @@
 //! The plane as complex numbers: products and quotients of these say what the operations on points must give.
 
+use core::f64::consts::{PI, TAU};
+
 use super::*;
 
 /// (a + bi)(c + di)
@@ -142,4 +144,17 @@ fn text_has_the_precision_asked_for() {
     let c = Configuration::new(1.0, -2.5, 0.125);
     assert_eq!(c.to_string(), "(1, -2.5, 0.125 rad)");
     assert_eq!(format!("{c:.1}"), "(1.0, -2.5, 0.1 rad)");
+}
+
+#[test]
+fn angles_are_brought_home() {
+    for (angle, home) in [
+        (0.5, 0.5),
+        (0.5 + TAU, 0.5),
+        (-0.5 - 2.0 * TAU, -0.5),
+        (4.0, 4.0 - TAU),
+    ] {
+        assert!((wrap(angle) - home).abs() < 1e-14, "{angle}");
+    }
+    assert_eq!((wrap(PI), wrap(-PI), wrap(3.0 * PI)), (PI, PI, PI));
 }

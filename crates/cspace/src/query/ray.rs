@@ -204,6 +204,6 @@ pub(super) fn off_carrier(patch: &Patch, turn: Rotation, p: Point) -> f64 {
         Carrier::Circle { center, radius } => {
             (Point::new(center.0, center.1).distance(p) - radius.abs()).abs()
         }
-        Carrier::Bow(bow) => bow.distance(p).abs(),
+        Carrier::FlatArc(arc) => arc.distance(p).abs(),
     }
 }

@@ -2,7 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::contact::{ContactFunction, Spiral, WIDEST_SAGITTA, place_on};
+use crate::contact::{ContactFunction, Spiral, place_on};
+use crate::feature::tolerance::WIDEST_SAGITTA;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Ball, Jet, Real};
 use crate::slice::CurveGeometry;

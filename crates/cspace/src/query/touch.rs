@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::contact::{Carrier, Level};
+use crate::contact::Carrier;
 use crate::feature::tolerance::{GROWTH, NARROWEST_BAND};
 use crate::number::{Ball, Jet, Real};
 use crate::space::{ContactSpace, Patch};
@@ -226,7 +226,7 @@ impl<'a> Search<'a> {
                 let r = radius;
                 (vx * vx + vy * vy - r * r) * Jet::constant(0.5).over(radius)
             }
-            bow @ Carrier::Bow(_) => Level::of(&bow, (x, y)).c,
+            arc @ Carrier::FlatArc(_) => arc.equation((x, y)).c,
         };
         value + depth
     }

@@ -10,6 +10,7 @@ use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::{Point, Rotation};
 use crate::union_find::UnionFind;
 
+use super::coincident::Coincidences;
 use super::cut::{Cut, Live, TIED, cut, live_curves};
 use super::span::Span;
 
@@ -58,8 +59,9 @@ impl Arrangement {
     ///
     /// Where curves begin or end just there, or what bounds a shell contradicts the test of it, as happens where a
     /// crossing lies on the end of a curve, the slice just above is computed, within rounding of the one asked for.
-    pub(crate) fn new<S: Iterator<Item = u32>>(
+    pub(super) fn new<S: Iterator<Item = u32>>(
         geometry: &Geometry,
+        coincidences: &Coincidences,
         theta: f64,
         at: impl Fn(f64) -> (f64, S),
     ) -> Self {
@@ -69,14 +71,14 @@ impl Arrangement {
         let scale = theta.abs().max(1.0);
         for step in STEPS {
             let (above, sheets) = at(theta + step * scale);
-            let (mut this, certain) = Self::at(geometry, sheets, above, Test::Shells);
+            let (mut this, certain) = Self::at(geometry, coincidences, sheets, above, Test::Shells);
             if certain {
                 this.doubtful |= step > NARROWEST_BAND;
                 return this;
             }
         }
         // A touch of second order: what bounds the gaps tells nothing.
-        let (mut this, _) = Self::at(geometry, sheets, theta, Test::Gaps);
+        let (mut this, _) = Self::at(geometry, coincidences, sheets, theta, Test::Gaps);
         this.doubtful = true;
         this
     }
@@ -84,6 +86,7 @@ impl Arrangement {
     /// Computes the slice at just this orientation, and tells whether nothing contradicts it.
     fn at(
         geometry: &Geometry,
+        coincidences: &Coincidences,
         sheets: impl Iterator<Item = u32>,
         theta: f64,
         test: Test,
@@ -92,7 +95,14 @@ impl Arrangement {
         let mut this = Self::default();
         let (mut live, live_of_sheet, seams) = live_curves(geometry, sheets, theta, turn);
         cut(&mut live, geometry, turn);
-        let consistent = this.keep_free(geometry, &mut live, &live_of_sheet, theta, test);
+        let consistent = this.keep_free(
+            geometry,
+            coincidences,
+            &mut live,
+            &live_of_sheet,
+            theta,
+            test,
+        );
         (this, consistent && !seams)
     }
 
@@ -100,6 +110,7 @@ impl Arrangement {
     fn keep_free(
         &mut self,
         geometry: &Geometry,
+        coincidences: &Coincidences,
         live: &mut [Live],
         live_of_sheet: &[u32],
         theta: f64,
@@ -160,7 +171,15 @@ impl Arrangement {
                 }
             }
         }
-        self.doubtful = doubled(geometry, live, live_of_sheet, &blocked, theta);
+        // Whether a curve is not blocked throughout by what bounds its gaps.
+        let open = |sheet: u32| {
+            let live = live.get(live_of_sheet[sheet as usize] as usize);
+            live.is_some_and(|l| {
+                let first = l.first_gap as usize;
+                blocked[first..=first + l.cuts.len()].contains(&false)
+            })
+        };
+        self.doubtful = coincidences.any(theta, open);
         let mut shell_blocked = vec![false; count as usize];
         let mut doubt = vec![false; count as usize];
         let mut witness: Vec<Option<(u32, f64, f64)>> = vec![None; count as usize];
@@ -256,27 +275,6 @@ impl Arrangement {
     }
 }
 
-/// Whether the curves of two contacts lie on each other, and neither is blocked throughout by what bounds it.
-fn doubled(
-    geometry: &Geometry,
-    live: &[Live],
-    live_of_sheet: &[u32],
-    blocked: &[bool],
-    theta: f64,
-) -> bool {
-    let Some(doubled) = &geometry.contacts.doubled else {
-        return true;
-    };
-    let open = |sheet: u32| {
-        let live = live.get(live_of_sheet[sheet as usize] as usize);
-        live.is_some_and(|l| {
-            let first = l.first_gap as usize;
-            blocked[first..=first + l.cuts.len()].contains(&false)
-        })
-    };
-    (doubled.iter()).any(|d| d.lo <= theta && theta <= d.hi && open(d.first) && open(d.second))
-}
-
 /// Of some gaps the one whose middle is furthest from the middle of the pair: its curve, and where on it.
 fn furthest(live: &[Live], mut of: impl FnMut(u32) -> bool) -> Option<(usize, f64)> {
     let mut best: Option<(f64, (usize, f64))> = None;
@@ -325,7 +323,7 @@ fn longest_step(curve: &Curve) -> f64 {
     match curve.shape {
         CurveShape::Line { .. } => STEP,
         CurveShape::Circle { radius, .. } => STEP.min(0.5 * radius.abs()),
-        CurveShape::Bow(bow) => STEP.min(0.5 / bow.curvature.abs()),
+        CurveShape::FlatArc(arc) => STEP.min(0.5 / arc.curvature.abs()),
     }
 }
 

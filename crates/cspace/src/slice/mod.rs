@@ -1,6 +1,7 @@
 //! One slice of the contact space, computed from nothing but the two parts at one orientation.
 
 mod arrange;
+mod coincident;
 mod cut;
 mod slicer;
 mod span;

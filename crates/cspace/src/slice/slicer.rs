@@ -6,6 +6,7 @@ use crate::contact::Geometry;
 use crate::part::Part;
 
 use super::arrange::Arrangement;
+use super::coincident::Coincidences;
 use super::types::Slice;
 
 /// Slots of orientations, each with the contacts that exist in it.
@@ -27,6 +28,7 @@ const SLOTS: usize = 256;
 #[derive(Debug)]
 pub struct Slicer {
     geometry: Geometry,
+    coincidences: Coincidences,
     slots: Vec<Vec<u32>>,
 }
 
@@ -41,7 +43,11 @@ impl Slicer {
                 slot.push(i);
             }
         }
-        Self { geometry, slots }
+        Self {
+            coincidences: Coincidences::new(&geometry),
+            geometry,
+            slots,
+        }
     }
 
     /// The slice at an orientation in radians, as [`Slice::compute`] gives it.
@@ -52,7 +58,7 @@ impl Slicer {
             return Slice::from_curves(theta, Vec::new(), false, &self.geometry.frame);
         }
         let lo = self.geometry.contacts.span.lo;
-        let arrangement = Arrangement::new(&self.geometry, theta, |theta| {
+        let arrangement = Arrangement::new(&self.geometry, &self.coincidences, theta, |theta| {
             let turned = theta - TAU * ((theta - lo) / TAU).floor();
             (turned, self.slots[slot(turned - lo)].iter().copied())
         });

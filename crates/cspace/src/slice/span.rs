@@ -37,7 +37,7 @@ impl Span {
     /// No more than a curve extends: exact but for the height of a large arc.
     pub(super) fn of_curve(live: &Live) -> Self {
         match live.curve.shape {
-            CurveShape::Bow(_) => Self::of([live.curve.start, live.curve.end]),
+            CurveShape::FlatArc(_) => Self::of([live.curve.start, live.curve.end]),
             _ => Self {
                 lo: live.lo,
                 hi: live.hi,
@@ -58,7 +58,7 @@ impl Span {
         let ends = Self::of([live.curve.point(from), live.curve.point(to)]);
         match live.curve.shape {
             CurveShape::Line { .. } => ends,
-            CurveShape::Bow(_) => whole,
+            CurveShape::FlatArc(_) => whole,
             CurveShape::Circle { center, radius, .. } => {
                 let r = radius.abs();
                 let axes = [(r, 0.0), (-r, 0.0), (0.0, r), (0.0, -r)];

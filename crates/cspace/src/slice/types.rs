@@ -9,6 +9,7 @@ use crate::geometry::{Point, Vector};
 use crate::part::{Edge, Part};
 
 use super::arrange::Arrangement;
+use super::coincident::Coincidences;
 
 /// A directed segment or circular arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -199,12 +200,12 @@ impl CurveGeometry {
                     sweep: (to - from) / radius,
                 }
             }
-            CurveShape::Bow(bow) => {
+            CurveShape::FlatArc(arc) => {
                 let (p, q) = (curve.point(from), curve.point(to));
                 Self::FlatArc {
                     start: outer(p),
                     end: outer(q),
-                    bulge: bow.bulge(bow.place(p), bow.place(q)),
+                    bulge: arc.bulge(arc.place(p), arc.place(q)),
                 }
             }
         }
@@ -351,7 +352,9 @@ impl Slice {
             usize::MAX,
         );
         let sheets = geometry.contacts.sheets.len() as u32;
-        let arrangement = Arrangement::new(&geometry, theta, |t| (t, 0..sheets));
+        let arrangement = Arrangement::new(&geometry, &Coincidences::new(&geometry), theta, |t| {
+            (t, 0..sheets)
+        });
         Self::from_arrangement(&arrangement, &geometry, theta)
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::contact::{ContactFunction, Twist};
+use crate::contact::{ContactFunction, SlabMotion};
 use crate::feature::{FeatureName, Outline};
 use crate::parallel;
 use crate::part::Part;
@@ -55,7 +55,7 @@ impl Assembler<'_> {
             geometry, clusters, ..
         } = self.linker;
         let chains = self.linker.chains(self.shells);
-        let steps = geometry.contacts.carried.steps;
+        let steps = geometry.contacts.period.steps;
         let repeats = geometry.contacts.span.full;
         let lifts = Lifts::new(&chains.chains, self.window, steps, repeats, clusters);
         if lifts.len() > MOST_PATCHES {
@@ -140,7 +140,7 @@ impl Assembler<'_> {
     /// Every copy of every chain, those of a block of chains after those of the one before.
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
         let geometry = self.linker.geometry;
-        let carried = &geometry.contacts.carried;
+        let period = &geometry.contacts.period;
         /// Chains whose first copies are held at a time, beside all patches.
         const BLOCK: usize = 1 << 14;
         let mut patches = Vec::with_capacity(lifts.len());
@@ -155,14 +155,14 @@ impl Assembler<'_> {
             let mut moving = Images::new(&geometry.moving);
             for slab in 0..i64::from(lifts.steps.slabs) {
                 if slab > 0 {
-                    fixed.carry(&carried.fixed.features);
-                    moving.carry(&carried.moving.features);
+                    fixed.carry(&period.fixed.features);
+                    moving.carry(&period.moving.features);
                 }
-                let twist = lifts.steps.twist(slab);
+                let motion = lifts.steps.motion(slab);
                 for (c, (chain, first)) in (before..).zip(block.iter().zip(&firsts)) {
                     let sheet = self.linker.sheet(chain.first);
                     for (slabs, number) in lifts.patches_in(c, slab) {
-                        let mut patch = copied(first, &twist);
+                        let mut patch = copied(first, &motion);
                         (patch.lo, patch.hi) = lifts.interval(chain, slabs);
                         patch.fixed = self.names.fixed(fixed.name(sheet.fixed));
                         patch.moving = self.names.moving(moving.name(sheet.moving));
@@ -207,18 +207,18 @@ impl Assembler<'_> {
 }
 
 /// A patch's surface and bounds some slabs further.
-fn copied(patch: &Patch, twist: &Twist) -> Patch {
+fn copied(patch: &Patch, motion: &SlabMotion) -> Patch {
     let boundary = |b: Boundary| match b {
         Boundary::End { spiral } => Boundary::End {
-            spiral: twist.spiral(spiral),
+            spiral: motion.spiral(spiral),
         },
         Boundary::Crossing { with, root } => Boundary::Crossing {
-            with: twist.function(with),
+            with: motion.function(with),
             root,
         },
     };
     Patch {
-        function: twist.function(patch.function),
+        function: motion.function(patch.function),
         left: boundary(patch.left),
         right: boundary(patch.right),
         ..*patch

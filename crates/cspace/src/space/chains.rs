@@ -86,7 +86,7 @@ impl<'a> Linker<'a> {
     pub(super) fn own_root(&self, b: &Branch, sheet: u32) -> u8 {
         let sheets = &self.geometry.contacts.sheets;
         let (f, g) = (&sheets[b.first as usize], &sheets[b.second as usize]);
-        let exchanged = f.is_circle() && g.is_circle() || f.is_bow() || g.is_bow();
+        let exchanged = f.is_circle() && g.is_circle() || f.is_flat_arc() || g.is_flat_arc();
         if exchanged && b.second == sheet {
             1 - b.root
         } else {
@@ -180,7 +180,7 @@ impl<'a> Linker<'a> {
         up: &[u32],
         members: &mut [Option<Member>],
     ) -> (u32, Chain) {
-        let steps = &self.geometry.contacts.carried.steps;
+        let steps = &self.geometry.contacts.period.steps;
         let from = Place {
             cluster: self.cells[first as usize].from,
             slabs: 0,

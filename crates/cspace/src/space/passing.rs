@@ -37,7 +37,7 @@ const PLACE_BUDGET: u32 = 2000;
 /// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
 /// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
 ///
-/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for bows: about their
+/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for flat arcs: about their
 /// centres it would be all rounding.
 pub(super) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
     if let Some(circle) = three
@@ -54,7 +54,7 @@ pub(super) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
                 Carrier::Line { normal, through } => {
                     (normal, dot(normal, minus(through, center)), 1.0)
                 }
-                Carrier::Bow(_) => (center, T::constant(f64::NAN), 1.0),
+                Carrier::FlatArc(_) => (center, T::constant(f64::NAN), 1.0),
                 Carrier::Circle {
                     center: c,
                     radius: other,
@@ -73,11 +73,11 @@ pub(super) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
             let terms = (b * p + a * q).powi(2) + (r * a * b).powi(2);
             (dot(v, v) - d * d, terms)
         }
-        Carrier::Line { .. } | Carrier::Bow(_) => {
+        Carrier::Line { .. } | Carrier::FlatArc(_) => {
             let line = |c: &Carrier<T>| match *c {
                 Carrier::Line { normal, through } => (normal, dot(normal, through)),
                 Carrier::Circle { center, .. } => (center, T::constant(0.0)),
-                Carrier::Bow(bow) => (bow.normal, T::constant(f64::NAN)),
+                Carrier::FlatArc(arc) => (arc.normal, T::constant(f64::NAN)),
             };
             let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
             (d * cross(m, n) + e * cross(n, l) + g * cross(l, m), 8.0)

@@ -264,9 +264,9 @@ fn point_on<T: Real>(f: &Carrier<T>, v: (T, T)) -> (T, T) {
             (through.0 - normal.1 * v.0, through.1 + normal.0 * v.0)
         }
         Carrier::Circle { center, .. } => (center.0 + v.0, center.1 + v.1),
-        Carrier::Bow(bow) => {
-            let d = bow.way(v.0);
-            (bow.through.0 + d.0, bow.through.1 + d.1)
+        Carrier::FlatArc(arc) => {
+            let d = arc.way(v.0);
+            (arc.through.0 + d.0, arc.through.1 + d.1)
         }
     }
 }

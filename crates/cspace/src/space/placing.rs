@@ -1,9 +1,7 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
-use crate::contact::{
-    Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on, wrap,
-};
-use crate::geometry::{Point, Rotation, Vector};
+use crate::contact::{Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on};
+use crate::geometry::{Point, Rotation, Vector, wrap};
 use crate::number::Dd;
 use crate::number::Real;
 use crate::number::plane::{Xy, cross, dot};
@@ -18,7 +16,7 @@ pub(super) struct Placing<'a> {
     turn: Rotation,
     half: f64,
     mid_angle: f64,
-    /// The place of the middle, on a line from its start, on a bow from its point.
+    /// The place of the middle, on a line from its start, on a flat arc from its point.
     middle: f64,
 }
 
@@ -150,8 +148,8 @@ impl<'a> Placing<'a> {
         };
         let carrier = sheet.carrier(turn.cos, turn.sin);
         let (mut half, mut middle) = (half, half);
-        if let Carrier::Bow(bow) = &carrier {
-            let ends = [sheet.start, sheet.end].map(|s| bow.place(s.at(turn)));
+        if let Carrier::FlatArc(arc) = &carrier {
+            let ends = [sheet.start, sheet.end].map(|s| arc.place(s.at(turn)));
             // Beside the orientations at which it exists, a curve has its ends in the wrong order; they move fast.
             half = (0.5 * (ends[1] - ends[0])).max(0.0);
             middle = 0.5 * (ends[0] + ends[1]);
@@ -201,7 +199,7 @@ impl<'a> Placing<'a> {
     pub(super) fn crossed_by(&self, b: &Branch) -> ((f64, f64), f64) {
         let (f, g) = self.carriers(b);
         let v = place_on(&f, &g, b.root, b.second == self.index);
-        let flat = [&f, &g].iter().any(|c| matches!(c, Carrier::Bow(_)));
+        let flat = [&f, &g].iter().any(|c| matches!(c, Carrier::FlatArc(_)));
         if flat || v.0.is_nan() || v.1.is_nan() {
             return (v, f64::INFINITY);
         }
@@ -226,13 +224,13 @@ impl<'a> Placing<'a> {
     /// direction, continued beyond the quarter turns.
     pub(super) fn ranking(&self) -> impl Fn(&Branch) -> Rank {
         let middle = match self.carrier {
-            Carrier::Line { .. } | Carrier::Bow(_) => Vector::ZERO,
+            Carrier::Line { .. } | Carrier::FlatArc(_) => Vector::ZERO,
             Carrier::Circle { radius, .. } => Vector::from_angle(self.mid_angle) * radius.signum(),
         };
         move |b| {
             let (v, error) = self.crossed_by(b);
             let rank = match self.carrier {
-                Carrier::Line { .. } | Carrier::Bow(_) => v.0,
+                Carrier::Line { .. } | Carrier::FlatArc(_) => v.0,
                 Carrier::Circle { radius, .. } => {
                     let v = Vector::new(v.0, v.1);
                     let (x, y) = (middle.dot(v), middle.cross(v) * radius.signum());
@@ -264,7 +262,7 @@ impl<'a> Placing<'a> {
     /// Length of travel from the middle to a place as [`place_on`] gives it.
     fn length_of(&self, v: (f64, f64)) -> f64 {
         match self.carrier {
-            Carrier::Line { .. } | Carrier::Bow(_) => v.0 - self.middle,
+            Carrier::Line { .. } | Carrier::FlatArc(_) => v.0 - self.middle,
             Carrier::Circle { radius, .. } => {
                 let v = Vector::new(v.0, v.1) * radius.signum();
                 wrap(v.angle() - self.mid_angle) * radius

@@ -48,7 +48,7 @@ impl Copying {
         match self {
             Self::Slabs(steps) if slabs > 0 => {
                 let slabs = i64::from(slabs);
-                let p = steps.twist(slabs).point(space.frame.inner_from_outer(c));
+                let p = steps.motion(slabs).point(space.frame.inner_from_outer(c));
                 let theta = normalized(c.theta + steps.period(slabs));
                 space.frame.outer_from_inner(p, theta)
             }

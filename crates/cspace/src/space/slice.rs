@@ -110,8 +110,8 @@ impl ContactSpace {
                 }
             }
             ContactFunction::FlatCircle { .. } => {
-                let bow = patch.function.bow(Rotation::by(theta));
-                let bulge = bow.map_or(0.0, |b| b.bulge(b.place(start), b.place(end)));
+                let arc = patch.function.flat_arc(Rotation::by(theta));
+                let bulge = arc.map_or(0.0, |b| b.bulge(b.place(start), b.place(end)));
                 CurveGeometry::FlatArc {
                     start: outer(start),
                     end: outer(end),

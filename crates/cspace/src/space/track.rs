@@ -2,9 +2,9 @@
 
 use core::f64::consts::PI;
 
-use crate::contact::{Bow, Carrier, Sheet, wrap};
+use crate::contact::{Carrier, FlatArc, Sheet};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Point, Rotation, Vector, wrap};
 
 use super::covering::Covering;
 
@@ -19,7 +19,7 @@ pub(super) enum Track {
         radius: f64,
         zero: f64,
     },
-    Bow(Bow<f64>),
+    FlatArc(FlatArc<f64>),
 }
 
 /// A cell that touches the level, as a range of the coordinate.
@@ -80,14 +80,14 @@ impl Track {
                     zero: (sheet.start.at(turn) - center).angle(),
                 }
             }
-            Carrier::Bow(bow) => Self::Bow(bow),
+            Carrier::FlatArc(arc) => Self::FlatArc(arc),
         }
     }
 
     /// The coordinates at which a circle is cut open, where they jump.
     pub(super) fn cuts(&self) -> Option<[f64; 2]> {
         match *self {
-            Self::Line { .. } | Self::Bow(_) => None,
+            Self::Line { .. } | Self::FlatArc(_) => None,
             Self::Circle { radius, .. } => {
                 let half_turn = PI * radius.abs();
                 Some([-half_turn, half_turn])
@@ -99,7 +99,7 @@ impl Track {
     /// with the coordinate. On a line that does if the normals agree, on a circle if the radius is positive.
     pub(super) fn ways(&self, sheet: &Sheet, normal: Vector, p: Point) -> (bool, bool) {
         match *self {
-            Self::Line { .. } | Self::Bow(_) => {
+            Self::Line { .. } | Self::FlatArc(_) => {
                 let along = self.normal(p).dot(normal) > 0.0;
                 (along, along)
             }
@@ -118,7 +118,7 @@ impl Track {
                 radius,
                 zero,
             } => wrap((p - center).angle() - zero) * radius.abs(),
-            Self::Bow(bow) => bow.place(p),
+            Self::FlatArc(arc) => arc.place(p),
         }
     }
 
@@ -134,7 +134,7 @@ impl Track {
                 radius,
                 zero,
             } => center + Vector::from_angle(zero + coordinate / radius.abs()) * radius.abs(),
-            Self::Bow(bow) => bow.point(coordinate),
+            Self::FlatArc(arc) => arc.point(coordinate),
         }
     }
 
@@ -143,7 +143,7 @@ impl Track {
         match *self {
             Self::Line { normal } => normal,
             Self::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
-            Self::Bow(bow) => bow.normal_at(p),
+            Self::FlatArc(arc) => arc.normal_at(p),
         }
     }
 
@@ -152,7 +152,7 @@ impl Track {
         /// Rounding of an end, of a piece or of the circle: pieces cover a little less than this makes them.
         const SLACK: f64 = SHORTEST_OVERLAP;
         let (lowest, highest) = match *self {
-            Self::Line { .. } | Self::Bow(_) => (f64::NEG_INFINITY, f64::INFINITY),
+            Self::Line { .. } | Self::FlatArc(_) => (f64::NEG_INFINITY, f64::INFINITY),
             Self::Circle { radius, .. } => {
                 let half_turn = PI * radius.abs() - SLACK;
                 (-half_turn, half_turn)
@@ -171,7 +171,7 @@ impl Track {
 
     pub(super) fn difference(&self, a: f64, b: f64) -> f64 {
         match *self {
-            Self::Line { .. } | Self::Bow(_) => a - b,
+            Self::Line { .. } | Self::FlatArc(_) => a - b,
             Self::Circle { radius, .. } => wrap((a - b) / radius.abs()) * radius.abs(),
         }
     }

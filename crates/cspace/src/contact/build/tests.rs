@@ -250,12 +250,12 @@ fn arcs_with_play_go_around_a_circle() {
     }
 }
 
-/// Of all curves of a pair: what is walked along one is in its box, and of a bow no further from the chord than its sheet says;
-/// nor is the box of a bow much larger.
+/// Of all curves of a pair: what is walked along one is in its box, and of a flat arc no further from the chord than its sheet says;
+/// nor is the box of a flat arc much larger.
 #[test]
 fn curves_are_in_their_boxes() {
     let geometry = bulging();
-    let mut bows = 0;
+    let mut flat_arcs = 0;
     for s in &geometry.contacts.sheets {
         let c = curve(s, s.lo + 0.3 * (s.hi - s.lo));
         let (lo, hi) = c.bounds();
@@ -269,11 +269,11 @@ fn curves_are_in_their_boxes() {
                 inside = inside.min(room);
             }
         }
-        if s.is_bow() {
-            bows += 1;
+        if s.is_flat_arc() {
+            flat_arcs += 1;
             assert!(off <= s.height() + 1e-14, "{off} {}", s.height());
             assert!(inside <= 2.0 * off + 1e-13, "{off} {inside}");
         }
     }
-    assert!(bows > 20, "{bows}");
+    assert!(flat_arcs > 20, "{flat_arcs}");
 }

@@ -10,7 +10,7 @@ fn point(c: &Curve, place: (f64, f64)) -> Point {
     match c.shape {
         CurveShape::Line { normal } => c.start + normal.left() * place.0,
         CurveShape::Circle { center, .. } => center + Vector::new(place.0, place.1),
-        CurveShape::Bow(_) => panic!("none of these is flat"),
+        CurveShape::FlatArc(_) => panic!("none of these is flat"),
     }
 }
 

@@ -21,7 +21,7 @@ fn curves() -> Vec<Curve> {
 fn center_and_radius(curve: &Curve) -> Option<(Point, f64)> {
     match curve.shape {
         CurveShape::Circle { center, radius, .. } => Some((center, radius.abs())),
-        CurveShape::Line { .. } | CurveShape::Bow(_) => None,
+        CurveShape::Line { .. } | CurveShape::FlatArc(_) => None,
     }
 }
 

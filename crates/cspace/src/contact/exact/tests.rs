@@ -2,11 +2,11 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::super::bow_events::tests::plain;
 use super::super::condition::conditions;
 use super::super::crossing::crossing;
 use super::super::curve::CurveShape;
 use super::super::pair::Geometry;
+use super::super::tangent::tests::plain;
 use super::*;
 use crate::geometry::{Point, Rotation};
 use crate::part::{Part, Vertex};
@@ -79,8 +79,8 @@ fn curves_are_those_of_doubles() {
             assert!(point(end).distance(rough.end) < NEAR, "{s:?}");
             let (from, to) = curve.ends();
             let length = (to - from).to_f64();
-            let expected = if let CurveShape::Bow(bow) = rough.shape {
-                bow.place(rough.end) - bow.place(rough.start)
+            let expected = if let CurveShape::FlatArc(arc) = rough.shape {
+                arc.place(rough.end) - arc.place(rough.start)
             } else {
                 2.0 * rough.half_length()
             };
@@ -181,7 +181,7 @@ fn ranks_rise_with_places() {
         let turn = ExactTurn::by(s.from);
         let curve = exact(&geometry, s).curve(&turn);
         let half = match curve.carrier().carrier {
-            Carrier::Circle { radius, .. } if !s.is_bow() => 0.95 * PI * radius.to_f64().abs(),
+            Carrier::Circle { radius, .. } if !s.is_flat_arc() => 0.95 * PI * radius.to_f64().abs(),
             _ => 1.0,
         };
         let ranks: Vec<Dd> = (-50..=50)
@@ -192,7 +192,7 @@ fn ranks_rise_with_places() {
                         (dot(left(normal), minus(p, through)), Dd::ZERO)
                     }
                     Carrier::Circle { center, .. } => minus(p, center),
-                    Carrier::Bow(_) => panic!("a circle about its centre"),
+                    Carrier::FlatArc(_) => panic!("a circle about its centre"),
                 };
                 curve.rank(v)
             })
@@ -387,7 +387,7 @@ fn carriers_are_one_within_little() {
     let is_one = |a: Carrier<Dd>, b: Carrier<Dd>| {
         let of = |carrier| ExactCarrier {
             carrier,
-            is_bow: false,
+            is_flat_arc: false,
         };
         of(a).is_one_with(&of(b))
     };

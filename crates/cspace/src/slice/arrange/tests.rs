@@ -121,7 +121,14 @@ fn crossings_nearer_than_their_errors_are_tied() {
             );
         }
         let mut all = Arrangement::default();
-        all.keep_free(&geometry, &mut live, &live_of_sheet, theta, Test::Shells);
+        all.keep_free(
+            &geometry,
+            &Coincidences::new(&geometry),
+            &mut live,
+            &live_of_sheet,
+            theta,
+            Test::Shells,
+        );
         live[i].tied
     };
     assert!(!tied(None));
@@ -149,7 +156,13 @@ fn gaps_tested_one_by_one_are_those_of_free_shells() {
     for theta in [-2.0, 0.3, 1.1, 2.5] {
         let by = |test| {
             let sheets = 0..geometry.contacts.sheets.len() as u32;
-            let (all, certain) = Arrangement::at(&geometry, sheets, theta, test);
+            let (all, certain) = Arrangement::at(
+                &geometry,
+                &Coincidences::new(&geometry),
+                sheets,
+                theta,
+                test,
+            );
             assert!(certain);
             all.gaps
         };
@@ -188,7 +201,14 @@ fn shells_in_doubt_are_what_they_are_without() {
                 l.tied |= tied;
             }
             let mut all = Arrangement::default();
-            assert!(all.keep_free(&geometry, &mut live, &live_of_sheet, theta, Test::Shells));
+            assert!(all.keep_free(
+                &geometry,
+                &Coincidences::new(&geometry),
+                &mut live,
+                &live_of_sheet,
+                theta,
+                Test::Shells
+            ));
             all.gaps
         };
         assert_eq!(by(true), by(false), "{theta}");

@@ -5,9 +5,8 @@
 
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
-use crate::number::plane::{dot, minus};
+use crate::number::plane::dot;
 
-use super::carrier::Carrier;
 use super::spiral::{Spiral, turned};
 
 /// A circle, or a line, through a point.
@@ -15,61 +14,24 @@ use super::spiral::{Spiral, turned};
 /// Places on it are told by a number u = 2/κ tan(φ/2) that grows with travel to the left of the normal, φ being the angle
 /// about the centre from P: nearly the length, and for a line just that.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Bow<T> {
+pub(crate) struct FlatArc<T> {
     pub(crate) through: (T, T),
     pub(crate) normal: (T, T),
     pub(crate) curvature: f64,
 }
 
-/// A carrier seen from a point: a·d + k d²/2 + c is zero on it and positive on its free side.
+/// The equation a·d + k d²/2 + c = 0 of a line or circle, for the way d from a point; its left side is positive on the free side.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Level<T> {
+pub(crate) struct Equation<T> {
     pub(crate) a: (T, T),
     pub(crate) k: f64,
     pub(crate) c: T,
 }
 
-/// Bows are followed up to this angle about their centres, radians: what is near the parts is far below.
+/// Flat arcs are followed up to this angle about their centres (radians): what is near the parts is far below.
 pub(crate) const WIDEST: f64 = 0.5;
 
-impl<T: Real> Level<T> {
-    /// A carrier as seen from a point; of a circle that is no bow it is multiplied with the radius.
-    pub(crate) fn of(carrier: &Carrier<T>, from: (T, T)) -> Self {
-        let real = T::constant;
-        match *carrier {
-            Carrier::Line { normal, through } => Self {
-                a: normal,
-                k: 0.0,
-                c: -dot(normal, minus(through, from)),
-            },
-            Carrier::Bow(Bow {
-                through,
-                normal,
-                curvature,
-            }) => {
-                let e = minus(through, from);
-                let k = real(curvature);
-                Self {
-                    a: (normal.0 - k * e.0, normal.1 - k * e.1),
-                    k: curvature,
-                    c: k * real(0.5) * dot(e, e) - dot(normal, e),
-                }
-            }
-            Carrier::Circle { center, radius } => {
-                let e = minus(center, from);
-                let side = radius.rough().signum();
-                let s = real(side);
-                Self {
-                    a: (-(s * e.0), -(s * e.1)),
-                    k: side,
-                    c: s * real(0.5) * (dot(e, e) - radius * radius),
-                }
-            }
-        }
-    }
-}
-
-impl<T: Real> Bow<T> {
+impl<T: Real> FlatArc<T> {
     /// The circle of a radius through a spiral, with a normal that turns or does not.
     #[cold]
     #[inline(never)]
@@ -98,7 +60,7 @@ impl<T: Real> Bow<T> {
     ///
     /// With d = (u t − κ u²/2 n) / (1 + κ²u²/4), the level of the other is ((k − κ a·n)/2 + c κ²/4) u² + a·t u + c over the
     /// same denominator; its derivative by u is negative where its blocked side is entered.
-    pub(crate) fn crossing(&self, other: &Level<T>, enters: bool) -> T {
+    pub(crate) fn crossing(&self, other: &Equation<T>, enters: bool) -> T {
         let real = T::constant;
         let (n, kappa) = (self.normal, self.curvature);
         let along = (-n.1, n.0);
@@ -126,7 +88,7 @@ impl<T: Real> Bow<T> {
     }
 }
 
-impl Bow<f64> {
+impl FlatArc<f64> {
     pub(crate) fn new(through: Point, normal: Vector, curvature: f64) -> Self {
         Self {
             through: (through.x, through.y),
@@ -184,7 +146,7 @@ impl Bow<f64> {
     }
 
     /// Where another carrier is crossed, if it is near.
-    pub(crate) fn crossed(&self, other: &Level<f64>, enters: bool) -> Option<Point> {
+    pub(crate) fn crossed(&self, other: &Equation<f64>, enters: bool) -> Option<Point> {
         let n = self.axis();
         let a = Vector::new(other.a.0, other.a.1);
         let slope = a.dot(n.left());
@@ -212,12 +174,13 @@ impl Bow<f64> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
+    use super::super::carrier::Carrier;
     use super::*;
 
-    fn circle(center: Point, radius: f64, at: f64) -> (Bow<f64>, Carrier<f64>) {
+    fn circle(center: Point, radius: f64, at: f64) -> (FlatArc<f64>, Carrier<f64>) {
         let n = Vector::from_angle(at);
         (
-            Bow::new(center + n * radius, n, 1.0 / radius),
+            FlatArc::new(center + n * radius, n, 1.0 / radius),
             Carrier::Circle {
                 center: (center.x, center.y),
                 radius,
@@ -225,11 +188,11 @@ mod tests {
         )
     }
 
-    /// Crossings with lines, bows and circles are where circles by their centres say.
+    /// Crossings with lines, flat arcs and circles are where circles by their centres say.
     #[test]
     fn crossings_are_on_both_carriers() {
         for r in [3.0, -3.0] {
-            let (bow, own) = circle(
+            let (arc, own) = circle(
                 Point::new(0.3, -3.0),
                 r,
                 1.5 + if r < 0.0 { 3.1 } else { 0.0 },
@@ -243,17 +206,17 @@ mod tests {
                 center: (0.2, -0.1),
                 radius: -0.6,
             };
-            for g in [line, Carrier::Bow(other), far, small] {
+            for g in [line, Carrier::FlatArc(other), far, small] {
                 for enters in [true, false] {
-                    let Some(p) = bow.crossed(&Level::of(&g, bow.through), enters) else {
+                    let Some(p) = arc.crossed(&g.equation(arc.through), enters) else {
                         continue;
                     };
-                    let off = |c: &Carrier<f64>, p: Point| Level::of(c, (p.x, p.y)).c;
+                    let off = |c: &Carrier<f64>, p: Point| c.equation((p.x, p.y)).c;
                     assert!(off(&own, p).abs() < 1e-13, "{g:?} {p:?}");
                     assert!(off(&g, p).abs() < 1e-13);
-                    let u = bow.place(p);
-                    assert!(bow.point(u).distance(p) < 1e-14);
-                    let later = off(&g, bow.point(u + 1e-6));
+                    let u = arc.place(p);
+                    assert!(arc.point(u).distance(p) < 1e-14);
+                    let later = off(&g, arc.point(u + 1e-6));
                     assert_eq!(later < 0.0, enters);
                 }
             }
@@ -272,22 +235,22 @@ mod tests {
             center: (0.2, -0.1),
             radius: -0.6,
         };
-        for carrier in [line, Carrier::Bow(near), far, small] {
+        for carrier in [line, Carrier::FlatArc(near), far, small] {
             for (from, to) in [
                 (Point::new(0.4, 0.7), Point::new(-1.1, 0.2)),
                 (Point::new(-0.3, -0.9), Point::new(0.8, -0.5)),
             ] {
                 let d = to - from;
-                let seen = Level::of(&carrier, (from.x, from.y));
+                let seen = carrier.equation((from.x, from.y));
                 let at = seen.a.0 * d.x + seen.a.1 * d.y + 0.5 * seen.k * d.dot(d) + seen.c;
-                let there = Level::of(&carrier, (to.x, to.y)).c;
+                let there = carrier.equation((to.x, to.y)).c;
                 assert!((at - there).abs() < 1e-14, "{carrier:?}");
                 // Free is away from the centre of a circle, unless its radius is negative.
                 let free = match carrier {
                     Carrier::Line { normal, through } => {
                         normal.0 * (to.x - through.0) + normal.1 * (to.y - through.1) > 0.0
                     }
-                    Carrier::Bow(_) => to.distance(Point::new(0.3, -3.0)) > 3.2,
+                    Carrier::FlatArc(_) => to.distance(Point::new(0.3, -3.0)) > 3.2,
                     Carrier::Circle { center, radius } => {
                         let off = to.distance(Point::new(center.0, center.1)) - radius.abs();
                         off * radius > 0.0
@@ -302,17 +265,17 @@ mod tests {
     #[test]
     fn crossings_with_lines_are_exact_however_large_the_radius() {
         for radius in [1e3, 1e6, 1e9, -1e9] {
-            let bow = Bow::new(Point::new(0.2, 0.1), Vector::new(0.0, 1.0), 1.0 / radius);
+            let arc = FlatArc::new(Point::new(0.2, 0.1), Vector::new(0.0, 1.0), 1.0 / radius);
             for (angle, enters) in [(0.4_f64, true), (-0.4, false)] {
-                // Through a point 0.7 to the left of where the bow is told.
+                // Through a point 0.7 to the left of where the flat arc is told.
                 let (sin, cos) = angle.sin_cos();
                 let through = (0.2 - 0.7, 0.1);
                 let line = Carrier::Line {
                     normal: (sin, cos),
                     through,
                 };
-                let p = bow.crossed(&Level::of(&line, bow.through), enters).unwrap();
-                // The bow is d²/2r below its tangent there; along the line that is so much further.
+                let p = arc.crossed(&line.equation(arc.through), enters).unwrap();
+                // The flat arc is d²/2r below its tangent there; along the line that is so much further.
                 let (mut x, mut y) = (through.0, through.1);
                 for _ in 0..20 {
                     let d = x - 0.2;
@@ -324,10 +287,7 @@ mod tests {
                     "{radius} {p:?} {x} {y}"
                 );
                 // It has no other crossing near.
-                assert!(
-                    bow.crossed(&Level::of(&line, bow.through), !enters)
-                        .is_none()
-                );
+                assert!(arc.crossed(&line.equation(arc.through), !enters).is_none());
             }
         }
     }
@@ -336,13 +296,13 @@ mod tests {
     #[test]
     fn rays_are_exact_however_large_the_radius() {
         for radius in [1e3, 1e6, 1e9, -1e9] {
-            let bow = Bow::new(Point::new(0.2, 0.1), Vector::new(0.0, 1.0), 1.0 / radius);
+            let arc = FlatArc::new(Point::new(0.2, 0.1), Vector::new(0.0, 1.0), 1.0 / radius);
             let x = 0.7;
             let below = x * x / (radius + (radius * radius - x * x).sqrt() * radius.signum());
             let place = Point::new(0.2 + x, 0.1 - below);
             for angle in [0.4, 1.5, 2.6, 4.0, 5.5] {
                 let d = Vector::from_angle(angle);
-                let met = bow.met(place - d * 0.9, d);
+                let met = arc.met(place - d * 0.9, d);
                 assert!(met.iter().any(|t| (t - 0.9).abs() < 1e-14), "{met:?}");
             }
         }
@@ -354,7 +314,7 @@ mod tests {
         const HAIR: f64 = 1e-9;
         let center = Point::new(0.3, -3.0);
         for (at, towards) in [(1.2, 1.5), (1.7, 1.5), (1.5, 1.5)] {
-            let (bow, _) = circle(center, 3.0, at);
+            let (arc, _) = circle(center, 3.0, at);
             for radius in [0.5, -0.5] {
                 for (distance, inside) in [(3.5, -1.0), (2.5, 1.0)] {
                     for sign in [-1.0, 1.0] {
@@ -363,9 +323,9 @@ mod tests {
                             center: (other.x, other.y),
                             radius,
                         };
-                        let level = Level::of(&small, bow.through);
+                        let level = small.equation(arc.through);
                         for enters in [true, false] {
-                            let found = bow.crossed(&level, enters).is_some();
+                            let found = arc.crossed(&level, enters).is_some();
                             assert_eq!(found, sign == inside, "{at} {radius} {distance} {sign}");
                         }
                     }
@@ -376,7 +336,7 @@ mod tests {
 
     /// Places, normals, distances and angles against those of a circle about its centre.
     #[test]
-    fn a_bow_is_a_circle() {
+    fn a_flat_arc_is_a_circle() {
         let center = Point::new(0.3, -3.0);
         for radius in [3.0, -3.0] {
             let at = 1.4
@@ -385,27 +345,27 @@ mod tests {
                 } else {
                     0.0
                 };
-            let (bow, _) = circle(center, radius, at);
+            let (arc, _) = circle(center, radius, at);
             let on = |angle: f64| center + Vector::from_angle(at + angle) * radius;
             // Travel is to the left of the normal: with the angle on a circle of positive radius.
             let place = |angle: f64| 2.0 * radius * (0.5 * angle).tan();
             for angle in [-0.4, -0.1, 0.0, 0.25, 0.45] {
                 let (p, u) = (on(angle), place(angle));
-                assert!((bow.place(p) - u).abs() < 1e-14);
-                assert!(bow.point(u).distance(p) < 1e-14);
+                assert!((arc.place(p) - u).abs() < 1e-14);
+                assert!(arc.point(u).distance(p) < 1e-14);
                 let normal = Vector::from_angle(at + angle);
-                assert!((bow.normal_at(p) - normal).length() < 1e-14);
+                assert!((arc.normal_at(p) - normal).length() < 1e-14);
                 for off in [-0.3, -1e-3, 0.2] {
-                    assert!((bow.distance(p + normal * off) - off).abs() < 1e-14);
+                    assert!((arc.distance(p + normal * off) - off).abs() < 1e-14);
                 }
                 for other in [-0.3, 0.2] {
                     let (from, to) = (place(other), u);
-                    assert!((bow.angle(from, to) - (angle - other)).abs() < 1e-14);
+                    assert!((arc.angle(from, to) - (angle - other)).abs() < 1e-14);
                     let turned = if from < to { angle - other } else { 0.0 };
-                    assert!((bow.bulge(from, to) - (0.25 * turned).tan()).abs() < 1e-14);
+                    assert!((arc.bulge(from, to) - (0.25 * turned).tan()).abs() < 1e-14);
                 }
                 let (turn, by) = (Rotation::by(0.7), Vector::new(0.4, -0.2));
-                let moved = bow.moved(turn, by);
+                let moved = arc.moved(turn, by);
                 assert!(moved.point(u).distance(turn * p + by) < 1e-14);
             }
             for (p, angle) in [(Point::new(0.1, 0.4), 4.5), (Point::new(0.5, -0.3), 1.7)] {
@@ -413,7 +373,7 @@ mod tests {
                 let v = center - p;
                 let half = (9.0 - v.cross(d) * v.cross(d)).sqrt();
                 let expected = [v.dot(d) - half, v.dot(d) + half];
-                let mut met = bow.met(p, d);
+                let mut met = arc.met(p, d);
                 met.sort_by(f64::total_cmp);
                 for (a, b) in met.into_iter().zip(expected) {
                     assert!((a - b).abs() < 1e-13, "{met:?} {expected:?}");

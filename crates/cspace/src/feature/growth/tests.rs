@@ -1,5 +1,7 @@
 //! Rings, whose sums are known.
 
+use super::super::concentric::equal_sums;
+use super::super::tolerance::SAME_CARRIER;
 use super::*;
 use crate::geometry::Point;
 use crate::part::{Part, Vertex};

@@ -77,3 +77,56 @@ fn normals_oppose_each_other_whatever_turn_they_are_in() {
     assert!((lo(opposing) - FIRST - 0.000_761_3).abs() < 1e-15);
     assert!((lo(opposing - 1e-6) - FIRST).abs() < 1e-15);
 }
+
+#[test]
+fn steps_of_both_parts_make_one_slab() {
+    for (k, m) in [
+        (1, 1),
+        (1, 20),
+        (20, 1),
+        (3, 5),
+        (6, 4),
+        (12, 18),
+        (26, 24),
+        (7, 7),
+    ] {
+        let s = Steps::new(k, m).unwrap_or(Steps::NONE);
+        let sum = f64::from(s.fixed) / f64::from(k) + f64::from(s.moving) / f64::from(m);
+        let slab = 1.0 / f64::from(s.slabs);
+        assert!((sum - slab - (sum - slab).round()).abs() < 1e-14, "{k} {m}");
+        assert!(s.slabs.is_multiple_of(k) && s.slabs.is_multiple_of(m));
+    }
+    assert_eq!(Steps::new(2, 20).map(|s| (s.slabs, s.fixed)), Some((20, 0)));
+}
+
+#[test]
+fn a_function_is_carried_with_its_configurations() {
+    let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));
+    let arm = Vector::new(2.0, -3.0);
+    let swing = Swing { arm, rest: 0.2 };
+    let normal = Vector::from_angle(0.7);
+    let steps = Steps::new(6, 4).unwrap_or(Steps::NONE);
+    for f in [
+        ContactFunction::FixedLine { normal, through: s },
+        ContactFunction::MovingLine { normal, through: s },
+        ContactFunction::Circle {
+            center: s,
+            radius: -0.4,
+        },
+        ContactFunction::FlatCircle {
+            through: Spiral { swing, ..s },
+            normal,
+            turns: true,
+            radius: 20.0,
+        },
+    ] {
+        for slabs in [0, 1, 5, -3] {
+            let motion = steps.motion(slabs);
+            let (p, theta) = (Point::new(1.1, 0.4), 0.3);
+            let carried = motion
+                .function(f)
+                .value(motion.point(p), theta + steps.period(slabs));
+            assert!((carried - f.value(p, theta)).abs() < 1e-14);
+        }
+    }
+}

@@ -1,8 +1,10 @@
-//! Contacts that are tangent at every orientation, where a large arc is involved.
+//! Contacts that are one circle or tangent at every orientation.
 //!
-//! Each condition of tangency is α cos θ + β sin θ + γ = 0, but with such an arc the three are large and all but cancel. So they
-//! are not written down: the condition is evaluated from points near the parts.
+//! Where a flat arc is involved, each condition of tangency is α cos θ + β sin θ + γ = 0, but the three are large and
+//! all but cancel. So they are not written down: the condition is evaluated from points near the parts.
 
+use crate::feature::tolerance::SAME_CARRIER;
+use crate::geometry::{Rotation, Vector};
 use crate::number::Real;
 use crate::number::plane::{dot, minus};
 
@@ -10,12 +12,75 @@ use super::carrier::Carrier;
 use super::sheet::Sheet;
 use super::spiral::Spiral;
 
+impl Sheet {
+    /// Whether two sheets have one circle as carrier at every orientation: arcs on one circle, or equal sums of radii
+    /// about the same centres. Their curves do not cross, whatever rounding makes of it.
+    pub(crate) fn same_circle(&self, other: &Self) -> bool {
+        let apart = |a: Vector, b: Vector| (a - b).length() > SAME_CARRIER;
+        let (c, d) = (self.center(), other.center());
+        self.is_circle()
+            && other.is_circle()
+            && !apart(c.u.to_vector(), d.u.to_vector())
+            && !apart(c.w, d.w)
+            && (self.radius.abs() - other.radius.abs()).abs() <= SAME_CARRIER
+    }
+
+    /// Whether two flat arcs are one circle at every orientation at which both exist: the same three places are on both at the
+    /// first, the middle and the last.
+    pub(super) fn same_flat_arc(&self, other: &Self) -> bool {
+        if !(self.is_flat_arc() && other.is_flat_arc()) {
+            return false;
+        }
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        [lo, 0.5 * (lo + hi), hi].iter().all(|&theta| {
+            let turn = Rotation::by(theta);
+            let (f, g) = (
+                self.function().flat_arc(turn),
+                other.function().flat_arc(turn),
+            );
+            f.zip(g).is_some_and(|(f, g)| {
+                let on = |u: f64| f.distance(g.point(u)).abs() <= SAME_CARRIER;
+                f.normal_at(f.point(0.0)).dot(g.normal_at(f.point(0.0))) > 0.0
+                    && [-1.0, 0.0, 1.0].into_iter().all(on)
+            })
+        })
+    }
+
+    /// Whether a line and a circle, or two circles, are tangent at every orientation: halves of one disc against a side and
+    /// the corner it ends at, or against two arcs that follow each other smoothly. Their curves do not cross, whatever rounding
+    /// makes of it.
+    pub(super) fn always_tangent(&self, other: &Self) -> bool {
+        if self.is_flat() || other.is_flat() {
+            return always_touch(self, other);
+        }
+        let (line, circle) = match (self.is_circle(), other.is_circle()) {
+            (false, false) => return false,
+            (false, true) => (self, other),
+            (true, false) => (other, self),
+            (true, true) => {
+                let (c, d) = (self.center(), other.center());
+                let (u, w) = (c.u - d.u, c.w - d.w);
+                let apart = match (u.length() <= SAME_CARRIER, w.length() <= SAME_CARRIER) {
+                    (false, true) => u.length(),
+                    (true, false) => w.length(),
+                    _ => return false,
+                };
+                let (r, s) = (self.radius.abs(), other.radius.abs());
+                return (apart - (r + s)).abs().min((apart - (r - s).abs()).abs()) <= SAME_CARRIER;
+            }
+        };
+        let (stays, turns) = line.seen(&circle.center());
+        let off = line.normal.dot(stays).abs() - circle.radius.abs();
+        turns.length() <= SAME_CARRIER && off.abs() <= SAME_CARRIER
+    }
+}
+
 /// What vanishes.
 #[derive(Clone, Copy)]
 enum Condition<'a> {
-    /// A line or bow tangent to a bow, their normals alike or opposed.
+    /// A line or flat arc tangent to a flat arc, their normals alike or opposed.
     Alike(&'a Sheet, &'a Sheet, bool),
-    /// A bow, or a line that large arcs move, tangent to a circle, on one of its two sides.
+    /// A flat arc, or a line that large arcs move, tangent to a circle, on one of its two sides.
     Circle(&'a Sheet, &'a Sheet, bool),
 }
 
@@ -41,9 +106,9 @@ fn tangencies<'a>(f: &'a Sheet, g: &'a Sheet) -> impl Iterator<Item = Condition<
 /// one feature with two others that follow each other smoothly.
 ///
 /// The condition is α cos θ + β sin θ + γ = 0: if it is so at three orientations far from each other, it is so at all.
-pub(crate) fn always_touch(f: &Sheet, g: &Sheet) -> bool {
+fn always_touch(f: &Sheet, g: &Sheet) -> bool {
     let mid = 0.5 * (f.lo.max(g.lo) + f.hi.min(g.hi));
-    /// As far as bows may be followed, radians.
+    /// As far as flat arcs may be followed, radians.
     const APART: f64 = 0.1;
     tangencies(f, g).any(|condition| {
         [-APART, 0.0, APART].into_iter().all(|d| {
@@ -96,11 +161,11 @@ impl Condition<'_> {
     }
 }
 
-/// A line or bow: a point of it, the normal there and the curvature.
+/// A line or flat arc: a point of it, the normal there and the curvature.
 fn straight<T: Real>(sheet: &Sheet, cos: T, sin: T) -> ((T, T), (T, T), f64) {
     match sheet.carrier(cos, sin) {
         Carrier::Line { normal, through } => (through, normal, 0.0),
-        Carrier::Bow(bow) => (bow.through, bow.normal, bow.curvature),
+        Carrier::FlatArc(arc) => (arc.through, arc.normal, arc.curvature),
         Carrier::Circle { center, .. } => (center, center, f64::NAN),
     }
 }
@@ -136,10 +201,10 @@ pub(super) mod tests {
         let mut plain = *sheet;
         (plain.start, plain.end) = (spiral(&sheet.start), spiral(&sheet.end));
         let near = spiral(&sheet.any());
-        if sheet.is_bow() {
+        if sheet.is_flat_arc() {
             let inward = -(sheet.normal * sheet.radius);
             let (mut u, mut w) = (near.u, near.w);
-            if sheet.kind == SheetKind::MovingBow {
+            if sheet.kind == SheetKind::MovingFlatArc {
                 w = w + inward;
             } else {
                 u += inward;
@@ -161,7 +226,7 @@ pub(super) mod tests {
                 Vector::new(normal.0, normal.1),
                 None,
             ),
-            Carrier::Bow(_) => unreachable!("a circle about its centre"),
+            Carrier::FlatArc(_) => unreachable!("a circle about its centre"),
         }
     }
 
@@ -300,12 +365,12 @@ pub(super) mod tests {
     fn what_is_all_but_tangent_is_known_to_its_own_digits() {
         let geometry = flat_geometry();
         let (f, ..) = (flat_pairs(&geometry).into_iter())
-            .find(|(f, ..)| f.is_bow() && f.swing.is_none())
+            .find(|(f, ..)| f.is_flat_arc() && f.swing.is_none())
             .unwrap();
         for angle in [1e-3_f64, 1e-6, -1e-6] {
             let mut g = *f;
             g.normal = Rotation::by(angle) * f.normal;
-            // Bows of one curvature through one point: the squares of half the angle and no more.
+            // Flat arcs of one curvature through one point: the squares of half the angle and no more.
             let condition = Condition::Alike(f, &g, true);
             let expected = 2.0 * (0.5 * angle).sin().powi(2);
             for value in [condition.at(1.0, 0.0).0, series(&condition, 0.0).value] {

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::super::pair::Geometry;
+use super::*;
 use crate::part::{Part, Vertex};
 
 /// From the outer radius to the inner one, and to an angle on both sides of the x-axis, each circle in two arcs.
@@ -28,8 +28,9 @@ fn curves_that_lie_on_each_other_are_known() {
     let moving = Part::new("tongue", vec![sector(0.7, 1.0, 2.4)]).unwrap();
     let geometry = Geometry::new(&fixed, &moving, None, usize::MAX);
     let contacts = &geometry.contacts;
-    let doubled = contacts.doubled.as_ref().unwrap();
-    assert!(!doubled.is_empty());
+    let coincidences = Coincidences::new(&geometry);
+    let all = coincidences.0.as_ref().unwrap();
+    assert!(!all.is_empty());
     let sheets = &contacts.sheets;
     let mut both = 0;
     for k in 0..500 {
@@ -53,7 +54,7 @@ fn curves_that_lie_on_each_other_are_known() {
                     let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
                     off.abs() < 0.5 * (a - b).abs() - 1e-9
                 });
-                let told = doubled.iter().any(|d| {
+                let told = all.iter().any(|d| {
                     let pair = (d.first as usize, d.second as usize);
                     (pair == (i, j) || pair == (j, i)) && d.lo <= theta && theta <= d.hi
                 });
@@ -63,7 +64,7 @@ fn curves_that_lie_on_each_other_are_known() {
         }
     }
     assert!(both > 100, "{both}");
-    for d in doubled {
+    for d in all {
         let (f, g) = (&sheets[d.first as usize], &sheets[d.second as usize]);
         assert!(f.same_circle(g) && d.lo < d.hi);
         assert!(d.lo >= f.lo.max(g.lo) && d.hi <= f.hi.min(g.hi));

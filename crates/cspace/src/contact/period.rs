@@ -8,11 +8,12 @@
 //! features to which `R_α` takes f and `R_−β` takes g. All orientations are so many copies of a slab T wide (figure 4 of
 //! Sacks 1999, where the moving part is the symmetric one and α = 0).
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
 
 use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Dd;
 use crate::part::LoopImage;
 
 use super::function::ContactFunction;
@@ -140,8 +141,8 @@ impl Steps {
     }
 
     /// What the twist does some number of times.
-    pub(crate) fn twist(&self, slabs: i64) -> Twist {
-        Twist {
+    pub(crate) fn motion(&self, slabs: i64) -> SlabMotion {
+        SlabMotion {
             fixed: Rotation::by(self.angle(slabs)),
             moving: Rotation::by(part_of_turn(self.moving, self.moving_fold, slabs)).inverse(),
         }
@@ -161,12 +162,12 @@ fn gcd(a: u32, b: u32) -> u32 {
 
 /// A power of the twist, applied to geometry: `R_α` to what belongs to the fixed part, `R_−β` to what turns with θ.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Twist {
+pub(crate) struct SlabMotion {
     pub(crate) fixed: Rotation,
     pub(crate) moving: Rotation,
 }
 
-impl Twist {
+impl SlabMotion {
     /// A position of the pair's frame.
     pub(crate) fn point(&self, p: Point) -> Point {
         self.fixed * p
@@ -230,7 +231,7 @@ impl Twist {
 
 /// How the twist permutes features and joints of both parts.
 #[derive(Debug, Clone)]
-pub(crate) struct Carried {
+pub(crate) struct Period {
     pub(crate) steps: Steps,
     /// One slab up.
     pub(crate) fixed: Permutation,
@@ -253,7 +254,7 @@ impl<'a> LoopImages<'a> {
     }
 }
 
-impl Carried {
+impl Period {
     /// The slab is the turn: nothing moves.
     pub(crate) fn none(fixed: &Outline, moving: &Outline) -> Self {
         let (fixed, moving) = (Permutation::identity(fixed), Permutation::identity(moving));
@@ -294,60 +295,47 @@ impl Carried {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// The window of orientations, in radians.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Span {
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    /// Whether it is a full turn, or one slab of it, and what is at one end goes on at the other.
+    pub(crate) full: bool,
+}
 
-    #[test]
-    fn steps_of_both_parts_make_one_slab() {
-        for (k, m) in [
-            (1, 1),
-            (1, 20),
-            (20, 1),
-            (3, 5),
-            (6, 4),
-            (12, 18),
-            (26, 24),
-            (7, 7),
-        ] {
-            let s = Steps::new(k, m).unwrap_or(Steps::NONE);
-            let sum = f64::from(s.fixed) / f64::from(k) + f64::from(s.moving) / f64::from(m);
-            let slab = 1.0 / f64::from(s.slabs);
-            assert!((sum - slab - (sum - slab).round()).abs() < 1e-14, "{k} {m}");
-            assert!(s.slabs.is_multiple_of(k) && s.slabs.is_multiple_of(m));
-        }
-        assert_eq!(Steps::new(2, 20).map(|s| (s.slabs, s.fixed)), Some((20, 0)));
+impl Span {
+    /// Where it begins and ends, in double-double.
+    pub(crate) fn from(&self) -> Dd {
+        Dd::from(self.lo)
     }
 
-    #[test]
-    fn a_function_is_carried_with_its_configurations() {
-        let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));
-        let arm = Vector::new(2.0, -3.0);
-        let swing = Swing { arm, rest: 0.2 };
-        let normal = Vector::from_angle(0.7);
-        let steps = Steps::new(6, 4).unwrap_or(Steps::NONE);
-        for f in [
-            ContactFunction::FixedLine { normal, through: s },
-            ContactFunction::MovingLine { normal, through: s },
-            ContactFunction::Circle {
-                center: s,
-                radius: -0.4,
-            },
-            ContactFunction::FlatCircle {
-                through: Spiral { swing, ..s },
-                normal,
-                turns: true,
-                radius: 20.0,
-            },
-        ] {
-            for slabs in [0, 1, 5, -3] {
-                let twist = steps.twist(slabs);
-                let (p, theta) = (Point::new(1.1, 0.4), 0.3);
-                let carried = twist
-                    .function(f)
-                    .value(twist.point(p), theta + steps.period(slabs));
-                assert!((carried - f.value(p, theta)).abs() < 1e-14);
-            }
+    pub(crate) fn to(&self) -> Dd {
+        Dd::from(self.hi)
+    }
+
+    /// The first of so many equal slabs of the full turn, not cut at an orientation where two normals oppose each other.
+    pub(crate) fn slab(fixed: &Outline, moving: &Outline, slabs: u32) -> Self {
+        const CLEAR: f64 = 1e-7;
+        // Irrational steps: some cut is clear unless the normals are dense on that scale.
+        let cuts = (0..64).map(|i| -PI + 0.01234 + 0.000_761_3 * f64::from(i));
+        let clear = |cut: f64| {
+            fixed.joints.iter().all(|a| {
+                moving.joints.iter().all(|b| {
+                    let t = (a.angle - b.angle - PI - cut) / TAU;
+                    (t - t.round()).abs() * TAU > CLEAR
+                })
+            })
+        };
+        let lo = cuts.clone().find(|&c| clear(c)).unwrap_or(-PI + 0.01234);
+        Self {
+            lo,
+            hi: lo + TAU / f64::from(slabs),
+            full: true,
         }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;

@@ -2,18 +2,18 @@
 
 use crate::feature::Outline;
 
-use super::twist::Carried;
+use super::period::Period;
 
 /// How many features and joints there are, by which names of ends are made.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sizes {
+pub(super) struct EndNames {
     fixed_features: u32,
     fixed_joints: u32,
     moving_features: u32,
     moving_joints: u32,
 }
 
-impl Sizes {
+impl EndNames {
     pub(super) fn new(fixed: &Outline, moving: &Outline) -> Self {
         Self {
             fixed_features: fixed.features.len() as u32,
@@ -42,8 +42,8 @@ impl Sizes {
     }
 
     /// The name of the same end one slab lower.
-    pub(super) fn name_below(&self, name: u32, carried: &Carried) -> u32 {
-        let (fixed, moving) = (&carried.fixed_back, &carried.moving_back);
+    pub(super) fn name_below(&self, name: u32, period: &Period) -> u32 {
+        let (fixed, moving) = (&period.fixed_back, &period.moving_back);
         let split = |n: u32, by: u32| ((n / by) as usize, (n % by) as usize);
         if name < self.moving_joint(0, 0) {
             let (joint, feature) = split(name, self.moving_features);

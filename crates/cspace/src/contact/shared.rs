@@ -1,0 +1,68 @@
+//! What two sheets have in common by their making, so that nothing needs to be computed: ends, circles, directions.
+
+use crate::feature::tolerance::{CLOSE_CENTERS, SAME_CARRIER};
+
+use super::sheet::Sheet;
+use super::spiral::Spiral;
+
+/// The ends that two sheets have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SharedEnds {
+    /// The carriers are one, or tangent at every orientation: the curves do not cross.
+    pub(crate) tangent: bool,
+    /// Ends at which they cross, but only there.
+    pub(crate) corners: [Option<Spiral>; 2],
+}
+
+impl Sheet {
+    /// Whether both curves are lines that are parallel at every orientation, or opposite.
+    pub(crate) fn is_parallel(&self, other: &Self) -> bool {
+        let lines = self.is_line() && self.kind == other.kind;
+        lines && self.normal.cross(other.normal).abs() <= SAME_CARRIER
+    }
+
+    /// The ends that two sheets share.
+    ///
+    /// Where normals agree (every shared end but that of two vertices) the curves are tangent there and have no other
+    /// crossing. Where two vertices touch, they cross at the shared end, which is no crossing of interiors.
+    pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
+        let mut shared = SharedEnds {
+            tangent: self.same_circle(other)
+                || self.same_flat_arc(other)
+                || self.always_tangent(other)
+                || (self.fixed == other.fixed && self.moving == other.moving),
+            corners: self.shared_corners(other, first_vertex_name),
+        };
+        let smooth = |name: u32, other: u32| name == other && name < first_vertex_name;
+        shared.tangent |= smooth(self.end_name, other.start_name);
+        shared.tangent |= smooth(self.start_name, other.end_name);
+        shared
+    }
+
+    /// The ends of two vertices that it shares with another sheet: its own end, and its start.
+    pub(crate) fn shared_corners(
+        &self,
+        other: &Self,
+        first_vertex_name: u32,
+    ) -> [Option<Spiral>; 2] {
+        let corner = |name: u32, other: u32| name == other && name >= first_vertex_name;
+        [
+            corner(self.end_name, other.start_name).then_some(self.end),
+            corner(self.start_name, other.end_name).then_some(self.start),
+        ]
+    }
+
+    /// The centre of its circle, if that of another sheet is so near to it that places where the circles cross would be lost in the
+    /// rounding of the two centres; and how near.
+    ///
+    /// Two arcs of a part of 1e-9 sizes touch an arc of the other on circles as near as that. Where they cross is told by the
+    /// direction from one centre to the other, and that by the difference of two spirals, in which nothing cancels.
+    pub(crate) fn close_to(&self, other: &Self) -> Option<(Spiral, f64)> {
+        if !(self.is_circle() && other.is_circle()) {
+            return None;
+        }
+        let (c, d) = (self.center(), other.center());
+        let apart = (d.u - c.u).length() + (d.w - c.w).length();
+        (0.0 < apart && apart < CLOSE_CENTERS).then_some((c, apart))
+    }
+}

@@ -1,0 +1,131 @@
+//! Pairs of concentric arcs of each part, such that one arc of the first pair touches one of the second along the same circle
+//! as the other two touch, at every orientation: the sums of their signed radii are equal. A ring in a groove that leaves as
+//! much room inside as outside has them.
+//!
+//! Where both contacts exist their curves lie on each other, and if one ends before the other, what continues it may go on
+//! behind the other without ever crossing it. Growing parts evenly changes both sums alike.
+
+use crate::geometry::wrap;
+
+use super::tolerance::{COMMON_NORMALS, SAME_CARRIER};
+use super::types::{Feature, Outline};
+
+/// More equal sums than this are not listed.
+const MOST: usize = 1 << 20;
+
+/// Two round features of a part about one centre, with normals in common, by their index; the signed radius of the first is
+/// less.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Concentric {
+    lesser: u32,
+    greater: u32,
+    /// The difference of the radii.
+    apart: f64,
+}
+
+/// Feature `fixed.0` touches `moving.0` along the same circle as `fixed.1` touches `moving.1`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct EqualSum {
+    /// The lesser radius first.
+    pub(crate) fixed: (u32, u32),
+    /// The greater radius first.
+    pub(crate) moving: (u32, u32),
+}
+
+/// All equal sums of arcs with normals in common; `None` if there are too many to list.
+pub(crate) fn equal_sums(fixed: &Outline, moving: &Outline) -> Option<Vec<EqualSum>> {
+    let all = |outline: &Outline| concentric(&round(outline), share_normals);
+    let of_fixed = all(fixed)?;
+    if of_fixed.is_empty() {
+        return Some(Vec::new());
+    }
+    equal(of_fixed, all(moving)?)
+}
+
+/// The same of arcs of which a loop has one only about each centre with each radius, whatever their normals: where one contact
+/// ends another may begin.
+pub(super) fn equal_sums_of_loops(fixed: &Outline, moving: &Outline) -> Option<Vec<EqualSum>> {
+    let all = |outline: &Outline| {
+        let mut round = round(outline);
+        round.dedup_by(|b, a| {
+            let (f, g) = (a.1, b.1);
+            let one_loop = f.name.loop_index == g.name.loop_index;
+            let one_radius = (f.radius() - g.radius()).abs() <= SAME_CARRIER;
+            one_loop && one_radius && f.center().distance(g.center()) <= SAME_CARRIER
+        });
+        concentric(&round, |_, _| true)
+    };
+    let of_fixed = all(fixed)?;
+    if of_fixed.is_empty() {
+        return Some(Vec::new());
+    }
+    equal(of_fixed, all(moving)?)
+}
+
+fn equal(of_fixed: Vec<Concentric>, mut of_moving: Vec<Concentric>) -> Option<Vec<EqualSum>> {
+    of_moving.sort_by(|a, b| a.apart.total_cmp(&b.apart));
+    let mut found = Vec::new();
+    for f in of_fixed {
+        let from = of_moving.partition_point(|m| m.apart < f.apart - SAME_CARRIER);
+        let equal = of_moving[from..]
+            .iter()
+            .take_while(|m| m.apart <= f.apart + SAME_CARRIER);
+        found.extend(equal.map(|m| EqualSum {
+            fixed: (f.lesser, f.greater),
+            moving: (m.greater, m.lesser),
+        }));
+        if found.len() > MOST {
+            return None;
+        }
+    }
+    Some(found)
+}
+
+/// How far along a direction the centre of a round feature is: centres that are one are next to each other along any, and
+/// along this one few others are.
+fn place(f: &Feature) -> f64 {
+    0.8 * f.center().x + 0.6 * f.center().y
+}
+
+/// The round features, by where their centres are.
+fn round(outline: &Outline) -> Vec<(u32, &Feature)> {
+    let mut round: Vec<(u32, &Feature)> = (0..)
+        .zip(&outline.features)
+        .filter(|(_, f)| !f.is_line() && f.near.is_none())
+        .collect();
+    round.sort_by(|a, b| place(a.1).total_cmp(&place(b.1)).then(a.0.cmp(&b.0)));
+    round
+}
+
+fn concentric(
+    round: &[(u32, &Feature)],
+    together: impl Fn(&Feature, &Feature) -> bool,
+) -> Option<Vec<Concentric>> {
+    let mut found = Vec::new();
+    for (n, &(i, f)) in round.iter().enumerate() {
+        let end = place(f) + 2.0 * SAME_CARRIER;
+        for &(j, g) in round[n + 1..].iter().take_while(|r| place(r.1) <= end) {
+            let apart = g.radius() - f.radius();
+            let one_center = f.center().distance(g.center()) <= SAME_CARRIER;
+            if !one_center || apart.abs() <= SAME_CARRIER || !together(f, g) {
+                continue;
+            }
+            let (lesser, greater) = if apart > 0.0 { (i, j) } else { (j, i) };
+            found.push(Concentric {
+                lesser,
+                greater,
+                apart: apart.abs(),
+            });
+            if found.len() > MOST {
+                return None;
+            }
+        }
+    }
+    Some(found)
+}
+
+/// Whether two features have outward normals in common, not of single directions only.
+fn share_normals(f: &Feature, g: &Feature) -> bool {
+    let halves = 0.5 * ((f.hi - f.lo) + (g.hi - g.lo));
+    wrap(0.5 * (f.lo + f.hi) - 0.5 * (g.lo + g.hi)).abs() < halves - COMMON_NORMALS
+}

@@ -1,0 +1,129 @@
+//! By how much each loop of a part is grown.
+//!
+//! All loops of a part are grown alike, unless arcs of two of them touch the other part along one circle at every orientation
+//! (see `concentric.rs`): growing them evenly does not change that. Those loops are put on levels, each grown by a little more
+//! than the one below. Arcs of one loop cannot be told apart so; slices from scratch know of them (`slice/coincident.rs`).
+
+use super::concentric::{EqualSum, equal_sums_of_loops};
+use super::tolerance::{GROWTH, LEVEL, MOVING_GROWTH};
+use super::types::Outline;
+
+/// By how much each loop of a part is grown (length): evenly, but for loops with equal sums.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Growths {
+    least: f64,
+    /// From one level to the next.
+    step: f64,
+    /// Of each loop.
+    levels: Vec<u8>,
+}
+
+impl Growths {
+    /// For the fixed and for the moving part, as they are grown evenly.
+    ///
+    /// All levels of the fixed part together are less than one of the moving part, so that they do not cancel out.
+    pub(crate) fn new(fixed: &Outline, moving: &Outline) -> (Self, Self) {
+        let sums = equal_sums_of_loops(fixed, moving).unwrap_or_default();
+        let alike = (Alike::new(fixed), Alike::new(moving));
+        let of_fixed = |s: &EqualSum| alike.0.of_features(fixed, s.fixed);
+        let of_moving = |s: &EqualSum| alike.1.of_features(moving, s.moving);
+        // What the fixed part does not tell apart is left to the moving one.
+        let left = sums.iter().filter(|s| {
+            let (a, b) = of_fixed(s);
+            a == b
+        });
+        (
+            Self {
+                least: GROWTH,
+                step: LEVEL,
+                levels: alike.0.levels(sums.iter().map(of_fixed), FIXED_LEVELS),
+            },
+            Self {
+                least: MOVING_GROWTH,
+                step: LEVEL * f64::from(FIXED_LEVELS),
+                levels: alike.1.levels(left.map(of_moving), MOVING_LEVELS),
+            },
+        )
+    }
+
+    /// By how much a loop is grown.
+    pub(crate) fn of(&self, loop_index: u32) -> f64 {
+        let level = self.levels.get(loop_index as usize).copied();
+        self.least + self.step * f64::from(level.unwrap_or(0))
+    }
+
+    /// By how much the loop is grown that is grown most.
+    pub(crate) fn greatest(&self) -> f64 {
+        let level = self.levels.iter().copied().max();
+        self.least + self.step * f64::from(level.unwrap_or(0))
+    }
+}
+
+const FIXED_LEVELS: u8 = 4;
+const MOVING_LEVELS: u8 = 3;
+
+/// Loops of one length: copies of each other by a symmetry are among them, and are to be grown alike.
+struct Alike {
+    /// For each loop, counted in order of length.
+    class: Vec<usize>,
+    count: usize,
+}
+
+impl Alike {
+    fn new(outline: &Outline) -> Self {
+        /// Loops are of one length if they differ by less (length).
+        const ONE_LENGTH: f64 = 1e-9;
+        let mut lengths: Vec<(f64, usize)> = Vec::new();
+        for f in &outline.features {
+            let i = f.name.loop_index as usize;
+            if lengths.len() <= i {
+                lengths.resize(i + 1, (0.0, 0));
+            }
+            lengths[i].1 = i;
+            lengths[i].0 += if f.is_line() {
+                outline.start(f).point.distance(outline.end(f).point)
+            } else {
+                f.radius().abs() * (f.hi - f.lo)
+            };
+        }
+        let mut class = vec![0; lengths.len()];
+        lengths.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut count = 0;
+        for (n, l) in lengths.iter().enumerate() {
+            count += usize::from(n > 0 && l.0 - lengths[n - 1].0 > ONE_LENGTH);
+            class[l.1] = count;
+        }
+        Self {
+            class,
+            count: count + 1,
+        }
+    }
+
+    fn of_features(&self, outline: &Outline, (f, g): (u32, u32)) -> (usize, usize) {
+        let class = |i: u32| self.class[outline.features[i as usize].name.loop_index as usize];
+        (class(f), class(g))
+    }
+
+    /// Levels of the loops, different for such as are listed together as far as there are so many.
+    fn levels(&self, together: impl Iterator<Item = (usize, usize)>, levels: u8) -> Vec<u8> {
+        let mut together: Vec<(usize, usize)> = together
+            .filter(|(a, b)| a != b)
+            .map(|(a, b)| (a.max(b), a.min(b)))
+            .collect();
+        together.sort_unstable();
+        together.dedup();
+        let mut level = vec![0; self.count];
+        for of_class in together.chunk_by(|a, b| a.0 == b.0) {
+            let is_free = |l: &u8| of_class.iter().all(|&(_, other)| level[other] != *l);
+            let class = of_class[0].0;
+            level[class] = (0..levels)
+                .find(is_free)
+                .unwrap_or((class % usize::from(levels)) as u8);
+        }
+        self.class.iter().map(|&c| level[c]).collect()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;
