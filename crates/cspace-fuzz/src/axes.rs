@@ -1,6 +1,6 @@
 //! Random pairs on fixed axes.
 
-use cspace::axes::AxesError;
+use cspace::fixed_axes::AxesError;
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, FixedAxesSpace, Point, Rotation, Vector,
 };

@@ -4,7 +4,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::pair::PairMotion;
+use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
     Point, Relation, Rotation, Slicer, Vector, Vertex,
@@ -793,7 +793,7 @@ fn one_pivot_on_a_side() {
         let times = [&pair.space, &still].map(|space| {
             let from = (0.0, across - 0.3 * rate);
             match space.first_contact(from, (0.0, rate), 10.0).unwrap() {
-                PairMotion::Contact(contact) => contact.time,
+                AxesMotionOutcome::Contact(contact) => contact.time,
                 none => panic!("{none:?}"),
             }
         });

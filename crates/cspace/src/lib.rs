@@ -12,10 +12,10 @@
 // It reads no files and prints nothing.
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
-pub mod axes;
 mod boxes;
 pub(crate) mod contact;
 pub(crate) mod feature;
+pub mod fixed_axes;
 #[cfg(feature = "fuzzing")]
 #[doc(hidden)]
 pub mod fuzzing;
@@ -29,12 +29,12 @@ pub mod slice;
 pub mod space;
 mod union_find;
 
-pub use axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use contact::{
     ContactFunction, ContactValue, FeatureShape, Placement, Spiral, Swing, Touching,
     contact_function, touching,
 };
 pub use feature::{FeatureKind, FeatureName};
+pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use number::{Dual, Scalar, SecondOrder};
 pub use pair::{

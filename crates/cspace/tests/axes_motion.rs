@@ -5,8 +5,8 @@
 //! than the resolution.
 #![allow(clippy::unwrap_used)]
 
-use cspace::axes::{AxisMotion, FixedAxesSpace};
-use cspace::pair::{Coordinates, PairMotion};
+use cspace::fixed_axes::AxesMotionOutcome;
+use cspace::fixed_axes::{AxisMotion, FixedAxesSpace};
 use cspace::{Axis, Classification};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
@@ -53,9 +53,9 @@ impl Trial<'_> {
         let answer = self.space.first_contact(from, rates, duration).unwrap();
         let at = |t: f64| (from.0 + rates.0 * t, from.1 + rates.1 * t);
         let until = match answer {
-            PairMotion::Free => duration,
-            PairMotion::Leaves { time } => time,
-            PairMotion::Contact(c) => c.time,
+            AxesMotionOutcome::Free => duration,
+            AxesMotionOutcome::Leaves { time } => time,
+            AxesMotionOutcome::Contact(c) => c.time,
         };
         let mut wrong = |what: String| {
             self.tally.wrong.push(format!(
@@ -97,11 +97,11 @@ impl Trial<'_> {
         }
         self.tally.steps += STEPS as usize;
         match answer {
-            PairMotion::Free => self.tally.free += 1,
-            PairMotion::Leaves { .. } => self.tally.leaves += 1,
-            PairMotion::Contact(c) => {
+            AxesMotionOutcome::Free => self.tally.free += 1,
+            AxesMotionOutcome::Leaves { .. } => self.tally.leaves += 1,
+            AxesMotionOutcome::Contact(c) => {
                 self.tally.contacts += 1;
-                self.touches(at(c.time), rates, c.patch.0, c.at);
+                self.touches(at(c.time), rates, c.patch, c.at);
                 return Some(at(c.time));
             }
         }
@@ -109,10 +109,10 @@ impl Trial<'_> {
     }
 
     /// The contact is one of the patch; just beyond it the parts overlap where the motion goes in at an angle.
-    fn touches(&mut self, at: (f64, f64), rates: (f64, f64), patch: u32, given: Coordinates) {
+    fn touches(&mut self, at: (f64, f64), rates: (f64, f64), patch: u32, given: (f64, f64)) {
         let size = self.oracle.size();
         let mut wrong = Vec::new();
-        if given != (Coordinates::Axes { u: at.0, v: at.1 }) {
+        if given != at {
             wrong.push(format!("{given:?} is not {at:?}"));
         }
         let contacts = self.space.contacts(at.0, at.1, 1e-9 * size);

@@ -3,8 +3,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::axes::{AxisMotion, FixedAxesSpace};
-use cspace::pair::PairMotion;
+use cspace::fixed_axes::AxesMotionOutcome;
+use cspace::fixed_axes::{AxisMotion, FixedAxesSpace};
 use cspace::{Axis, Classification};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
@@ -29,7 +29,7 @@ struct Tally {
 /// How far a motion along one coordinate is free.
 fn free_way(space: &FixedAxesSpace, from: (f64, f64), rates: (f64, f64), far: f64) -> Option<f64> {
     match space.first_contact(from, rates, far).unwrap() {
-        PairMotion::Contact(c) => Some(c.time),
+        AxesMotionOutcome::Contact(c) => Some(c.time),
         _ => None,
     }
 }

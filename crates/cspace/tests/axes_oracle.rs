@@ -7,7 +7,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::axes::{AxisMotion, FixedAxesSpace};
+use cspace::fixed_axes::{AxisMotion, FixedAxesSpace};
 use cspace::{Axis, Classification, Configuration, Point, Rotation, Vector};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, geneva, mechanisms};

@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::axes::{AxisMotion, BranchForm, FixedAxesSpace, SavedAxesSpace};
+use cspace::fixed_axes::{AxisMotion, BranchForm, FixedAxesSpace, SavedAxesSpace};
 use cspace::{Axis, Classification, ContactSpace, Options, Part, Point, Vector, Vertex};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};

@@ -9,7 +9,7 @@
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BTreeSet};
 
-use cspace::axes::AxisMotion;
+use cspace::fixed_axes::AxisMotion;
 use cspace::{Axis, FixedAxesSpace, Part, Point};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};

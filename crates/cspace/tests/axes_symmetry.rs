@@ -4,7 +4,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::axes::{AxisMotion, BranchForm, FixedAxesSpace};
+use cspace::fixed_axes::{AxisMotion, BranchForm, FixedAxesSpace};
 use cspace::{Axis, FeatureName, Part, Point, Vertex};
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
 use cspace_oracle::shapes::{circle, gear, shifted};

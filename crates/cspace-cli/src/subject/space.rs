@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::axes::Role;
+use cspace::fixed_axes::Role;
 use cspace::{
     AxesError, ComputeError, ContactSpace, Options, PairError, PairSpace, Relation, Slice, Symmetry,
 };

@@ -1,6 +1,6 @@
 //! How the parts of a pair can move relative to each other.
 
-use cspace::axes::{Axis, AxisMotion};
+use cspace::fixed_axes::{Axis, AxisMotion};
 use cspace::pair::Joint;
 use cspace::{LowerPair, PairClass, Point, Relation};
 

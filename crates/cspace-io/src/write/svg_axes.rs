@@ -85,8 +85,8 @@ pub fn plane(title: &str, space: &FixedAxesSpace) -> String {
 fn branch(space: &FixedAxesSpace, index: usize) -> Vec<(f64, f64)> {
     let b = &space.branches()[index];
     let (from, to) = match b.form {
-        cspace::axes::BranchForm::VOfU => (b.start.0, b.end.0),
-        cspace::axes::BranchForm::UOfV => (b.start.1, b.end.1),
+        cspace::fixed_axes::BranchForm::VOfU => (b.start.0, b.end.0),
+        cspace::fixed_axes::BranchForm::UOfV => (b.start.1, b.end.1),
     };
     (0..=CURVE_POINTS)
         .filter_map(|k| {

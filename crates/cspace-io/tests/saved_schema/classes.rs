@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use cspace::axes::SAVED_AXES_VERSION;
+use cspace::fixed_axes::SAVED_AXES_VERSION;
 use cspace::pair::Joint;
 use cspace::space::SAVED_VERSION;
 use cspace::{Axis, FixedAxesSpace, LowerPair, Options, PairClass, PairSpace, Point, Vector};

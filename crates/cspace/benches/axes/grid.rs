@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::axes::AxisMotion;
+use cspace::fixed_axes::AxisMotion;
 use cspace::pair::PairMotion;
 use cspace::{Axis, Classification, Edge, FixedAxesSpace, Part, Point, Vector};
 use cspace_oracle::Oracle;

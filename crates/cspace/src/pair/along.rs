@@ -1,6 +1,6 @@
 //! The first contact along a motion that is given by any smooth functions of time, with bounds on their rates.
 
-use crate::axes::{Axis, AxisMotion};
+use crate::fixed_axes::{Axis, AxisMotion};
 use crate::geometry::Point;
 use crate::part::Part;
 

@@ -63,8 +63,9 @@ impl PairSpace {
         match self {
             Self::Lower(_) => {}
             Self::FixedAxes(space) => {
-                let next =
-                    |(i, p): (u32, &crate::axes::AxesPatch)| Some((i, p.next?, LinkKind::Side));
+                let next = |(i, p): (u32, &crate::fixed_axes::AxesPatch)| {
+                    Some((i, p.next?, LinkKind::Side))
+                };
                 links.extend((0..).zip(space.patches()).filter_map(next));
             }
             Self::Planar(space) => {
@@ -109,7 +110,7 @@ impl PairSpace {
         let regions: Vec<(Coordinates, bool)> = match self {
             Self::Lower(_) => Vec::new(),
             Self::FixedAxes(space) => {
-                let region = |r: crate::axes::AxesRegion| {
+                let region = |r: crate::fixed_axes::AxesRegion| {
                     let (u, v) = r.sample;
                     let open = [r.open_u, r.open_v].iter().any(|o| o.0 || o.1);
                     (Coordinates::Axes { u, v }, open || r.around_u || r.around_v)

@@ -1,7 +1,7 @@
 //! Numbers of what a space consists of. Each kind has a type of its own, so that they cannot be mixed up.
 
-use crate::axes::Role;
 use crate::feature::FeatureName;
+use crate::fixed_axes::Role;
 
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {

@@ -2,9 +2,9 @@
 
 use core::f64::consts::TAU;
 
-use crate::axes::{Axis, AxisMotion};
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::tolerance::GROWTH;
+use crate::fixed_axes::{Axis, AxisMotion};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::part::Part;
 use crate::query::Classification;

@@ -1,8 +1,8 @@
 //! Contact patches of pairs of any class, with their contact functions in the user's coordinates.
 
-use crate::axes::{Axis, AxisMotion};
 use crate::contact::{ContactValue, FeatureShape, Placement, Touching, contact_function, touching};
 use crate::feature::{FeatureKind, FeatureName};
+use crate::fixed_axes::{Axis, AxisMotion};
 use crate::number::{Dual, Scalar, SecondOrder};
 use crate::part::Part;
 

@@ -1,5 +1,6 @@
 //! Questions to the configuration space of a pair of any class.
 
+use crate::fixed_axes::AxesMotionOutcome;
 use crate::geometry::Configuration;
 use crate::query::{Classification, MotionError, MotionOutcome};
 
@@ -217,7 +218,18 @@ impl PairSpace {
                 Self::FixedAxes(space),
                 Coordinates::Axes { u, v },
                 Coordinates::Axes { u: du, v: dv },
-            ) => Ok(space.first_contact((u, v), (du, dv), duration)?),
+            ) => Ok(match space.first_contact((u, v), (du, dv), duration)? {
+                AxesMotionOutcome::Free => PairMotion::Free,
+                AxesMotionOutcome::Leaves { time } => PairMotion::Leaves { time },
+                AxesMotionOutcome::Contact(contact) => PairMotion::Contact(PairContact {
+                    time: contact.time,
+                    at: Coordinates::Axes {
+                        u: contact.at.0,
+                        v: contact.at.1,
+                    },
+                    patch: PatchId(contact.patch),
+                }),
+            }),
             (Self::Planar(space), Coordinates::Planar(c), Coordinates::Planar(d)) => {
                 let outcome = space.first_contact(c, [d.x, d.y, d.theta], duration)?;
                 Ok(match outcome {

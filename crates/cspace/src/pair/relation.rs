@@ -1,6 +1,6 @@
 //! How two parts are related, and so what class of pair they are.
 
-use crate::axes::Axis;
+use crate::fixed_axes::Axis;
 use crate::geometry::Configuration;
 
 use super::lower::Joint;

@@ -1,6 +1,6 @@
 //! Configuration spaces of pairs of any class as plain data.
 
-use crate::axes::SavedAxesSpace;
+use crate::fixed_axes::SavedAxesSpace;
 use crate::space::{SAVED_VERSION, SavedError, SavedPart, SavedSpace, check_head};
 
 use super::lower::{Joint, LowerPair, PermanentContact};

@@ -1,6 +1,6 @@
 //! The configuration space of a pair of any class.
 
-use crate::axes::{AxesError, FixedAxesSpace};
+use crate::fixed_axes::{AxesError, FixedAxesSpace};
 use crate::part::Part;
 use crate::space::{ComputeError, ContactSpace, FeatureCounts, Options, Progress};
 
@@ -10,7 +10,7 @@ use super::relation::{PairClass, Relation};
 /// The configuration space of two parts, by the method of their class.
 ///
 /// ```
-/// use cspace::axes::{Axis, AxisMotion};
+/// use cspace::fixed_axes::{Axis, AxisMotion};
 /// use cspace::pair::{Coordinates, PairClass, PairSpace, Relation};
 /// use cspace::{Classification, Options, Part, Point, Vector, Vertex};
 /// let square = |name: &str, x: f64| {

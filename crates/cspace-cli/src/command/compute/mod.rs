@@ -4,7 +4,7 @@ mod text;
 
 use std::time::Instant;
 
-use cspace::axes::{AxesRegion, AxesStatistics};
+use cspace::fixed_axes::{AxesRegion, AxesStatistics};
 use cspace::pair::{Joint, PermanentContact};
 use cspace::{Axis, Decisions, FreeRegion, PairSpace, StageSeconds, Statistics, Window};
 use serde::Serialize;

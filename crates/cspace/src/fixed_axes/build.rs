@@ -1,0 +1,303 @@
+//! All pieces of contact curves, not yet cut by each other.
+//!
+//! Of every orbit of features of the swept part one is looked at, over its full turn; what it touches in the k-th copy of
+//! the window its k-th image touches in the window itself (`repeats`).
+
+use super::condition::{Carriers, Condition};
+use super::cycle::Cycle;
+use super::piece::End;
+use super::piece::Key;
+use super::piece::Name;
+use super::piece::Pair;
+use super::piece::Piece;
+use super::piece::Spot;
+use super::reach::Apart;
+use super::reach::reaches;
+use super::scene::Scene;
+use super::tolerance::INDEPENDENT;
+use crate::feature::Feature;
+use crate::feature::tolerance::SMALLEST_CIRCLE;
+use crate::parallel::prelude::*;
+use crate::union_find::UnionFind;
+use core::f64::consts::TAU;
+
+/// A section shorter than this (in x, radians or length) is not tested: near a turning y moves with the square root of x, and
+/// so does its rounding.
+pub(super) const SHORT: f64 = 1e-13;
+
+/// A place on a curve where a section may end.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cut {
+    /// Where it is on the curve of the feature that stands for its orbit.
+    pub(super) x: f64,
+    /// Where its node is in the window, and in which copy of it x is: rounding may put it beyond a turning.
+    pub(super) at: f64,
+    pub(super) copy: u32,
+    pub(super) y: f64,
+    pub(super) name: Name,
+    pub(super) root: u8,
+    /// Whether one of the features gives way to its neighbour here, so that the curve ends.
+    pub(super) ends: bool,
+    /// Which seam it is, and at the end of a turn the next one.
+    pub(super) x_turn: i32,
+}
+
+impl Cut {
+    /// Its key where it belongs to a pair, so many turns of x on.
+    pub(super) fn key(&self, pair: u32, turn: i32) -> Key {
+        Key {
+            name: match self.name {
+                Name::Turning(_, i) => Name::Turning(pair, i),
+                Name::Same(_, i) => Name::Same(pair, i),
+                other => other,
+            },
+            root: self.root,
+            x_turn: turn + self.x_turn,
+            y_turn: 0,
+        }
+    }
+}
+
+pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
+    let first = reaches(&scene.first.outline.features, scene, true);
+    let second = reaches(&scene.second.outline.features, scene, false);
+    let apart = Apart::new(scene);
+    // One share for each feature of the first part that stands for its orbit, put together in order.
+    let standing: Vec<u32> = (0..first.len() as u32)
+        .filter(|&i| scene.repeats.feature(i).steps == 0)
+        .collect();
+    let shares: Vec<(Vec<Pair>, Vec<Piece>)> = standing
+        .par_iter()
+        .map(|&ia| {
+            let mut builder = Builder {
+                scene,
+                pairs: Vec::new(),
+                pieces: Vec::new(),
+                spots: Vec::new(),
+                breaks: Vec::new(),
+                instances: Vec::new(),
+            };
+            for (ib, rb) in (0u32..).zip(&second) {
+                if apart.may_meet(&first[ia as usize], rb) {
+                    builder.add(ia, ib);
+                }
+            }
+            (builder.pairs, builder.pieces)
+        })
+        .collect();
+    let (mut pairs, mut pieces) = (Vec::new(), Vec::new());
+    for (some_pairs, some_pieces) in shares {
+        let shift = pairs.len() as u32;
+        pairs.extend(some_pairs);
+        pieces.extend(some_pieces.into_iter().map(|p| p.renumbered(|i| i + shift)));
+    }
+    contract(&pairs, &mut pieces);
+    snap(&pairs, &mut pieces);
+    (pairs, pieces)
+}
+
+pub(super) struct Builder<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) pairs: Vec<Pair>,
+    pub(super) pieces: Vec<Piece>,
+    pub(super) spots: Vec<Spot>,
+    pub(super) breaks: Vec<f64>,
+    /// Of the pair that is looked at, its images by copies of the window, and whether pieces came of them.
+    instances: Vec<Option<(u32, bool)>>,
+}
+
+impl Builder<'_> {
+    fn add(&mut self, ia: u32, ib: u32) {
+        let scene = self.scene;
+        let Some(carriers) = carriers(scene, ia, ib) else {
+            return;
+        };
+        let turning = scene.motions.first.turns() || scene.motions.second.turns();
+        if !turning && !scene.normals_meet(ia, ib) {
+            return;
+        }
+        let rep = Pair {
+            first: ia,
+            second: ib,
+            condition: Condition::new(carriers, scene.motions),
+        };
+        self.instances.clear();
+        self.instances.resize(scene.repeats.fold as usize, None);
+        let mut spots = core::mem::take(&mut self.spots);
+        spots.clear();
+        scene.spots(ia, ib, |s| spots.push(s));
+        if rep.condition.is_vertical() {
+            self.add_verticals(&rep, &spots);
+        } else {
+            self.add_graphs(&rep, &spots);
+        }
+        self.spots = spots;
+    }
+
+    /// The image of a pair that touches in the window where it touches in a copy of the window, and how many pieces there
+    /// are before any are added to it.
+    pub(super) fn instance(&mut self, rep: &Pair, copy: u32) -> (usize, u32) {
+        let before = self.pieces.len();
+        if let Some((known, _)) = self.instances[copy as usize] {
+            return (before, known);
+        }
+        let first = self.scene.repeats.image(rep.first, copy);
+        let condition = carriers(self.scene, first, rep.second)
+            .map_or(rep.condition, |c| Condition::new(c, self.scene.motions));
+        self.pairs.push(Pair {
+            first,
+            second: rep.second,
+            condition,
+        });
+        let pair = self.pairs.len() as u32 - 1;
+        self.instances[copy as usize] = Some((pair, false));
+        (before, pair)
+    }
+
+    /// Drops the last image again if no piece came of it, now or before.
+    pub(super) fn keep_instance(&mut self, before: usize, copy: u32) {
+        let slot = &mut self.instances[copy as usize];
+        let Some((pair, used)) = slot else {
+            return;
+        };
+        *used |= self.pieces.len() > before;
+        if !*used && *pair as usize + 1 == self.pairs.len() {
+            self.pairs.pop();
+            *slot = None;
+        }
+    }
+}
+
+// Pieces put in order where rounding leaves slivers.
+
+/// Takes out pieces too short to have a place, and makes their two ends one.
+///
+/// They are what rounding leaves between a turning and a node that is exactly there: a follower's joint where its arc
+/// touches a line at the largest distance from the pivot.
+pub(super) fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
+    let short = |p: &Piece| {
+        !p.vertical
+            && !pairs[p.pair as usize].condition.is_vertical()
+            && (p.end.x - p.start.x).abs() < SHORT
+            && p.start.key.name != Name::Limit
+            && p.end.key.name != Name::Limit
+    };
+    let mut same: Vec<(End, End)> = pieces
+        .iter()
+        .filter(|p| short(p))
+        .map(|p| (p.start, p.end))
+        .collect();
+    if same.is_empty() {
+        return;
+    }
+    pieces.retain(|p| !short(p));
+    let mut keys: Vec<Key> = same.iter().flat_map(|s| [s.0.key, s.1.key]).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    let index = |key: Key| keys.binary_search(&key).ok();
+    let mut sets = UnionFind::new(keys.len());
+    let mut places: Vec<Option<End>> = vec![None; keys.len()];
+    for (a, b) in &same {
+        if let (Some(i), Some(j)) = (index(a.key), index(b.key)) {
+            sets.union(i as u32, j as u32);
+            places[i] = Some(*a);
+            places[j] = Some(*b);
+        }
+    }
+    same.clear();
+    for end in pieces.iter_mut().flat_map(|p| [&mut p.start, &mut p.end]) {
+        let Some(k) = index(end.key) else { continue };
+        // The first of a set stands for it: nodes come before turnings.
+        if let Some(place) = places[sets.find(k as u32) as usize] {
+            end.turns += ((end.base - place.base) / TAU).round() as i32;
+            (end.key, end.x, end.base) = (place.key, place.x, place.base);
+        }
+    }
+}
+
+/// Gives all ends that rounding alone keeps from the x of a vertical piece that x, so that they agree on what is left of
+/// it.
+pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
+    let mut xs: Vec<f64> = pieces
+        .iter()
+        .filter(|p| p.vertical)
+        .flat_map(|p| [p.start.x, p.end.x])
+        .collect();
+    xs.sort_by(f64::total_cmp);
+    // One value for each cluster.
+    let mut clusters: Vec<(f64, f64)> = Vec::new();
+    for x in xs {
+        match clusters.last_mut() {
+            Some(last) if x - last.1 < INDEPENDENT => last.1 = x,
+            _ => clusters.push((x, x)),
+        }
+    }
+    if clusters.is_empty() {
+        return;
+    }
+    for p in pieces {
+        for end in [&mut p.start, &mut p.end] {
+            let k = clusters.partition_point(|c| c.1 + INDEPENDENT < end.x);
+            if let Some(c) = clusters.get(k).filter(|c| c.0 - INDEPENDENT < end.x) {
+                end.x = c.0;
+            }
+        }
+        if !p.vertical && p.start.x == p.end.x {
+            p.stand_up(pairs);
+        }
+    }
+}
+
+/// The condition of a pair of features, if they can touch.
+pub(super) fn carriers(scene: &Scene, ia: u32, ib: u32) -> Option<Carriers> {
+    let (a, b) = (scene.first_feature(ia), scene.second_feature(ib));
+    let found = by_centres(scene, a, b)?;
+    if a.near.is_none() && b.near.is_none() {
+        return Some(found);
+    }
+    Some(Carriers::Cycles {
+        first: Cycle::of(&scene.first, a),
+        second: Cycle::of(&scene.second, b),
+    })
+}
+
+/// The condition of two features by the centres of those that are round.
+fn by_centres(scene: &Scene, a: &Feature, b: &Feature) -> Option<Carriers> {
+    match (a.is_line(), b.is_line()) {
+        (true, false) if b.radius() >= 0.0 => {
+            let joint = scene.first.outline.start(a);
+            Some(Carriers::FirstLine {
+                normal: joint.normal,
+                through: joint.point,
+                point: b.center(),
+                radius: b.radius(),
+            })
+        }
+        (false, true) if a.radius() >= 0.0 => {
+            let joint = scene.second.outline.start(b);
+            Some(Carriers::SecondLine {
+                normal: joint.normal,
+                through: joint.point,
+                point: a.center(),
+                radius: a.radius(),
+            })
+        }
+        (false, false) => {
+            let radius = a.radius() + b.radius();
+            let convex = a.radius() >= 0.0 && b.radius() >= 0.0;
+            let concave = a.radius() < 0.0 && b.radius() < 0.0;
+            let touch = !concave
+                && if convex {
+                    radius >= SMALLEST_CIRCLE
+                } else {
+                    radius <= -SMALLEST_CIRCLE
+                };
+            touch.then_some(Carriers::Circles {
+                first: a.center(),
+                second: b.center(),
+                radius,
+            })
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,332 @@
+//! Which cells bound free space: one honest test of overlap for each chain.
+
+use super::arrange::Arrangement;
+use super::arrange::Cell;
+use super::domain::Extent;
+use super::motion::Motions;
+use super::piece::Pair;
+use super::piece::Piece;
+use super::place::crossing_of_level;
+use crate::contact::Body;
+use crate::contact::overlap;
+use crate::parallel::prelude::*;
+use core::f64::consts::TAU;
+
+/// How far the free side is looked at (radians or length).
+const STEP: f64 = 1.0 / 256.0;
+/// Slots of x in which pieces are looked up.
+const SLOTS: usize = 256;
+/// A cell steeper than this is left sideways.
+const STEEP: f64 = 1e3;
+/// So many cells of a chain, the largest, are tested; if they disagree, all are.
+const TRIED: usize = 3;
+/// A place no farther than this from the next curve tells nothing (radians or length): it is about what the first part
+/// is grown by.
+const TOO_NEAR: f64 = 1e-11;
+/// A place at least this far from the next curve is clear of all (radians or length): no rounding puts it into another gap.
+const CLEAR: f64 = 1e-8;
+
+pub(super) struct Judge<'a> {
+    pub(super) pairs: &'a [Pair],
+    pub(super) pieces: &'a [Piece],
+    pub(super) bodies: &'a Bodies,
+    pub(super) y: Extent,
+    x: Extent,
+    width: f64,
+    slots: Vec<Vec<u32>>,
+}
+
+/// The verdict on every cell.
+pub(super) struct Verdicts {
+    pub(super) free: Vec<bool>,
+    pub(super) tests: usize,
+    pub(super) conflicts: usize,
+    /// Configurations beside cells, clear of all curves, at which the parts overlap.
+    pub(super) overlaps: Vec<(f64, f64)>,
+}
+
+/// The verdict on a chain.
+struct Judged {
+    free: Vec<u32>,
+    tests: usize,
+    /// Whether tests disagreed with each other, or with what is known of the chain.
+    conflict: bool,
+    overlaps: Vec<(f64, f64)>,
+}
+
+impl<'a> Judge<'a> {
+    pub(super) fn new(
+        pairs: &'a [Pair],
+        pieces: &'a [Piece],
+        bodies: &'a Bodies,
+        x: Extent,
+        y: Extent,
+    ) -> Self {
+        let width = (x.hi - x.lo).max(f64::MIN_POSITIVE) / SLOTS as f64;
+        let slot = |at: f64| (((at - x.lo) / width).max(0.0) as usize).min(SLOTS - 1);
+        let mut slots = vec![Vec::new(); SLOTS];
+        for (i, p) in (0u32..).zip(pieces) {
+            for s in &mut slots[slot(p.start.x)..=slot(p.end.x)] {
+                s.push(i);
+            }
+        }
+        Self {
+            pairs,
+            pieces,
+            bodies,
+            y,
+            x,
+            width,
+            slots,
+        }
+    }
+
+    pub(super) fn verdicts(&self, arrangement: &Arrangement) -> Verdicts {
+        let n = arrangement.cells.len();
+        let mut order: Vec<u32> = (0..n as u32).collect();
+        order.sort_by_key(|&i| (arrangement.chain[i as usize], i));
+        let mut verdicts = Verdicts {
+            free: vec![false; n],
+            tests: 0,
+            conflicts: 0,
+            overlaps: Vec::new(),
+        };
+        let chain = |i: &u32| arrangement.chain[*i as usize];
+        let chains: Vec<&[u32]> = order.chunk_by(|a, b| chain(a) == chain(b)).collect();
+        let judged: Vec<Judged> = chains
+            .par_iter()
+            .map(|members| self.judge_chain(&arrangement.cells, members))
+            .collect();
+        for chain in judged {
+            verdicts.tests += chain.tests;
+            verdicts.conflicts += usize::from(chain.conflict);
+            verdicts.overlaps.extend(chain.overlaps);
+            for i in chain.free {
+                verdicts.free[i as usize] = true;
+            }
+        }
+        verdicts
+    }
+
+    /// The verdict on every cell by a test beside it alone, whatever it crosses and follows.
+    pub(super) fn one_by_one(&self, cells: &[Cell]) -> Verdicts {
+        let free: Vec<bool> = cells.par_iter().map(|c| self.tests_free(c)).collect();
+        Verdicts {
+            free,
+            tests: cells.len(),
+            conflicts: 0,
+            overlaps: Vec::new(),
+        }
+    }
+
+    /// Whether the free side of a cell is free.
+    fn tests_free(&self, cell: &Cell) -> bool {
+        self.beside(cell)
+            .is_some_and(|(x, y, _)| !self.bodies.overlap(x, y))
+    }
+
+    fn judge_chain(&self, cells: &[Cell], members: &[u32]) -> Judged {
+        let blocked = members.iter().any(|&i| cells[i as usize].blocked);
+        let mut open: Vec<(f64, u32)> = members
+            .iter()
+            .filter(|&&i| !cells[i as usize].blocked)
+            .map(|&i| (self.size(&cells[i as usize]), i))
+            .collect();
+        open.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut judged = Judged {
+            free: Vec::new(),
+            tests: 0,
+            conflict: false,
+            overlaps: Vec::new(),
+        };
+        // The largest cells: a place far enough from other curves is beside one of them, if anywhere.
+        let mut verdicts: Vec<bool> = Vec::new();
+        for o in &open[..open.len().min(TRIED)] {
+            if let Some((x, y, reach)) = self.beside(&cells[o.1 as usize]) {
+                let free = !self.bodies.overlap(x, y);
+                verdicts.push(free);
+                if !free && reach > CLEAR {
+                    judged.overlaps.push((x, y));
+                }
+            }
+        }
+        judged.tests = verdicts.len();
+        if !verdicts.contains(&true) {
+            return judged;
+        }
+        if !blocked && !verdicts.contains(&false) {
+            judged.free = members.to_vec();
+            return judged;
+        }
+        // All should be free or blocked, and blocked where one is: rounding has gone astray, or something is closer than the resolution.
+        judged.conflict = true;
+        judged.tests += open.len();
+        let free = open.iter().map(|o| o.1);
+        judged.free = free
+            .filter(|&i| self.tests_free(&cells[i as usize]))
+            .collect();
+        judged
+    }
+
+    /// How far a cell reaches.
+    fn size(&self, c: &Cell) -> f64 {
+        let p = &self.pieces[c.piece as usize];
+        if p.vertical {
+            c.to - c.from
+        } else {
+            (c.to - c.from).max((p.y(self.pairs, c.to) - p.y(self.pairs, c.from)).abs())
+        }
+    }
+
+    /// A configuration beside the middle of a cell, half way to the next curve on its free side, and how far that is.
+    fn beside(&self, c: &Cell) -> Option<(f64, f64, f64)> {
+        let p = &self.pieces[c.piece as usize];
+        let middle = 0.5 * (c.from + c.to);
+        let free_up = p.root == 0;
+        if p.vertical {
+            return self.beside_steep(c, p.start.x, middle, free_up);
+        }
+        let (at_from, at_to) = (p.y(self.pairs, c.from), p.y(self.pairs, c.to));
+        let y = p.y(self.pairs, middle);
+        if (at_to - at_from).abs() > STEEP * (c.to - c.from) {
+            let level = 0.5 * (at_from + at_to);
+            let x = crossing_of_level(p, self.pairs, level);
+            let rising = at_to > at_from;
+            return self.beside_steep(c, x, level, free_up != rising);
+        }
+        // Up or down to the next curve at this x.
+        let sign = if free_up { 1.0 } else { -1.0 };
+        let mut reach = STEP;
+        for &j in self.slot(middle) {
+            let q = &self.pieces[j as usize];
+            if j == c.piece || q.vertical || !(q.start.x..=q.end.x).contains(&middle) {
+                continue;
+            }
+            let ahead = |to: f64| {
+                let d = sign * (to - y);
+                if self.y.is_circle() {
+                    d - TAU * (d / TAU).floor()
+                } else {
+                    d
+                }
+            };
+            // Nothing of it is within reach if both ends of its box are beyond, the nearer one first.
+            let (lo, hi) = q.y_range();
+            let (near, far) = if free_up { (lo, hi) } else { (hi, lo) };
+            let to_near = ahead(near);
+            if to_near > reach && (!self.y.is_circle() || ahead(far) >= to_near && hi - lo < TAU) {
+                continue;
+            }
+            let d = ahead(q.y(self.pairs, middle));
+            // What lies on top of this piece and faces the same way is no end of the free side.
+            if d > 0.0 && !(d < TOO_NEAR && q.root == p.root) {
+                reach = reach.min(d);
+            }
+        }
+        if !self.y.is_circle() {
+            reach = reach.min(if free_up {
+                self.y.hi - y
+            } else {
+                y - self.y.lo
+            });
+        }
+        (reach > TOO_NEAR).then_some((middle, y + 0.5 * sign * reach, reach))
+    }
+
+    /// Left or right to the next curve at this y.
+    fn beside_steep(&self, c: &Cell, x: f64, y: f64, right: bool) -> Option<(f64, f64, f64)> {
+        let sign = if right { 1.0 } else { -1.0 };
+        // Not beyond the end of what is computed.
+        let end = if right { self.x.hi - x } else { x - self.x.lo };
+        let mut reach = STEP.min(end);
+        let (a, b) = (x.min(x + sign * STEP), x.max(x + sign * STEP));
+        let slot = |at: f64| (((at - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        for s in slot(a)..=slot(b) {
+            for &j in &self.slots[s] {
+                let q = &self.pieces[j as usize];
+                if j == c.piece || q.end.x < a || q.start.x > b {
+                    continue;
+                }
+                let (lo, hi) = q.y_range();
+                let shift = if self.y.is_circle() {
+                    TAU * ((lo - y) / TAU).ceil()
+                } else {
+                    0.0
+                };
+                let level = y + shift;
+                if level < lo || level > hi {
+                    continue;
+                }
+                let Some(d) = self.ahead_at_level(q, level, x, sign, reach) else {
+                    continue;
+                };
+                let q_right = if q.vertical {
+                    q.root == 0
+                } else {
+                    (q.root == 0) != (q.start.y() < q.end.y())
+                };
+                if d > 0.0 && !(d < TOO_NEAR && q_right == right) {
+                    reach = reach.min(d);
+                }
+            }
+        }
+        (reach > TOO_NEAR).then_some((x + 0.5 * sign * reach, y, reach))
+    }
+
+    /// How far ahead of x, at most `reach`, a piece comes to a level. It is asked for the middle of what is free, so a
+    /// thousandth of the distance does.
+    fn ahead_at_level(&self, q: &Piece, level: f64, x: f64, sign: f64, reach: f64) -> Option<f64> {
+        if q.vertical {
+            let d = sign * (q.start.x - x);
+            return (d > 0.0).then_some(d);
+        }
+        // The part of the piece that lies ahead and within reach.
+        let ahead = |at: f64| sign * (at - x);
+        let (near, far) = if sign > 0.0 {
+            (q.start.x, q.end.x)
+        } else {
+            (q.end.x, q.start.x)
+        };
+        let (mut near, mut far) = (ahead(near).max(0.0), ahead(far).min(reach));
+        if near > far {
+            return None;
+        }
+        let above = |d: f64| q.y(self.pairs, x + sign * d) > level;
+        let begins = above(near);
+        if above(far) == begins {
+            return None;
+        }
+        while far - near > 1e-3 * near && far > TOO_NEAR {
+            let middle = 0.5 * (near + far);
+            if above(middle) == begins {
+                near = middle;
+            } else {
+                far = middle;
+            }
+        }
+        Some(if near > 0.0 { near } else { far })
+    }
+
+    fn slot(&self, x: f64) -> &[u32] {
+        let s = (((x - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
+        &self.slots[s]
+    }
+}
+
+// The two bodies, for honest tests of overlap.
+
+/// Both parts, ready to be placed.
+#[derive(Debug)]
+pub(super) struct Bodies {
+    pub(super) first: Body,
+    pub(super) second: Body,
+    pub(super) motions: Motions,
+}
+
+impl Bodies {
+    /// Whether the parts overlap at (x, y). Certain away from contact.
+    pub(super) fn overlap(&self, x: f64, y: f64) -> bool {
+        let (p, theta) = self.motions.relative(x, y);
+        overlap(&self.first, &self.second, p, theta)
+    }
+}

@@ -1,0 +1,145 @@
+//! How a part moves on its axis, in the frame of the pair.
+
+use crate::geometry::{Point, Rotation, Vector};
+
+/// A motion of one degree of freedom at most, with coordinate t.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) enum Motion {
+    /// No motion.
+    Still,
+    /// q → c + `R_t` (q − c).
+    Turn { center: Point },
+    /// q → q + t d, with d of length one.
+    Slide { direction: Vector },
+}
+
+impl Motion {
+    /// Where a point of the part is.
+    #[inline]
+    pub(super) fn point(&self, t: f64, p: Point) -> Point {
+        match *self {
+            Self::Still => p,
+            Self::Turn { center } => center + Rotation::by(t) * (p - center),
+            Self::Slide { direction } => p + direction * t,
+        }
+    }
+
+    /// Where a direction of the part points.
+    #[inline]
+    pub(super) fn vector(&self, t: f64, v: Vector) -> Vector {
+        match self {
+            Self::Turn { .. } => Rotation::by(t) * v,
+            _ => v,
+        }
+    }
+
+    /// By how much the part has turned, radians.
+    #[inline]
+    pub(super) fn angle(&self, t: f64) -> f64 {
+        if self.turns() { t } else { 0.0 }
+    }
+
+    /// The velocity by t of the point of the part that is now at `p`.
+    #[inline]
+    pub(super) fn velocity(&self, p: Point) -> Vector {
+        match *self {
+            Self::Still => Vector::ZERO,
+            Self::Turn { center } => (p - center).left(),
+            Self::Slide { direction } => direction,
+        }
+    }
+
+    pub(super) fn turns(&self) -> bool {
+        matches!(self, Self::Turn { .. })
+    }
+}
+
+/// The motions of both parts.
+///
+/// The first has the coordinate x along which the plane is swept, the second the coordinate y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Motions {
+    pub(super) first: Motion,
+    pub(super) second: Motion,
+}
+
+impl Motions {
+    pub(super) fn swapped(&self) -> Self {
+        Self {
+            first: self.second,
+            second: self.first,
+        }
+    }
+
+    /// Whether both parts turn about one point.
+    pub(super) fn share_a_pivot(&self) -> bool {
+        match (self.first, self.second) {
+            (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
+                c.distance(d) < super::tolerance::INDEPENDENT
+            }
+            _ => false,
+        }
+    }
+
+    /// Makes pivots one that are nearer to each other than `near`, and tells how far that takes any place of the second
+    /// part: its turns about both differ by (1 − R)(c − d).
+    ///
+    /// A corner at both pivots would touch the other part's sides there, or not, wherever the parts are.
+    pub(super) fn join_pivots(&mut self, near: f64) -> f64 {
+        let (Motion::Turn { center: c }, Motion::Turn { center: d }) = (self.first, self.second)
+        else {
+            return 0.0;
+        };
+        let apart = c.distance(d);
+        if apart >= near {
+            return 0.0;
+        }
+        self.second = self.first;
+        2.0 * apart
+    }
+
+    /// Makes slides parallel that are so but for less than `near`, and tells the angle by which the second's direction is
+    /// turned (radians).
+    pub(super) fn join_slides(&mut self, near: f64) -> f64 {
+        let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
+            (self.first, self.second)
+        else {
+            return 0.0;
+        };
+        let angle = d.cross(e).abs();
+        if angle >= near {
+            return 0.0;
+        }
+        let direction = d * d.dot(e).signum();
+        self.second = Motion::Slide { direction };
+        angle
+    }
+
+    /// The sine of the angle between the directions, if both parts slide.
+    pub(super) fn between_slides(&self) -> Option<f64> {
+        match (self.first, self.second) {
+            (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
+                Some(d.cross(e).abs())
+            }
+            _ => None,
+        }
+    }
+
+    /// The orientation of the second part seen from the first.
+    #[inline]
+    pub(super) fn theta(&self, x: f64, y: f64) -> f64 {
+        self.second.angle(y) - self.first.angle(x)
+    }
+
+    /// Where the first part's frame sees the origin of the second's, and its orientation.
+    pub(super) fn relative(&self, x: f64, y: f64) -> (Point, f64) {
+        let world = self.second.point(y, Point::ORIGIN);
+        let seen = match self.first {
+            Motion::Slide { direction } => world + direction * -x,
+            turn => turn.point(-x, world),
+        };
+        (seen, self.theta(x, y))
+    }
+}

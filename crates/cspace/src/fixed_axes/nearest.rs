@@ -1,0 +1,127 @@
+//! The nearest contact, one part being moved and the other held.
+
+use core::f64::consts::TAU;
+
+use super::domain::{Extent, brought_between};
+use super::motion::Motion;
+use super::space::FixedAxesSpace;
+use super::tolerance::NEAR;
+
+/// The contact nearest to a configuration when one part alone is moved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearestOnAxes {
+    /// The contact curve it is on.
+    pub patch: u32,
+    /// The configuration (u, v) in contact.
+    pub at: (f64, f64),
+    /// How far the part moves: radians of one that turns, length of one that slides.
+    pub distance: f64,
+}
+
+/// Halvings of an interval until its ends are neighbours, or nearly.
+const HALVINGS: usize = 80;
+
+impl FixedAxesSpace {
+    /// The contact nearest to (u, v), free or blocked, when the moving part alone is moved: u stays. If the moving part does
+    /// not move, the fixed part is moved and v stays. From a free configuration this is the play to the nearer side.
+    ///
+    /// `None` outside the ranges of motion, or if nothing touches however the part is moved.
+    ///
+    /// Along each branch the other coordinate is a monotone function in closed form, or is solved for by halving.
+    ///
+    /// ```
+    /// use cspace::{Axis, FixedAxesSpace, Part, Vector, Vertex};
+    /// let square = |name: &str, x: f64| {
+    ///     let corners = [(x - 1.0, -1.0), (x + 1.0, -1.0), (x + 1.0, 1.0), (x - 1.0, 1.0)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let slide = Axis::prismatic(Vector::new(-1.0, 0.0));
+    /// let space = FixedAxesSpace::compute(&square("wall", 0.0)?, Axis::FIXED, &square("slider", 5.0)?, slide)?;
+    /// let nearest = space.nearest_contact(0.0, 1.0).ok_or("there is one")?;
+    /// assert!((nearest.distance - 2.0).abs() < 1e-9 && (nearest.at.1 - 3.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn nearest_contact(&self, u: f64, v: f64) -> Option<NearestOnAxes> {
+        let (x, y) = self.placed(u, v)?;
+        let first_still = self.motions.first == Motion::Still;
+        let second_still = self.motions.second == Motion::Still;
+        let swapped = self.map.swapped;
+        // x is u, unless they are swapped.
+        let moves_v = !if swapped { first_still } else { second_still };
+        let one_line = self.on_one_line();
+        let moves_y = moves_v != swapped;
+        // On one line only y less so many x counts: moving x moves that the other way.
+        let rate = one_line.filter(|_| !moves_y).map_or(1.0, |share| -share);
+        let along_y = moves_y || one_line.is_some();
+        let (held, moved) = if along_y { (x, y) } else { (y, x) };
+        let extent = if along_y { &self.y } else { &self.x };
+        let (unit_u, unit_v) = self.map.units();
+        let unit = if moves_v { unit_v } else { unit_u };
+        let mut nearest: Option<NearestOnAxes> = None;
+        for b in &self.branches {
+            let Some(t) = self.beside(b.cell(), held, moved, along_y) else {
+                continue;
+            };
+            let by = extent.apart(t, moved) / rate * unit;
+            let found = NearestOnAxes {
+                patch: b.patch,
+                at: if moves_v { (u, v + by) } else { (u + by, v) },
+                distance: by.abs(),
+            };
+            if nearest.is_none_or(|n| (found.distance, found.patch) < (n.distance, n.patch)) {
+                nearest = Some(found);
+            }
+        }
+        nearest
+    }
+
+    /// The value of the moved coordinate, nearest to the given, at which a cell has the held one.
+    fn beside(&self, cell: u32, held: f64, moved: f64, along_y: bool) -> Option<f64> {
+        let (x_range, y_range) = self.cell_box(cell);
+        let (c, p) = self.cell_and_piece(cell);
+        let (across, along) = if along_y {
+            ((x_range, &self.x), (y_range, &self.y))
+        } else {
+            ((y_range, &self.y), (x_range, &self.x))
+        };
+        let (lo, hi) = across.0;
+        let s = across.1.brought(held, across.0, NEAR)?;
+        let s = brought_between(s, lo, hi);
+        if hi - lo <= NEAR {
+            // It stays while the other coordinate moves: the nearest of all that it has.
+            return Some(nearest_of(along.0, moved, along.1));
+        }
+        if along_y {
+            return Some(p.y(&self.pairs, s));
+        }
+        if p.vertical {
+            return Some(p.start.x);
+        }
+        let (mut from, mut to) = (c.from, c.to);
+        let rises = p.y(&self.pairs, from) < p.y(&self.pairs, to);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (from + to);
+            if (p.y(&self.pairs, middle) < s) == rises {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        Some(0.5 * (from + to))
+    }
+}
+
+/// The value of a range that is nearest to the given.
+fn nearest_of((lo, hi): (f64, f64), t: f64, extent: &Extent) -> f64 {
+    if !extent.is_circle() {
+        return brought_between(t, lo, hi);
+    }
+    let brought = lo + (t - lo).rem_euclid(TAU);
+    if brought <= hi {
+        brought
+    } else if extent.apart(t, lo).abs() < extent.apart(t, hi).abs() {
+        lo
+    } else {
+        hi
+    }
+}

@@ -1,0 +1,258 @@
+//! Pieces in every turn of y, cut to the limits of motion.
+
+use super::build::Builder;
+use super::condition::Carriers;
+use super::cycle;
+use super::cycle::Cycle;
+use super::domain::ExtentKind;
+use super::domain::brought_between;
+use super::domain::wrapped;
+use super::piece::End;
+use super::piece::Key;
+use super::piece::Name;
+use super::piece::Pair;
+use super::piece::Piece;
+use super::scene::Scene;
+use super::scene::Side;
+use super::tolerance::INDEPENDENT;
+use crate::feature::Feature;
+use crate::geometry::Point;
+use crate::geometry::Vector;
+use core::f64::consts::TAU;
+
+impl Builder<'_> {
+    /// The piece in every turn of y, cut to the limits of both coordinates.
+    pub(super) fn in_each_turn(&mut self, piece: Piece) {
+        let y = self.scene.y;
+        let (lo, hi) = piece.y_range();
+        let (first, last) = match y.kind {
+            ExtentKind::Circle => {
+                let k = -((lo - y.lo) / TAU).floor() as i32;
+                (k, k)
+            }
+            ExtentKind::TurnLimits => (
+                ((y.lo - hi) / TAU).ceil() as i32,
+                ((y.hi - lo) / TAU).floor() as i32,
+            ),
+            _ => (0, 0),
+        };
+        for k in first..=last {
+            let mut piece = piece;
+            piece.turns += k;
+            for end in [&mut piece.start, &mut piece.end] {
+                end.turns += k;
+                end.key.y_turn = if y.is_circle() { 0 } else { end.turns };
+            }
+            if let Some(piece) = self.limited(piece) {
+                self.pieces.push(piece);
+            }
+        }
+    }
+
+    /// The piece cut to the limits of x and y.
+    fn limited(&self, mut piece: Piece) -> Option<Piece> {
+        let (x, y) = (self.scene.x, self.scene.y);
+        let limit = |x: f64, base: f64| End {
+            key: Key {
+                name: Name::Limit,
+                root: 0,
+                x_turn: 0,
+                y_turn: 0,
+            },
+            x,
+            base,
+            turns: 0,
+        };
+        let limited_x = matches!(x.kind, ExtentKind::TurnLimits | ExtentKind::SlideLimits);
+        if limited_x {
+            let (x0, x1) = piece.x_range();
+            if x1 <= x.lo || x0 >= x.hi {
+                return None;
+            }
+            if !piece.vertical {
+                // A monotone piece stays between its ends, however steep it is: rounding at a pole may lead far beyond.
+                let (lowest, highest) = piece.y_range();
+                let at = |x: f64| brought_between(piece.y(&self.pairs, x), lowest, highest);
+                let (from, to) = (at(x.lo), at(x.hi));
+                if x0 < x.lo {
+                    piece.start = limit(x.lo, from);
+                }
+                if x1 > x.hi {
+                    piece.end = limit(x.hi, to);
+                }
+            }
+        }
+        if matches!(y.kind, ExtentKind::TurnLimits | ExtentKind::SlideLimits) {
+            let (lo, hi) = piece.y_range();
+            if hi <= y.lo || lo >= y.hi {
+                return None;
+            }
+            for (at, outside) in [(y.lo, lo < y.lo), (y.hi, hi > y.hi)] {
+                if outside {
+                    let x = if piece.vertical {
+                        piece.start.x
+                    } else {
+                        crossing_of_level(&piece, &self.pairs, at)
+                    };
+                    let end = limit(x, at);
+                    let start_outside = (piece.start.y() < at) == (at == y.lo);
+                    if start_outside {
+                        piece.start = end;
+                    } else {
+                        piece.end = end;
+                    }
+                }
+            }
+        }
+        Some(piece)
+    }
+}
+
+/// The x at which a monotone piece has a given y.
+pub(super) fn crossing_of_level(piece: &Piece, pairs: &[Pair], level: f64) -> f64 {
+    let (mut lo, mut hi) = piece.x_range();
+    let rising = piece.start.y() < piece.end.y();
+    loop {
+        let middle = 0.5 * (lo + hi);
+        if middle <= lo || middle >= hi {
+            return middle;
+        }
+        if (piece.y(pairs, middle) < level) == rising {
+            lo = middle;
+        } else {
+            hi = middle;
+        }
+    }
+}
+
+// Which sections of a curve are contact: where both features have the point and the normal.
+
+/// A section is tested by where its middle lies between the ends of its features. Nearer to one than this (length, or
+/// radians) the test is not trusted: what lies on the other side of the node beside it tells.
+const UNCLEAR: f64 = 1e-11;
+
+/// How far inside both features' extents the contact at (x, y) is: negative outside.
+pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
+    let (a, b) = (
+        scene.first_feature(pair.first),
+        scene.second_feature(pair.second),
+    );
+    let motions = scene.motions;
+    let theta = motions.theta(x, y);
+    let turning = motions.first.turns() || motions.second.turns();
+    let inside =
+        |f: &Feature, angle: f64| 0.5 * (f.hi - f.lo) - wrapped(angle - 0.5 * (f.lo + f.hi)).abs();
+    let on = |(start, along, length): (Point, Vector, f64), p: Point| {
+        let at = along.dot(p - start);
+        at.min(length - at)
+    };
+    let half_turn = core::f64::consts::PI;
+    match pair.condition.carriers {
+        Carriers::FirstLine { point, .. } => {
+            let (start, along, length) = scene.first.segment(a);
+            let (start, along) = (
+                motions.first.point(x, start),
+                motions.first.vector(x, along),
+            );
+            let foot = on((start, along, length), motions.second.point(y, point));
+            if turning {
+                foot.min(inside(b, a.lo + half_turn - theta))
+            } else {
+                foot
+            }
+        }
+        Carriers::SecondLine { point, .. } => {
+            let (start, along, length) = scene.second.segment(b);
+            let (start, along) = (
+                motions.second.point(y, start),
+                motions.second.vector(y, along),
+            );
+            let foot = on((start, along, length), motions.first.point(x, point));
+            if turning {
+                foot.min(inside(a, b.lo + half_turn + theta))
+            } else {
+                foot
+            }
+        }
+        Carriers::Circles {
+            first,
+            second,
+            radius,
+        } => {
+            let n =
+                (motions.second.point(y, second) - motions.first.point(x, first)) * radius.signum();
+            let angle = n.angle();
+            inside(a, angle - motions.first.angle(x))
+                .min(inside(b, angle + half_turn - motions.second.angle(y)))
+        }
+        Carriers::Cycles { first, second } => {
+            let (p, q) = (
+                first.moved(motions.first, x),
+                second.moved(motions.second, y),
+            );
+            let n = cycle::centres(&p, &q);
+            let of_first = match place(&p, &q, n) {
+                Some(at) => between_ends(&scene.first, a, &first, at),
+                None if turning || !b.is_line() => inside(a, n.angle() - motions.first.angle(x)),
+                None => f64::INFINITY,
+            };
+            let of_second = match place(&q, &p, -n) {
+                Some(at) => between_ends(&scene.second, b, &second, at),
+                None if turning || !a.is_line() => {
+                    inside(b, (-n).angle() - motions.second.angle(y))
+                }
+                None => f64::INFINITY,
+            };
+            of_first.min(of_second)
+        }
+    }
+}
+
+/// How far along the tangent of a line or large arc it is touched, from where it is told, n being K times its normal there.
+/// `None` of what is told by its centre. Never on the far side of a circle.
+///
+/// A circle has (n / K − n₁) / λ₁ from one point to the other. Along the tangent that is (λ₂ t·d − t·n₂) / K.
+fn place(own: &Cycle, other: &Cycle, n: Vector) -> Option<f64> {
+    if own.is_centred() {
+        return None;
+    }
+    if own.normal.dot(n) < 0.0 {
+        return Some(f64::INFINITY);
+    }
+    let t = own.normal.left();
+    let way = (other.through - own.through) * other.weight - other.normal;
+    Some(t.dot(way) / cycle::total(own, other))
+}
+
+/// How far inside the ends of a line or large arc a place along its tangent is.
+fn between_ends(side: &Side, f: &Feature, own: &Cycle, at: f64) -> f64 {
+    let t = own.normal.left();
+    let place = |joint: u32| t.dot(side.point(joint) - own.through);
+    (at - place(f.start)).min(place(f.end) - at)
+}
+
+/// Which sections are contact: by their margins, and where those are unclear by the section beside.
+pub(super) fn decide(margins: &[f64], ends: impl Fn(usize) -> bool) -> Vec<bool> {
+    let n = margins.len();
+    let mut verdicts: Vec<Option<bool>> = margins
+        .iter()
+        .map(|&m| (m.abs() > UNCLEAR).then_some(m > 0.0))
+        .collect();
+    for i in 1..n {
+        if verdicts[i].is_none() {
+            verdicts[i] = verdicts[i - 1].map(|before| before != ends(i));
+        }
+    }
+    for i in (0..n.saturating_sub(1)).rev() {
+        if verdicts[i].is_none() {
+            verdicts[i] = verdicts[i + 1].map(|after| after != ends(i + 1));
+        }
+    }
+    // A curve without nodes that runs along a joint of both parts for good (discs that slide along their line of centres)
+    // belongs to the features on either side of it; one is enough, more do no harm.
+    verdicts
+        .iter()
+        .zip(margins)
+        .map(|(v, m)| v.unwrap_or(n == 1 && *m > -INDEPENDENT))
+        .collect()
+}

@@ -1,0 +1,174 @@
+//! Both parts on their axes, and which of their normals oppose each other.
+
+use super::domain::Extent;
+use super::domain::wrapped;
+use super::motion::Motions;
+use super::repeats::Repeats;
+use crate::feature::Feature;
+use crate::feature::Outline;
+use crate::geometry::Point;
+use crate::geometry::Vector;
+use core::f64::consts::PI;
+
+/// Normals that oppose each other to within this do so exactly (radians): the rounding of the configurations at which that is
+/// asked, with room. Growth turns normals apart by some 1e-13, which is told: what else is known of the place agrees with it.
+const TIE: f64 = 2e-14;
+
+/// Both parts, and how they move.
+#[derive(Debug)]
+pub(super) struct Scene {
+    pub(super) first: Side,
+    pub(super) second: Side,
+    pub(super) motions: Motions,
+    pub(super) x: Extent,
+    pub(super) y: Extent,
+    /// How the first part repeats itself.
+    pub(super) repeats: Repeats,
+}
+
+impl Scene {
+    /// How far a normal of the second part is, counter-clockwise, from opposing one of the first.
+    ///
+    /// Where both oppose each other, for good or just there, the second is taken to be turned by a little more. Every
+    /// pair asks this of the same two joints, so all agree.
+    fn beyond(&self, first_angle: f64, second_angle: f64, theta: f64) -> f64 {
+        let angle = wrapped(second_angle + theta + PI - first_angle);
+        if angle.abs() < TIE { 0.0 } else { angle }
+    }
+
+    /// Whether two smooth joints between arcs oppose each other in passing. In what order the contact passes them is not
+    /// known then; so all four pairs of arcs are cut there, and where each is in contact is told away from it.
+    pub(super) fn tied(&self, first_joint: u32, second_joint: u32, theta: f64) -> bool {
+        let turning = self.motions.first.turns() || self.motions.second.turns();
+        let smooth = |side: &Side, joint: u32| {
+            side.line[joint as usize].is_none() && side.vertex[joint as usize].is_none()
+        };
+        let (a, b) = (
+            self.first.angle(first_joint),
+            self.second.angle(second_joint),
+        );
+        turning
+            && self.beyond(a, b, theta) == 0.0
+            && smooth(&self.first, first_joint)
+            && smooth(&self.second, second_joint)
+    }
+
+    /// Whether a round feature of the second part has the normal opposite to that of a joint of the first.
+    pub(super) fn second_has(&self, b: &Feature, first_joint: u32, theta: f64) -> bool {
+        let angle = self.first.angle(first_joint);
+        let (lo, hi) = b.joints_by_angle();
+        let to_lo = self.beyond(angle, self.second.angle(lo), theta);
+        let to_hi = self.beyond(angle, self.second.angle(hi), theta);
+        within(b, to_lo < 0.0, to_lo, to_hi >= 0.0, to_hi, -1.0)
+    }
+
+    /// Whether a round feature of the first part has the normal opposite to that of a joint of the second.
+    pub(super) fn first_has(&self, a: &Feature, second_joint: u32, theta: f64) -> bool {
+        let angle = self.second.angle(second_joint);
+        let (lo, hi) = a.joints_by_angle();
+        let from_lo = self.beyond(self.first.angle(lo), angle, theta);
+        let from_hi = self.beyond(self.first.angle(hi), angle, theta);
+        within(a, from_lo >= 0.0, from_lo, from_hi < 0.0, from_hi, 1.0)
+    }
+
+    /// Whether the normals of the pair can oppose each other while nothing turns.
+    pub(super) fn normals_meet(&self, ia: u32, ib: u32) -> bool {
+        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
+        match (a.is_line(), b.is_line()) {
+            (true, _) => self.second_has(b, a.start, 0.0),
+            (_, true) => self.first_has(a, b.start, 0.0),
+            _ => true,
+        }
+    }
+
+    pub(super) fn first_feature(&self, i: u32) -> &Feature {
+        &self.first.outline.features[i as usize]
+    }
+
+    pub(super) fn second_feature(&self, i: u32) -> &Feature {
+        &self.second.outline.features[i as usize]
+    }
+}
+
+/// Inside an interval of normals, given the decisions and distances at its two ends.
+fn within(f: &Feature, above_lo: bool, to_lo: f64, below_hi: bool, to_hi: f64, sign: f64) -> bool {
+    let width = f.hi - f.lo;
+    if width < PI - NEAR {
+        return above_lo && below_hi;
+    }
+    if to_lo.abs() < NEAR {
+        return above_lo;
+    }
+    if to_hi.abs() < NEAR {
+        return below_hi;
+    }
+    // Away from both ends: by the distance from the middle.
+    let from_lo = sign * to_lo;
+    wrapped(from_lo - 0.5 * width).abs() < 0.5 * width
+}
+
+// One part: its outline, and what its joints belong to.
+
+/// Normals nearer than this to an end of an interval of normals are told by that end alone (radians).
+pub(super) const NEAR: f64 = 1e-3;
+
+/// One part with what its joints belong to.
+#[derive(Debug)]
+pub(super) struct Side {
+    pub(super) outline: Outline,
+    pub(super) vertex: Vec<Option<u32>>,
+    pub(super) line: Vec<Option<u32>>,
+    pub(super) cones: Vec<Cone>,
+}
+
+/// The normals of a feature: about a middle one.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cone {
+    middle: Vector,
+    /// Cosine of half its width and a little more.
+    least: f64,
+}
+
+impl Cone {
+    fn new(f: &Feature) -> Self {
+        Self {
+            middle: Vector::from_angle(0.5 * (f.lo + f.hi)),
+            least: (0.5 * (f.hi - f.lo) + NEAR).min(PI).cos(),
+        }
+    }
+
+    /// Whether a direction is among the normals, or near to them: a quick look before the decision.
+    pub(super) fn may_hold(&self, direction: Vector) -> bool {
+        self.middle.dot(direction) >= self.least
+    }
+}
+
+impl Side {
+    pub(super) fn new(outline: Outline) -> Self {
+        Self {
+            vertex: outline.vertex_of_joint(),
+            line: outline.line_of_joint(),
+            cones: outline.features.iter().map(Cone::new).collect(),
+            outline,
+        }
+    }
+
+    pub(super) fn point(&self, joint: u32) -> Point {
+        self.outline.joints[joint as usize].point
+    }
+
+    pub(super) fn normal(&self, joint: u32) -> Vector {
+        self.outline.joints[joint as usize].normal
+    }
+
+    pub(super) fn angle(&self, joint: u32) -> f64 {
+        self.outline.joints[joint as usize].angle
+    }
+
+    /// Start of a line's, its unit direction of travel, and its length.
+    pub(super) fn segment(&self, line: &Feature) -> (Point, Vector, f64) {
+        let (start, end) = (self.point(line.start), self.point(line.end));
+        let along = self.normal(line.start).left();
+        (start, along, along.dot(end - start))
+    }
+}

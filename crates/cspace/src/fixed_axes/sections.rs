@@ -1,0 +1,405 @@
+//! Contact curves as monotone graphs y(x): where they begin and end.
+
+use super::build::Builder;
+use super::build::Cut;
+use super::build::SHORT;
+use super::condition::Condition;
+use super::domain::brought_between;
+use super::piece::End;
+use super::piece::Name;
+use super::piece::Pair;
+use super::piece::Piece;
+use super::piece::Spot;
+use super::place::decide;
+use super::place::margin;
+use core::f64::consts::TAU;
+
+/// How far rounding may put a node beyond a turning (radians or length).
+const BEYOND: f64 = 1e-9;
+
+/// A place at which y turns around.
+#[derive(Debug, Clone, Copy)]
+struct Around {
+    x: f64,
+    y: f64,
+    index: u32,
+}
+
+impl Builder<'_> {
+    /// Adds the contact of a pair whose condition depends on y.
+    pub(super) fn add_graphs(&mut self, rep: &Pair, spots: &[Spot]) {
+        let condition = rep.condition;
+        let scene = self.scene;
+        let (lo, hi) = self.first_turn();
+        // Where roots come and go.
+        let mut breaks = core::mem::take(&mut self.breaks);
+        breaks.clear();
+        condition.turnings(|x| {
+            let x = scene.x.reduced(x);
+            if lo < x && x < hi {
+                breaks.push(x);
+            }
+        });
+        breaks.sort_by(f64::total_cmp);
+        let mut around: Option<Vec<Around>> = None;
+        let ends = breaks.len() + 1;
+        let interval = |k: usize| {
+            let from = if k == 0 { lo } else { breaks[k - 1] };
+            let to = if k + 1 == ends { hi } else { breaks[k] };
+            (from, to)
+        };
+        let exists = |k: usize, root: u8| {
+            let (from, to) = interval(k);
+            condition.exists(0.5 * (from + to), root)
+        };
+        let mut marks: Vec<(f64, Option<&Spot>)> = Vec::new();
+        for i in 0..ends {
+            let (from, to) = interval(i);
+            if from >= to {
+                continue;
+            }
+            for root in [0, 1] {
+                if !exists(i, root) {
+                    continue;
+                }
+                let rises = |x: f64, y: f64| condition.gradient(x, y).1 > 0.0;
+                // Nodes on this root; rounding may have put one just beyond a turning.
+                let below = i > 0 && !exists(i - 1, root);
+                let above = i + 1 < ends && !exists(i + 1, root);
+                marks.clear();
+                for s in spots {
+                    let reach = (
+                        if below { from - BEYOND } else { from },
+                        if above { to + BEYOND } else { to },
+                    );
+                    if reach.0 <= s.x && s.x <= reach.1 && rises(s.x, s.y) == (root == 0) {
+                        marks.push((brought_between(s.x, from, to), Some(s)));
+                    }
+                }
+                marks.sort_by(|(x, s), (y, t)| {
+                    let name = |s: &Option<&Spot>| s.map(|s| (s.name, s.root));
+                    x.total_cmp(y).then(name(s).cmp(&name(t)))
+                });
+                marks.insert(0, (from, None));
+                marks.push((to, None));
+                // With nothing beside it a short one is tested, too.
+                let alone = marks.len() == 2;
+                let margins = |m: &[(f64, Option<&Spot>)]| {
+                    if m[1].0 - m[0].0 < SHORT && !alone {
+                        return 0.0;
+                    }
+                    let x = 0.5 * (m[0].0 + m[1].0);
+                    margin(scene, rep, x, condition.y(x, root))
+                };
+                let margins: Vec<f64> = marks.windows(2).map(margins).collect();
+                let verdicts = decide(&margins, |k| marks[k].1.is_some());
+                if !verdicts.contains(&true) {
+                    continue;
+                }
+                let around = around.get_or_insert_with(|| self.around(&condition));
+                let cut = |k: usize| -> Cut {
+                    if let (x, Some(s)) = marks[k] {
+                        return Cut {
+                            x,
+                            at: s.in_window,
+                            copy: s.copy,
+                            y: s.y,
+                            name: s.name,
+                            root: s.root,
+                            ends: true,
+                            x_turn: 0,
+                        };
+                    }
+                    let last = k > 0;
+                    let breaking = if last {
+                        (i + 1 < ends).then_some(i)
+                    } else {
+                        i.checked_sub(1)
+                    };
+                    self.open_end(rep, root, marks[k].0, breaking, last)
+                };
+                let kept: Vec<(Cut, Cut)> = (0..verdicts.len())
+                    .filter(|&k| verdicts[k])
+                    .map(|k| (cut(k), cut(k + 1)))
+                    .collect();
+                for (start, end) in kept {
+                    let mut from = start;
+                    for a in around.iter() {
+                        let inside = start.x < a.x && a.x < end.x;
+                        if inside && rises(a.x, a.y) == (root == 0) {
+                            let (at, copy) = scene.repeats.split(&scene.x, a.x);
+                            let to = Cut {
+                                x: a.x,
+                                at,
+                                copy,
+                                y: a.y,
+                                name: Name::Same(0, a.index),
+                                root,
+                                ends: false,
+                                x_turn: 0,
+                            };
+                            self.section(rep, root, &from, &to);
+                            from = to;
+                        }
+                    }
+                    self.section(rep, root, &from, &end);
+                }
+            }
+        }
+        self.breaks = breaks;
+    }
+
+    /// Where y turns around on the curves of a condition, by x.
+    fn around(&self, condition: &Condition) -> Vec<Around> {
+        let scene = self.scene;
+        let mut around = Vec::new();
+        let swapped = condition.swapped();
+        if !swapped.is_vertical() {
+            // The roots for x are double there: either gives it.
+            swapped.turnings(|y| {
+                let x = scene.x.reduced(swapped.y(y, 0));
+                if x.is_finite() {
+                    around.push(Around {
+                        x,
+                        y: scene.y.reduced(y),
+                        index: 8 + around.len() as u32,
+                    });
+                }
+            });
+        }
+        around.sort_by(|a, b| a.x.total_cmp(&b.x));
+        around
+    }
+
+    /// An end of a root's interval at which no feature gives way: a turning, the cut of a circle, or the window's end.
+    fn open_end(&self, rep: &Pair, root: u8, x: f64, breaking: Option<usize>, last: bool) -> Cut {
+        let scene = self.scene;
+        let condition = &rep.condition;
+        let Some(k) = breaking else {
+            if scene.x.repeats() {
+                let fold = scene.repeats.fold;
+                return self.seam(rep, root, if last { fold } else { 0 }, last);
+            }
+            return Cut {
+                x,
+                at: x,
+                copy: 0,
+                y: scene.y.reduced(condition.y(x, root)),
+                name: Name::Limit,
+                root: 0,
+                ends: false,
+                x_turn: 0,
+            };
+        };
+        let (y0, y1) = (condition.y(x, 0), condition.y(x, 1));
+        let y = if y0.is_finite() && y1.is_finite() {
+            // A double root: what rounding leaves between the two is halved.
+            y0 + 0.5 * scene.y.difference(y1, y0)
+        } else {
+            condition.y(x, root)
+        };
+        let (at, copy) = scene.repeats.split(&scene.x, x);
+        Cut {
+            x,
+            at,
+            copy,
+            y: scene.y.reduced(y),
+            name: Name::Turning(0, k as u32),
+            root: 0,
+            ends: false,
+            x_turn: 0,
+        }
+    }
+
+    /// Where a curve leaves a copy of the window, or comes into the next. Both sides have the very same y.
+    fn seam(&self, rep: &Pair, root: u8, number: u32, leaving: bool) -> Cut {
+        let scene = self.scene;
+        let fold = scene.repeats.fold;
+        let window = scene.repeats.window(&scene.x);
+        let period = if window.is_circle() {
+            window.hi - window.lo
+        } else {
+            TAU
+        };
+        let x = |n: u32| scene.x.lo + period * f64::from(n);
+        Cut {
+            x: x(number),
+            at: if leaving {
+                window.lo + period
+            } else {
+                window.lo
+            },
+            copy: if leaving { number - 1 } else { number },
+            y: scene.y.reduced(rep.condition.y(x(number % fold), root)),
+            name: Name::Seam(rep.first, rep.second),
+            root,
+            ends: false,
+            x_turn: if window.is_circle() {
+                (number % fold) as i32
+            } else {
+                number as i32
+            },
+        }
+    }
+
+    /// Adds a section of a curve over the full turn, cut to pieces in copies of the window.
+    fn section(&mut self, rep: &Pair, root: u8, from: &Cut, to: &Cut) {
+        for copy in from.copy..=to.copy {
+            let start = if copy == from.copy {
+                *from
+            } else {
+                self.seam(rep, root, copy, false)
+            };
+            let end = if copy == to.copy {
+                *to
+            } else {
+                self.seam(rep, root, copy + 1, true)
+            };
+            self.instances(rep, root, copy, &start, &end);
+        }
+    }
+
+    /// Adds a section in every turn of both coordinates, cut to the limits.
+    fn instances(&mut self, rep: &Pair, root: u8, copy: u32, from: &Cut, to: &Cut) {
+        let (x, y) = (self.scene.x, self.scene.y);
+        let (before, pair) = self.instance(rep, copy);
+        let down = if copy == 0 {
+            0.0
+        } else {
+            self.scene.repeats.period() * f64::from(copy)
+        };
+        for turn in 0..x.turns() {
+            let shift = TAU * f64::from(turn);
+            let end = |cut: &Cut, raw: f64| -> End {
+                let whole = if y.repeats() {
+                    ((raw - cut.y) / TAU).round() as i32
+                } else {
+                    0
+                };
+                End {
+                    key: cut.key(pair, turn),
+                    x: cut.at + shift,
+                    base: cut.y,
+                    turns: whole,
+                }
+            };
+            let condition = self.pairs[pair as usize].condition;
+            let raw = |cut: &Cut| condition.y(cut.x - down + shift, root);
+            let piece = Piece {
+                pair,
+                root,
+                vertical: false,
+                turns: 0,
+                start: end(from, raw(from)),
+                end: end(to, raw(to)),
+            };
+            self.in_each_turn(piece);
+        }
+        self.keep_instance(before, copy);
+    }
+
+    /// The first turn of x, or all of it.
+    fn first_turn(&self) -> (f64, f64) {
+        let x = self.scene.x;
+        if x.repeats() {
+            (x.lo, x.lo + TAU)
+        } else {
+            (x.lo, x.hi)
+        }
+    }
+}
+
+// Contact that does not depend on y, such as a tooth against a stop: vertical pieces.
+
+impl Builder<'_> {
+    /// Adds the contact of a pair whose condition does not depend on y.
+    pub(super) fn add_verticals(&mut self, rep: &Pair, spots: &[Spot]) {
+        let scene = self.scene;
+        let swapped = rep.condition.swapped();
+        if swapped.is_vertical() {
+            return;
+        }
+        for root in [0u8, 1] {
+            if !swapped.exists(0.0, root) {
+                continue;
+            }
+            let x = scene.x.reduced(swapped.y(0.0, root));
+            if !(scene.x.lo..=scene.x.hi).contains(&x) && !scene.x.repeats() {
+                continue;
+            }
+            let (at, copy) = scene.repeats.split(&scene.x, x);
+            let mut cuts: Vec<Cut> = spots
+                .iter()
+                .filter(|s| {
+                    let rises = swapped.gradient(s.y, s.x).1 > 0.0;
+                    rises == (root == 0)
+                })
+                .map(|s| Cut {
+                    x,
+                    at,
+                    copy,
+                    y: s.y,
+                    name: s.name,
+                    root: s.root,
+                    ends: true,
+                    x_turn: 0,
+                })
+                .collect();
+            cuts.sort_by(|a, b| a.y.total_cmp(&b.y).then(a.name.cmp(&b.name)));
+            let repeats = scene.y.repeats();
+            let (lo, hi) = if repeats {
+                (scene.y.lo, scene.y.lo + TAU)
+            } else {
+                (scene.y.lo, scene.y.hi)
+            };
+            let end = |y: f64| Cut {
+                x,
+                at,
+                copy,
+                y,
+                name: if repeats {
+                    Name::Same(0, 2 + u32::from(root))
+                } else {
+                    Name::Limit
+                },
+                root: 0,
+                ends: false,
+                x_turn: 0,
+            };
+            cuts.insert(0, end(lo));
+            cuts.push(end(hi));
+            let n = cuts.len() - 1;
+            let margins: Vec<f64> = (0..n)
+                .map(|i| margin(scene, rep, x, 0.5 * (cuts[i].y + cuts[i + 1].y)))
+                .collect();
+            let verdicts = decide(&margins, |i| cuts[i].ends);
+            for i in 0..n {
+                if !verdicts[i] {
+                    continue;
+                }
+                let (before, pair) = self.instance(rep, copy);
+                for turn in 0..scene.x.turns() {
+                    let end = |cut: &Cut| {
+                        let closing = repeats && cut.y == hi && !cut.ends;
+                        End {
+                            key: cut.key(pair, turn),
+                            x: at + TAU * f64::from(turn),
+                            base: if closing { lo } else { cut.y },
+                            turns: i32::from(closing),
+                        }
+                    };
+                    let piece = Piece {
+                        pair,
+                        root,
+                        vertical: true,
+                        turns: 0,
+                        start: end(&cuts[i]),
+                        end: end(&cuts[i + 1]),
+                    };
+                    self.in_each_turn(piece);
+                }
+                self.keep_instance(before, copy);
+            }
+        }
+    }
+}

@@ -1,0 +1,367 @@
+//! What follows from the parts and their axes alone: frame, motions, outlines, and where the coordinates run.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::contact::{Body, Permutation};
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
+use crate::feature::{Feature, FeatureName, Outline, PairFrame};
+use crate::geometry::{Point, Vector};
+use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
+use crate::space::as_drawn;
+
+use super::adjust::Aside;
+use super::adjust::straightened;
+use super::axis::{AxesError, Axis, AxisMotion, Role};
+use super::domain::{Extent, ExtentKind};
+use super::judge::Bodies;
+use super::motion::{Motion, Motions};
+use super::repeats::Repeats;
+use super::scene::Scene;
+use super::scene::Side;
+use super::tolerance::INDEPENDENT;
+
+/// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
+/// grown by.
+const FARTHEST: f64 = 32.0;
+/// The least angle between two slides of which no range ends the other (radians and sine): at less they meet more than a million
+/// sizes away, where rounding is more than the resolution.
+const LEAST_ANGLE: f64 = 1.0 / (1u64 << 20) as f64;
+/// Pivots nearer to each other than this (pair's frame) are taken for one: as far as [`Aside`] moves parts.
+const SAME_PIVOT: f64 = 1e-8;
+/// Slides that are parallel but for less than this (radians) are parallel: their sides are told apart no better.
+const SAME_DIRECTION: f64 = 1e-10;
+/// The longest range of a turning part, in turns.
+const MOST_TURNS: u32 = 1000;
+
+/// From u and v to x and y and back.
+///
+/// x is the coordinate along which the plane is swept: one of a part that turns, if there is one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Map {
+    pub(super) frame: PairFrame,
+    pub(super) swapped: bool,
+    /// Model units per unit of x and y.
+    x_unit: f64,
+    y_unit: f64,
+}
+
+impl Map {
+    pub(super) fn inner(&self, u: f64, v: f64) -> (f64, f64) {
+        let (x, y) = if self.swapped { (v, u) } else { (u, v) };
+        (x / self.x_unit, y / self.y_unit)
+    }
+
+    pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
+        let (x, y) = (x * self.x_unit, y * self.y_unit);
+        if self.swapped { (y, x) } else { (x, y) }
+    }
+
+    /// Model units per unit of u and of v.
+    pub(super) fn units(&self) -> (f64, f64) {
+        self.outer(1.0, 1.0)
+    }
+}
+
+/// Both parts in the frame of the pair, the one whose coordinate is swept first.
+pub(super) struct Setting {
+    pub(super) map: Map,
+    pub(super) scene: Scene,
+    pub(super) bodies: Bodies,
+    /// What the features of the first and of the second part are called.
+    pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
+    /// How far the parts as computed are from the parts as drawn, in the model's unit of length.
+    pub(super) deviation: f64,
+    /// How far off its place a contact may be because sharp corners are grown by more than sides, in the model's unit.
+    pub(super) grown: f64,
+}
+
+impl Setting {
+    pub(super) fn new(
+        fixed: &Part,
+        fixed_axis: Axis,
+        moving: &Part,
+        moving_axis: Axis,
+        aside: Aside,
+    ) -> Result<Self, AxesError> {
+        let straight = (straightened(fixed), straightened(moving));
+        let fixed = straight.0.as_ref().map_or(fixed, |s| &s.0);
+        let moving = straight.1.as_ref().map_or(moving, |s| &s.0);
+        let frame = PairFrame::new(fixed, moving);
+        let mut motions = Motions {
+            first: motion(&fixed_axis, Role::Fixed, &frame)?,
+            second: motion(&moving_axis, Role::Moving, &frame)?,
+        };
+        let joined = motions.join_pivots(SAME_PIVOT);
+        let mut symmetric = (
+            Symmetric::find(fixed, &fixed_axis),
+            Symmetric::find(moving, &moving_axis),
+        );
+        let rank = |m: &Motion, s: &Option<Symmetric>| match m {
+            Motion::Turn { .. } => 2 + s.as_ref().map_or(0, |s| s.redrawn.fold),
+            Motion::Slide { .. } => 1,
+            Motion::Still => 0,
+        };
+        let swapped = rank(&motions.second, &symmetric.1) > rank(&motions.first, &symmetric.0);
+        let mut parts = (fixed, moving);
+        let mut axes = (fixed_axis, moving_axis);
+        if swapped {
+            parts = (parts.1, parts.0);
+            axes = (axes.1, axes.0);
+            symmetric = (symmetric.1, symmetric.0);
+            motions = motions.swapped();
+        }
+        let unlimited = axes.0.range.is_none() && axes.1.range.is_none();
+        let angle = motions.between_slides().filter(|_| unlimited);
+        if let Some(angle) = angle.filter(|a| (INDEPENDENT..LEAST_ANGLE).contains(a)) {
+            return Err(AxesError::NearlyParallel {
+                angle,
+                least: LEAST_ANGLE,
+            });
+        }
+        let tilt = motions.join_slides(SAME_DIRECTION);
+        if !aside.is_none() {
+            // Its outline is not about its pivot any more.
+            symmetric.0 = None;
+            // Of slides along one line without limits only the difference matters, and is to go on doing so.
+            let apart = angle.is_none_or(|a| a >= INDEPENDENT);
+            motions.first = aside.tilted(motions.first, false);
+            motions.second = aside.tilted(motions.second, apart);
+        }
+        let unit = |m: &Motion| if m.turns() { 1.0 } else { 1.0 / frame.scale };
+        let map = Map {
+            frame,
+            swapped,
+            x_unit: unit(&motions.first),
+            y_unit: unit(&motions.second),
+        };
+        // The fixed part is the one that is grown more.
+        let drawn = |part: &Part, center: Point, fixed| {
+            let growth = if fixed { GROWTH } else { MOVING_GROWTH };
+            let outline = Outline::new(part, center, frame.scale, growth);
+            let body = Body::new(&outline, part, center, frame.scale);
+            (outline, body)
+        };
+        let shifts = aside.shifts();
+        let about = |shift: Vector| frame.fixed_center + shift * (-1.0 / frame.scale);
+        let turned = aside.turned(parts.1, frame.fixed_center);
+        let second = turned.as_ref().unwrap_or(parts.1);
+        let (second, second_body) = drawn(second, about(shifts.1), swapped);
+        let repeating = symmetric.0.and_then(|s| {
+            let center = s.center_in(&frame);
+            let (outline, body) = drawn(&s.redrawn.part, center, !swapped);
+            let repeats = s.repeats(&outline)?;
+            Some((outline, body, repeats, Some(s)))
+        });
+        let (first, first_body, repeats, symmetric) = repeating.unwrap_or_else(|| {
+            let (outline, body) = drawn(parts.0, about(shifts.0), !swapped);
+            let repeats = Repeats::none(&outline);
+            (outline, body, repeats, None)
+        });
+        let farthest = |axis: &Axis, unit: f64| {
+            let far = |(lo, hi): (f64, f64)| lo.abs().max(hi.abs()) / unit;
+            axis.range.map(far)
+        };
+        let ranges = (farthest(&axes.0, map.x_unit), farthest(&axes.1, map.y_unit));
+        let reach = reach(&first, &second, &motions, ranges);
+        let x = extent(&axes.0, &motions.first, map.x_unit, reach);
+        let y = extent(&axes.1, &motions.second, map.y_unit, reach);
+        let slide = |m: &Motion, e: &Extent| match m {
+            Motion::Slide { .. } => e.lo.abs().max(e.hi.abs()),
+            _ => 0.0,
+        };
+        let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
+        let grown = frame.outer_length(frame.grown((fixed, GROWTH), (moving, MOVING_GROWTH)));
+        let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
+        let bent = of_straight(straight.0) + of_straight(straight.1);
+        let deviation = bent
+            + frame.outer_length(joined + tilt * slides)
+            + symmetric.as_ref().map_or(0.0, |s| s.deviation)
+            + frame.outer_length(aside.deviation(slides));
+        let redrawn = symmetric.map(|s| s.redrawn);
+        let name = |f: &Feature| as_drawn(&redrawn, f.name);
+        Ok(Self {
+            map,
+            deviation,
+            grown,
+            names: (
+                first.features.iter().map(name).collect(),
+                second.features.iter().map(|f| f.name).collect(),
+            ),
+            scene: Scene {
+                x,
+                y,
+                first: Side::new(first),
+                second: Side::new(second),
+                motions,
+                repeats,
+            },
+            bodies: Bodies {
+                first: first_body,
+                second: second_body,
+                motions,
+            },
+        })
+    }
+}
+
+/// A part that is symmetric about the point it turns about without limits.
+struct Symmetric {
+    redrawn: Symmetrized,
+    pivot: Point,
+    /// How far it is from the drawing: what was moved to make it exactly so.
+    deviation: f64,
+}
+
+impl Symmetric {
+    fn find(part: &Part, axis: &Axis) -> Option<Self> {
+        let AxisMotion::Revolute { center: pivot } = axis.motion else {
+            return None;
+        };
+        if axis.range.is_some() {
+            return None;
+        }
+        let redrawn = part.symmetrized(Corresponding::Outlines)?;
+        let aside = redrawn.center.distance(pivot);
+        (aside <= SYMMETRIC * part.size()).then_some(Self {
+            deviation: redrawn.deviation + aside,
+            redrawn,
+            pivot,
+        })
+    }
+
+    /// The point of the part as it is drawn anew, about its own centre, that becomes the origin of the frame.
+    fn center_in(&self, frame: &PairFrame) -> Point {
+        Point::ORIGIN + (frame.fixed_center - self.pivot)
+    }
+
+    /// `None` if the features do not correspond.
+    fn repeats(&self, outline: &Outline) -> Option<Repeats> {
+        let length = |l: &Loop| l.vertices().len() as u32;
+        let lengths: Vec<u32> = self.redrawn.part.loops().iter().map(length).collect();
+        let step = Permutation::of_loops(outline, &self.redrawn.images, &lengths)?;
+        Some(Repeats::new(outline, self.redrawn.fold, &step))
+    }
+}
+
+fn motion(axis: &Axis, part: Role, frame: &PairFrame) -> Result<Motion, AxesError> {
+    if let Some((lo, hi)) = axis.range {
+        if !(lo.is_finite() && hi.is_finite()) {
+            return Err(AxesError::NotFinite { part });
+        }
+        if lo >= hi {
+            return Err(AxesError::EmptyRange { part, lo, hi });
+        }
+    }
+    match axis.motion {
+        AxisMotion::Fixed => Ok(Motion::Still),
+        AxisMotion::Revolute { center } => {
+            if !center.is_finite() {
+                return Err(AxesError::NotFinite { part });
+            }
+            let center = Point::ORIGIN + (center - frame.fixed_center) * frame.scale;
+            let times = center.to_vector().length();
+            if times > FARTHEST {
+                return Err(AxesError::TooFar {
+                    part,
+                    times,
+                    limit: FARTHEST,
+                });
+            }
+            if let Some((lo, hi)) = axis.range {
+                let turns = (hi - lo) / TAU;
+                if turns > f64::from(MOST_TURNS) {
+                    return Err(AxesError::TooManyTurns {
+                        part,
+                        turns,
+                        limit: MOST_TURNS,
+                    });
+                }
+            }
+            Ok(Motion::Turn { center })
+        }
+        AxisMotion::Prismatic { direction } => {
+            if !(direction.x.is_finite() && direction.y.is_finite()) {
+                return Err(AxesError::NotFinite { part });
+            }
+            let unit = direction.unit();
+            if !unit.length().is_finite() || unit == Vector::ZERO {
+                return Err(AxesError::NoDirection { part });
+            }
+            Ok(Motion::Slide { direction: unit })
+        }
+    }
+}
+
+/// How far sliding parts can be from where they are drawn and still touch, in the frame of the pair, given how far the ranges
+/// of both coordinates let them go.
+fn reach(
+    first: &Outline,
+    second: &Outline,
+    motions: &Motions,
+    ranges: (Option<f64>, Option<f64>),
+) -> f64 {
+    let radius = |o: &Outline| {
+        o.features
+            .iter()
+            .map(|f| {
+                let far = |j: u32| o.joints[j as usize].point.to_vector().length();
+                let round = match f.near {
+                    // Its ends are as far from the point half way as any of it.
+                    Some(near) => {
+                        let half = |j: u32| o.joints[j as usize].point.distance(near.point);
+                        near.point.to_vector().length() + half(f.start).max(half(f.end))
+                    }
+                    None if f.is_line() => 0.0,
+                    None => f.center().to_vector().length() + f.radius().abs(),
+                };
+                far(f.start).max(far(f.end)).max(round)
+            })
+            .fold(0.0, f64::max)
+    };
+    let arm = |m: &Motion| match m {
+        Motion::Turn { center } => 2.0 * center.to_vector().length(),
+        _ => 0.0,
+    };
+    let apart = radius(first) + radius(second) + arm(&motions.first) + arm(&motions.second) + 1.0;
+    match motions.between_slides() {
+        Some(cross) => {
+            // |x d − y e| is `apart` at most: both are bounded if one is, and so they are if the directions differ.
+            let bound = [ranges.0, ranges.1].into_iter().flatten();
+            let bound = bound.fold(f64::INFINITY, f64::min) + apart;
+            if cross >= INDEPENDENT {
+                bound.min(apart / cross)
+            } else if bound.is_finite() {
+                bound
+            } else {
+                // Only the difference of the coordinates matters.
+                apart
+            }
+        }
+        None => apart,
+    }
+}
+
+fn extent(axis: &Axis, motion: &Motion, unit: f64, reach: f64) -> Extent {
+    let limits = |kind| {
+        axis.range.map(|(lo, hi)| Extent {
+            lo: lo / unit,
+            hi: hi / unit,
+            kind,
+        })
+    };
+    match motion {
+        Motion::Turn { .. } => limits(ExtentKind::TurnLimits).unwrap_or_else(Extent::circle),
+        Motion::Slide { .. } => limits(ExtentKind::SlideLimits).unwrap_or(Extent {
+            lo: -reach,
+            hi: reach,
+            kind: ExtentKind::Open,
+        }),
+        // The coordinate is 0; any interval about it does.
+        Motion::Still => Extent {
+            lo: -FRAC_PI_2,
+            hi: FRAC_PI_2,
+            kind: ExtentKind::Open,
+        },
+    }
+}

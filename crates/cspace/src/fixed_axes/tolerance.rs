@@ -1,0 +1,21 @@
+//! The tolerances and limits of pairs on fixed axes that more than one step uses, each with its unit and reason.
+//!
+//! Lengths are in units of the pair's frame, in which both parts fit the unit disc. Bounds that one step alone uses stand there.
+
+use crate::feature::tolerance::SAME_CARRIER;
+
+/// The largest product of the parts' numbers of edges. Each pair of features is looked at, if only for whether it can touch:
+/// about a minute.
+pub(super) const MOST_EDGE_PAIRS: usize = 1 << 26;
+
+/// The most meetings of two contact curves' boxes: a tenth of a gigabyte, and where all of them cross and make cells of their
+/// own one gigabyte, and a minute.
+pub(super) const MOST_MEETINGS: usize = 1 << 23;
+
+/// Lengths, and sines of angles, below this do not matter: a condition that depends no more than this on a coordinate is
+/// independent of it (a cam's arc about its own pivot). An eighth of what the fixed part is grown by.
+pub(super) const INDEPENDENT: f64 = SAME_CARRIER;
+
+/// How far a contact within the resolution may lie outside a cell's box: rounding of a root, and of crossings (radians or
+/// length of the frame).
+pub(super) const NEAR: f64 = 1e-9;
