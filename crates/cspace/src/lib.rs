@@ -19,6 +19,7 @@ pub mod fixed_axes;
 #[cfg(feature = "fuzzing")]
 #[doc(hidden)]
 pub mod fuzzing;
+pub(crate) mod general;
 pub mod geometry;
 pub(crate) mod number;
 pub mod pair;

@@ -10,7 +10,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use cspace::fixed_axes::AxisMotion;
-use cspace::pair::PairMotion;
+use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{Axis, Classification, Edge, FixedAxesSpace, Part, Point, Vector};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::Mechanism;
@@ -254,7 +254,7 @@ fn play(
     let u = us.at[chosen[r]];
     let c = nearest(region.sample.1, &mut vs.at.iter().copied());
     let way = |rate: f64| match space.first_contact((u, vs.at[c]), (0.0, rate), TAU) {
-        Ok(PairMotion::Contact(contact)) => Some(contact.time),
+        Ok(AxesMotionOutcome::Contact(contact)) => Some(contact.time),
         _ => None,
     };
     let (Some(up), Some(down)) = (way(1.0), way(-1.0)) else {

@@ -3,6 +3,7 @@
 //! Two parts of a pair are brought to a common frame first: each about its own centre, both scaled by one power of
 //! two so that they fit the unit disc. All tolerances of the kernel are therefore lengths relative to the pair's size.
 
+mod as_drawn;
 mod concentric;
 mod extract;
 mod frame;
@@ -14,6 +15,7 @@ mod perturbation;
 pub(crate) mod tolerance;
 mod types;
 
+pub(crate) use as_drawn::as_drawn;
 pub(crate) use concentric::equal_sums;
 pub(crate) use frame::PairFrame;
 pub(crate) use growth::Growths;

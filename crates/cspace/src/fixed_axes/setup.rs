@@ -3,11 +3,11 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::contact::{Body, Permutation};
+use crate::feature::as_drawn;
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Feature, FeatureName, Outline, PairFrame};
 use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
-use crate::space::as_drawn;
 
 use super::adjust::Aside;
 use super::adjust::straightened;

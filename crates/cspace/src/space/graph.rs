@@ -9,7 +9,7 @@ use crate::geometry::Configuration;
 use crate::part::Part;
 use crate::slice::CurveGeometry;
 
-use super::doubt::Doubts;
+use super::doubts::Doubts;
 use super::patch::{Patch, PatchRef};
 use super::stats::Statistics;
 use super::symmetry::PairSymmetry;

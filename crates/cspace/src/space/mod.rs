@@ -1,49 +1,22 @@
-//! The contact space of a pair of parts, over all orientations.
+//! The contact space of a pair of parts: what was computed, as data, and what is read off it.
 
-mod active;
-mod anchors;
-mod assemble;
-mod branch;
-mod candidates;
-mod cells;
-mod chains;
-mod clusters;
-mod compute;
-mod contract;
-mod core;
-mod covering;
-mod doubt;
-mod extent;
-mod gaps;
+mod doubts;
 mod graph;
-mod grid;
-mod levels;
-mod lifts;
-mod limits;
-mod links;
-mod meetings;
-mod passing;
+mod options;
 mod patch;
-mod pinches;
-mod placing;
-mod regions;
 mod saved;
-mod shells;
 mod slice;
 mod stats;
-mod sweep;
 mod symmetry;
-mod track;
-mod triple;
-mod uncovered;
 
-pub use compute::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage};
-pub(crate) use doubt::Doubts;
+pub(crate) use doubts::{Doubts, union};
+pub(crate) use graph::Walk;
 pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};
+pub(crate) use options::WINDOW_SLACK;
+pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage};
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub(crate) use saved::check_head;
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
 pub(crate) use slice::{PASSED_ENDS, sweep};
 pub use stats::{Decisions, StageSeconds, Statistics};
-pub(crate) use symmetry::as_drawn;
 pub use symmetry::{PairSymmetry, Symmetry};

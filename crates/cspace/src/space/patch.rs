@@ -70,8 +70,8 @@ pub enum BoundaryKind {
 /// A patch together with the frame it is written in: what a user asks things of.
 #[derive(Debug, Clone, Copy)]
 pub struct PatchRef<'a> {
-    pub(super) patch: &'a Patch,
-    pub(super) frame: &'a PairFrame,
+    pub(crate) patch: &'a Patch,
+    pub(crate) frame: &'a PairFrame,
 }
 
 /// A boundary curve together with its patch.

@@ -8,7 +8,7 @@ use crate::geometry::Point;
 use crate::part::{Part, PartError, Vertex};
 use crate::slice::CurveGeometry;
 
-use super::doubt::Doubts;
+use super::doubts::Doubts;
 use super::graph::{ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Walk, Window};
 use super::patch::{Boundary, Patch};
 use super::stats::Statistics;

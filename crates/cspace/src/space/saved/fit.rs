@@ -12,7 +12,7 @@ use super::{Check, SavedFrame, SavedSpace, ensure};
 const SLACK: f64 = 1e-6;
 
 /// That the frame is the one in which a computation of these parts writes patches.
-pub(super) fn check_frame(saved: &SavedSpace, fixed: &Part, moving: &Part) -> Check {
+pub(crate) fn check_frame(saved: &SavedSpace, fixed: &Part, moving: &Part) -> Check {
     let SavedFrame {
         fixed_center,
         moving_center,
@@ -68,7 +68,7 @@ fn inside(lo: f64, hi: f64) -> [f64; 3] {
 const BRIEF: f64 = 1e-8;
 
 /// That a patch begins and ends on its own contact surface, where the parts can touch.
-pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
+pub(crate) fn check_ends(p: &Patch, reach: f64) -> Check {
     if p.hi - p.lo < BRIEF {
         return Ok(());
     }
@@ -89,7 +89,7 @@ pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
 }
 
 /// That where one patch ends the next one begins.
-pub(super) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
+pub(crate) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
     let [before, after] = [link.before, link.after].map(|i| patches.get(i as usize));
     let (Some(before), Some(after)) = (before, after) else {
         return Err("there is no such patch");

@@ -1,0 +1,329 @@
+//! Which sheets can cross, and when.
+//!
+//! Orientations are cut into slots of equal width, more of them the more sheets there are. In every slot each sheet has
+//! boxes in the plane of positions; sheets whose boxes do not meet do not cross. Where inscribed discs of the parts overlap, positions are blocked for
+//! certain, and pieces of a sheet's curves that lie there are left out: crossings in blocked space change nothing about
+//! what is free. They only divide gaps that are blocked on both sides of them.
+
+use core::f64::consts::TAU;
+use core::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::contact::{Curve, CurveShape, Geometry, Sheet};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Dd;
+use crate::parallel;
+
+use crate::general::broad::discs::{Cores, Layout};
+use crate::general::broad::uncovered::{BlockedDiscs, Uncovered};
+use crate::general::limits::{MOST_CROSSING, MOST_MEETINGS, MOST_SHEETS};
+
+/// A turn with n sheets has `SLOTS_SCALE` n ^ `SLOTS_POWER` slots: more leave fewer crossings, and each costs as much as a
+/// small pair.
+const SLOTS_SCALE: f64 = 0.35;
+const SLOTS_POWER: f64 = 0.75;
+
+/// The fewest and the most slots of a turn.
+const SLOTS: (f64, f64) = (8.0, 300.0);
+
+/// Slots looked at together first, for the sheets that are blocked in all of them.
+const TOGETHER: usize = 4;
+
+/// Two sheets that may cross at orientations from `lo` to `hi`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PairRun {
+    pub(crate) first: u32,
+    pub(crate) second: u32,
+    pub(crate) lo: Dd,
+    pub(crate) hi: Dd,
+}
+
+/// An interval of orientations in which a sheet is not known to be blocked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SheetRun {
+    pub(crate) sheet: u32,
+    pub(crate) lo: Dd,
+    pub(crate) hi: Dd,
+    /// Whether the run ends there because the sheet is blocked beyond.
+    pub(crate) lo_blocked: bool,
+    pub(crate) hi_blocked: bool,
+}
+
+/// What is to be looked at.
+#[derive(Debug)]
+pub(crate) struct Candidates {
+    /// Bounds of the slots.
+    pub(crate) slots: Vec<f64>,
+    pub(crate) pairs: Vec<PairRun>,
+    /// Sorted by sheet, then by orientation.
+    pub(crate) sheets: Vec<SheetRun>,
+    /// For every slot the sheets that are not known to be blocked in it, the leftmost box first.
+    by_slot: Vec<Vec<Boxed>>,
+}
+
+/// A sheet and a box that it does not leave in a slot.
+#[derive(Debug, Clone, Copy)]
+struct Boxed {
+    sheet: u32,
+    lo: Point,
+    hi: Point,
+}
+
+impl Candidates {
+    /// `None` if more sheets may cross than a computation has room for.
+    pub(crate) fn find(geometry: &Geometry, cores: &Cores) -> Option<Self> {
+        let span = geometry.contacts.span;
+        let sheets = &geometry.contacts.sheets;
+        let turns = (span.hi - span.lo) / TAU;
+        let in_turn = SLOTS_SCALE * (sheets.len() as f64 / turns).powf(SLOTS_POWER);
+        let count = (turns * in_turn.clamp(SLOTS.0, SLOTS.1)).ceil().max(1.0) as usize;
+        let width = (span.hi - span.lo) / count as f64;
+        let mut slots: Vec<f64> = (0..count).map(|i| span.lo + width * i as f64).collect();
+        slots.push(span.hi);
+        let slot_of = |theta: f64| slots.partition_point(|&s| s <= theta).clamp(1, count) - 1;
+
+        // Some slots, by the first of them, with the sheets that exist there.
+        let mut in_slot: Vec<(usize, Vec<u32>)> = ((0..count)
+            .step_by(TOGETHER)
+            .map(|first| (first, Vec::new())))
+        .collect();
+        for (i, sheet) in (0..).zip(sheets) {
+            let (first, last) = (slot_of(sheet.lo) / TOGETHER, slot_of(sheet.hi) / TOGETHER);
+            for (_, list) in &mut in_slot[first..=last] {
+                list.push(i);
+            }
+        }
+        let meetings = AtomicUsize::new(0);
+        let found = parallel::map(&in_slot, 1, |(first, list)| {
+            let last = (first + TOGETHER).min(count);
+            let (lo, hi) = (slots[*first], slots[last]);
+            let mut list = list.clone();
+            if meetings.load(Ordering::Relaxed) > MOST_MEETINGS {
+                list.clear();
+            }
+            let layout = cores.about(0.5 * (lo + hi));
+            drop_covered(sheets, &layout, &mut list, lo, hi);
+            let look = |slot| {
+                let found =
+                    look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1]);
+                meetings.fetch_add(found.0.len(), Ordering::Relaxed);
+                found
+            };
+            (*first..last).map(look).collect::<Vec<_>>()
+        });
+        // Whichever slot was last to be looked at: all of them together have too many.
+        if meetings.into_inner() > MOST_MEETINGS {
+            return None;
+        }
+
+        let (mut pairs, mut alive) = (Vec::new(), Vec::new());
+        let mut by_slot = Vec::with_capacity(count);
+        for (slot, (p, a)) in (0..).zip(found.into_iter().flatten()) {
+            pairs.extend(p);
+            alive.extend(a.iter().map(|b| u64::from(b.sheet) << SLOT_BITS | slot));
+            by_slot.push(a);
+        }
+        // Sheets of several pieces come several times.
+        parallel::sort_unstable_by(&mut pairs, u64::cmp);
+        pairs.dedup();
+        parallel::sort_unstable_by(&mut alive, u64::cmp);
+        alive.dedup();
+        let clip = |lo: Dd, hi: Dd, sheet: &Sheet| {
+            (
+                if lo < sheet.from { sheet.from } else { lo },
+                if hi < sheet.to { hi } else { sheet.to },
+            )
+        };
+        let pairs: Vec<PairRun> = runs(&pairs)
+            .filter_map(|(key, first_slot, last_slot)| {
+                let (first, second) = ((key >> SHEET_BITS) as u32, (key & SHEET_MASK) as u32);
+                let (lo, hi) = (Dd::from(slots[first_slot]), Dd::from(slots[last_slot + 1]));
+                let (f, g) = (&sheets[first as usize], &sheets[second as usize]);
+                let (lo, hi) = clip(lo, hi, f);
+                let (lo, hi) = clip(lo, hi, g);
+                (lo < hi && geometry.contacts.may_cross(f, g)).then_some(PairRun {
+                    first,
+                    second,
+                    lo,
+                    hi,
+                })
+            })
+            .collect();
+        if pairs.len() > MOST_CROSSING {
+            return None;
+        }
+        let sheet_runs = runs(&alive)
+            .filter_map(|(key, first_slot, last_slot)| {
+                let sheet = &sheets[key as usize];
+                let slots = (Dd::from(slots[first_slot]), Dd::from(slots[last_slot + 1]));
+                let (lo, hi) = clip(slots.0, slots.1, sheet);
+                (lo < hi).then_some(SheetRun {
+                    sheet: key as u32,
+                    lo,
+                    hi,
+                    lo_blocked: lo > sheet.from,
+                    hi_blocked: hi < sheet.to,
+                })
+            })
+            .collect();
+        Some(Self {
+            slots,
+            pairs,
+            sheets: sheet_runs,
+            by_slot,
+        })
+    }
+
+    /// The sheets that may pass within `reach` of a point at an orientation, but for those known to be blocked there; some
+    /// may not exist there.
+    pub(crate) fn around(&self, theta: f64, p: Point, reach: f64) -> impl Iterator<Item = u32> {
+        let slot = self.slots.partition_point(|&s| s <= theta);
+        self.by_slot[slot.clamp(1, self.by_slot.len()) - 1]
+            .iter()
+            .take_while(move |b| b.lo.x <= p.x + reach)
+            .filter(move |b| {
+                b.hi.x >= p.x - reach && b.hi.y >= p.y - reach && b.lo.y <= p.y + reach
+            })
+            .map(|b| b.sheet)
+    }
+}
+
+/// Bits of a sheet's number, and of a slot's: two sheets and a slot make one sortable key.
+const SHEET_BITS: u32 = 26;
+const SHEET_MASK: u64 = (1 << SHEET_BITS) - 1;
+const SLOT_BITS: u32 = 12;
+
+// The keys have room for all sheets there may be.
+const _: () = assert!(MOST_SHEETS < 1 << SHEET_BITS);
+
+/// Runs of consecutive slots with one key: (key, first slot, last slot).
+fn runs(sorted: &[u64]) -> impl Iterator<Item = (u64, usize, usize)> + '_ {
+    let mut at = 0;
+    core::iter::from_fn(move || {
+        let first = *sorted.get(at)?;
+        let from = at;
+        at += 1;
+        while at < sorted.len()
+            && sorted[at] == sorted[at - 1] + 1
+            && sorted[at] >> SLOT_BITS == first >> SLOT_BITS
+        {
+            at += 1;
+        }
+        let slot = (first & ((1 << SLOT_BITS) - 1)) as usize;
+        Some((first >> SLOT_BITS, slot, slot + at - 1 - from))
+    })
+}
+
+/// Drops the sheets that are blocked for certain wherever they exist between two orientations.
+fn drop_covered(sheets: &[Sheet], layout: &Layout, list: &mut Vec<u32>, from: f64, to: f64) {
+    let discs = BlockedDiscs::new(layout, 0.5 * (from + to), 0.5 * (to - from));
+    let mut work = Uncovered::default();
+    list.retain(|&i| {
+        let sheet = &sheets[i as usize];
+        discs.uncovered(sheet, from.max(sheet.lo), to.min(sheet.hi), &mut work);
+        !work.open.is_empty()
+    });
+}
+
+fn look_at_slot(
+    geometry: &Geometry,
+    layout: &Layout,
+    list: &[u32],
+    slot: usize,
+    slot_lo: f64,
+    slot_hi: f64,
+) -> (Vec<u64>, Vec<Boxed>) {
+    let contacts = &geometry.contacts;
+    let discs = BlockedDiscs::new(layout, 0.5 * (slot_lo + slot_hi), 0.5 * (slot_hi - slot_lo));
+    let mut boxes: Vec<Boxed> = Vec::with_capacity(list.len());
+    let mut work = Uncovered::default();
+    for &i in list {
+        let sheet = &contacts.sheets[i as usize];
+        let (lo, hi) = (slot_lo.max(sheet.lo), slot_hi.min(sheet.hi));
+        if lo > hi {
+            continue;
+        }
+        discs.uncovered(sheet, lo, hi, &mut work);
+        if work.open.is_empty() {
+            continue;
+        }
+        let whole = sheet.lo <= slot_lo && slot_hi <= sheet.hi;
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let turn = if whole { discs.turn } else { Rotation::by(mid) };
+        boxes.extend(work.open.iter().map(|&(from, to)| {
+            let (lo, hi) = piece_box(sheet, turn, half, from, to);
+            Boxed { sheet: i, lo, hi }
+        }));
+    }
+    boxes.sort_unstable_by(|a, b| a.lo.x.total_cmp(&b.lo.x).then(a.sheet.cmp(&b.sheet)));
+    let mut pairs = Vec::new();
+    for (n, b) in boxes.iter().enumerate() {
+        if pairs.len() > MOST_MEETINGS {
+            break;
+        }
+        for c in &boxes[n + 1..] {
+            if c.lo.x > b.hi.x {
+                break;
+            }
+            if c.lo.y <= b.hi.y && b.lo.y <= c.hi.y {
+                let (f, g) = (b.sheet.min(c.sheet), b.sheet.max(c.sheet));
+                let (fs, gs) = (&contacts.sheets[f as usize], &contacts.sheets[g as usize]);
+                if f != g && fs.from < gs.to && gs.from < fs.to {
+                    pairs.push(
+                        (u64::from(f) << SHEET_BITS | u64::from(g)) << SLOT_BITS | slot as u64,
+                    );
+                }
+            }
+        }
+    }
+    (pairs, boxes)
+}
+
+/// A box that contains a range of the sheet's curves at all orientations within `half` of the middle one.
+fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (Point, Point) {
+    /// Rounding is far below this, in the pair's frame.
+    const MARGIN: f64 = 1e-10;
+    // |R w − R₀ w| along an axis is at most the velocity's share times h, plus |w| h² / 2.
+    let grow = |w: Vector| {
+        let v = (turn * w).left();
+        let bend = 0.5 * w.length() * half * half + MARGIN;
+        Vector::new(v.x.abs() * half + bend, v.y.abs() * half + bend)
+    };
+    if sheet.is_circle() {
+        let center = sheet.center();
+        let arc = Curve {
+            start: center.at(turn) + Vector::from_angle(from) * sheet.radius,
+            end: center.at(turn) + Vector::from_angle(to) * sheet.radius,
+            shape: CurveShape::Circle {
+                center: center.at(turn),
+                radius: sheet.radius,
+                mid_angle: 0.5 * (from + to),
+                half: 0.5 * (to - from),
+            },
+        };
+        let (lo, hi) = arc.bounds();
+        let g = grow(center.w);
+        return (lo + (-g), hi + g);
+    }
+    if sheet.is_flat() {
+        // A curve is within its height of its chord, and moves no faster than the ends do.
+        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
+        let (s, e) = (start.lerp(end, from), start.lerp(end, to));
+        let (g, h) = (grow(sheet.start.turning()), grow(sheet.end.turning()));
+        let off = MARGIN + 2.0 * sheet.height();
+        let off = Vector::new(off + g.x.max(h.x), off + g.y.max(h.y));
+        return (
+            Point::new(s.x.min(e.x), s.y.min(e.y)) + -off,
+            Point::new(s.x.max(e.x), s.y.max(e.y)) + off,
+        );
+    }
+    let at = |t: f64| {
+        let w = sheet.start.w + (sheet.end.w - sheet.start.w) * t;
+        let u = sheet.start.u + (sheet.end.u - sheet.start.u) * t;
+        (u + turn * w, grow(w))
+    };
+    let ((s, g), (e, h)) = (at(from), at(to));
+    (
+        Point::new((s.x - g.x).min(e.x - h.x), (s.y - g.y).min(e.y - h.y)),
+        Point::new((s.x + g.x).max(e.x + h.x), (s.y + g.y).max(e.y + h.y)),
+    )
+}

@@ -1,0 +1,35 @@
+//! Discs of positions that are blocked for certain.
+
+use crate::geometry::{Point, Vector};
+
+/// Of curves that reach further than this from their middle, discs that cover an end may be missed.
+pub(crate) const LONG: f64 = 0.06;
+
+/// Positions blocked for certain at one orientation; they move as it changes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Disc {
+    pub(crate) center: Point,
+    /// The centre of the moving part's disc, in its frame.
+    pub(crate) moving: Vector,
+    pub(crate) reach: f64,
+}
+
+impl Disc {
+    /// A disc about what it has outside another: centre and radius; `None` if that is nothing.
+    pub(crate) fn outside(&self, other: &Self) -> Option<(Point, f64)> {
+        let off = self.center - other.center;
+        let (d, r, s) = (off.length(), self.reach, other.reach);
+        if d + r <= s {
+            return None;
+        }
+        // Their circles cross at this share of the way from the other's centre, if they do.
+        let along = 0.5 * (1.0 + (s - r) * (s + r) / (d * d));
+        let half_chord = (s * s - along * along * d * d).max(0.0).sqrt();
+        let height = d + r - along * d;
+        let radius = half_chord.max(height);
+        if d >= r + s || radius.is_nan() || radius >= r {
+            return Some((self.center, r));
+        }
+        Some((other.center + off * along, radius))
+    }
+}

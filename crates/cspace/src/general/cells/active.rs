@@ -1,0 +1,48 @@
+//! The branches on a sheet that exist between two clusters, kept while going through the clusters in order.
+
+use crate::general::events::branch::Branch;
+
+/// The branches of a sheet from one cluster to the next.
+#[derive(Debug)]
+pub(crate) struct Active<'a> {
+    branches: &'a [Branch],
+    /// All of the sheet, by the clusters they begin at.
+    by_start: Vec<u32>,
+    /// How many of them have begun.
+    begun: usize,
+    now: Vec<u32>,
+}
+
+impl<'a> Active<'a> {
+    pub(crate) fn new(branches: &'a [Branch], on_sheet: &[u32]) -> Self {
+        let mut by_start = on_sheet.to_vec();
+        by_start.sort_unstable_by_key(|&b| (branches[b as usize].from, b));
+        Self {
+            branches,
+            by_start,
+            begun: 0,
+            now: Vec::new(),
+        }
+    }
+
+    /// Those that exist just after a cluster, in the order of their indices. Clusters must come in order.
+    pub(crate) fn after(&mut self, cluster: u32) -> &[u32] {
+        let branches = self.branches;
+        self.now.retain(|&b| branches[b as usize].to > cluster);
+        let begun = self.begun;
+        while let Some(&b) = self.by_start.get(self.begun) {
+            let branch = &branches[b as usize];
+            if branch.from > cluster {
+                break;
+            }
+            if branch.to > cluster {
+                self.now.push(b);
+            }
+            self.begun += 1;
+        }
+        if self.begun > begun {
+            self.now.sort_unstable();
+        }
+        &self.now
+    }
+}

@@ -1,0 +1,268 @@
+//! How far cells reach along their contact curves where they meet a cluster of events, and what two of them share.
+
+use crate::contact::{ExactTurn, Geometry, PLACE_ERROR};
+use crate::feature::tolerance::SHORTEST_OVERLAP;
+use crate::number::Dd;
+
+use crate::general::cells::cell::{Cell, END};
+use crate::general::events::branch::Branch;
+use crate::general::events::clusters::Clusters;
+use crate::general::events::placing::{ExactPlacing, Placing};
+
+/// A cell's range along its contact curve at one orientation, with the errors of both ends.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Extent {
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    pub(crate) lo_error: f64,
+    pub(crate) hi_error: f64,
+}
+
+/// What two cells share of one curve.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shared {
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    /// Whether it is longer than the errors of its ends.
+    pub(crate) certain: bool,
+}
+
+impl Extent {
+    /// The common range as measured, if there is one.
+    pub(crate) fn shared_with(&self, other: &Self) -> Option<Shared> {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        (hi - lo > SHORTEST_OVERLAP).then(|| Shared {
+            lo,
+            hi,
+            certain: self.overlaps(other) == Some(true),
+        })
+    }
+
+    /// Whether they share a range, if the errors of their ends leave no doubt.
+    fn overlaps(&self, other: &Self) -> Option<bool> {
+        // The longest range and the shortest.
+        let length = |sign: f64| {
+            let end = |place: f64, error: f64| place + sign * error;
+            let hi = end(self.hi, self.hi_error).min(end(other.hi, other.hi_error));
+            let lo = end(-self.lo, self.lo_error).min(end(-other.lo, other.lo_error));
+            hi + lo
+        };
+        if length(-1.0) > SHORTEST_OVERLAP {
+            Some(true)
+        } else if length(1.0) <= SHORTEST_OVERLAP {
+            Some(false)
+        } else {
+            None
+        }
+    }
+}
+
+/// On which side of a cluster a cell lies that ends or begins there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    Below,
+    Above,
+}
+
+/// Measures cells of one sheet where they meet a cluster.
+///
+/// A place is measured at the cluster's orientation. The event that ends or begins the cell may happen anywhere in the
+/// cluster; what that may change is bounded by the sharpness of the crossing, or, towards a tangency, seen by measuring
+/// again at both edges of the cluster.
+pub(crate) struct CellExtents<'a> {
+    geometry: &'a Geometry,
+    sheet: u32,
+    at: Placing<'a>,
+    branches: &'a [Branch],
+    clusters: &'a Clusters,
+    cluster: u32,
+    width: f64,
+    /// Half the length of the curve.
+    half: f64,
+    /// The largest speed of an end or a crossing, to be divided by the sine, in the pair's frame per radian.
+    speed: f64,
+    /// The bounds measured so far: most are asked for again, by the cell on their other side.
+    known: Vec<((u32, Side), (f64, f64))>,
+    /// The same as far as doubles tell.
+    rough: Vec<(u32, (f64, f64))>,
+}
+
+impl<'a> CellExtents<'a> {
+    pub(crate) fn new(
+        geometry: &'a Geometry,
+        clusters: &'a Clusters,
+        branches: &'a [Branch],
+        sheet: u32,
+        cluster: u32,
+    ) -> Self {
+        let at = Placing::turned_by(
+            geometry,
+            sheet,
+            clusters.at(cluster),
+            clusters.turn(cluster),
+        );
+        // Ends that turn about a far centre are lost in the rounding of the orientation.
+        let half = if geometry.contacts.sheets[sheet as usize].is_flat() {
+            let turn = ExactTurn::by(clusters.exact_at(cluster));
+            let (from, to) = ExactPlacing::new(geometry, sheet, turn).ends();
+            (0.5 * (to - from).to_f64()).max(0.0)
+        } else {
+            at.half()
+        };
+        Self {
+            geometry,
+            sheet,
+            speed: at.speed(),
+            half,
+            at,
+            branches,
+            clusters,
+            cluster,
+            width: clusters.width(cluster),
+            known: Vec::new(),
+            rough: Vec::new(),
+        }
+    }
+
+    /// What a cell that ends at the cluster shares with one that begins there: by doubles if these decide whether there is anything.
+    pub(crate) fn shared(&mut self, lower: &Cell, upper: &Cell) -> Option<Shared> {
+        let one = |a: u32, b: u32| a != END && a == b;
+        if one(lower.right, upper.left) || one(upper.right, lower.left) {
+            return None;
+        }
+        let ends = |this: &mut Self, cell: &Cell| {
+            extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| this.rough(b, end)))
+        };
+        let (below, above) = (ends(self, lower), ends(self, upper));
+        if below.overlaps(&above).is_some() {
+            return below.shared_with(&above);
+        }
+        let (below, above) = (self.of(lower, Side::Below), self.of(upper, Side::Above));
+        below.shared_with(&above)
+    }
+
+    pub(crate) fn of(&mut self, cell: &Cell, side: Side) -> Extent {
+        extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| self.bound(b, end, side)))
+    }
+
+    /// How far places may be off where the curve is drawn in doubles.
+    pub(crate) fn drawn_error(&self) -> f64 {
+        self.speed * TURN_ERROR
+    }
+
+    /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
+    fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
+        let rough = self.rough(branch, end);
+        if rough.1 <= GOOD {
+            return rough;
+        }
+        if branch == END {
+            return (end * self.half, ROUNDING + self.speed * self.width);
+        }
+        let key = (branch, side);
+        if let Some(known) = self.known.iter().find(|k| k.0 == key) {
+            return known.1;
+        }
+        let measured = self.approached(&self.branches[branch as usize], side);
+        self.known.push((key, measured));
+        measured
+    }
+
+    /// The same as far as doubles tell; an infinite error where they do not.
+    fn rough(&mut self, branch: u32, end: f64) -> (f64, f64) {
+        if branch == END {
+            let moved = self.speed * (self.width + TURN_ERROR);
+            return (end * self.at.half(), moved + PLACE_ERROR);
+        }
+        if let Some(known) = self.rough.iter().find(|k| k.0 == branch) {
+            return known.1;
+        }
+        let b = &self.branches[branch as usize];
+        let small = |s: u32| self.geometry.contacts.sheets[s as usize].is_small();
+        let measured = if small(self.sheet) || small(b.other(self.sheet)) {
+            (0.0, f64::INFINITY)
+        } else {
+            let (at, rounding) = self.at.within(b);
+            let moved = self.speed * self.width / PLACE_ERROR;
+            (at, rounding * (1.0 + moved) + self.drawn_error())
+        };
+        self.rough.push((branch, measured));
+        measured
+    }
+
+    /// The place in double-double, a little aside: where two lines become one, their crossing is undefined, yet it has a limit.
+    ///
+    /// Near to the cluster the place has hardly moved, but curves that become one cross at an angle so small that their rounding
+    /// is much of it; farther aside it is the other way round. The best that is found counts.
+    fn approached(&self, b: &Branch, side: Side) -> (f64, f64) {
+        /// How far aside, radians: above the rounding of orientations, and far below what moves places.
+        const ASIDE: [f64; 3] = [1e-20, 1e-17, 1e-14];
+        let mut best = self.approached_to(b, side, ASIDE[0]);
+        for aside in ASIDE.into_iter().skip(1) {
+            if best.1 > GOOD {
+                let found = self.approached_to(b, side, aside);
+                if found.1 < best.1 {
+                    best = found;
+                }
+            }
+        }
+        best
+    }
+
+    /// The same at most so far aside.
+    fn approached_to(&self, b: &Branch, side: Side, aside: f64) -> (f64, f64) {
+        let (lo, hi) = self.clusters.exact_ends(self.cluster);
+        let (edge, slab) = match side {
+            Side::Below => (lo, self.clusters.exact_below(self.cluster)),
+            Side::Above => (hi, self.clusters.exact_above(self.cluster)),
+        };
+        let step = ((slab - edge).to_f64() * 0.5).clamp(-aside, aside);
+        let place = |theta: Dd| {
+            let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+            let (from, to) = placing.ends();
+            let p = placing.place(b);
+            // From the same end as in doubles.
+            let p = if p < from { from } else { p };
+            let p = if p > to { to } else { p };
+            let half = self.half;
+            if p.to_f64() < 0.0 {
+                (p - from).to_f64() - half
+            } else {
+                half - (to - p).to_f64()
+            }
+        };
+        let (near, far) = (place(edge + step), place(edge + step * 2.0));
+        // What ends or begins the cell may happen anywhere in the cluster.
+        let other = if side == Side::Below {
+            hi - step
+        } else {
+            lo - step
+        };
+        let beyond = (place(other) - near).abs();
+        // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
+        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(edge + step));
+        let rounding = ROUNDING + placing.rounding(b);
+        (near, rounding + 3.0 * (far - near).abs() + beyond)
+    }
+}
+
+/// The extent between two places with their errors.
+fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
+    /// Errors are estimates, of events and of places; this much worse they may be.
+    const MARGIN: f64 = 2.0;
+    Extent {
+        lo,
+        hi,
+        lo_error: MARGIN * lo_error,
+        hi_error: MARGIN * hi_error,
+    }
+}
+
+/// What is known better than this is known well enough (length).
+const GOOD: f64 = 1e-12;
+
+/// Rounding of an orientation and its rotation in doubles, radians.
+const TURN_ERROR: f64 = 4.0 * f64::EPSILON;
+
+/// Rounding of a place that was found in double-double (length).
+const ROUNDING: f64 = 1e-15;

@@ -1,0 +1,126 @@
+//! The gaps between branches on a contact curve, and which of them can bound free space.
+//!
+//! Right after a curve has entered the blocked side of another, and right before it leaves it, it is in blocked space.
+//! So is an end that no other curve continues. A gap is open if nothing of that kind bounds it.
+
+use crate::contact::{ExactTurn, Geometry};
+use crate::number::Dd;
+
+use crate::general::cells::cell::END;
+use crate::general::events::branch::Branch;
+use crate::general::events::placing::{ExactPlacing, Placing, Rank};
+
+/// The branches that cross a contact curve at one orientation, in order of travel.
+#[derive(Debug, Default)]
+pub(crate) struct Gaps {
+    /// Branches.
+    order: Vec<u32>,
+    /// The same with their ranks in doubles, and in double-double where these leave something open.
+    rough: Vec<(Rank, u32)>,
+    exact: Vec<(Dd, u32)>,
+    /// For each branch in order whether the curve enters blocked space there.
+    enters: Vec<bool>,
+    /// Whether nothing continues the sheet at its start, and at its end.
+    dead: (bool, bool),
+}
+
+impl Gaps {
+    /// With no branches yet.
+    pub(crate) fn of(geometry: &Geometry, sheet: u32) -> Self {
+        let contacts = &geometry.contacts;
+        let sheet = &contacts.sheets[sheet as usize];
+        Self {
+            dead: (
+                contacts.ending_at(sheet.start_name).next().is_none(),
+                contacts.starting_at(sheet.end_name).next().is_none(),
+            ),
+            ..Self::default()
+        }
+    }
+
+    /// Puts the branches in order at an orientation.
+    pub(crate) fn arrange(
+        &mut self,
+        geometry: &Geometry,
+        branches: &[Branch],
+        sheet: u32,
+        active: &[u32],
+        theta: Dd,
+    ) {
+        self.order.clear();
+        let small = |s: u32| geometry.contacts.sheets[s as usize].is_small();
+        let some_small = small(sheet)
+            || active
+                .iter()
+                .any(|&b| small(branches[b as usize].other(sheet)));
+        let told = active.len() < 2
+            || !some_small && {
+                let placing = Placing::new(geometry, sheet, theta.to_f64());
+                let rank = placing.ranking();
+                self.rough.clear();
+                self.rough
+                    .extend(active.iter().map(|&b| (rank(&branches[b as usize]), b)));
+                self.rough
+                    .sort_unstable_by(|a, b| a.0.rank.total_cmp(&b.0.rank).then(a.1.cmp(&b.1)));
+                self.rough
+                    .windows(2)
+                    .all(|w| placing.are_apart(&w[0].0, &w[1].0))
+            };
+        if active.len() < 2 {
+            self.order.extend(active);
+        } else if told {
+            self.order.extend(self.rough.iter().map(|r| r.1));
+        } else {
+            let placing = ExactPlacing::new(geometry, sheet, ExactTurn::by(theta));
+            self.exact.clear();
+            let rank = |&b: &u32| (placing.rank(&branches[b as usize]), b);
+            self.exact.extend(active.iter().map(rank));
+            self.exact
+                .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            self.order.extend(self.exact.iter().map(|r| r.1));
+        }
+        self.enters.clear();
+        self.enters.extend(
+            self.order
+                .iter()
+                .map(|&b| branches[b as usize].enters(sheet)),
+        );
+    }
+
+    /// How many branches there are.
+    pub(crate) fn branches(&self) -> usize {
+        self.order.len()
+    }
+
+    /// A branch by its place in the order.
+    pub(crate) fn branch(&self, place: usize) -> u32 {
+        self.order[place]
+    }
+
+    /// The branches on both sides of a gap, [`END`] where it goes to the end of the curve.
+    pub(crate) fn bounds(&self, gap: usize) -> (u32, u32) {
+        let before = gap.checked_sub(1).map_or(END, |i| self.order[i]);
+        let after = self.order.get(gap).map_or(END, |o| *o);
+        (before, after)
+    }
+
+    /// Whether the gap before branch `gap` in order (or after the last) may bound free space by what bounds it.
+    pub(crate) fn is_open(&self, gap: usize) -> bool {
+        let left = if gap == 0 {
+            !self.dead.0
+        } else {
+            !self.enters[gap - 1]
+        };
+        let right = self.enters.get(gap).map_or(!self.dead.1, |&enters| enters);
+        left && right
+    }
+
+    /// Whether two branches, by their place in the order, may pass each other and change an open gap: one of them
+    /// bounds one, or the first enters and the second leaves, so that their passing makes one.
+    pub(crate) fn passing_matters(&self, first: usize, second: usize) -> bool {
+        (self.enters[first] && !self.enters[second])
+            || [first, first + 1, second, second + 1]
+                .into_iter()
+                .any(|g| self.is_open(g))
+    }
+}

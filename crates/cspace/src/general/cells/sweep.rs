@@ -1,0 +1,255 @@
+//! Cutting each sheet into cells by a sweep over orientation.
+
+use crate::contact::Geometry;
+use crate::parallel;
+
+use crate::general::broad::candidates::SheetRun;
+use crate::general::cells::active::Active;
+use crate::general::cells::cell::{Cell, VerticalContact};
+use crate::general::cells::extent::{CellExtents, Shared, Side};
+use crate::general::cells::gaps::Gaps;
+use crate::general::events::branch::Branch;
+use crate::general::events::clusters::Clusters;
+use crate::general::events::pinches::{Pinch, pinches_of};
+use crate::general::events::triple::OnSheet;
+
+/// Everything a sweep reads.
+pub(crate) struct Sweep<'a> {
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) clusters: &'a Clusters,
+    pub(crate) branches: &'a [Branch],
+    pub(crate) on_sheet: &'a OnSheet,
+    /// Sheets with the clusters at which branches pass each other on them, sorted.
+    pub(crate) passings: &'a [(u32, u32)],
+    /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
+    pub(crate) splits: &'a [(u32, u32)],
+    /// Sheets of which some comes behind another, sorted: cells that do end there.
+    pub(crate) pinches: &'a [Pinch],
+}
+
+/// The clusters listed for a sheet.
+fn listed(list: &[(u32, u32)], sheet: u32) -> impl Iterator<Item = u32> + '_ {
+    let from = list.partition_point(|p| p.0 < sheet);
+    list[from..]
+        .iter()
+        .take_while(move |p| p.0 == sheet)
+        .map(|p| p.1)
+}
+
+/// Sheets swept at a time by one thread.
+const CHUNK: usize = 32;
+
+/// What is kept from sheet to sheet, for its room.
+#[derive(Default)]
+struct Work {
+    /// Clusters at which cells of the sheet may begin or end.
+    times: Vec<u32>,
+    /// Those at which all do.
+    splits: Vec<u32>,
+    /// Cells that have begun and not ended, in order of travel.
+    open: Vec<u32>,
+    /// What bounds those of the next interval.
+    keys: Vec<(u32, u32)>,
+    /// Cells that end where the interval begins.
+    closing: Vec<u32>,
+}
+
+/// The cells of all sheets, sorted by sheet, and which continue each other within a sheet.
+#[derive(Debug, Default)]
+pub(crate) struct Cells {
+    pub(crate) cells: Vec<Cell>,
+    pub(crate) vertical: Vec<VerticalContact>,
+    /// The cells of sheet i are `cells[first[i]..first[i + 1]]`.
+    pub(crate) first: Vec<u32>,
+}
+
+impl Cells {
+    /// The cells of a sheet, with their indices.
+    pub(crate) fn of(&self, sheet: u32) -> impl Iterator<Item = (u32, &Cell)> {
+        let (from, to) = (self.first[sheet as usize], self.first[sheet as usize + 1]);
+        (from..to).zip(&self.cells[from as usize..to as usize])
+    }
+}
+
+impl Sweep<'_> {
+    pub(crate) fn run(&self, runs: &[SheetRun]) -> Cells {
+        let parts = parallel::chunks(runs, CHUNK, |_, runs| {
+            let (mut work, mut cells) = (Work::default(), Cells::default());
+            for run in runs {
+                self.sheet(run, &mut work, &mut cells);
+            }
+            cells
+        });
+        let mut all = Cells::default();
+        for part in parts {
+            let offset = all.cells.len() as u32;
+            all.cells.extend(part.cells);
+            all.vertical
+                .extend(part.vertical.into_iter().map(|v| VerticalContact {
+                    lower: v.lower + offset,
+                    upper: v.upper + offset,
+                    ..v
+                }));
+        }
+        all.first = vec![0; self.geometry.contacts.sheets.len() + 1];
+        for c in &all.cells {
+            all.first[c.sheet as usize + 1] += 1;
+        }
+        for i in 1..all.first.len() {
+            all.first[i] += all.first[i - 1];
+        }
+        all
+    }
+
+    /// Adds the cells of a sheet.
+    fn sheet(&self, run: &SheetRun, work: &mut Work, out: &mut Cells) {
+        let Work {
+            times,
+            splits,
+            open,
+            keys,
+            closing,
+        } = work;
+        let clusters = self.clusters;
+        let (first, last) = (clusters.index(run.lo), clusters.index(run.hi));
+        let mine = self.on_sheet.of(run.sheet);
+        times.clear();
+        times.extend([first, last]);
+        let within = |t: &u32| first < *t && *t < last;
+        for &b in mine {
+            let b = &self.branches[b as usize];
+            times.extend([b.from, b.to].iter().filter(|t| within(t)));
+        }
+        times.extend(listed(self.passings, run.sheet).filter(within));
+        splits.clear();
+        splits.extend(listed(self.splits, run.sheet).filter(within));
+        times.extend(&*splits);
+        let from = self.pinches.partition_point(|p| p.sheet < run.sheet);
+        let pinches = self.pinches[from..].iter();
+        let pinches = pinches.take_while(|p| p.sheet == run.sheet);
+        times.extend(pinches.map(|p| p.at).filter(within));
+        times.sort_unstable();
+        times.dedup();
+
+        let mut gaps = Gaps::of(self.geometry, run.sheet);
+        open.clear();
+        let mut active = Active::new(self.branches, mine);
+        for w in times.windows(2) {
+            let (t0, t1) = (w[0], w[1]);
+            gaps.arrange(
+                self.geometry,
+                self.branches,
+                run.sheet,
+                active.after(t0),
+                clusters.exact_between(t0, t1),
+            );
+            keys.clear();
+            keys.extend((0..=gaps.branches()).map(|gap| gaps.bounds(gap)));
+            let same = |c: u32, key: &(u32, u32)| {
+                let cell: &Cell = &out.cells[c as usize];
+                (cell.left, cell.right) == *key
+            };
+            let split = splits.binary_search(&t0).is_ok();
+            let pinches = pinches_of(self.pinches, run.sheet, t0);
+            let moves = |c: u32| {
+                !pinches.is_empty() && {
+                    let extent = self
+                        .extents(run.sheet, t0)
+                        .of(&out.cells[c as usize], Side::Below);
+                    self.moves(pinches, 0.5 * (extent.lo + extent.hi))
+                }
+            };
+            let same = |c: u32, key: &(u32, u32)| !split && same(c, key) && !moves(c);
+            let kept_before = open
+                .iter()
+                .zip(&*keys)
+                .take_while(|(c, k)| same(**c, k))
+                .count();
+            let room = open.len().min(keys.len()) - kept_before;
+            let kept_after = open
+                .iter()
+                .rev()
+                .zip(keys.iter().rev())
+                .take(room)
+                .take_while(|(c, k)| same(**c, k))
+                .count();
+            let (kept_to, opened_to) = (open.len() - kept_after, keys.len() - kept_after);
+            closing.clear();
+            closing.extend(&open[kept_before..kept_to]);
+            let new_first = out.cells.len() as u32;
+            for (gap, &(left, right)) in (kept_before..).zip(&keys[kept_before..opened_to]) {
+                out.cells.push(Cell {
+                    sheet: run.sheet,
+                    from: t0,
+                    to: t1,
+                    left,
+                    right,
+                    blocked: !gaps.is_open(gap) || (t0 == first && run.lo_blocked),
+                    at_bottom: t0 == first && !run.lo_blocked,
+                    at_top: false,
+                });
+            }
+            let new = new_first..out.cells.len() as u32;
+            if t0 != first && !split {
+                self.connect(run.sheet, t0, closing, new.clone(), out);
+            }
+            open.splice(kept_before..kept_to, new);
+            for &c in &*open {
+                out.cells[c as usize].to = t1;
+            }
+        }
+        for &c in &*open {
+            let cell = &mut out.cells[c as usize];
+            cell.blocked |= run.hi_blocked;
+            cell.at_top = !run.hi_blocked;
+        }
+    }
+
+    fn extents(&self, sheet: u32, at: u32) -> CellExtents<'_> {
+        CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at)
+    }
+
+    /// Whether a place of a sheet's curve comes behind another or out from there, of those that have some that do.
+    fn moves(&self, pinches: &[Pinch], place: f64) -> bool {
+        (pinches.iter()).any(|p| p.moves(self.geometry, self.clusters, place))
+    }
+
+    /// Cells that end and cells that begin at one cluster continue each other where they overlap.
+    fn connect(
+        &self,
+        sheet: u32,
+        at: u32,
+        closing: &[u32],
+        opening: core::ops::Range<u32>,
+        out: &mut Cells,
+    ) {
+        let Cells {
+            cells, vertical, ..
+        } = out;
+        // What is blocked below and above is so anyway.
+        let matters = |i: u32| !cells[i as usize].blocked;
+        let any_matters = closing.iter().copied().chain(opening.clone()).any(matters);
+        if closing.is_empty() || opening.is_empty() || !any_matters {
+            return;
+        }
+        let pinches = pinches_of(self.pinches, sheet, at);
+        let mut extents = self.extents(sheet, at);
+        for &lower in closing {
+            for upper in opening.clone() {
+                if matters(lower) || matters(upper) {
+                    let goes_on = |s: &Shared| !self.moves(pinches, 0.5 * (s.lo + s.hi));
+                    let both = [lower, upper].map(|c| &cells[c as usize]);
+                    let shared = extents.shared(both[0], both[1]).filter(goes_on);
+                    vertical.extend(shared.map(|shared| VerticalContact {
+                        lower,
+                        upper,
+                        at,
+                        lo: shared.lo,
+                        hi: shared.hi,
+                        certain: shared.certain,
+                    }));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! Events gathered into critical orientations.
+//!
+//! Every event is known within an error. Events whose intervals overlap make one cluster: one candidate for a critical
+//! orientation. From here on orientations are counted in clusters, and structure is only ever looked at half way between two of
+//! them, away from every event.
+
+use crate::feature::tolerance::NARROWEST_BAND;
+use crate::geometry::Rotation;
+use crate::number::{Dd, Event};
+use crate::parallel;
+
+/// An orientation at which something may happen, in double-double, and its error (radians).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Moment {
+    pub(crate) theta: Dd,
+    pub(crate) error: f64,
+}
+
+impl From<Event> for Moment {
+    fn from(e: Event) -> Self {
+        Self {
+            theta: Dd::from(e.theta),
+            error: e.error,
+        }
+    }
+}
+
+/// Disjoint intervals of orientation, sorted; between two of them nothing happens.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Clusters {
+    lo: Vec<Dd>,
+    hi: Vec<Dd>,
+    /// The event of each that is known best: the orientation at which curves and places are measured.
+    best: Vec<Moment>,
+    /// The rotations by their orientations.
+    turns: Vec<Rotation>,
+}
+
+/// How far beside a cluster is just beside it, radians: carriers that were one at the cluster are apart by more than
+/// rounding, and what their motion bends, by its square, is less than that.
+const BESIDE: f64 = 1.0 / (1u64 << 20) as f64;
+
+/// Clusters nearer to each other than this (radians) are close: what is decided between them is decided in double-double.
+const CLOSE: f64 = 1e-5;
+
+/// Orientations nearer to each other than this (radians) are one: it is above the rounding of double-double, and below what
+/// a generic drawing has. What vertices moved by 10⁻¹³ tell apart is as near as the square of that.
+pub(crate) const SAME: f64 = 1e-28;
+
+/// Added to the errors of events found between clusters, radians, where it is asked which event is known best.
+const BETWEEN: f64 = 1.0;
+
+impl Clusters {
+    pub(crate) fn new(events: impl IntoIterator<Item = Moment>) -> Self {
+        Self::gather(
+            events
+                .into_iter()
+                .map(|e| (e.theta - e.error, e.theta + e.error, e))
+                .collect(),
+        )
+    }
+
+    /// From intervals with the best-known event in each.
+    fn gather(mut intervals: Vec<(Dd, Dd, Moment)>) -> Self {
+        parallel::sort_unstable_by(&mut intervals, |a, b| {
+            a.0.total_cmp(&b.0)
+                .then(a.2.error.total_cmp(&b.2.error))
+                .then(a.2.theta.total_cmp(&b.2.theta))
+        });
+        let mut this = Self::default();
+        for (lo, hi, e) in intervals {
+            match (this.hi.last_mut(), this.best.last_mut()) {
+                (Some(last), Some(best)) if lo <= *last + SAME => {
+                    if hi > *last {
+                        *last = hi;
+                    }
+                    if e.error < best.error {
+                        *best = e;
+                    }
+                }
+                _ => {
+                    this.lo.push(lo);
+                    this.hi.push(hi);
+                    this.best.push(e);
+                }
+            }
+        }
+        this.turns = (this.best.iter())
+            .map(|e| Rotation::by(e.theta.to_f64()))
+            .collect();
+        this
+    }
+
+    /// These clusters with more events that were found between them, and where each of the old ones went.
+    ///
+    /// Where such an event is at the very end of a cluster, it is what is seen there of what happens within it: an event of
+    /// the cluster is known better, however small the other's error looks.
+    pub(crate) fn with(&self, more: Vec<Moment>) -> (Self, Vec<u32>) {
+        let mut intervals: Vec<_> = more
+            .into_iter()
+            .map(|e| {
+                let between = Moment {
+                    error: e.error + BETWEEN,
+                    ..e
+                };
+                (e.theta - e.error, e.theta + e.error, between)
+            })
+            .collect();
+        intervals.extend((0..self.lo.len()).map(|i| (self.lo[i], self.hi[i], self.best[i])));
+        let merged = Self::gather(intervals);
+        let moved = self.best.iter().map(|e| merged.index(e.theta)).collect();
+        (merged, moved)
+    }
+
+    /// These clusters with each of some runs, from a first to a last, as one; and where each of the old ones went.
+    pub(crate) fn contracted(&self, runs: &[(u32, u32)]) -> (Self, Vec<u32>) {
+        let mut this = Self::default();
+        let mut moved = Vec::with_capacity(self.len());
+        let mut runs = runs.iter().peekable();
+        let mut i = 0;
+        while i < self.len() {
+            let last = match runs.next_if(|run| run.0 as usize == i) {
+                Some(run) => run.1 as usize,
+                None => i,
+            };
+            let middle = i.midpoint(last);
+            this.lo.push(self.lo[i]);
+            this.hi.push(self.hi[last]);
+            this.best.push(self.best[middle]);
+            this.turns.push(self.turns[middle]);
+            moved.resize(last + 1, this.len() as u32 - 1);
+            i = last + 1;
+        }
+        (this, moved)
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.lo.len()
+    }
+
+    /// Those that are wider than the narrowest band.
+    pub(crate) fn rough(&self) -> impl Iterator<Item = u32> + '_ {
+        (0..self.len() as u32).filter(|&i| self.width(i) > NARROWEST_BAND)
+    }
+
+    /// The cluster an orientation belongs to: the last that does not begin after it.
+    pub(crate) fn index(&self, theta: Dd) -> u32 {
+        self.lo.partition_point(|&lo| lo <= theta).max(1) as u32 - 1
+    }
+
+    /// The orientation in the cluster at which an event is known best to happen.
+    pub(crate) fn at(&self, i: u32) -> f64 {
+        self.exact_at(i).to_f64()
+    }
+
+    /// The same in double-double.
+    pub(crate) fn exact_at(&self, i: u32) -> Dd {
+        self.best[i as usize].theta
+    }
+
+    /// The rotation by [`at`](Self::at).
+    pub(crate) fn turn(&self, i: u32) -> Rotation {
+        self.turns[i as usize]
+    }
+
+    /// Where the cluster begins.
+    pub(crate) fn lo(&self, i: u32) -> f64 {
+        self.lo[i as usize].to_f64()
+    }
+
+    /// Where it ends.
+    pub(crate) fn hi(&self, i: u32) -> f64 {
+        self.hi[i as usize].to_f64()
+    }
+
+    /// Where it ends and where another begins, in double-double.
+    pub(crate) fn exactly_between(&self, i: u32, j: u32) -> (Dd, Dd) {
+        (self.hi[i as usize], self.lo[j as usize])
+    }
+
+    /// From the end of one cluster to the beginning of another, radians.
+    pub(crate) fn duration(&self, i: u32, j: u32) -> f64 {
+        (self.lo[j as usize] - self.hi[i as usize]).to_f64()
+    }
+
+    /// Whether two clusters are close.
+    pub(crate) fn are_close(&self, i: u32, j: u32) -> bool {
+        self.duration(i, j) < CLOSE
+    }
+
+    /// Half way from one cluster to another.
+    pub(crate) fn between(&self, i: u32, j: u32) -> f64 {
+        self.exact_between(i, j).to_f64()
+    }
+
+    /// The same in double-double.
+    pub(crate) fn exact_between(&self, i: u32, j: u32) -> Dd {
+        (self.hi[i as usize] + self.lo[j as usize]).scaled(0.5)
+    }
+
+    /// How wide the cluster is, radians.
+    pub(crate) fn width(&self, i: u32) -> f64 {
+        (self.hi[i as usize] - self.lo[i as usize]).to_f64()
+    }
+
+    /// Orientations just below and above a cluster, where places have hardly moved: at most [`BESIDE`] from its ends.
+    pub(crate) fn exactly_beside(&self, i: u32) -> (Dd, Dd) {
+        let (below, above) = (self.exact_below(i), self.exact_above(i));
+        let near = (self.lo[i as usize] - BESIDE, self.hi[i as usize] + BESIDE);
+        (
+            if below > near.0 { below } else { near.0 },
+            if above < near.1 { above } else { near.1 },
+        )
+    }
+
+    /// Half way to the cluster before, or at the cluster if there is none.
+    pub(crate) fn exact_below(&self, i: u32) -> Dd {
+        self.exact_between(i.max(1) - 1, i)
+    }
+
+    /// Half way to the cluster after, or at the cluster if there is none.
+    pub(crate) fn exact_above(&self, i: u32) -> Dd {
+        self.exact_between(i, (i + 1).min(self.len() as u32 - 1))
+    }
+
+    /// The ends of a cluster in double-double.
+    pub(crate) fn exact_ends(&self, i: u32) -> (Dd, Dd) {
+        (self.lo[i as usize], self.hi[i as usize])
+    }
+}

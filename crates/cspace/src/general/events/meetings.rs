@@ -1,0 +1,54 @@
+//! Which sheets can have points in common: three sheets meet only where every two of them do.
+
+use crate::contact::Geometry;
+
+use crate::general::events::trace::Encounter;
+
+/// Which sheets cross or touch, and when.
+pub(crate) struct Meetings<'a> {
+    geometry: &'a Geometry,
+    encounters: &'a [Encounter],
+    /// Encounters in which sheet i is the first of the two: `encounters[start[i]..start[i + 1]]`.
+    start: Vec<u32>,
+}
+
+impl<'a> Meetings<'a> {
+    pub(crate) fn new(geometry: &'a Geometry, encounters: &'a [Encounter]) -> Self {
+        let mut start = vec![0u32; geometry.contacts.sheets.len() + 1];
+        for e in encounters {
+            start[e.first as usize + 1] += 1;
+        }
+        for i in 1..start.len() {
+            start[i] += start[i - 1];
+        }
+        Self {
+            geometry,
+            encounters,
+            start,
+        }
+    }
+
+    /// Whether two sheets may have a point in common between two clusters: three sheets meet only where every two do.
+    ///
+    /// Sheets that share an end or a carrier have that in common without crossing.
+    pub(crate) fn may_meet(&self, f: u32, g: u32, from: u32, to: u32) -> bool {
+        if f == g {
+            return false;
+        }
+        let (first, second) = (f.min(g), f.max(g));
+        let range = self.start[first as usize] as usize..self.start[first as usize + 1] as usize;
+        let mine = &self.encounters[range];
+        let at = mine.partition_point(|e| e.second < second);
+        let encountered = mine[at..]
+            .iter()
+            .take_while(|e| e.second == second)
+            .any(|e| e.from <= to && from <= e.to);
+        if encountered {
+            return true;
+        }
+        let contacts = &self.geometry.contacts;
+        let shared = contacts.sheets[f as usize]
+            .shared_ends(&contacts.sheets[g as usize], contacts.first_vertex_name);
+        shared.tangent || shared.corners.iter().any(Option::is_some)
+    }
+}

@@ -1,0 +1,536 @@
+//! The orientations at which two branches on one sheet pass each other, because three sheets meet.
+//!
+//! Where three carriers meet, a trigonometric polynomial of degree four vanishes, whichever of their crossings meet. It
+//! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
+//! At each root the places of the two branches tell whether it is they that pass each other.
+
+use crate::contact::{Carrier, ExactTurn, Geometry, Sheet, place_on};
+use crate::number::plane::{Xy, cross, dot, minus, times};
+use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
+
+use crate::general::events::branch::Branch;
+use crate::general::events::clusters::Moment;
+use crate::general::events::placing::{ExactPlacing, Placing, between, exact_sheet};
+
+/// Pieces narrower than this are not halved further (radians).
+///
+/// Two roots within such a piece leave the order as it was; between them the places differ by no more than
+/// h² |d″| / 8, some 1e-17, which is below rounding.
+const NARROWEST: f64 = 1e-8;
+
+/// In intervals narrower than this (radians) doubles are not asked.
+const NARROW: f64 = 1e-6;
+
+/// As [`NARROWEST`] where places are enclosed (radians): their order before and after decides the rest.
+const NARROWEST_PLACES: f64 = 1e-13;
+
+/// As [`NARROWEST`] in double-double.
+const NARROWEST_EXACT: f64 = 1e-18;
+
+/// How many pieces are looked at where three carriers always share a point, before places count as told apart as far
+/// as they can be.
+const PLACE_BUDGET: u32 = 2000;
+
+/// A function without roots or divisions that vanishes where the three sheets meet.
+///
+/// With a circle of centre c and radius r among them, and p = c + v: |v| = r, and each of the others is linear in
+/// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
+/// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
+///
+/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for flat arcs: about their
+/// centres it would be all rounding.
+pub(crate) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
+    if let Some(circle) = three
+        .iter()
+        .position(|c| matches!(c, Carrier::Circle { .. }))
+    {
+        three.swap(0, circle);
+    }
+    let size = |v: Xy<T>| v.0.rough().hypot(v.1.rough());
+    match three[0] {
+        Carrier::Circle { center, radius } => {
+            let r = radius.rough();
+            let linear = |other: &Carrier<T>| match *other {
+                Carrier::Line { normal, through } => {
+                    (normal, dot(normal, minus(through, center)), 1.0)
+                }
+                Carrier::FlatArc(_) => (center, T::constant(f64::NAN), 1.0),
+                Carrier::Circle {
+                    center: c,
+                    radius: other,
+                } => {
+                    let a = minus(c, center);
+                    let square = dot(a, a);
+                    let terms = square.rough() + other.rough().powi(2) + r * r;
+                    let rest = (other - radius) * (other + radius);
+                    (a, T::constant(0.5) * (square - rest), terms)
+                }
+            };
+            let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
+            let v = minus(times(b, e), times(a, g));
+            let d = radius * cross(a, b);
+            let (a, b) = (size(a), size(b));
+            let terms = (b * p + a * q).powi(2) + (r * a * b).powi(2);
+            (dot(v, v) - d * d, terms)
+        }
+        Carrier::Line { .. } | Carrier::FlatArc(_) => {
+            let line = |c: &Carrier<T>| match *c {
+                Carrier::Line { normal, through } => (normal, dot(normal, through)),
+                Carrier::Circle { center, .. } => (center, T::constant(0.0)),
+                Carrier::FlatArc(arc) => (arc.normal, T::constant(f64::NAN)),
+            };
+            let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
+            (d * cross(m, n) + e * cross(n, l) + g * cross(l, m), 8.0)
+        }
+    }
+}
+
+/// Two branches on one sheet.
+pub(crate) struct Passing<'a> {
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) sheet: u32,
+    pub(crate) x: &'a Branch,
+    pub(crate) y: &'a Branch,
+}
+
+/// Where a branch is along its sheet's curve at the beginning, in the middle and at the end of a narrow interval.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sample {
+    places: [Dd; 3],
+    /// Bound on what the parabola through these leaves out.
+    rest: f64,
+}
+
+impl Sample {
+    /// Of a branch on a sheet; `None` where its crossing is too blunt for the interval.
+    pub(crate) fn new(
+        geometry: &Geometry,
+        sheet: u32,
+        placings: &[ExactPlacing<'_>; 3],
+        b: &Branch,
+        length: f64,
+    ) -> Option<Self> {
+        /// How fast the square of the sine of the angle of crossing changes at most, per radian, times the least radius: where
+        /// it vanishes places are singular.
+        const SPEED: f64 = 16.0;
+        /// The largest share of that which the interval may be.
+        const NARROW: f64 = 1e-2;
+        let sheets = &geometry.contacts.sheets;
+        let both = [sheet, b.other(sheet)].map(|s| &sheets[s as usize]);
+        let radii = both.iter().filter(|s| s.is_circle());
+        let least = radii.map(|s| s.radius.abs()).fold(1.0, f64::min);
+        let share = SPEED * length / (placings[1].sharpness(b).powi(2) * least);
+        (share < NARROW && !both.iter().any(|s| s.is_flat())).then(|| Self {
+            places: [0, 1, 2].map(|i: usize| placings[i].place(b)),
+            rest: share.powi(3),
+        })
+    }
+
+    /// Whether the order of two branches changes once in the interval, or never; `None` if that is not certain.
+    fn change(&self, other: &Self) -> Option<bool> {
+        let d = [0, 1, 2].map(|i| (self.places[i] - other.places[i]).to_f64());
+        let rest = self.rest + other.rest;
+        // Q(s) = d₁ + (d₂ − d₀) s / 2 + c s², −1 ≤ s ≤ 1.
+        let c = (0.5 * (d[0] + d[2]) - d[1]).abs();
+        let one_sign = d.iter().all(|&x| x > 0.0) || d.iter().all(|&x| x < 0.0);
+        let least = d.iter().map(|x| x.abs()).fold(f64::INFINITY, f64::min);
+        if one_sign && least > c + rest {
+            Some(false)
+        } else if d[0] * d[2] < 0.0
+            && 0.5 * (d[2] - d[0]).abs() > 2.0 * c + 4.0 * rest
+            && d[0].abs().min(d[2].abs()) > rest
+        {
+            Some(true)
+        } else {
+            None
+        }
+    }
+}
+
+impl Passing<'_> {
+    /// The same as [`isolate`](Self::isolate) in a narrow interval, if samples of both branches there are enough to tell.
+    pub(crate) fn told_by(
+        &self,
+        [x, y]: [&Sample; 2],
+        lo: Dd,
+        hi: Dd,
+        found: &mut impl FnMut(Moment),
+    ) -> bool {
+        match x.change(y) {
+            Some(true) => {
+                self.change_of_order(lo, hi, None)
+                    .into_iter()
+                    .for_each(found);
+                true
+            }
+            Some(false) => true,
+            None => false,
+        }
+    }
+
+    /// The difference of the places of the two branches; see [`between`].
+    fn difference<T: Real>(&self, cos: T, sin: T) -> T {
+        let sheets = &self.geometry.contacts.sheets;
+        let f = &sheets[self.sheet as usize];
+        let carrier = f.carrier(cos, sin);
+        let place = |b: &Branch| {
+            let g = &sheets[b.other(self.sheet) as usize];
+            let (swapped, root) = (b.second == self.sheet, b.root);
+            if let Some((o, _)) = f.close_to(g) {
+                let about = |s: &Sheet| s.about(&o).carrier(cos, sin);
+                return place_on(&about(f), &about(g), root, swapped);
+            }
+            place_on(&carrier, &g.carrier(cos, sin), root, swapped)
+        };
+        let (p, q) = (place(self.x), place(self.y));
+        if f.is_circle() {
+            cross(p, q) * T::constant(1.0 / f.radius.abs())
+        } else {
+            p.0 - q.0
+        }
+    }
+
+    /// Finds every orientation at which the two branches pass each other, and tells in how many parts of the interval the
+    /// polynomial told nothing. There is none with large arcs, which touch at no more orientations than they turn.
+    pub(crate) fn isolate(
+        &self,
+        f: Option<&TrigPolynomial>,
+        lo: Dd,
+        hi: Dd,
+        found: &mut impl FnMut(Moment),
+    ) -> u64 {
+        /// How far around a meeting that doubles tell, at least (radians).
+        const AROUND: f64 = 1e-7;
+        // Where doubles tell nothing.
+        let mut unclear: Vec<(Dd, Dd)> = Vec::new();
+        let mut vague: Vec<(Dd, Dd)> = Vec::new();
+        let (first, last) = (lo.to_f64(), hi.to_f64());
+        // The ends are not rounded: there may be a meeting between an end and the double that is nearest to it.
+        let exactly = |t: f64| match t {
+            _ if t <= first => lo,
+            _ if t >= last => hi,
+            _ => Dd::from(t),
+        };
+        match f {
+            Some(f) if (hi - lo).to_f64() >= NARROW => {
+                let mut brackets = Vec::new();
+                f.brackets(
+                    first,
+                    last,
+                    NARROWEST,
+                    &mut |a, b| brackets.push((a, b)),
+                    &mut |a, b| unclear.push((exactly(a), exactly(b))),
+                );
+                for (a, b) in brackets {
+                    // Which side of zero the value is on at an end may be beyond doubles, too.
+                    let told = |t: f64| f.at(t).0.abs() > f.error();
+                    if b - a <= 2.0 * NARROWEST || !told(a) || !told(b) {
+                        unclear.push((exactly(a), exactly(b)));
+                    } else if let Some(e) = self.refine(f, a, b) {
+                        let around = AROUND.max(8.0 * e.error);
+                        let from = exactly((e.theta - around).max(a));
+                        let to = exactly((e.theta + around).min(b));
+                        self.change_of_order(from, to, Some(e.theta))
+                            .into_iter()
+                            .for_each(&mut *found);
+                    }
+                }
+            }
+            Some(_) => unclear.push((lo, hi)),
+            None => vague.push((lo, hi)),
+        }
+        if !unclear.is_empty() {
+            let exact = self.polynomial();
+            for (a, b) in unclear {
+                let mut brackets = Vec::new();
+                exact.brackets(
+                    a,
+                    b,
+                    NARROWEST_EXACT,
+                    &mut |a, b| brackets.push((a, b)),
+                    &mut |a, b| vague.push((a, b)),
+                );
+                let changes =
+                    (brackets.into_iter()).filter_map(|(a, b)| self.change_of_order(a, b, None));
+                changes.for_each(&mut *found);
+            }
+        }
+        let count = vague.len() as u64;
+        for (a, b) in vague {
+            if f.is_some() {
+                self.change_of_order(a, b, None)
+                    .into_iter()
+                    .for_each(&mut *found);
+                continue;
+            }
+            let mut budget = PLACE_BUDGET;
+            let mut take = |e: Event| {
+                let around = (
+                    Dd::from(e.theta) - 2.0 * e.error,
+                    Dd::from(e.theta) + 2.0 * e.error,
+                );
+                found(
+                    self.change_of_order(around.0, around.1, None)
+                        .unwrap_or(e.into()),
+                );
+            };
+            self.isolate_places(
+                a.to_f64(),
+                b.to_f64(),
+                NARROWEST_PLACES,
+                &mut budget,
+                &mut take,
+            );
+        }
+        count
+    }
+
+    /// The difference of the places of the two branches in double-double; see [`between`].
+    fn apart(&self, theta: Dd) -> Dd {
+        let turn = ExactTurn::by(theta);
+        let carrier = |s| exact_sheet(self.geometry, s).carrier(&turn);
+        let f = carrier(self.sheet);
+        let place = |b: &Branch| {
+            let g = carrier(b.other(self.sheet));
+            f.crossed_by(&g, b.root, b.second == self.sheet)
+        };
+        between(&f.carrier, place(self.x), place(self.y))
+    }
+
+    /// The same in doubles, if its sign is certain.
+    fn roughly_apart(&self, theta: f64) -> Option<f64> {
+        /// Errors are estimates; this much worse they may be.
+        const MARGIN: f64 = 8.0;
+        let placing = Placing::new(self.geometry, self.sheet, theta);
+        let small = |s: &u32| self.geometry.contacts.sheets[*s as usize].is_small();
+        if self.sheets().iter().any(small) {
+            return None;
+        }
+        let ((p, e), (q, f)) = (placing.crossed_by(self.x), placing.crossed_by(self.y));
+        let apart = between(placing.carrier(), p, q);
+        (apart.abs() > MARGIN * (e + f)).then_some(apart)
+    }
+
+    /// Where the two branches pass each other between two orientations, if their order changes: by secants, from where doubles
+    /// tell that it may be, halving where a secant leaves the interval or does not shorten it.
+    ///
+    /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
+    fn change_of_order(&self, lo: Dd, hi: Dd, near: Option<f64>) -> Option<Moment> {
+        /// Smaller ones are rounding (length): where three carriers always share a point.
+        const NONE: f64 = 1e-29;
+        let at = |theta: Dd| {
+            let rough = self.roughly_apart(theta.to_f64()).map(Dd::from);
+            let apart = rough.unwrap_or_else(|| self.apart(theta));
+            (apart.to_f64().abs() >= NONE).then_some(apart)
+        };
+        let ((mut a, at_a), (mut b, at_b)) = ((lo, at(lo)?), (hi, at(hi)?));
+        if at_a.is_negative() == at_b.is_negative() {
+            return None;
+        }
+        // The secant through the ends, and where it is zero.
+        let mut slope = (at_b - at_a) / (b - a);
+        let mut c = near.map_or_else(|| a - at_a / slope, Dd::from);
+        let mut last: Option<(Dd, Dd)> = None;
+        // The longest step that counts as one of a secant.
+        let mut longest = (b - a).to_f64();
+        for _ in 0..MOST_STEPS {
+            if (b - a).to_f64() <= SAME_EXACT {
+                break;
+            }
+            if !(a < c && c < b) {
+                c = (a + b).scaled(0.5);
+            }
+            let at_c = self.apart(c);
+            if at_c.is_negative() == at_a.is_negative() {
+                a = c;
+            } else {
+                b = c;
+            }
+            // The difference of two values that are rounding is no slope.
+            if let Some((before, at_before)) = last
+                && at_before.to_f64().abs() > 16.0 * NONE
+            {
+                slope = (at_c - at_before) / (c - before);
+            }
+            let step = -(at_c / slope);
+            let size = step.to_f64().abs();
+            last = Some((c, at_c));
+            if at_c.to_f64().abs() < 0.01 * NONE || size < SAME_EXACT {
+                (a, b) = (c, c);
+                break;
+            }
+            longest *= 0.5;
+            c = if size <= longest {
+                c + step
+            } else {
+                (a + b).scaled(0.5)
+            };
+        }
+        let theta = (a + b).scaled(0.5);
+        let (_, at_last) = last?;
+        // Places on opposite sides of a circle change their order, too.
+        if at_last.to_f64().abs() > NEAR {
+            return None;
+        }
+        let error = (b - a).to_f64() + exact_error(NONE, slope.to_f64());
+        // It is between the orientations at which the order is known.
+        let error = error.min((hi - lo).to_f64());
+        Some(Moment { theta, error })
+    }
+
+    /// What vanishes where the three carriers meet; `None` with a large arc, about whose centre nothing can be reckoned.
+    pub(crate) fn rough_polynomial(&self) -> Option<TrigPolynomial> {
+        let sheets = &self.geometry.contacts.sheets;
+        let three = self.sheets().map(|s| &sheets[s as usize]);
+        let flat = three.iter().any(|s| s.is_flat());
+        (!flat).then(|| {
+            TrigPolynomial::sampled(|cos, sin| concurrency(three.map(|s| s.carrier(cos, sin))))
+        })
+    }
+
+    /// The same in double-double.
+    fn polynomial(&self) -> TrigPolynomial<Dd> {
+        let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
+        TrigPolynomial::sampled(|cos, sin| {
+            let turn = ExactTurn::of(cos, sin);
+            concurrency([0, 1, 2].map(|i| three[i].carrier(&turn).carrier))
+        })
+    }
+
+    /// The sheet and those of both branches.
+    fn sheets(&self) -> [u32; 3] {
+        [
+            self.sheet,
+            self.x.other(self.sheet),
+            self.y.other(self.sheet),
+        ]
+    }
+
+    /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
+    /// nothing: by enclosures of the difference of the places themselves, in intervals down to a width.
+    fn isolate_places(
+        &self,
+        lo: f64,
+        hi: f64,
+        narrowest: f64,
+        budget: &mut u32,
+        found: &mut impl FnMut(Event),
+    ) {
+        *budget = budget.saturating_sub(1);
+        /// Places no further apart are one (length).
+        const SAME_PLACE: f64 = 1e-11;
+        let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
+        let d = self.difference(cos, sin);
+        if d.value.sign() != 0 {
+            return;
+        }
+        let mid = 0.5 * (lo + hi);
+        let (cos, sin) = Ball::constant(mid).cos_sin();
+        let at_mid = self.difference(cos, sin);
+        let reach = (d.slope.mid.abs() + d.slope.radius) * 0.5 * (hi - lo);
+        if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
+            return;
+        }
+        let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
+        if d.slope.sign() != 0 {
+            if at_lo * at_hi <= 0.0 {
+                found(self.meeting(lo, hi, at_lo));
+            }
+        } else if *budget == 0 || hi - lo < narrowest || at_mid.mid.abs() + reach < SAME_PLACE {
+            if at_lo.abs() > SAME_PLACE && at_hi.abs() > SAME_PLACE && at_lo * at_hi < 0.0 {
+                found(self.meeting(lo, hi, at_lo));
+            }
+        } else {
+            self.isolate_places(lo, mid, narrowest, budget, found);
+            self.isolate_places(mid, hi, narrowest, budget, found);
+        }
+    }
+
+    /// Where the places of the two branches agree in an interval in which their difference changes sign.
+    fn meeting(&self, mut lo: f64, mut hi: f64, at_lo: f64) -> Event {
+        while hi - lo > 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
+            let mid = 0.5 * (lo + hi);
+            if (self.gap(mid).value > 0.0) == (at_lo > 0.0) {
+                lo = mid;
+            } else {
+                hi = mid;
+            }
+        }
+        let theta = 0.5 * (lo + hi);
+        event(theta, 0.0, self.gap(theta).slope)
+    }
+
+    /// The difference of the places of the two branches, with its derivatives.
+    fn gap(&self, theta: f64) -> Series {
+        let (cos, sin) = Series::cos_sin(theta);
+        self.difference(cos, sin)
+    }
+
+    /// The root in an interval in which there is one, by Newton's rule within a bracket; `None` if the two branches are apart
+    /// there.
+    fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64) -> Option<Event> {
+        /// Steps shorter than this are rounding, radians.
+        const SAME: f64 = 1e-15;
+        /// Rounding of an orientation, and what steps leave of it, radians.
+        const ROOT_ERROR: f64 = 8.0 * SAME;
+        let at_lo = f.at(lo).0;
+        let mut theta = 0.5 * (lo + hi);
+        // Halving the bracket where a step leaves it or does not shorten it enough.
+        let mut width = hi - lo;
+        for _ in 0..100 {
+            let (value, slope) = f.at(theta);
+            if (value > 0.0) == (at_lo > 0.0) {
+                lo = theta;
+            } else {
+                hi = theta;
+            }
+            let next = theta - value / slope;
+            let step = (next - theta).abs();
+            let good = lo < next && next < hi && step <= 0.5 * width;
+            let next = if good { next } else { 0.5 * (lo + hi) };
+            width = if good { step } else { hi - lo };
+            if width <= SAME || value == 0.0 {
+                break;
+            }
+            theta = next;
+        }
+        let d = self.gap(theta);
+        // How far the root is known, and with it the places: of lines that are nearly parallel these move fast.
+        let off = f.error() / f.at(theta).1.abs() + ROOT_ERROR;
+        let near = d.value.abs() <= NEAR + off * d.slope.abs();
+        (near || d.value.is_nan()).then(|| event(theta, d.value, d.slope))
+    }
+}
+
+/// Branches further apart than this (length) where their order changes are not those that meet.
+const NEAR: f64 = 1e-4;
+
+/// Steps shorter than this are rounding in double-double, radians.
+const SAME_EXACT: f64 = 1e-30;
+
+/// Steps towards a meeting, at most.
+const MOST_STEPS: usize = 200;
+
+/// Error of a root of a function that is known up to an error and has a slope there.
+fn exact_error(error: f64, slope: f64) -> f64 {
+    error / slope.abs().max(f64::MIN_POSITIVE) + SAME_EXACT
+}
+
+/// A meeting at an orientation at which the places of two branches still differ by `off`, and their difference changes by
+/// `slope` per radian.
+fn event(theta: f64, off: f64, slope: f64) -> Event {
+    /// Rounding of a place, in the pair's frame.
+    const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
+    /// No larger error is reported, radians.
+    const LARGEST_ERROR: f64 = 1e-9;
+    let error = (off.abs() + PLACE_ERROR) / slope.abs().max(f64::MIN_POSITIVE);
+    let error = if error.is_nan() {
+        LARGEST_ERROR
+    } else {
+        error.min(LARGEST_ERROR)
+    };
+    Event {
+        theta,
+        error: error + 4.0 * f64::EPSILON,
+    }
+}

@@ -1,0 +1,83 @@
+//! Curves that face each other and pass each other along a piece, within one cluster of events.
+//!
+//! Two opposite sides of a pocket that closes are lines, and become one all along (`levels.rs`); or nearly so, as where one of
+//! them is slightly bowed. Then they cross, but the crossing runs through all that faces each other while the orientation changes
+//! by less than is told apart, so that there is none before and none after. What was in front of the other curve is behind it
+//! then: a cell that is there does not go on.
+
+use crate::contact::{ExactCurve, ExactTurn, Geometry};
+use crate::number::Dd;
+use crate::number::plane::{Xy, dot};
+
+use crate::general::events::clusters::Clusters;
+use crate::general::events::placing::exact_sheet;
+
+/// A sheet of which some has come behind another sheet, within a cluster.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Pinch {
+    pub(crate) sheet: u32,
+    pub(crate) at: u32,
+    pub(crate) other: u32,
+}
+
+/// Those of a sheet at a cluster, of a sorted list.
+pub(crate) fn pinches_of(all: &[Pinch], sheet: u32, at: u32) -> &[Pinch] {
+    let from = all.partition_point(|p| (p.sheet, p.at) < (sheet, at));
+    let count = all[from..].partition_point(|p| (p.sheet, p.at) == (sheet, at));
+    &all[from..from + count]
+}
+
+/// Whether of two sheets that do not cross just below and just above a cluster one comes behind the other where both are.
+pub(crate) fn pinched(geometry: &Geometry, sheets: (u32, u32), beside: &[ExactTurn; 2]) -> bool {
+    let [f, g] = [sheets.0, sheets.1].map(|s| placed(geometry, s, beside));
+    let passes = |f: &[ExactCurve; 2], g: &[ExactCurve; 2], end: usize| {
+        let p = f.map(|c| c.end_points()[end]);
+        let opposite = dot(f[0].carrier().normal(p[0]), g[0].carrier().normal(p[0])).is_negative();
+        opposite && is_passed(g, p)
+    };
+    [0, 1]
+        .into_iter()
+        .any(|end| passes(&f, &g, end) || passes(&g, &f, end))
+}
+
+/// One of two sheets whose curves do not cross just below and just above a cluster, that is on different sides of the other
+/// then: all of it has passed in between.
+pub(crate) fn swallowed(
+    geometry: &Geometry,
+    (f, g): (u32, u32),
+    beside: &[ExactTurn; 2],
+) -> Option<u32> {
+    [(f, g), (g, f)]
+        .into_iter()
+        .find(|&(short, long)| {
+            let [short, long] = [short, long].map(|s| placed(geometry, s, beside));
+            is_passed(&long, short.map(|c| c.point(Dd::ZERO)))
+        })
+        .map(|pair| pair.0)
+}
+
+impl Pinch {
+    /// Whether a place of the sheet's curve comes behind the other sheet, or out from behind it.
+    pub(crate) fn moves(&self, geometry: &Geometry, clusters: &Clusters, place: f64) -> bool {
+        let beside = turns_beside(clusters, self.at);
+        let [f, g] = [self.sheet, self.other].map(|s| placed(geometry, s, &beside));
+        is_passed(&g, f.map(|c| c.point(Dd::from(place))))
+    }
+}
+
+/// Just below and just above a cluster.
+pub(crate) fn turns_beside(clusters: &Clusters, at: u32) -> [ExactTurn; 2] {
+    let (below, above) = clusters.exactly_beside(at);
+    [below, above].map(ExactTurn::by)
+}
+
+/// A sheet's curves at two orientations.
+fn placed(geometry: &Geometry, sheet: u32, turns: &[ExactTurn; 2]) -> [ExactCurve; 2] {
+    [0, 1].map(|k: usize| exact_sheet(geometry, sheet).curve(&turns[k]))
+}
+
+/// Whether a curve passes a point that is beside it before and after.
+fn is_passed(curve: &[ExactCurve; 2], point: [Xy<Dd>; 2]) -> bool {
+    let sides = [0, 1].map(|k: usize| curve[k].side_of(point[k]));
+    matches!(sides, [Some(a), Some(b)] if a != b)
+}

@@ -1,0 +1,27 @@
+//! How large a pair may be: what is refused before it takes memory and time out of all proportion.
+//!
+//! None of these limits depends on the machine or on the number of threads, so that a pair is refused everywhere or nowhere.
+//! Two outlines of 2500 vertices each, which touch at every pair of features, are within all of them, with 15 gigabytes and
+//! some minutes.
+
+/// The most edges of a part. Whatever is asked of a part place by place, such as its symmetry and where its material is, takes
+/// seconds; and two parts make more contacts than [`MOST_SHEETS`] anyway, but for a few that are almost all symmetry.
+pub(crate) const MOST_EDGES: usize = 1 << 18;
+
+/// The largest product of the parts' numbers of edges. Ends of sheets are numbered by features and joints, of which
+/// there are up to two for each edge: 12 names for each pair of edges at most, which 32 bits have room for.
+pub(crate) const MOST_EDGE_PAIRS: usize = 1 << 23;
+
+/// The most sheets. At some 300 bytes each they take 4 gigabytes; polygons have one to two for each pair of edges.
+pub(crate) const MOST_SHEETS: usize = 3 << 22;
+
+/// The most patches. With their links they take some 450 bytes each: 4 gigabytes. Symmetric parts have a patch over and over,
+/// once for every slab of a turn.
+pub(crate) const MOST_PATCHES: usize = 1 << 23;
+
+/// The most meetings of two sheets' boxes, counted in every slot of orientations: 4 gigabytes, some minutes.
+pub(crate) const MOST_MEETINGS: usize = 1 << 28;
+
+/// The most pairs of sheets that may cross. Each takes some 600 bytes until the computation ends, for its events, its
+/// branches and the cells that these cut: 20 gigabytes, some minutes.
+pub(crate) const MOST_CROSSING: usize = 1 << 25;

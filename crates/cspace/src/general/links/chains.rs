@@ -1,0 +1,229 @@
+//! Chains of free cells that continue each other with nothing changed: each makes a patch, and all its copies.
+
+use core::f64::consts::TAU;
+
+use crate::contact::{Geometry, Seam, Sheet};
+
+use crate::general::cells::cell::{Cell, END};
+use crate::general::events::branch::Branch;
+use crate::general::events::clusters::Clusters;
+use crate::general::verdict::shells::Shells;
+
+/// What a bound of a cell is, in terms that do not depend on how sheets were cut: an end of features, or a crossing
+/// with a feature pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum BoundKey {
+    End(u32),
+    Crossing {
+        fixed: u32,
+        moving: u32,
+        root: u8,
+        enters: bool,
+    },
+}
+
+/// A cluster seen from some number of slabs below.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Place {
+    pub(crate) cluster: u32,
+    pub(crate) slabs: i64,
+}
+
+/// A chain of cells that make one patch.
+#[derive(Debug)]
+pub(crate) struct Chain {
+    pub(crate) first: u32,
+    pub(crate) last: u32,
+    /// Where it begins, in the slab of its first cell, and where it ends.
+    pub(crate) from: Place,
+    pub(crate) to: Place,
+    /// The same in radians.
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    /// Whether it goes around the whole turn and continues itself.
+    pub(crate) closed: bool,
+}
+
+/// The chain a cell is in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Member {
+    pub(crate) chain: u32,
+    /// How many slabs above the chain's first cell.
+    pub(crate) slabs: i64,
+}
+
+/// All chains, in the order of their smallest cells.
+#[derive(Debug)]
+pub(crate) struct Chains {
+    pub(crate) chains: Vec<Chain>,
+    /// For every cell its chain, if it is free.
+    pub(crate) members: Vec<Option<Member>>,
+}
+
+/// What chains are made of.
+#[derive(Clone, Copy)]
+pub(crate) struct Linker<'a> {
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) clusters: &'a Clusters,
+    pub(crate) branches: &'a [Branch],
+    pub(crate) cells: &'a [Cell],
+}
+
+/// In place of a cell: none.
+const NONE: u32 = u32::MAX;
+
+impl<'a> Linker<'a> {
+    pub(crate) fn sheet(&self, cell: u32) -> &'a Sheet {
+        &self.geometry.contacts.sheets[self.cells[cell as usize].sheet as usize]
+    }
+
+    /// Whether a cell ends where the slab does, and goes on at its beginning.
+    pub(crate) fn is_wrap(&self, lower: u32) -> bool {
+        matches!(self.sheet(lower).top, Seam::Wrap(..)) && self.cells[lower as usize].at_top
+    }
+
+    /// The name of a branch's root as seen from one of its sheets: sides are exchanged between two circles, and with a large one.
+    pub(crate) fn own_root(&self, b: &Branch, sheet: u32) -> u8 {
+        let sheets = &self.geometry.contacts.sheets;
+        let (f, g) = (&sheets[b.first as usize], &sheets[b.second as usize]);
+        let exchanged = f.is_circle() && g.is_circle() || f.is_flat_arc() || g.is_flat_arc();
+        if exchanged && b.second == sheet {
+            1 - b.root
+        } else {
+            b.root
+        }
+    }
+
+    /// What bounds a cell; `below` asks for what does so one slab lower.
+    fn keys(&self, cell: u32, below: bool) -> [BoundKey; 2] {
+        let c = &self.cells[cell as usize];
+        let sheet = self.sheet(cell);
+        let contacts = &self.geometry.contacts;
+        let key = |bound: u32, end: u32| {
+            if bound == END {
+                return BoundKey::End(if below { contacts.name_below(end) } else { end });
+            }
+            let b = &self.branches[bound as usize];
+            let other = &contacts.sheets[b.other(c.sheet) as usize];
+            let (fixed, moving) = self.pair(other, below);
+            BoundKey::Crossing {
+                fixed,
+                moving,
+                root: self.own_root(b, c.sheet),
+                enters: b.enters(c.sheet),
+            }
+        };
+        [key(c.left, sheet.start_name), key(c.right, sheet.end_name)]
+    }
+
+    fn pair(&self, sheet: &Sheet, below: bool) -> (u32, u32) {
+        if below {
+            self.geometry.contacts.pair_below(sheet.fixed, sheet.moving)
+        } else {
+            (sheet.fixed, sheet.moving)
+        }
+    }
+
+    /// Whether the upper cell is the lower one once more: the same features between the same bounds.
+    fn same(&self, lower: u32, upper: u32) -> bool {
+        let below = self.is_wrap(lower);
+        self.pair(self.sheet(lower), below) == self.pair(self.sheet(upper), false)
+            && self.keys(lower, below) == self.keys(upper, false)
+    }
+
+    pub(crate) fn chains(&self, shells: &Shells) -> Chains {
+        let n = self.cells.len();
+        let (mut up, mut down) = (vec![NONE; n], vec![NONE; n]);
+        for v in &shells.vertical {
+            let (l, u) = (v.lower as usize, v.upper as usize);
+            let open = up[l] == NONE && down[u] == NONE;
+            if shells.free[l] && shells.free[u] && open && self.same(v.lower, v.upper) {
+                up[l] = v.upper;
+                down[u] = v.lower;
+            }
+        }
+        let mut members: Vec<Option<Member>> = vec![None; n];
+        // Chains with the smallest cell of each.
+        let mut found: Vec<(u32, Chain)> = Vec::new();
+        // First the chains with a first cell; what is left goes around.
+        for first in [true, false] {
+            for i in 0..n as u32 {
+                let free = shells.free[i as usize] && members[i as usize].is_none();
+                if free && (!first || down[i as usize] == NONE) {
+                    let number = found.len() as u32;
+                    found.push(self.follow(i, number, &up, &mut members));
+                }
+            }
+        }
+        // In the order of their smallest cells, whichever way they were found.
+        let mut order: Vec<u32> = (0..found.len() as u32).collect();
+        order.sort_by_key(|&c| found[c as usize].0);
+        let mut rank = vec![0u32; found.len()];
+        for (r, &c) in (0..).zip(&order) {
+            rank[c as usize] = r;
+        }
+        for m in members.iter_mut().flatten() {
+            m.chain = rank[m.chain as usize];
+        }
+        found.sort_by_key(|f| f.0);
+        Chains {
+            chains: found.into_iter().map(|f| f.1).collect(),
+            members,
+        }
+    }
+
+    /// Follows cells upwards as long as they are new, and for no more than a turn.
+    fn follow(
+        &self,
+        first: u32,
+        chain: u32,
+        up: &[u32],
+        members: &mut [Option<Member>],
+    ) -> (u32, Chain) {
+        let steps = &self.geometry.contacts.period.steps;
+        let from = Place {
+            cluster: self.cells[first as usize].from,
+            slabs: 0,
+        };
+        let lo = self.clusters.at(from.cluster);
+        let (mut last, mut slabs, mut smallest) = (first, 0, first);
+        members[first as usize] = Some(Member { chain, slabs });
+        let top = |cell: u32, slabs: i64| {
+            self.clusters.at(self.cells[cell as usize].to) + steps.period(slabs)
+        };
+        let mut closed = false;
+        loop {
+            let next = up[last as usize];
+            if next == NONE {
+                break;
+            }
+            let beyond = slabs + i64::from(self.is_wrap(last));
+            if members[next as usize].is_some() {
+                closed = next == first;
+                break;
+            }
+            // The slack is for rounding, and far below the narrowest band.
+            if top(next, beyond) - lo > TAU * (1.0 + 1e-14) {
+                break;
+            }
+            (last, slabs) = (next, beyond);
+            smallest = smallest.min(next);
+            members[last as usize] = Some(Member { chain, slabs });
+        }
+        let to = Place {
+            cluster: self.cells[last as usize].to,
+            slabs,
+        };
+        let hi = top(last, slabs);
+        let chain = Chain {
+            first,
+            last,
+            from,
+            to,
+            lo,
+            hi,
+            closed,
+        };
+        (smallest, chain)
+    }
+}

@@ -1,0 +1,263 @@
+//! From one slab to all orientations: which copies of every patch there are, and where.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::contact::Steps;
+use crate::feature::tolerance::NARROWEST_BAND;
+
+use crate::general::events::clusters::Clusters;
+use crate::general::links::chains::{Chain, Place};
+use crate::space::Window;
+
+/// The copies of one chain: patches numbered on from `base`, the first of them `first` slabs up.
+#[derive(Debug, Clone, Copy)]
+struct Copies {
+    base: u32,
+    first: i64,
+    count: u32,
+    closed: bool,
+}
+
+/// Copies of chains shifted by whole slabs (figure 4 of Sacks 1999), as far as the window has room for them.
+pub(crate) struct Lifts<'a> {
+    pub(crate) steps: Steps,
+    window: Window,
+    /// Whether the chains are those of a slab that repeats.
+    repeats: bool,
+    clusters: &'a Clusters,
+    copies: Vec<Copies>,
+}
+
+impl<'a> Lifts<'a> {
+    /// `repeats` tells that the chains are those of a full turn or a slab of it, not those of a window and a little more.
+    pub(crate) fn new(
+        chains: &[Chain],
+        window: Window,
+        steps: Steps,
+        repeats: bool,
+        clusters: &'a Clusters,
+    ) -> Self {
+        let mut this = Self {
+            steps,
+            window,
+            repeats,
+            clusters,
+            copies: Vec::with_capacity(chains.len()),
+        };
+        let mut base = 0;
+        for chain in chains {
+            let (first, count) = if window.full_turn || chain.closed {
+                (0, steps.slabs)
+            } else {
+                this.within(chain.lo, chain.hi)
+            };
+            this.copies.push(Copies {
+                base,
+                first,
+                count,
+                closed: chain.closed,
+            });
+            base = base.saturating_add(count);
+        }
+        this
+    }
+
+    /// Number of patches.
+    pub(crate) fn len(&self) -> usize {
+        self.copies
+            .last()
+            .map_or(0, |c| (c.base.saturating_add(c.count)) as usize)
+    }
+
+    /// The shifts, in slabs, with which an interval has more than the narrowest band in the window: first and number.
+    fn within(&self, lo: f64, hi: f64) -> (i64, u32) {
+        let least = NARROWEST_BAND.min(0.5 * (self.window.hi - self.window.lo));
+        if !self.repeats {
+            let overlap = hi.min(self.window.hi) - lo.max(self.window.lo);
+            return (0, u32::from(overlap > least));
+        }
+        let period = self.steps.period(1);
+        let first = ((self.window.lo + least - hi) / period).ceil();
+        let last = ((self.window.hi - least - lo) / period).floor();
+        (first as i64, (last - first + 1.0).max(0.0) as u32)
+    }
+
+    /// The shifts with which an interval of the slab is to be looked at.
+    pub(crate) fn shifts(&self, lo: f64, hi: f64) -> impl Iterator<Item = i64> + use<> {
+        let (first, count) = if self.window.full_turn {
+            (0, self.steps.slabs)
+        } else {
+            self.within(lo, hi)
+        };
+        first..first + i64::from(count)
+    }
+
+    /// The shifts of the patches of a chain, with their numbers.
+    pub(crate) fn patches(&self, chain: u32) -> impl Iterator<Item = (i64, u32)> + use<> {
+        let c = self.copies[chain as usize];
+        (c.first..).zip(c.base..c.base + c.count)
+    }
+
+    /// The same, only shifts that differ from the given by whole turns.
+    pub(crate) fn patches_in(
+        &self,
+        chain: u32,
+        slab: i64,
+    ) -> impl Iterator<Item = (i64, u32)> + use<> {
+        let c = self.copies[chain as usize];
+        let turn = i64::from(self.steps.slabs);
+        let skip = (slab - c.first).rem_euclid(turn);
+        (skip..i64::from(c.count))
+            .step_by(turn as usize)
+            .map(move |i| (c.first + i, c.base + i as u32))
+    }
+
+    /// The patch that a chain shifted by some slabs is, if the window has it.
+    pub(crate) fn patch(&self, chain: u32, slabs: i64) -> Option<u32> {
+        let c = self.copies[chain as usize];
+        let i = if self.around(c.closed) {
+            slabs.rem_euclid(i64::from(self.steps.slabs))
+        } else {
+            slabs - c.first
+        };
+        (0..i64::from(c.count))
+            .contains(&i)
+            .then(|| c.base + i as u32)
+    }
+
+    /// Whether shifts by a whole turn are the same copy.
+    fn around(&self, closed: bool) -> bool {
+        self.repeats && (self.window.full_turn || closed)
+    }
+
+    /// The orientation of a place shifted by some slabs: in [−π, π) for a full turn. The same orientation always gives
+    /// the same number, whichever slab it is seen from.
+    pub(crate) fn orientation(&self, place: Place, slabs: i64) -> f64 {
+        if !self.repeats {
+            return self.clusters.at(place.cluster);
+        }
+        let mut slabs = slabs + place.slabs;
+        let mut cluster = place.cluster;
+        // The end of the slab is the beginning of the next.
+        if cluster as usize + 1 == self.clusters.len() {
+            (cluster, slabs) = (0, slabs + 1);
+        }
+        let phase = self.clusters.at(cluster);
+        if self.window.full_turn {
+            let slabs = slabs.rem_euclid(i64::from(self.steps.slabs));
+            normalized(phase + self.steps.period(slabs))
+        } else {
+            phase + self.steps.period(slabs)
+        }
+    }
+
+    /// The orientations of a chain shifted by some slabs, as far as they are in the window.
+    pub(crate) fn interval(&self, chain: &Chain, slabs: i64) -> (f64, f64) {
+        if self.around(false) {
+            let lo = self.orientation(chain.from, slabs);
+            if chain.closed {
+                return (lo, lo + TAU);
+            }
+            let hi = self.orientation(chain.to, slabs);
+            return (lo, turned_near(hi, lo + (chain.hi - chain.lo)));
+        }
+        if chain.closed {
+            return (self.window.lo, self.window.hi);
+        }
+        let (lo, hi) = (chain.from, chain.to);
+        self.clipped(self.orientation(lo, slabs), self.orientation(hi, slabs))
+    }
+
+    /// The part of an interval that is in the window, if the window is not the turn; what ends within the narrowest band
+    /// of the window's end ends there.
+    pub(crate) fn clipped(&self, lo: f64, hi: f64) -> (f64, f64) {
+        if self.window.full_turn {
+            return (lo, hi);
+        }
+        let Window {
+            lo: first,
+            hi: last,
+            ..
+        } = self.window;
+        (
+            if lo > first + NARROWEST_BAND {
+                lo
+            } else {
+                first
+            },
+            if hi < last - NARROWEST_BAND { hi } else { last },
+        )
+    }
+
+    /// Whether something happens at an orientation of the window, and not at its end.
+    pub(crate) fn is_inside(&self, theta: f64) -> bool {
+        let Window { lo, hi, full_turn } = self.window;
+        full_turn || (lo + NARROWEST_BAND < theta && theta < hi - NARROWEST_BAND)
+    }
+
+    /// Whether the window holds a chain as a whole.
+    pub(crate) fn is_whole(&self, chain: &Chain, slabs: i64) -> bool {
+        let inside = |place| self.is_inside(self.orientation(place, slabs));
+        self.window.full_turn || (!chain.closed && inside(chain.from) && inside(chain.to))
+    }
+
+    /// An orientation brought by whole turns to where it is expected.
+    pub(crate) fn near(&self, theta: f64, expected: f64) -> f64 {
+        if self.around(false) {
+            turned_near(theta, expected)
+        } else {
+            theta
+        }
+    }
+
+    /// Orientations, other than the window's own ends, at which a patch begins or ends.
+    pub(crate) fn critical_orientations(&self, chains: &[Chain]) -> Vec<f64> {
+        let mut all: Vec<f64> = Vec::new();
+        for (i, chain) in (0u32..).zip(chains).filter(|(_, c)| !c.closed) {
+            for (slabs, _) in self.patches(i) {
+                all.extend([chain.from, chain.to].map(|p| self.orientation(p, slabs)));
+            }
+        }
+        all.retain(|&t| self.is_inside(t));
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|b, a| *b - *a <= SAME_ORIENTATION);
+        all
+    }
+
+    /// How many bands were computed: those of one slab, if the space repeats.
+    pub(crate) fn computed_bands(&self, chains: &[Chain], bands: usize) -> usize {
+        if !self.repeats {
+            return bands;
+        }
+        let cut = self.clusters.len() as u32 - 1;
+        let mut ends: Vec<u32> = (chains.iter().filter(|c| !c.closed))
+            .flat_map(|c| [c.from.cluster % cut, c.to.cluster % cut])
+            .collect();
+        ends.sort_unstable();
+        ends.dedup();
+        ends.len().max(1)
+    }
+}
+
+/// Orientations nearer than this, radians, are one that rounding has split.
+const SAME_ORIENTATION: f64 = 8.0 * f64::EPSILON;
+
+/// Brings an orientation to [−π, π); half a turn is −π, whichever side of it rounding or the perturbation of the
+/// parts has it on.
+pub(crate) fn normalized(theta: f64) -> f64 {
+    let t = theta - TAU * ((theta + PI) / TAU).floor();
+    if (t - PI).abs() <= NARROWEST_BAND || (t + PI).abs() <= NARROWEST_BAND {
+        -PI
+    } else if t >= PI {
+        t - TAU
+    } else {
+        t
+    }
+}
+
+fn turned_near(theta: f64, near: f64) -> f64 {
+    theta + TAU * ((near - theta) / TAU).round()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,263 @@
+//! The structure of the drawing from that of the perturbed parts: what lasts less than the narrowest band is contracted.
+//!
+//! Where the drawing has one critical orientation, the perturbed parts have a run of them, nearer to each other than
+//! [`NARROWEST_BAND`], and between these cells of which the drawing knows nothing. All clusters of a run become one. Cells that begin
+//! and end in it go away; those that end in it are continued by those that begin in it where both lie on one place of one curve and
+//! hang together by what went away. Shells stay as they are, so that regions keep their connections.
+
+use std::collections::{BTreeMap, HashMap};
+
+use crate::contact::Geometry;
+use crate::feature::tolerance::NARROWEST_BAND;
+use crate::union_find::UnionFind;
+
+use crate::general::cells::cell::{Cell, SideContact, VerticalContact};
+use crate::general::cells::extent::{CellExtents, Extent, Side};
+use crate::general::events::branch::Branch;
+use crate::general::events::clusters::Clusters;
+use crate::general::verdict::shells::Shells;
+
+/// Curves nearer than this to each other are one where a run is contracted (length).
+const ONE_CURVE: f64 = 1e-9;
+
+/// What two cells share where a run is contracted is longer than this (length), or than a quarter of the shorter: places move
+/// while it lasts.
+const SHARED: f64 = 1e-8;
+
+/// It is longer than this (length) in any case: what growth and perturbation leave within the narrowest band is shorter.
+const SHORTEST: f64 = 4.0 * NARROWEST_BAND;
+
+/// In place of the number of a run: none.
+const NONE: u32 = u32::MAX;
+
+/// Contracts clusters that are nearer to each other than the narrowest band; of those, only where free cells begin or end count.
+pub(crate) fn contract(
+    geometry: &Geometry,
+    branches: &[Branch],
+    clusters: &Clusters,
+    cells: &mut [Cell],
+    shells: &mut Shells,
+) -> Option<Clusters> {
+    let runs = Runs::new(clusters, cells, &shells.free);
+    if runs.all.is_empty() {
+        return None;
+    }
+    let contraction = Contraction {
+        geometry,
+        branches,
+        clusters,
+        cells,
+        runs: &runs,
+    };
+    let continued = contraction.continued(shells);
+    let (contracted, moved) = clusters.contracted(&runs.all);
+    let one_run = |c: &Cell| runs.of(c.from) != NONE && runs.of(c.from) == runs.of(c.to);
+    for (c, free) in cells.iter().zip(&mut shells.free) {
+        *free &= !one_run(c);
+    }
+    shells.vertical.retain(|v| runs.of(v.at) == NONE);
+    shells.vertical.extend(continued);
+    let index = |old: u32| moved[old as usize];
+    for v in &mut shells.vertical {
+        v.at = index(v.at);
+    }
+    for c in cells.iter_mut() {
+        (c.from, c.to) = (index(c.from), index(c.to));
+    }
+    for s in &mut shells.side {
+        (s.from, s.to) = (index(s.from), index(s.to));
+    }
+    shells.side.retain(|s| s.from < s.to);
+    Some(contracted)
+}
+
+/// Which clusters make one.
+struct Runs {
+    /// The first cluster and the last of each.
+    all: Vec<(u32, u32)>,
+    number: Vec<u32>,
+}
+
+impl Runs {
+    fn new(clusters: &Clusters, cells: &[Cell], free: &[bool]) -> Self {
+        let count = clusters.len();
+        let mut used = vec![false; count];
+        for (c, _) in cells.iter().zip(free).filter(|(_, free)| **free) {
+            used[c.from as usize] = true;
+            used[c.to as usize] = true;
+        }
+        // The ends of the window, or of a slab, stay.
+        let inner = (1..count.saturating_sub(1) as u32).filter(|&i| used[i as usize]);
+        let inner: Vec<u32> = inner.collect();
+        let near = |a: &u32, b: &u32| clusters.duration(*a, *b) < NARROWEST_BAND;
+        let all: Vec<(u32, u32)> = (inner.chunk_by(near))
+            .filter(|run| run.len() > 1)
+            .map(|run| (run[0], run[run.len() - 1]))
+            .collect();
+        let mut number = vec![NONE; count];
+        for (n, &(first, last)) in (0..).zip(&all) {
+            number[first as usize..=last as usize].fill(n);
+        }
+        Self { all, number }
+    }
+
+    fn of(&self, cluster: u32) -> u32 {
+        self.number[cluster as usize]
+    }
+}
+
+struct Contraction<'a> {
+    geometry: &'a Geometry,
+    branches: &'a [Branch],
+    clusters: &'a Clusters,
+    cells: &'a [Cell],
+    runs: &'a Runs,
+}
+
+/// What a run touches.
+#[derive(Default)]
+struct Touched {
+    ending: Vec<u32>,
+    beginning: Vec<u32>,
+    /// Cells that hang together within the run.
+    joined: Vec<(u32, u32)>,
+}
+
+impl Contraction<'_> {
+    /// The contacts across all runs.
+    fn continued(&self, shells: &Shells) -> Vec<VerticalContact> {
+        let mut touched: BTreeMap<u32, Touched> = BTreeMap::new();
+        for (i, c) in (0u32..).zip(self.cells) {
+            let (from, to) = (self.runs.of(c.from), self.runs.of(c.to));
+            if !shells.free[i as usize] || from == to {
+                continue;
+            }
+            if to != NONE {
+                touched.entry(to).or_default().ending.push(i);
+            }
+            if from != NONE {
+                touched.entry(from).or_default().beginning.push(i);
+            }
+        }
+        for v in &shells.vertical {
+            let run = self.runs.of(v.at);
+            if run != NONE {
+                let joined = &mut touched.entry(run).or_default().joined;
+                joined.push((v.lower, v.upper));
+            }
+        }
+        for s in &shells.side {
+            for run in self.runs_within(s) {
+                let joined = &mut touched.entry(run).or_default().joined;
+                joined.push((s.before, s.after));
+            }
+        }
+        let mut all = Vec::new();
+        for (run, touched) in touched {
+            self.across(run, &touched, &mut all);
+        }
+        all
+    }
+
+    /// The runs in which two cells follow each other for a while, and one of them begins or ends.
+    fn runs_within(&self, s: &SideContact) -> Vec<u32> {
+        let ends = [s.before, s.after].map(|c| &self.cells[c as usize]);
+        let mut runs: Vec<u32> = (ends.iter().flat_map(|c| [c.from, c.to]))
+            .map(|at| self.runs.of(at))
+            .filter(|&run| run != NONE)
+            .filter(|&run| {
+                let (first, last) = self.runs.all[run as usize];
+                s.from.max(first) < s.to.min(last)
+            })
+            .collect();
+        runs.sort_unstable();
+        runs.dedup();
+        runs
+    }
+
+    fn across(&self, run: u32, touched: &Touched, out: &mut Vec<VerticalContact>) {
+        let mut local: HashMap<u32, u32> = HashMap::new();
+        let mut index = |cell: u32| {
+            let next = local.len() as u32;
+            *local.entry(cell).or_insert(next)
+        };
+        let joined: Vec<(u32, u32)> = (touched.joined.iter())
+            .map(|&(a, b)| (index(a), index(b)))
+            .collect();
+        let ends = [&touched.ending, &touched.beginning];
+        let [ending, beginning] =
+            ends.map(|cells| -> Vec<(u32, u32)> { cells.iter().map(|&c| (index(c), c)).collect() });
+        let mut sets = UnionFind::new(local.len());
+        for (a, b) in joined {
+            sets.union(a, b);
+        }
+        let mut above: BTreeMap<u32, Vec<End>> = BTreeMap::new();
+        for (i, c) in beginning {
+            let ends = above.entry(sets.find(i)).or_default();
+            ends.push(self.end(c, Side::Above));
+        }
+        for (i, c) in ending {
+            let Some(above) = above.get(&sets.find(i)) else {
+                continue;
+            };
+            let below = self.end(c, Side::Below);
+            let (first, _) = self.runs.all[run as usize];
+            out.extend(above.iter().filter_map(|upper| {
+                let (lo, hi) = self.shared(&below, upper)?;
+                Some(VerticalContact {
+                    lower: c,
+                    upper: upper.cell,
+                    at: first,
+                    lo,
+                    hi,
+                    certain: true,
+                })
+            }));
+        }
+    }
+
+    fn end(&self, cell: u32, side: Side) -> End {
+        let c = &self.cells[cell as usize];
+        let at = if side == Side::Below { c.to } else { c.from };
+        let mut extents =
+            CellExtents::new(self.geometry, self.clusters, self.branches, c.sheet, at);
+        End {
+            cell,
+            at,
+            extent: extents.of(c, side),
+        }
+    }
+
+    /// The places that two ends share, along the curve of the first.
+    fn shared(&self, below: &End, above: &End) -> Option<(f64, f64)> {
+        let (c, d) = (
+            &self.cells[below.cell as usize],
+            &self.cells[above.cell as usize],
+        );
+        let mut other = (above.extent.lo, above.extent.hi);
+        if c.sheet != d.sheet {
+            let curve = |sheet: u32, at: u32| {
+                self.geometry.contacts.sheets[sheet as usize]
+                    .curve(self.clusters.at(at), self.clusters.turn(at))
+            };
+            let (f, g) = (curve(c.sheet, below.at), curve(d.sheet, above.at));
+            let points = [other.0, 0.5 * (other.0 + other.1), other.1].map(|place| g.point(place));
+            let on_it = |p| f.carrier().off(p) <= ONE_CURVE && f.normal(p).dot(g.normal(p)) > 0.0;
+            if !points.into_iter().all(on_it) {
+                return None;
+            }
+            other = (f.position(points[0]), f.position(points[2]));
+        }
+        let (lo, hi) = (below.extent.lo.max(other.0), below.extent.hi.min(other.1));
+        // Cells of small pockets are short themselves.
+        let shorter = (below.extent.hi - below.extent.lo).min(other.1 - other.0);
+        (hi - lo > SHARED.min(0.25 * shorter).max(SHORTEST)).then_some((lo, hi))
+    }
+}
+
+/// Where a cell ends or begins in a run.
+struct End {
+    cell: u32,
+    at: u32,
+    extent: Extent,
+}

@@ -1,0 +1,79 @@
+//! Orientations at which the patches are not relied upon alone.
+//!
+//! Structure is decided between events, and events have errors; where many things happen at nearly one orientation, links
+//! may be wrong. Such places are known, and are told, so that a question about one configuration can be answered by the
+//! parts themselves.
+
+use core::f64::consts::TAU;
+
+use crate::feature::tolerance::NARROWEST_BAND;
+
+use crate::general::cells::cell::Cell;
+use crate::general::events::clusters::Clusters;
+use crate::general::links::copies::Lifts;
+use crate::general::verdict::shells::Shells;
+use crate::space::{Doubts, Patch, SideLink, Window, union};
+
+/// Bands narrower than this (radians) are in doubt: doubles do not tell places on curves that cross there at as small an angle.
+const NARROW: f64 = 2.0 * NARROWEST_BAND;
+
+/// Where cells are in doubt: within clusters that are known to less than the narrowest band, and where shells were in conflict.
+pub(crate) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> Vec<(f64, f64)> {
+    let rough = clusters.rough().map(|i| (clusters.lo(i), clusters.hi(i)));
+    let in_conflict = (cells.iter().zip(&shells.in_conflict))
+        .filter(|(_, conflict)| **conflict)
+        .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
+    union(rough.chain(in_conflict).collect())
+}
+
+/// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where
+/// shells were in conflict, in narrow bands, and where a patch is followed by none.
+pub(crate) fn doubts(
+    doubtful: &[(f64, f64)],
+    lifts: &Lifts<'_>,
+    (patches, side_links): (&[Patch], &[SideLink]),
+    critical_orientations: &[f64],
+    window: Window,
+) -> Doubts {
+    let copies = doubtful.iter().flat_map(|&(lo, hi)| {
+        lifts.shifts(lo, hi).map(move |slabs| {
+            let by = lifts.steps.period(slabs);
+            (lo + by, hi + by)
+        })
+    });
+    let around = (critical_orientations.last())
+        .filter(|_| window.full_turn)
+        .map(|&last| last - TAU);
+    let criticals: Vec<f64> = around
+        .into_iter()
+        .chain(critical_orientations.iter().copied())
+        .collect();
+    let narrow = (criticals.windows(2))
+        .filter(|w| w[1] - w[0] < NARROW)
+        .map(|w| (w[0], w[1]));
+    let open = unlinked(patches, side_links);
+    Doubts::new(copies.chain(narrow).chain(open), window)
+}
+
+/// The orientations at which a patch is followed by none.
+fn unlinked(patches: &[Patch], side_links: &[SideLink]) -> Vec<(f64, f64)> {
+    let mut links: Vec<(u32, f64, f64)> =
+        side_links.iter().map(|l| (l.before, l.lo, l.hi)).collect();
+    links.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut links = links.into_iter().peekable();
+    let mut open = Vec::new();
+    for (i, patch) in (0u32..).zip(patches) {
+        let mut known = patch.lo;
+        let mut until = |to: f64, known: f64| {
+            if to - known > NARROWEST_BAND {
+                open.push((known, to));
+            }
+        };
+        while let Some((_, lo, hi)) = links.next_if(|l| l.0 == i) {
+            until(lo, known);
+            known = known.max(hi);
+        }
+        until(patch.hi, known);
+    }
+    open
+}

@@ -1,0 +1,442 @@
+//! Shells: cells that hang together, and whether they bound free space.
+
+use crate::contact::{Curve, ExactTurn, Geometry};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Dd;
+use crate::parallel;
+use crate::union_find::UnionFind;
+
+use crate::general::broad::candidates::Candidates;
+use crate::general::cells::cell::{Cell, END, SideContact, VerticalContact};
+use crate::general::cells::levels::Levels;
+use crate::general::cells::sweep::Cells;
+use crate::general::events::branch::Branch;
+use crate::general::events::clusters::Clusters;
+use crate::general::events::placing::{ExactPlacing, Placing};
+use crate::general::events::trace::Coincidence;
+
+/// Contacts between cells, and the verdict on each cell.
+#[derive(Debug)]
+pub(crate) struct Shells {
+    pub(crate) side: Vec<SideContact>,
+    pub(crate) vertical: Vec<VerticalContact>,
+    pub(crate) free: Vec<bool>,
+    /// For every cell whether it is where a shell's bounds and tests tell different things.
+    pub(crate) in_conflict: Vec<bool>,
+    /// For every cell the smallest cell of its shell.
+    pub(crate) shell: Vec<u32>,
+    /// How many configurations were tested for overlap.
+    pub(crate) tests: usize,
+    /// Shells with cells that what bounds them leaves open.
+    pub(crate) judged: usize,
+    /// Pieces of curve that cells share, and how many of them are not certainly longer than the errors of their ends.
+    pub(crate) overlaps: (u64, u64),
+    /// Shells whose bounds and tests told different things; their rings, or else their cells, were tested one by one.
+    pub(crate) conflicts: usize,
+}
+
+/// How many cells of longest duration are looked at for one to test.
+const TRIED: usize = 8;
+
+/// Durations below this are short, radians: critical orientations that growth alone tells apart are so near to each other.
+const NARROW: f64 = 1e-5;
+
+/// Where curves are nearer to each other than this (length), doubles do not tell what is free between them.
+const TELLING: f64 = 2e-12;
+
+/// A cell that what bounds it leaves open, in its shell and its ring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Member {
+    shell: u32,
+    ring: u32,
+    cell: u32,
+}
+
+/// What a shell was found to be.
+struct Verdict {
+    /// For each of its members.
+    free: Vec<bool>,
+    tests: usize,
+    conflict: bool,
+}
+
+pub(crate) struct ShellFinder<'a> {
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) clusters: &'a Clusters,
+    pub(crate) branches: &'a [Branch],
+    pub(crate) candidates: &'a Candidates,
+    pub(crate) coincidences: &'a [Coincidence],
+}
+
+impl ShellFinder<'_> {
+    /// The contacts within sheets become those of the shells: the cells have none any more.
+    pub(crate) fn find(&self, cells: &mut Cells) -> Shells {
+        let mut vertical = core::mem::take(&mut cells.vertical);
+        let cells = &*cells;
+        let side = self.side_contacts(cells);
+        let levels = Levels {
+            geometry: self.geometry,
+            clusters: self.clusters,
+            branches: self.branches,
+            cells,
+            free: None,
+        };
+        levels.connect_wraps(&mut vertical);
+        let without_levels = vertical.len();
+        let groups = levels.groups(self.coincidences);
+        levels.connect(&groups, &mut vertical);
+        let mut sets = UnionFind::new(cells.cells.len());
+        for s in &side {
+            sets.union(s.before, s.after);
+        }
+        for v in vertical.iter().filter(|v| v.certain) {
+            sets.union(v.lower, v.upper);
+        }
+        let uncertain = vertical.iter().filter(|v| !v.certain).count();
+        let overlaps = (vertical.len() as u64, uncertain as u64);
+        let shell: Vec<u32> = (0..cells.cells.len() as u32)
+            .map(|i| sets.find(i))
+            .collect();
+        let mut shells = Shells {
+            side,
+            vertical,
+            free: Vec::new(),
+            in_conflict: Vec::new(),
+            shell,
+            tests: 0,
+            judged: 0,
+            overlaps,
+            conflicts: 0,
+        };
+        self.judge(&cells.cells, &mut shells);
+        // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
+        // what may be too short to join shells is still the best there is to link patches by.
+        shells.vertical.truncate(without_levels);
+        let levels = Levels {
+            free: Some(&shells.free),
+            ..levels
+        };
+        levels.connect(&groups, &mut shells.vertical);
+        shells
+    }
+
+    /// Cells that follow each other at shared ends and at branches, unless both are blocked anyway.
+    fn side_contacts(&self, all: &Cells) -> Vec<SideContact> {
+        let contacts = &self.geometry.contacts;
+        let cells = &all.cells;
+        let mut side = Vec::new();
+        let mut join = |before: u32, after: u32, branch: u32| {
+            let (b, a) = (&cells[before as usize], &cells[after as usize]);
+            let (from, to) = (b.from.max(a.from), b.to.min(a.to));
+            if from < to && !(b.blocked && a.blocked) {
+                side.push(SideContact {
+                    before,
+                    after,
+                    from,
+                    to,
+                    branch,
+                });
+            }
+        };
+        for (i, c) in (0u32..).zip(cells) {
+            if c.right != END {
+                continue;
+            }
+            for g in contacts.starting_at(contacts.sheets[c.sheet as usize].end_name) {
+                for (j, d) in all.of(g) {
+                    if d.left == END {
+                        join(i, j, END);
+                    }
+                }
+            }
+        }
+        // At a branch the outer piece of the sheet that enters is followed by the outer piece of the other.
+        let starts_outside =
+            |c: &Cell| c.left != END && !self.branches[c.left as usize].enters(c.sheet);
+        let mut first = vec![0u32; self.branches.len() + 1];
+        for c in cells.iter().filter(|c| starts_outside(c)) {
+            first[c.left as usize + 1] += 1;
+        }
+        for i in 1..first.len() {
+            first[i] += first[i - 1];
+        }
+        let mut at = first.clone();
+        let mut starts = vec![0u32; first[first.len() - 1] as usize];
+        for (i, c) in (0u32..).zip(cells).filter(|(_, c)| starts_outside(c)) {
+            let slot = &mut at[c.left as usize];
+            starts[*slot as usize] = i;
+            *slot += 1;
+        }
+        for (i, c) in (0u32..).zip(cells) {
+            if c.right != END && self.branches[c.right as usize].enters(c.sheet) {
+                let range = first[c.right as usize] as usize..first[c.right as usize + 1] as usize;
+                for &after in &starts[range] {
+                    join(i, after, c.right);
+                }
+            }
+        }
+        side
+    }
+
+    /// Decides each shell by what bounds its cells and by honest tests.
+    ///
+    /// Cells that follow each other are on the boundary of free space together or not at all, so of each ring of cells those
+    /// that what bounds them leaves open are tested for themselves: rings are few. That what continues or follows them has
+    /// blocked cells does not count against it, for with many curves through one point that may be a false link: a pocket
+    /// of which nothing else tells would be lost.
+    fn judge(&self, cells: &[Cell], shells: &mut Shells) {
+        let mut rings = UnionFind::new(cells.len());
+        for s in &shells.side {
+            rings.union(s.before, s.after);
+        }
+        let ring: Vec<u32> = (0..cells.len() as u32).map(|i| rings.find(i)).collect();
+        let mut blocked_shell = vec![false; cells.len()];
+        let mut blocked_ring = vec![false; cells.len()];
+        let mut members: Vec<Member> = Vec::new();
+        for (cell, c) in (0u32..).zip(cells) {
+            let (shell, ring) = (shells.shell[cell as usize], ring[cell as usize]);
+            if c.blocked {
+                blocked_shell[shell as usize] = true;
+                blocked_ring[ring as usize] = true;
+            } else {
+                members.push(Member { shell, ring, cell });
+            }
+        }
+        members.sort_unstable();
+        let open: Vec<&[Member]> = members.chunk_by(|a, b| a.shell == b.shell).collect();
+        let verdicts = parallel::map(&open, 4, |shell| {
+            let blocked = blocked_shell[shell[0].shell as usize];
+            self.judge_shell(cells, shell, blocked, &blocked_ring)
+        });
+        shells.free = vec![false; cells.len()];
+        let mut conflict = vec![false; cells.len()];
+        for (shell, verdict) in open.iter().zip(verdicts) {
+            shells.judged += 1;
+            shells.tests += verdict.tests;
+            shells.conflicts += usize::from(verdict.conflict);
+            conflict[shell[0].shell as usize] = verdict.conflict;
+            for (m, free) in shell.iter().zip(verdict.free) {
+                shells.free[m.cell as usize] = free;
+            }
+        }
+        shells.in_conflict = Self::contradicting(shells, conflict);
+    }
+
+    /// The cells in shells with a conflict that are linked to cells of the other verdict: what is wrong is there. All cells
+    /// of a shell without such, of which tests alone contradict each other.
+    fn contradicting(shells: &Shells, conflict: Vec<bool>) -> Vec<bool> {
+        let mut contradicting = vec![false; conflict.len()];
+        if !conflict.contains(&true) {
+            return contradicting;
+        }
+        let mut unexplained = conflict;
+        let side = shells.side.iter().map(|s| (s.before, s.after));
+        let vertical = (shells.vertical.iter().filter(|v| v.certain)).map(|v| (v.lower, v.upper));
+        for (a, b) in side.chain(vertical) {
+            let shell = shells.shell[a as usize] as usize;
+            if shells.free[a as usize] != shells.free[b as usize] {
+                unexplained[shell] = false;
+                contradicting[a as usize] = true;
+                contradicting[b as usize] = true;
+            }
+        }
+        for (cell, &shell) in contradicting.iter_mut().zip(&shells.shell) {
+            *cell |= unexplained[shell as usize];
+        }
+        contradicting
+    }
+
+    /// Judges a shell by its cells, of which what bounds them leaves all open. `blocked` tells whether it has others, which
+    /// are blocked, and `blocked_ring` which rings have: those do not hang together as they should.
+    fn judge_shell(
+        &self,
+        cells: &[Cell],
+        shell: &[Member],
+        blocked: bool,
+        blocked_ring: &[bool],
+    ) -> Verdict {
+        // What a test says of each ring, where doubles can tell.
+        let lasting = |ring: &[Member]| {
+            let duration = |m: &Member| {
+                let c = &cells[m.cell as usize];
+                self.duration(c.from, c.to)
+            };
+            ring.iter().map(duration).fold(0.0, f64::max)
+        };
+        let mut rings: Vec<(&[Member], Option<bool>)> = (shell.chunk_by(|a, b| a.ring == b.ring))
+            .map(|ring| {
+                let wide = lasting(ring) > NARROW;
+                (ring, wide.then(|| self.ring_is_free(cells, ring)).flatten())
+            })
+            .collect();
+        if !blocked && rings.iter().all(|r| r.1.is_none()) {
+            // A pocket that does not last is tested where it lasts longest.
+            let by_duration = |a: &usize, b: &usize| {
+                let [a, b] = [a, b].map(|&i| lasting(rings[i].0));
+                b.total_cmp(&a)
+            };
+            let mut longest: Vec<usize> = (0..rings.len()).collect();
+            longest.sort_by(by_duration);
+            for i in longest.into_iter().take(TRIED) {
+                rings[i].1 = self.ring_is_free(cells, rings[i].0);
+                if rings[i].1.is_some() {
+                    break;
+                }
+            }
+        }
+        let mut tests = rings.iter().filter(|r| r.1.is_some()).count();
+        let some_free = rings.iter().any(|r| r.1 == Some(true));
+        let some_blocked = blocked || rings.iter().any(|r| r.1 == Some(false));
+        let conflict = some_free && some_blocked;
+        let mut free = Vec::with_capacity(shell.len());
+        for (ring, tested) in rings {
+            let apart = tested.is_none() || blocked_ring[ring[0].ring as usize];
+            if apart && conflict {
+                tests += ring.len();
+                let open = |m: &Member| self.is_free(&cells[m.cell as usize]) == Some(true);
+                free.extend(ring.iter().map(open));
+            } else {
+                free.resize(free.len() + ring.len(), tested.unwrap_or(some_free));
+            }
+        }
+        Verdict {
+            free,
+            tests,
+            conflict,
+        }
+    }
+
+    /// From the end of one cluster to the beginning of another, radians.
+    fn duration(&self, from: u32, to: u32) -> f64 {
+        self.clusters.duration(from, to)
+    }
+
+    /// The cell that has most room of those of longest duration.
+    fn largest(&self, cells: &[Cell], ring: &[Member]) -> u32 {
+        let duration = |c: u32| self.duration(cells[c as usize].from, cells[c as usize].to);
+        let mut longest: Vec<(f64, u32)> =
+            ring.iter().map(|m| (duration(m.cell), m.cell)).collect();
+        let by_duration = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
+        if longest.len() > TRIED {
+            longest.select_nth_unstable_by(TRIED - 1, by_duration);
+            longest.truncate(TRIED);
+        }
+        longest.sort_unstable_by(by_duration);
+        let mut largest = longest[0].1;
+        let mut size = f64::NEG_INFINITY;
+        for &(duration, c) in &longest {
+            if duration <= size {
+                break;
+            }
+            let (lo, hi) = self.range(&cells[c as usize], self.middle(&cells[c as usize]));
+            if duration.min(hi - lo) > size {
+                (size, largest) = (duration.min(hi - lo), c);
+            }
+        }
+        largest
+    }
+
+    fn middle(&self, cell: &Cell) -> f64 {
+        self.clusters.between(cell.from, cell.to)
+    }
+
+    fn range(&self, cell: &Cell, theta: f64) -> (f64, f64) {
+        let placing = Placing::new(self.geometry, cell.sheet, theta);
+        let place = |b: u32, end: f64| {
+            if b == END {
+                end
+            } else {
+                placing.place(&self.branches[b as usize])
+            }
+        };
+        (
+            place(cell.left, -placing.half()),
+            place(cell.right, placing.half()),
+        )
+    }
+
+    /// The point of a cell by its share of the length, in the middle of its duration.
+    ///
+    /// Curves cross at small angles near the orientation at which they are one: there places are found in double-double.
+    fn point(&self, cell: &Cell, share: f64, curve: &Curve) -> Point {
+        if self.duration(cell.from, cell.to) > NARROW {
+            let (lo, hi) = self.range(cell, self.middle(cell));
+            return curve.point(lo + share * (hi - lo));
+        }
+        let (placing, place) = self.exact_place(cell, share);
+        placing.point(place)
+    }
+
+    /// The same place along the curve in double-double.
+    fn exact_place(&self, cell: &Cell, share: f64) -> (ExactPlacing<'_>, Dd) {
+        let turn = ExactTurn::by(self.clusters.exact_between(cell.from, cell.to));
+        let placing = ExactPlacing::new(self.geometry, cell.sheet, turn);
+        let (from, to) = placing.ends();
+        let place = |b: u32, end: Dd| {
+            if b == END {
+                end
+            } else {
+                placing.place(&self.branches[b as usize])
+            }
+        };
+        let (lo, hi) = (place(cell.left, from), place(cell.right, to));
+        (placing, lo + (hi - lo) * share)
+    }
+
+    fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
+        self.is_free(&cells[self.largest(cells, ring) as usize])
+    }
+
+    /// An honest test beside a place of a cell; `None` if curves that face it are so near to all places that doubles do not tell.
+    fn is_free(&self, cell: &Cell) -> Option<bool> {
+        [0.5, 0.27, 0.81]
+            .iter()
+            .find_map(|&share| self.is_free_at(cell, share))
+    }
+
+    /// An honest test beside a place of a cell, by its share of the length: half way to the next contact curve on its free
+    /// side, the parts must not overlap.
+    fn is_free_at(&self, cell: &Cell, share: f64) -> Option<bool> {
+        /// How far the free side is looked at, in the pair's frame.
+        const STEP: f64 = 1.0 / 256.0;
+        let theta = self.middle(cell);
+        let turn = Rotation::by(theta);
+        let sheets = &self.geometry.contacts.sheets;
+        let sheet = &sheets[cell.sheet as usize];
+        let curve = sheet.curve(theta, turn);
+        let p = self.point(cell, share, &curve);
+        let normal: Vector = curve.normal(p);
+        let mut reach = if !sheet.is_line() {
+            STEP.min(0.5 * sheet.radius.abs())
+        } else {
+            STEP
+        };
+        for other_sheet in self.candidates.around(theta, p, reach) {
+            let s = &sheets[other_sheet as usize];
+            let exists = s.lo <= theta && theta <= s.hi;
+            if other_sheet == cell.sheet || !exists {
+                continue;
+            }
+            let off = s.carrier(turn.cos, turn.sin).off(p);
+            if off <= reach {
+                let other = s.curve(theta, turn);
+                let on_it = other.position(p).abs() <= other.half_length() + TELLING;
+                if off < TELLING && on_it {
+                    let one_circle = sheet.is_circle() == s.is_circle()
+                        && (sheet.radius - s.radius).abs() < TELLING;
+                    if !one_circle || other.normal(p).dot(normal) < 0.0 {
+                        return None;
+                    }
+                    // They lie on each other and face the same way. What lies behind changes nothing, what lies in front blocks.
+                    let (placing, place) = self.exact_place(cell, share);
+                    if placing.is_covered_by(place, other_sheet, normal) {
+                        return Some(false);
+                    }
+                    continue;
+                }
+                reach = other.hit(p, normal, reach).unwrap_or(reach);
+            }
+        }
+        (reach > TELLING).then(|| !self.geometry.overlaps(p + normal * (0.5 * reach), theta))
+    }
+}

@@ -1,0 +1,145 @@
+//! Orientations at which the patches are not relied upon alone, as intervals.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::feature::tolerance::NARROWEST_BAND;
+
+use super::graph::Window;
+
+/// Disjoint intervals of orientation, radians, in ascending order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Doubts {
+    intervals: Vec<(f64, f64)>,
+    full_turn: bool,
+}
+
+impl Doubts {
+    /// The union of intervals: of a full turn within [−π, π], wherever they were, otherwise as they are.
+    pub(crate) fn new(intervals: impl IntoIterator<Item = (f64, f64)>, window: Window) -> Self {
+        let mut all = Vec::new();
+        for (lo, hi) in intervals {
+            // Rounding, of turns and of copies by symmetry.
+            let (lo, hi) = (lo - NARROWEST_BAND, hi + NARROWEST_BAND);
+            if !window.full_turn {
+                all.push((lo.max(window.lo), hi.min(window.hi)));
+            } else if hi - lo >= TAU {
+                all.push((-PI, PI));
+            } else {
+                let turns = TAU * ((lo + PI) / TAU).floor();
+                let (lo, hi) = (lo - turns, hi - turns);
+                all.push((lo, hi.min(PI)));
+                if hi > PI {
+                    all.push((-PI, hi - TAU));
+                }
+            }
+        }
+        all.retain(|&(lo, hi)| lo <= hi);
+        Self {
+            intervals: union(all),
+            full_turn: window.full_turn,
+        }
+    }
+
+    /// Those that [`intervals`](Self::intervals) told.
+    pub(crate) fn known(intervals: Vec<(f64, f64)>, window: Window) -> Self {
+        Self {
+            intervals,
+            full_turn: window.full_turn,
+        }
+    }
+
+    pub(crate) fn intervals(&self) -> &[(f64, f64)] {
+        &self.intervals
+    }
+
+    /// Whether an orientation is in one of them.
+    pub(crate) fn hold(&self, theta: f64) -> bool {
+        self.hold_among(theta, 0..self.intervals.len())
+    }
+
+    /// The same, if it is known which of them come near.
+    #[inline]
+    pub(crate) fn hold_among(&self, theta: f64, near: core::ops::Range<usize>) -> bool {
+        let Some(near) = self.intervals.get(near).filter(|near| !near.is_empty()) else {
+            return false;
+        };
+        let t = if self.full_turn && !(-PI..=PI).contains(&theta) {
+            (theta - TAU * ((theta + PI) / TAU).floor()).clamp(-PI, PI)
+        } else {
+            theta
+        };
+        let next = near.partition_point(|i| i.1 < t);
+        near.get(next).is_some_and(|i| i.0 <= t)
+    }
+
+    /// Which of them have orientations between two, which are not turned.
+    pub(crate) fn between(&self, lo: f64, hi: f64) -> core::ops::Range<usize> {
+        let first = self.intervals.partition_point(|i| i.1 < lo);
+        let end = self.intervals.partition_point(|i| i.0 <= hi);
+        first..end.max(first)
+    }
+}
+
+/// The same orientations as disjoint intervals, in ascending order.
+pub(crate) fn union(mut intervals: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
+    intervals.dedup_by(|b, a| {
+        let follows = b.0 <= a.1;
+        if follows {
+            a.1 = a.1.max(b.1);
+        }
+        follows
+    });
+    intervals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TURN: Window = Window {
+        lo: -1.0,
+        hi: -1.0 + TAU,
+        full_turn: true,
+    };
+
+    #[test]
+    fn intervals_are_joined_and_brought_home() {
+        let doubts = Doubts::new([(0.5, 0.7), (TAU + 0.6, TAU + 0.8), (3.0, 3.3)], TURN);
+        let expected = [(-PI, 3.3 - TAU), (0.5, 0.8), (3.0, PI)];
+        assert_eq!(doubts.intervals().len(), expected.len());
+        for (found, expected) in doubts.intervals().iter().zip(expected) {
+            let off = (found.0 - expected.0).abs() + (found.1 - expected.1).abs();
+            assert!(off < 4.0 * NARROWEST_BAND, "{found:?} {expected:?}");
+        }
+        for turns in [-2.0, 0.0, 5.0] {
+            let at = |theta: f64| doubts.hold(theta + turns * TAU);
+            assert!(at(0.75) && at(3.2) && at(-3.0) && at(PI), "{turns}");
+            assert!(!at(0.9) && !at(0.4) && !at(-2.9), "{turns}");
+        }
+        assert_eq!(doubts.between(0.0, 1.0), 1..2);
+        assert_eq!(doubts.between(0.9, 2.0), 2..2);
+        assert_eq!(doubts.between(-4.0, 4.0), 0..3);
+    }
+
+    #[test]
+    fn a_window_keeps_its_own() {
+        let window = Window {
+            lo: 4.0,
+            hi: 5.0,
+            full_turn: false,
+        };
+        let doubts = Doubts::new([(3.0, 3.5), (3.9, 4.1), (4.9, 6.0)], window);
+        assert_eq!(doubts.intervals().len(), 2);
+        assert!(doubts.hold(4.05) && doubts.hold(4.0) && doubts.hold(5.0));
+        assert!(!doubts.hold(4.5) && !doubts.hold(4.05 - TAU));
+    }
+
+    #[test]
+    fn all_of_a_turn_is_all() {
+        let doubts = Doubts::new([(0.0, TAU)], TURN);
+        assert_eq!(doubts.intervals(), [(-PI, PI)]);
+        assert!(Doubts::new([], TURN).intervals().is_empty());
+        assert!(!Doubts::new([], TURN).hold(0.0));
+    }
+}

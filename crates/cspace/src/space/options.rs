@@ -1,0 +1,130 @@
+//! What to compute, what may go wrong, and who is told of progress.
+
+use core::f64::consts::TAU;
+
+use super::symmetry::Symmetry;
+
+/// How much more than a turn a window may be, by rounding, radians.
+pub(crate) const WINDOW_SLACK: f64 = 1e-12;
+
+/// The longest window of orientations: a turn, give or take its rounding.
+pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
+
+/// What to compute.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// Only orientations from the first to the second, in radians; `None` is the full turn.
+    pub window: Option<(f64, f64)>,
+    /// Whether symmetric parts are computed for one slab of orientations, of which the others are copies.
+    pub symmetry: Symmetry,
+}
+
+/// Why a contact space cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ComputeError {
+    /// The window is reversed, empty, longer than a turn, or not finite.
+    #[error("the window of orientations from {lo} to {hi} is not an interval of at most one turn")]
+    Window {
+        /// First orientation given.
+        lo: f64,
+        /// Last orientation given.
+        hi: f64,
+    },
+    /// A part has too many edges.
+    #[error("part {part} has {edges} edges, too many for a contact space (at most {limit})")]
+    TooManyEdges {
+        /// The part's name.
+        part: String,
+        /// Its edges.
+        edges: usize,
+        /// Largest number of edges.
+        limit: usize,
+    },
+    /// There are more pairs of edges than can be numbered.
+    #[error("{fixed} × {moving} edges are too many for one contact space (at most {limit} pairs)")]
+    TooLarge {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of pairs.
+        limit: usize,
+    },
+    /// More pairs of features touch than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one contact space: more than {limit} contacts of two features"
+    )]
+    TooManyContacts {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of contacts, each over orientations in which its ends stay the same.
+        limit: usize,
+    },
+    /// More contacts are in each other's way than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one contact space: more than {limit} pairs of contacts may be in each other's way"
+    )]
+    TooManyCrossings {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of pairs of contacts that may cross.
+        limit: usize,
+    },
+    /// The contact space has more patches than there is room for.
+    #[error(
+        "{fixed} × {moving} edges are too many for one contact space: more than {limit} patches"
+    )]
+    TooManyPatches {
+        /// Edges of the fixed part.
+        fixed: usize,
+        /// Edges of the moving part.
+        moving: usize,
+        /// Largest number of patches.
+        limit: usize,
+    },
+    /// The computation was interrupted.
+    #[error("the computation was interrupted")]
+    Interrupted,
+}
+
+/// Stages of a computation, for progress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Stage {
+    /// Features and sheets.
+    Sheets,
+    /// Which sheets may cross.
+    Candidates,
+    /// Events of pairs.
+    PairEvents,
+    /// Crossings.
+    Branches,
+    /// Events of three sheets.
+    TripleEvents,
+    /// Cells.
+    Cells,
+    /// Free or blocked.
+    Shells,
+    /// Patches and links.
+    Graph,
+}
+
+impl Stage {
+    /// Number of stages.
+    pub const COUNT: u64 = 8;
+}
+
+/// Is told what a computation is doing, and may stop it.
+pub trait Progress: Sync {
+    /// Called when a stage begins; an error ends the computation.
+    ///
+    /// # Errors
+    /// [`ComputeError::Interrupted`] if the user wants no more of it.
+    fn stage(&self, stage: Stage) -> Result<(), ComputeError>;
+}
