@@ -3,7 +3,7 @@
 use crate::boxes::Boxes;
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::feature::{Outline, Shape};
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Point, Rotation};
 use crate::part::{Bounds, Inside, Part};
 
 use super::crossing::{crossing, roots};
@@ -57,7 +57,7 @@ impl Body {
             })
             .collect();
         Self {
-            boxes: Boxes::new(curves.iter().map(bounds)),
+            boxes: Boxes::new(curves.iter().map(Curve::bounds)),
             curves,
             part: part.clone(),
             inside: Inside::of(part),
@@ -82,37 +82,6 @@ impl Body {
     }
 }
 
-/// A curve turned by `theta`, of which `turn` is the rotation, then moved by `p`.
-pub(super) fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve {
-    let place = |q: Point| turn * q + p;
-    Curve {
-        start: place(c.start),
-        end: place(c.end),
-        shape: match c.shape {
-            CurveShape::Line { normal } => CurveShape::Line {
-                normal: turn * normal,
-            },
-            CurveShape::Circle {
-                center,
-                radius,
-                mid_angle,
-                half,
-            } => CurveShape::Circle {
-                center: place(center),
-                radius,
-                mid_angle: mid_angle + theta,
-                half,
-            },
-            CurveShape::FlatArc(arc) => CurveShape::FlatArc(arc.moved(turn, p)),
-        },
-    }
-}
-
-fn bounds(curve: &Curve) -> Bounds {
-    let (min, max) = curve.bounds();
-    Bounds { min, max }
-}
-
 fn cross(f: &Curve, g: &Curve) -> bool {
     /// A crossing where two edges follow each other is on one of them at least (length).
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -129,8 +98,8 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
     let turn = Rotation::by(theta);
     let shift = p.to_vector();
     for g in &moving.curves {
-        let g = placed(g, shift, theta, turn);
-        let around = bounds(&g);
+        let g = g.moved(shift, theta, turn);
+        let around = g.bounds();
         let meets = |b: &Bounds| !b.is_apart(around, 0.0);
         if (fixed.boxes).any(meets, |f| cross(&fixed.curves[f as usize], &g)) {
             return true;

@@ -16,6 +16,7 @@ use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::part::LoopImage;
 
+use super::curve::Curve;
 use super::function::ContactFunction;
 use super::spiral::{Spiral, Swing};
 
@@ -224,8 +225,8 @@ impl SlabMotion {
     }
 
     /// A curve at one orientation; `angle` is that of the rotation of positions.
-    pub(crate) fn curve(&self, c: &super::Curve, angle: f64) -> super::Curve {
-        super::overlap::placed(c, Vector::ZERO, angle, self.fixed)
+    pub(crate) fn curve(&self, c: &Curve, angle: f64) -> Curve {
+        c.moved(Vector::ZERO, angle, self.fixed)
     }
 }
 

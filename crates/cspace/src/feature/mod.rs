@@ -6,9 +6,11 @@
 mod concentric;
 mod extract;
 mod frame;
+mod framed_edge;
 mod generic;
 mod growth;
 mod inscribed;
+mod joining;
 mod material;
 mod perturbation;
 pub(crate) mod tolerance;

@@ -121,3 +121,30 @@ pub(crate) const SMALL_CIRCLE: f64 = 1e-6;
 
 /// Centres of circles nearer than this are close (length): farther ones are known to 1e-10 of their distance.
 pub(crate) const CLOSE_CENTERS: f64 = 1.0 / (1u64 << 20) as f64;
+
+/// How much cheaper it is to slide a vertex by a length than to move it across by as much.
+///
+/// A kink δ where an arc of radius r meets an edge of length l is mended by a slide of r δ where l is more than r / SLIDE,
+/// and by turning the edge, which moves its end by l δ, where it is less: that is at most r δ / SLIDE ≈ 1e-13, and the slide
+/// at most SLIDE δ ≈ 1/500 of the edge.
+pub(crate) const SLIDE: f64 = (1u32 << 17) as f64;
+
+/// The part of a short edge by which its ends may be moved as easily as those of a long one. They are never moved by more than
+/// twice as much.
+pub(crate) const LARGEST_PART: f64 = 1.0 / 64.0;
+
+/// The part of a short edge by which a wish moves its ends, at most.
+pub(crate) const WISHED_PART: f64 = 1.0 / (1u32 << 16) as f64;
+
+/// The part of an arc's sagitta by which a wish changes it, at most, and beyond which a change is not as easy.
+pub(crate) const SAGITTA_PART: f64 = 1.0 / 1024.0;
+
+/// Moves across of at most so many times the longest wish are wished for.
+pub(crate) const MOST_WISHES: f64 = 4.0;
+
+/// Curves of a slice that face each other further apart than this are in the order in which a ray meets them, as a share of the
+/// way to the first.
+pub(crate) const FACING: f64 = 1e-7;
+
+/// And further than this as a share of the way to the last: what is between may have closed just there.
+pub(crate) const FACING_FAR: f64 = 1e-9;

@@ -8,11 +8,12 @@
 use crate::contact::{Curve, CurveShape, Geometry};
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::{Point, Rotation};
+use crate::part::Bounds;
 use crate::union_find::UnionFind;
 
 use super::coincident::Coincidences;
 use super::cut::{Cut, Live, TIED, cut, live_curves};
-use super::span::Span;
+use super::extent;
 
 /// What bounds a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -229,9 +230,9 @@ impl Arrangement {
             }
         }
         let mut number = vec![u32::MAX; count as usize];
-        let (mut all, mut bounding) = (Span::NOTHING, Span::NOTHING);
+        let (mut all, mut bounding) = (Bounds::EMPTY, Bounds::EMPTY);
         for (i, l) in live.iter().enumerate() {
-            all = all.and(Span::of_curve(l));
+            all = all.union(extent::of_curve(l));
             for g in 0..=l.cuts.len() {
                 let gap = l.first_gap + g as u32;
                 let free = match test {
@@ -244,7 +245,7 @@ impl Arrangement {
                 if !free {
                     continue;
                 }
-                bounding = bounding.and(Span::of_gap(l, g));
+                bounding = bounding.union(extent::of_gap(l, g));
                 number[gap as usize] = self.gaps.len() as u32;
                 let sheet = &geometry.contacts.sheets[l.sheet as usize];
                 let end = |c: &Cut| GapEnd::Crossing(live[c.other as usize].sheet, c.root);
@@ -271,7 +272,7 @@ impl Arrangement {
             consistent &= gap.next != u32::MAX;
         }
         // Far away all is free, and the outermost curves bound that.
-        consistent && !self.gaps.is_empty() && bounding.reaches(&all, ROOM)
+        consistent && !self.gaps.is_empty() && extent::reaches(bounding, all, ROOM)
     }
 }
 

@@ -2,14 +2,14 @@
 
 use crate::contact::{Curve, CurveShape, Geometry, Seam, Sheet, crossing, roots};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::part::Bounds;
 
 /// A contact curve with its crossings.
 pub(super) struct Live {
     pub(super) sheet: u32,
     pub(super) curve: Curve,
     pub(super) half: f64,
-    pub(super) lo: Point,
-    pub(super) hi: Point,
+    pub(super) bounds: Bounds,
     pub(super) cuts: Vec<Cut>,
     /// Whether a crossing may be on either side of the end of a curve.
     pub(super) tied: bool,
@@ -40,10 +40,8 @@ const SEAM: f64 = 1e-14;
 impl Live {
     /// Whether a point of the carrier is in the curve's box, widened by a margin.
     fn may_hold(&self, p: Point, margin: f64) -> bool {
-        self.lo.x - margin <= p.x
-            && p.x <= self.hi.x + margin
-            && self.lo.y - margin <= p.y
-            && p.y <= self.hi.y + margin
+        let (lo, hi) = (self.bounds.min, self.bounds.max);
+        lo.x - margin <= p.x && p.x <= hi.x + margin && lo.y - margin <= p.y && p.y <= hi.y + margin
     }
 
     /// The range of places of a gap.
@@ -82,9 +80,10 @@ pub(super) fn live_curves(
             continue;
         }
         let curve = sheet.curve(theta, turn);
-        let (lo, hi) = curve.bounds();
+        let bounds = curve.bounds();
         let far = |core: Point| {
             let off = |c: f64, lo: f64, hi: f64| (c - lo).abs().max((c - hi).abs());
+            let (lo, hi) = (bounds.min, bounds.max);
             off(core.x, lo.x, hi.x).hypot(off(core.y, lo.y, hi.y))
         };
         if core.is_some_and(|(center, reach)| far(center) < reach) {
@@ -96,8 +95,7 @@ pub(super) fn live_curves(
             sheet: i,
             curve,
             half,
-            lo,
-            hi,
+            bounds,
             cuts: Vec::new(),
             tied: false,
             first_gap: 0,
@@ -109,19 +107,20 @@ pub(super) fn live_curves(
 /// Finds all crossings.
 pub(super) fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) {
     let mut order: Vec<u32> = (0..live.len() as u32).collect();
-    order.sort_by(|&a, &b| live[a as usize].lo.x.total_cmp(&live[b as usize].lo.x));
+    let left = |i: u32| live[i as usize].bounds.min.x;
+    order.sort_by(|&a, &b| left(a).total_cmp(&left(b)));
     for (n, &i) in order.iter().enumerate() {
         // What is just beyond the end of a curve marks both.
         let (x, y0, y1) = {
-            let l = &live[i as usize];
-            (l.hi.x + TIED, l.lo.y - TIED, l.hi.y + TIED)
+            let (lo, hi) = (live[i as usize].bounds.min, live[i as usize].bounds.max);
+            (hi.x + TIED, lo.y - TIED, hi.y + TIED)
         };
         for &j in &order[n + 1..] {
-            let m = &live[j as usize];
-            if m.lo.x > x {
+            let m = live[j as usize].bounds;
+            if m.min.x > x {
                 break;
             }
-            if m.lo.y <= y1 && y0 <= m.hi.y {
+            if m.min.y <= y1 && y0 <= m.max.y {
                 let (a, b) = (i.min(j), i.max(j));
                 cut_pair(live, geometry, turn, a, b);
             }

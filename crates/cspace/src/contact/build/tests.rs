@@ -258,7 +258,7 @@ fn curves_are_in_their_boxes() {
     let mut flat_arcs = 0;
     for s in &geometry.contacts.sheets {
         let c = curve(s, s.lo + 0.3 * (s.hi - s.lo));
-        let (lo, hi) = c.bounds();
+        let (lo, hi) = (c.bounds().min, c.bounds().max);
         let chord = (c.end - c.start).unit();
         let (mut off, mut inside) = (0.0_f64, f64::INFINITY);
         for k in -50..=50 {

@@ -2,8 +2,13 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::*;
-use crate::feature::FeatureKind;
+use super::boundary::*;
+use super::curve_geometry::*;
+use crate::contact::{Curve, CurveShape};
+use crate::feature::tolerance::TORN;
+use crate::feature::{FeatureKind, FeatureName, PairFrame};
+use crate::geometry::{Point, Vector};
+use core::f64::consts::TAU;
 
 fn segment(a: (f64, f64), b: (f64, f64)) -> CurveGeometry {
     CurveGeometry::Segment {
