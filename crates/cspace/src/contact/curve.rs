@@ -2,13 +2,13 @@
 
 use core::f64::consts::PI;
 
-use crate::feature::tolerance::JOINT;
+use crate::feature::tolerance::{JOINT, WIDEST_ARC};
 use crate::geometry::{Point, Rotation, Vector, wrap};
 
 use crate::part::Bounds;
 
 use super::carrier::Carrier;
-use super::flat_arc::{FlatArc, WIDEST};
+use super::flat_arc::FlatArc;
 
 /// A directed segment or arc; free space, if any, is on the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -167,7 +167,7 @@ impl Curve {
             }
             CurveShape::FlatArc(arc) => {
                 for t in arc.met(p, d) {
-                    if (arc.place(p + d * t) * arc.curvature).abs() < WIDEST {
+                    if (arc.place(p + d * t) * arc.curvature).abs() < WIDEST_ARC {
                         take(t);
                     }
                 }

@@ -1,7 +1,7 @@
 //! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
 
 use crate::boxes::Boxes;
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
+use crate::feature::tolerance::{MOVING_GROWTH, WITHIN};
 use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation};
 use crate::part::{Bounds, Inside, Part};
@@ -46,8 +46,6 @@ impl Body {
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-        /// How far in the material a point is that is in the material, whatever the parts are grown by (length).
-        const WITHIN: f64 = 4.0 * GROWTH;
         // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself.
         let samples = (part.loops().iter())
             .filter_map(|l| l.edges().next())
@@ -119,8 +117,8 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::GROWTH;
     use crate::contact::Bodies;
+    use crate::feature::tolerance::GROWTH;
     use crate::geometry::Configuration;
     use crate::part::{Part, Vertex};
 

@@ -5,7 +5,7 @@ use crate::feature::{Growths, Outline, PairFrame, Perturbation};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
-use super::build::Contacts;
+use super::contacts::Contacts;
 use super::overlap::{Body, overlap};
 use super::period::{LoopImages, Period, Span, Steps};
 

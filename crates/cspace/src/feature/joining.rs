@@ -4,7 +4,7 @@
 use core::f64::consts::PI;
 
 use super::framed_edge::FramedEdge;
-use super::tolerance::{MITRE, SAME_CARRIER, SMOOTH, STRAIGHT};
+use super::tolerance::{MITRE, MOVED_PART, SAME_CARRIER, SMOOTH, STRAIGHT};
 use crate::number::Dd;
 use crate::number::plane::{Xy, cross, dot, left, length, minus, plus, right, times, turned};
 
@@ -107,12 +107,10 @@ fn smooth(before: &FramedEdge, after: &FramedEdge) -> f64 {
 /// Curvatures that differ by κ run alike δ/κ beside a corner that turns by δ, where they are δ²/2κ off each other, and cross
 /// again twice as far away. Less than [`SAME_CARRIER`] is no corner: rounding would not tell one crossing from the other.
 fn run_alike(before: &FramedEdge, after: &FramedEdge, turn: f64) -> bool {
-    /// The largest part of an edge by which its end may be moved.
-    const LARGEST_PART: f64 = 1.0 / 1024.0;
     let bend = (after.curvature() - before.curvature()).abs();
     let along = turn.abs() / bend;
     let shortest = before.edge.length().min(after.edge.length());
-    0.5 * turn.abs() * along <= SAME_CARRIER && along <= LARGEST_PART * shortest
+    0.5 * turn.abs() * along <= SAME_CARRIER && along <= MOVED_PART * shortest
 }
 
 /// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.

@@ -3,16 +3,16 @@
 //! Travelling a contact curve, blocked space is on the left. Crossings and ends cut the curves into gaps; a gap is on
 //! the boundary of free space as a whole or not at all. Right after a curve has entered the blocked side of another,
 //! and right before it leaves it, it is in blocked space; so is an end that no other curve continues. The other gaps
-//! hang together at crossings and shared ends in shells; one honest test of overlap decides each shell.
+//! hang together at crossings and shared ends in shells; one test of the parts for overlap decides each shell.
 
 use crate::contact::{Curve, CurveShape, Geometry};
-use crate::feature::tolerance::NARROWEST_BAND;
+use crate::feature::tolerance::{LONGEST_STEP, NARROWEST_BAND, ROOM, TIED};
 use crate::geometry::{Point, Rotation};
 use crate::part::Bounds;
 use crate::union_find::UnionFind;
 
 use super::coincident::Coincidences;
-use super::cut::{Cut, Live, TIED, cut, live_curves};
+use super::cut::{Cut, Live, cut, live_curves};
 use super::extent;
 
 /// What bounds a gap.
@@ -203,7 +203,7 @@ impl Arrangement {
             }
             if let Some((i, from, length)) = witness[root] {
                 let free = is_free(geometry, live, i as usize, from + 0.5 * length, theta);
-                // What is too short to be told from nothing contradicts nothing.
+                // A gap shorter than the error of its ends may not be there: it contradicts nothing.
                 consistent &= !(free && shell_blocked[root]) || length < TIED;
                 if !free && doubt[root] {
                     // What lies furthest out is free, unless all is blocked.
@@ -295,11 +295,7 @@ fn furthest(live: &[Live], mut of: impl FnMut(u32) -> bool) -> Option<(usize, f6
     best.map(|b| b.1)
 }
 
-/// Gaps shorter than this, and those with a curve nearer than this on their free side, are not looked at one by one (length):
-/// what is there is known no better than the crossings. Nor are curves that are so much further out than any that is free.
-const ROOM: f64 = 1e-9;
-
-/// An honest test beside a gap: the parts must not overlap half way to the next contact curve on the free side.
+/// Whether a gap is free: the parts do not overlap half way to the next contact curve on the free side.
 fn is_free(geometry: &Geometry, live: &[Live], i: usize, position: f64, theta: f64) -> bool {
     !geometry.overlaps(beside(live, i, position).0, theta)
 }
@@ -320,11 +316,10 @@ fn beside(live: &[Live], i: usize, position: f64) -> (Point, f64) {
 
 /// How far from a curve its free side is looked at: not beyond the middle of the circle it goes around.
 fn longest_step(curve: &Curve) -> f64 {
-    const STEP: f64 = 1.0 / 256.0;
     match curve.shape {
-        CurveShape::Line { .. } => STEP,
-        CurveShape::Circle { radius, .. } => STEP.min(0.5 * radius.abs()),
-        CurveShape::FlatArc(arc) => STEP.min(0.5 / arc.curvature.abs()),
+        CurveShape::Line { .. } => LONGEST_STEP,
+        CurveShape::Circle { radius, .. } => LONGEST_STEP.min(0.5 * radius.abs()),
+        CurveShape::FlatArc(arc) => LONGEST_STEP.min(0.5 / arc.curvature.abs()),
     }
 }
 

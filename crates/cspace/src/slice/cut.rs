@@ -1,6 +1,7 @@
 //! The contact curves at one orientation, and where they cross.
 
 use crate::contact::{Curve, CurveShape, Geometry, Seam, Sheet, crossing, roots};
+use crate::feature::tolerance::{BLUNT, TIED};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::Bounds;
 
@@ -30,9 +31,6 @@ pub(super) struct Cut {
 /// Crossings closer than this to the end of a curve, divided by the sine at which the curves cross, may have come to lie
 /// on the wrong side of it by rounding; in the pair's frame.
 const ROUNDING: f64 = 1e-13;
-
-/// The same of crossings at any angle: the orientation may be known as well as this, or be one of an event.
-pub(super) const TIED: f64 = 1e-11;
 
 /// Curves that begin or end within this of an orientation, in radians, may exist there or not by rounding.
 const SEAM: f64 = 1e-14;
@@ -139,8 +137,6 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     }
     /// More than rounding.
     const MARGIN: f64 = 1e-9;
-    /// Sines and lengths: two crossings this close to a tangency are closer to each other than their rounding.
-    const BLUNT: f64 = 1e-5;
     let mut found: [Option<(Point, bool)>; 2] = [None; 2];
     // Circles about nearly one centre are crossed as seen from there.
     let origin = fs.close_to(gs).map(|c| c.0);

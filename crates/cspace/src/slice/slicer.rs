@@ -98,7 +98,7 @@ impl Slice {
         Self::from_arrangement(&arrangement, &geometry, theta)
     }
 
-    /// The arrangement as positions at the orientation that was asked for, of which it may be a little aside.
+    /// The arrangement as positions at the orientation that was asked for; it may belong to one a little above.
     fn from_arrangement(arrangement: &Arrangement, geometry: &Geometry, theta: f64) -> Self {
         let curves = arrangement
             .gaps

@@ -1,10 +1,13 @@
 //! Sheets of small pairs, against what their curves are at one orientation and another.
 
+use core::f64::consts::PI;
+
+use super::super::sheet::SheetKind;
 use super::*;
 use crate::contact::{Curve, Geometry};
 use crate::feature::FeatureKind;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
-use crate::geometry::Rotation;
+use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Part, Vertex};
 
 /// A square turned by an angle, with corners rounded by arcs that go on smoothly.
