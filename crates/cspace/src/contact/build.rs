@@ -141,17 +141,13 @@ impl Builder<'_> {
             end_name: self.fixed_joint_name(a.end, ib, b),
             ..Sheet::BLANK
         };
-        self.instances(theta_lo, theta_hi, |this, shift, k| {
-            let lo = this.alignment(a.start, b_hi, theta_lo + shift);
-            let hi = this.alignment(a.start, b_lo, theta_hi + shift);
-            this.push(
-                sheet,
-                Bound::new(lo, lo_seam),
-                Bound::new(hi, hi_seam),
-                k,
-                0,
-            );
-        });
+        self.add_line(
+            &sheet,
+            [
+                (theta_lo, (a.start, b_hi), lo_seam),
+                (theta_hi, (a.start, b_lo), hi_seam),
+            ],
+        );
     }
 
     fn add_round_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
@@ -174,16 +170,23 @@ impl Builder<'_> {
             end_name: self.moving_joint_name(ia, a, b.end),
             ..Sheet::BLANK
         };
-        self.instances(theta_lo, theta_hi, |this, shift, k| {
-            let lo = this.alignment(a_lo, b.start, theta_lo + shift);
-            let hi = this.alignment(a_hi, b.start, theta_hi + shift);
-            this.push(
-                sheet,
-                Bound::new(lo, lo_seam),
-                Bound::new(hi, hi_seam),
-                k,
-                0,
-            );
+        self.add_line(
+            &sheet,
+            [
+                (theta_lo, (a_lo, b.start), lo_seam),
+                (theta_hi, (a_hi, b.start), hi_seam),
+            ],
+        );
+    }
+
+    /// Adds the sheet of a line: its least and its greatest orientation, the joints whose normals oppose each other there, and
+    /// what it meets.
+    fn add_line(&mut self, sheet: &Sheet, bounds: [(f64, (u32, u32), Seam); 2]) {
+        self.instances(bounds[0].0, bounds[1].0, |this, shift, k| {
+            let [lo, hi] = bounds.map(|(theta, (fixed, moving), seam)| {
+                Bound::new(this.alignment(fixed, moving, theta + shift), seam)
+            });
+            this.push(*sheet, lo, hi, k, 0);
         });
     }
 

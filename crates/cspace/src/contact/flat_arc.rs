@@ -309,14 +309,14 @@ mod tests {
     /// Circles cross if the distance of their centres is between the difference and the sum of their radii.
     #[test]
     fn circles_that_just_touch_are_told_from_those_that_do_not() {
-        const HAIR: f64 = 1e-9;
+        const GAP: f64 = 1e-9;
         let center = Point::new(0.3, -3.0);
         for (at, towards) in [(1.2, 1.5), (1.7, 1.5), (1.5, 1.5)] {
             let (arc, _) = circle(center, 3.0, at);
             for radius in [0.5, -0.5] {
                 for (distance, inside) in [(3.5, -1.0), (2.5, 1.0)] {
                     for sign in [-1.0, 1.0] {
-                        let other = center + Vector::from_angle(towards) * (distance + sign * HAIR);
+                        let other = center + Vector::from_angle(towards) * (distance + sign * GAP);
                         let small = Carrier::Circle {
                             center: (other.x, other.y),
                             radius,

@@ -6,7 +6,7 @@
 //! that can be had so is T = 2π / lcm(k, m), by taking α = 2πa/k and β = 2πb/m with a/k + b/m = 1/lcm(k, m) up to whole
 //! turns. This motion (p, θ) → (`R_α` p, θ + T) maps the space to itself, and a contact of features f and g to one of the
 //! features to which `R_α` takes f and `R_−β` takes g. All orientations are so many copies of a slab T wide (figure 4 of
-//! Sacks 1999, where the moving part is the symmetric one and α = 0).
+//! Sacks 1999, where the moving part is the symmetric one and α = 0), and sheets are made in the span of one only.
 
 use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
@@ -244,18 +244,8 @@ pub(crate) struct Period {
     pub(crate) moving_back: Permutation,
 }
 
-/// A part's loops under one step of its symmetry: images, and numbers of vertices.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LoopImages<'a> {
-    pub(crate) images: &'a [LoopImage],
-    pub(crate) lengths: &'a [u32],
-}
-
-impl<'a> LoopImages<'a> {
-    pub(crate) fn of(images: Option<&'a [LoopImage]>, lengths: &'a [u32]) -> Option<Self> {
-        images.map(|images| Self { images, lengths })
-    }
-}
+/// A part's loops under one step of its symmetry: images, and numbers of vertices; `None` without symmetry.
+pub(super) type LoopImages<'a> = Option<(&'a [LoopImage], &'a [u32])>;
 
 impl Period {
     /// The slab is the turn: nothing moves.
@@ -271,13 +261,13 @@ impl Period {
     }
 
     /// `None` if the features of a part do not correspond under its symmetry.
-    pub(crate) fn new(
+    pub(super) fn new(
         steps: Steps,
-        fixed: (&Outline, Option<LoopImages<'_>>),
-        moving: (&Outline, Option<LoopImages<'_>>),
+        fixed: (&Outline, LoopImages<'_>),
+        moving: (&Outline, LoopImages<'_>),
     ) -> Option<Self> {
-        let step = |(outline, images): (&Outline, Option<LoopImages<'_>>)| match images {
-            Some(l) => Permutation::of_loops(outline, l.images, l.lengths),
+        let step = |(outline, images): (&Outline, LoopImages<'_>)| match images {
+            Some((images, lengths)) => Permutation::of_loops(outline, images, lengths),
             None => Some(Permutation::identity(outline)),
         };
         let (f, m) = (step(fixed)?, step(moving)?);

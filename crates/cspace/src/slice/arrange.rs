@@ -13,7 +13,6 @@ use crate::union_find::UnionFind;
 
 use super::coincident::Coincidences;
 use super::cut::{Cut, Live, cut, live_curves};
-use super::extent;
 
 /// What bounds a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -232,7 +231,7 @@ impl Arrangement {
         let mut number = vec![u32::MAX; count as usize];
         let (mut all, mut bounding) = (Bounds::EMPTY, Bounds::EMPTY);
         for (i, l) in live.iter().enumerate() {
-            all = all.union(extent::of_curve(l));
+            all = all.union(l.extent());
             for g in 0..=l.cuts.len() {
                 let gap = l.first_gap + g as u32;
                 let free = match test {
@@ -245,7 +244,7 @@ impl Arrangement {
                 if !free {
                     continue;
                 }
-                bounding = bounding.union(extent::of_gap(l, g));
+                bounding = bounding.union(l.gap_extent(g));
                 number[gap as usize] = self.gaps.len() as u32;
                 let sheet = &geometry.contacts.sheets[l.sheet as usize];
                 let end = |c: &Cut| GapEnd::Crossing(live[c.other as usize].sheet, c.root);
@@ -271,9 +270,18 @@ impl Arrangement {
             }
             consistent &= gap.next != u32::MAX;
         }
-        // Far away all is free, and the outermost curves bound that.
-        consistent && !self.gaps.is_empty() && extent::reaches(bounding, all, ROOM)
+        // Far away all is free, and the outermost curves bound that: every place of a contact curve is touched or blocked, so that
+        // free space is bounded by pieces that reach as far as all curves do.
+        consistent && !self.gaps.is_empty() && reaches(bounding, all)
     }
+}
+
+/// Whether a box reaches as far as another on every side.
+fn reaches(inner: Bounds, outer: Bounds) -> bool {
+    inner.min.x <= outer.min.x + ROOM
+        && inner.min.y <= outer.min.y + ROOM
+        && inner.max.x >= outer.max.x - ROOM
+        && inner.max.y >= outer.max.y - ROOM
 }
 
 /// Of some gaps the one whose middle is furthest from the middle of the pair: its curve, and where on it.

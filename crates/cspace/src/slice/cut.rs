@@ -52,6 +52,35 @@ impl Live {
         let to = self.cuts.get(gap).map_or(self.half, |c| c.position);
         (from, to)
     }
+
+    /// A box no larger than the curve: its own but for the height of a flat arc.
+    pub(super) fn extent(&self) -> Bounds {
+        match self.curve.shape {
+            CurveShape::FlatArc(_) => Bounds::of(self.curve.start, self.curve.end),
+            _ => self.bounds,
+        }
+    }
+
+    /// A box no smaller than a gap.
+    pub(super) fn gap_extent(&self, gap: usize) -> Bounds {
+        if self.cuts.is_empty() {
+            return self.bounds;
+        }
+        let (from, to) = self.gap_range(gap);
+        let ends = Bounds::of(self.curve.point(from), self.curve.point(to));
+        match self.curve.shape {
+            CurveShape::Line { .. } => ends,
+            CurveShape::FlatArc(_) => self.bounds,
+            CurveShape::Circle { center, radius, .. } => {
+                let r = radius.abs();
+                [(r, 0.0), (-r, 0.0), (0.0, r), (0.0, -r)]
+                    .map(|(x, y)| center + Vector::new(x, y))
+                    .into_iter()
+                    .filter(|p| (from..=to).contains(&self.curve.position(*p)))
+                    .fold(ends, |all, p| all.union(Bounds::of(p, p)))
+            }
+        }
+    }
 }
 
 /// The curves, where they are by sheet, and whether some begin or end at the orientation.

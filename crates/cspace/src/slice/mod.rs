@@ -16,7 +16,6 @@ mod boundary;
 mod coincident;
 mod curve_geometry;
 mod cut;
-mod extent;
 mod slicer;
 
 pub use boundary::{Slice, SliceCurve};

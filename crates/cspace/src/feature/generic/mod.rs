@@ -106,12 +106,12 @@ fn moved(
         .map(|i| {
             let (vertex, side, knot) = (&vertices[i], &sides[i], &knots[i]);
             let here = by(i);
-            let bow = if knot.smooth {
+            let bend = if knot.smooth {
                 0.5 * knot.bend * moves[i][0] * moves[i][0]
             } else {
                 0.0
             };
-            let to = here + knot.axes[1] * bow;
+            let to = here + knot.axes[1] * bend;
             let bulge = if side.is_line() {
                 vertex.bulge
             } else {
