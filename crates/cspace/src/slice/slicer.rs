@@ -71,7 +71,7 @@ impl Slice {
     /// Computes the slice of a pair at one orientation from scratch.
     ///
     /// If `theta` is a critical orientation, the slice just above it is meant: within 1e-9 rad, or 1e-7 rad beside a tangency. For many slices
-    /// of one pair a [`Slicer`](crate::Slicer) is faster.
+    /// of one pair a [`Slicer`] is faster.
     ///
     /// ```
     /// use cspace::{Part, Slice, Vertex};
