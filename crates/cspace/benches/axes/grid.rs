@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::fixed_axes::AxisMotion;
 use cspace::fixed_axes::AxesMotionOutcome;
+use cspace::fixed_axes::AxisMotion;
 use cspace::{Axis, Classification, Edge, FixedAxesSpace, Part, Point, Vector};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::Mechanism;

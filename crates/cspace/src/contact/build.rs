@@ -1,8 +1,7 @@
-//! All sheets of a pair of parts in a window of orientations.
+//! How sheets are made: one of each pair of features that can touch, cut where its ends go over to other joints.
 
 use core::f64::consts::{PI, TAU};
 
-use crate::feature::tolerance::NARROWEST_BAND;
 use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
@@ -12,125 +11,35 @@ use super::period::{Period, Span};
 use super::sheet::{EndAngle, EndAt, Seam, Sheet, SheetKind};
 use super::spiral::{Spiral, Swing};
 
-/// The sheets, and who shares their ends.
-#[derive(Debug)]
-pub(crate) struct Contacts {
-    pub(crate) sheets: Vec<Sheet>,
-    pub(crate) span: Span,
-    /// Names from here on belong to two vertices.
-    pub(crate) first_vertex_name: u32,
-    /// For every end name, sheets that end there and sheets that start there; sorted by name.
-    ends: Vec<(u32, u32)>,
-    starts: Vec<(u32, u32)>,
-    /// How features are permuted from slab to slab.
-    pub(crate) period: Period,
-    names: EndNames,
-}
-
-impl Contacts {
-    /// The name of the same end one slab lower.
-    pub(crate) fn name_below(&self, name: u32) -> u32 {
-        self.names.name_below(name, &self.period)
-    }
-
-    /// The feature pair that does one slab lower what this one does.
-    pub(crate) fn pair_below(&self, fixed: u32, moving: u32) -> (u32, u32) {
-        (
-            self.period.fixed_back.features[fixed as usize],
-            self.period.moving_back.features[moving as usize],
-        )
-    }
-
-    /// The sheets that end at a name.
-    pub(crate) fn ending_at(&self, name: u32) -> impl Iterator<Item = u32> + '_ {
-        run(&self.ends, name)
-    }
-
-    /// The sheets that start at a name.
-    pub(crate) fn starting_at(&self, name: u32) -> impl Iterator<Item = u32> + '_ {
-        run(&self.starts, name)
-    }
-
-    /// Whether a circle lies between the curves of two lines wherever both exist, tangent to both.
-    ///
-    /// It turns by less than half a turn, so that the lines cross beyond its ends, by ρ tan(φ/2): the curves do not cross.
-    /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
-    /// second order, so that computing would tell little.
-    fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
-        let lines = f.is_line() && g.is_line() && f.kind != g.kind;
-        let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
-        let bridge = |before: &Sheet, after: &Sheet| {
-            self.starting_at(before.end_name).any(|c| {
-                let c = &self.sheets[c as usize];
-                !c.is_line()
-                    && c.end_name == after.start_name
-                    && c.lo <= lo + NARROWEST_BAND
-                    && c.hi >= hi - NARROWEST_BAND
-            })
-        };
-        lines && (bridge(f, g) || bridge(g, f))
-    }
-
-    /// Whether the curves of two sheets are to be looked at for crossings: they are not tangent or one by their making.
-    pub(crate) fn may_cross(&self, f: &Sheet, g: &Sheet) -> bool {
-        !f.shared_ends(g, self.first_vertex_name).tangent && !self.bridged(f, g)
-    }
-
-    /// Finds every sheet of the pair in the window; if there are more than `most`, some of them, and no more is spent.
-    pub(crate) fn new(
-        fixed: &Outline,
-        moving: &Outline,
-        span: Span,
-        period: Period,
-        most: usize,
-    ) -> Self {
-        let names = EndNames::new(fixed, moving);
-        let mut builder = Builder {
-            fixed,
-            moving,
-            span,
-            period: &period,
-            names,
-            fixed_vertex: fixed.vertex_of_joint(),
-            moving_vertex: moving.vertex_of_joint(),
-            fixed_line: fixed.line_of_joint(),
-            moving_line: moving.line_of_joint(),
-            sheets: Vec::new(),
-        };
-        for a in 0..fixed.features.len() as u32 {
-            for b in 0..moving.features.len() as u32 {
-                builder.add(a, b);
-            }
-            if builder.sheets.len() > most {
-                break;
-            }
+/// Every sheet of a pair in a window of orientations; if there are more than `most`, some of them, and no more is spent.
+pub(super) fn sheets(
+    fixed: &Outline,
+    moving: &Outline,
+    span: Span,
+    period: &Period,
+    most: usize,
+) -> Vec<Sheet> {
+    let mut builder = Builder {
+        fixed,
+        moving,
+        span,
+        period,
+        names: EndNames::new(fixed, moving),
+        fixed_vertex: fixed.vertex_of_joint(),
+        moving_vertex: moving.vertex_of_joint(),
+        fixed_line: fixed.line_of_joint(),
+        moving_line: moving.line_of_joint(),
+        sheets: Vec::new(),
+    };
+    for a in 0..fixed.features.len() as u32 {
+        for b in 0..moving.features.len() as u32 {
+            builder.add(a, b);
         }
-        let first_vertex_name = names.first_vertex();
-        let sheets = builder.sheets;
-        let index = |name: fn(&Sheet) -> u32| {
-            let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
-            list.sort_unstable();
-            list
-        };
-        let (starts, ends) = (index(|s| s.start_name), index(|s| s.end_name));
-        Self {
-            sheets,
-            span,
-            first_vertex_name,
-            ends,
-            starts,
-            period,
-            names,
+        if builder.sheets.len() > most {
+            break;
         }
     }
-}
-
-fn run(list: &[(u32, u32)], name: u32) -> impl Iterator<Item = u32> + '_ {
-    let from = list.partition_point(|e| e.0 < name);
-    list[from..]
-        .iter()
-        .take_while(move |e| e.0 == name)
-        .map(|e| e.1)
+    builder.sheets
 }
 
 struct Builder<'a> {
@@ -149,11 +58,25 @@ struct Builder<'a> {
 /// Sheets that last no longer than this are there by rounding only (radians).
 const SHORTEST: f64 = 1e-26;
 
+/// Where a curve ends.
+struct SheetEnd {
+    spiral: Spiral,
+    name: u32,
+    angle: EndAngle,
+    at: EndAt,
+}
+
 /// A bound of an interval of orientations, with what lies beyond.
 #[derive(Clone, Copy)]
 struct Bound {
     theta: Dd,
     seam: Seam,
+}
+
+impl Bound {
+    fn new(theta: Dd, seam: Seam) -> Self {
+        Self { theta, seam }
+    }
 }
 
 impl Builder<'_> {
@@ -206,49 +129,25 @@ impl Builder<'_> {
             kind: SheetKind::LineRound,
             fixed: ia,
             moving: ib,
-            lo: 0.0,
-            hi: 0.0,
-            from: Dd::ZERO,
-            to: Dd::ZERO,
             start_at: EndAt::Fixed(a.start),
             end_at: EndAt::Fixed(a.end),
             fixed_point: self.fixed.start(a).point,
             moving_point: b.center(),
-            swing: Swing::NONE,
             normal,
             radius: b.radius(),
             start: self.fixed_joint_spiral(a.start, b),
             end: self.fixed_joint_spiral(a.end, b),
             start_name: self.fixed_joint_name(a.start, ib, b),
             end_name: self.fixed_joint_name(a.end, ib, b),
-            start_angle: EndAngle {
-                offset: 0.0,
-                turns: false,
-            },
-            end_angle: EndAngle {
-                offset: 0.0,
-                turns: false,
-            },
-            bottom: lo_seam,
-            top: hi_seam,
+            ..Sheet::BLANK
         };
-        self.instances(theta_lo, theta_hi, |this, shift, k| {
-            let lo = this.alignment(a.start, b_hi, theta_lo + shift);
-            let hi = this.alignment(a.start, b_lo, theta_hi + shift);
-            this.push(
-                sheet,
-                Bound {
-                    theta: lo,
-                    seam: lo_seam,
-                },
-                Bound {
-                    theta: hi,
-                    seam: hi_seam,
-                },
-                k,
-                0,
-            );
-        });
+        self.add_line(
+            &sheet,
+            [
+                (theta_lo, (a.start, b_hi), lo_seam),
+                (theta_hi, (a.start, b_lo), hi_seam),
+            ],
+        );
     }
 
     fn add_round_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
@@ -259,48 +158,35 @@ impl Builder<'_> {
             kind: SheetKind::RoundLine,
             fixed: ia,
             moving: ib,
-            lo: 0.0,
-            hi: 0.0,
-            from: Dd::ZERO,
-            to: Dd::ZERO,
             start_at: EndAt::Moving(b.start),
             end_at: EndAt::Moving(b.end),
             fixed_point: a.center(),
             moving_point: self.moving.start(b).point,
-            swing: Swing::NONE,
             normal: -self.moving.start(b).normal,
             radius: a.radius(),
             start: self.moving_joint_spiral(a, b.start),
             end: self.moving_joint_spiral(a, b.end),
             start_name: self.moving_joint_name(ia, a, b.start),
             end_name: self.moving_joint_name(ia, a, b.end),
-            start_angle: EndAngle {
-                offset: 0.0,
-                turns: false,
-            },
-            end_angle: EndAngle {
-                offset: 0.0,
-                turns: false,
-            },
-            bottom: lo_seam,
-            top: hi_seam,
+            ..Sheet::BLANK
         };
-        self.instances(theta_lo, theta_hi, |this, shift, k| {
-            let lo = this.alignment(a_lo, b.start, theta_lo + shift);
-            let hi = this.alignment(a_hi, b.start, theta_hi + shift);
-            this.push(
-                sheet,
-                Bound {
-                    theta: lo,
-                    seam: lo_seam,
-                },
-                Bound {
-                    theta: hi,
-                    seam: hi_seam,
-                },
-                k,
-                0,
-            );
+        self.add_line(
+            &sheet,
+            [
+                (theta_lo, (a_lo, b.start), lo_seam),
+                (theta_hi, (a_hi, b.start), hi_seam),
+            ],
+        );
+    }
+
+    /// Adds the sheet of a line: its least and its greatest orientation, the joints whose normals oppose each other there, and
+    /// what it meets.
+    fn add_line(&mut self, sheet: &Sheet, bounds: [(f64, (u32, u32), Seam); 2]) {
+        self.instances(bounds[0].0, bounds[1].0, |this, shift, k| {
+            let [lo, hi] = bounds.map(|(theta, (fixed, moving), seam)| {
+                Bound::new(this.alignment(fixed, moving, theta + shift), seam)
+            });
+            this.push(*sheet, lo, hi, k, 0);
         });
     }
 
@@ -324,10 +210,7 @@ impl Builder<'_> {
         self.instances(theta_lo, theta_hi, |this, shift, k| {
             let switch_low = this.alignment(a_lo, b_lo, low_switch + shift);
             let switch_high = this.alignment(a_hi, b_hi, high_switch + shift);
-            let point = |theta| Bound {
-                theta,
-                seam: Seam::Point,
-            };
+            let point = |theta| Bound::new(theta, Seam::Point);
             let first = point(this.alignment(a_lo, b_hi, theta_lo + shift));
             let last = point(this.alignment(a_hi, b_lo, theta_hi + shift));
             let (m1, m2) = if switch_low < switch_high {
@@ -335,10 +218,7 @@ impl Builder<'_> {
             } else {
                 (switch_high, switch_low)
             };
-            let inner = |theta, which| Bound {
-                theta,
-                seam: Seam::Same(ia, ib, k, which),
-            };
+            let inner = |theta, which| Bound::new(theta, Seam::Same(ia, ib, k, which));
             let bounds = [first, inner(m1, 0), inner(m2, 1), last];
             for piece in 0..3u8 {
                 let (from, to) = (bounds[usize::from(piece)], bounds[usize::from(piece) + 1]);
@@ -363,25 +243,20 @@ impl Builder<'_> {
                     kind,
                     fixed: ia,
                     moving: ib,
-                    lo: 0.0,
-                    hi: 0.0,
-                    from: Dd::ZERO,
-                    to: Dd::ZERO,
-                    start_at: start.3,
-                    end_at: end.3,
+                    start_at: start.at,
+                    end_at: end.at,
                     fixed_point,
                     moving_point,
                     swing,
                     normal,
                     radius,
-                    start: start.0,
-                    end: end.0,
-                    start_name: start.1,
-                    end_name: end.1,
-                    start_angle: start.2,
-                    end_angle: end.2,
-                    bottom: from.seam,
-                    top: to.seam,
+                    start: start.spiral,
+                    end: end.spiral,
+                    start_name: start.name,
+                    end_name: end.name,
+                    start_angle: start.angle,
+                    end_angle: end.angle,
+                    ..Sheet::BLANK
                 };
                 this.push(sheet, from, to, k, piece);
             }
@@ -484,16 +359,15 @@ impl Builder<'_> {
         // Only circles about a centre ask for it.
         let v = (spiral.u - a.center()) * radius.signum();
         let offset = unwrap_near(v.angle(), near);
-        let angle = EndAngle {
-            offset,
-            turns: false,
-        };
-        (
+        SheetEnd {
             spiral,
-            self.fixed_joint_name(joint, ib, b),
-            angle,
-            EndAt::Fixed(joint),
-        )
+            name: self.fixed_joint_name(joint, ib, b),
+            angle: EndAngle {
+                offset,
+                turns: false,
+            },
+            at: EndAt::Fixed(joint),
+        }
     }
 
     fn moving_end(
@@ -508,16 +382,15 @@ impl Builder<'_> {
         let spiral = self.moving_joint_spiral(a, joint);
         let v = (spiral.w + b.center().to_vector()) * radius.signum();
         let offset = unwrap_near(v.angle(), near);
-        let angle = EndAngle {
-            offset,
-            turns: true,
-        };
-        (
+        SheetEnd {
             spiral,
-            self.moving_joint_name(ia, a, joint),
-            angle,
-            EndAt::Moving(joint),
-        )
+            name: self.moving_joint_name(ia, a, joint),
+            angle: EndAngle {
+                offset,
+                turns: true,
+            },
+            at: EndAt::Moving(joint),
+        }
     }
 
     fn fixed_joint_name(&self, joint: u32, ib: u32, b: &Feature) -> u32 {
@@ -548,7 +421,7 @@ fn swing(n: Vector, m: Vector, radius: f64) -> Swing {
     }
 }
 
-/// By what a circle of two round features is told: both centres; or if one is far away, a point of the circle near the parts
+/// What the circle of two round features is written by: both centres; or if one is far away, a point of the circle near the parts
 /// and the normal there, which is on the arc it belongs to.
 fn large(a: &Feature, b: &Feature) -> (SheetKind, Point, Point, Vector, Swing) {
     match (a.near, b.near) {
@@ -582,9 +455,3 @@ fn large(a: &Feature, b: &Feature) -> (SheetKind, Point, Point, Vector, Swing) {
         ),
     }
 }
-
-type SheetEnd = (Spiral, u32, EndAngle, EndAt);
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests;

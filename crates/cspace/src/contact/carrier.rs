@@ -9,7 +9,7 @@ use crate::number::plane::{dot, minus};
 
 use super::flat_arc::{Equation, FlatArc};
 
-/// A line through a point with a unit normal, a circle, or a circle so large that it is told by a point too.
+/// A line through a point with a unit normal, a circle by its centre, or a flat arc.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Carrier<T> {
     Line { normal: (T, T), through: (T, T) },

@@ -25,7 +25,7 @@ pub(crate) fn roots(f: &Curve, g: &Curve) -> u8 {
 /// The crossing with the given name, wherever it lies on the carriers.
 ///
 /// Line–line has one. On line–circle root 0 comes first along the line. On circle–circle root 0 lies right of the
-/// line from the centre of f to that of g, root 1 left. With a circle told by a point, at root 0 f leaves the blocked side of
+/// line from the centre of f to that of g, root 1 left. With a flat arc, at root 0 f leaves the blocked side of
 /// g, at root 1 it enters.
 pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
     match (f.shape, g.shape) {

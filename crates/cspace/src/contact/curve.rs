@@ -2,11 +2,13 @@
 
 use core::f64::consts::PI;
 
-use crate::feature::tolerance::JOINT;
-use crate::geometry::{Point, Vector, wrap};
+use crate::feature::tolerance::{JOINT, WIDEST_ARC};
+use crate::geometry::{Point, Rotation, Vector, wrap};
+
+use crate::part::Bounds;
 
 use super::carrier::Carrier;
-use super::flat_arc::{FlatArc, WIDEST};
+use super::flat_arc::FlatArc;
 
 /// A directed segment or arc; free space, if any, is on the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,6 +44,32 @@ impl Curve {
             CurveShape::FlatArc(arc) => {
                 (0.5 * (arc.place(self.end) - arc.place(self.start))).max(0.0)
             }
+        }
+    }
+
+    /// Turned by `theta`, of which `turn` is the rotation, then moved by `p`.
+    pub(crate) fn moved(&self, p: Vector, theta: f64, turn: Rotation) -> Self {
+        let place = |q: Point| turn * q + p;
+        Self {
+            start: place(self.start),
+            end: place(self.end),
+            shape: match self.shape {
+                CurveShape::Line { normal } => CurveShape::Line {
+                    normal: turn * normal,
+                },
+                CurveShape::Circle {
+                    center,
+                    radius,
+                    mid_angle,
+                    half,
+                } => CurveShape::Circle {
+                    center: place(center),
+                    radius,
+                    mid_angle: mid_angle + theta,
+                    half,
+                },
+                CurveShape::FlatArc(arc) => CurveShape::FlatArc(arc.moved(turn, p)),
+            },
         }
     }
 
@@ -139,7 +167,7 @@ impl Curve {
             }
             CurveShape::FlatArc(arc) => {
                 for t in arc.met(p, d) {
-                    if (arc.place(p + d * t) * arc.curvature).abs() < WIDEST {
+                    if (arc.place(p + d * t) * arc.curvature).abs() < WIDEST_ARC {
                         take(t);
                     }
                 }
@@ -148,10 +176,12 @@ impl Curve {
         best
     }
 
-    /// A box that contains the curve: lower and upper corner.
-    pub(crate) fn bounds(&self) -> (Point, Point) {
-        let mut lo = Point::new(self.start.x.min(self.end.x), self.start.y.min(self.end.y));
-        let mut hi = Point::new(self.start.x.max(self.end.x), self.start.y.max(self.end.y));
+    /// A box that contains the curve.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let Bounds {
+            min: mut lo,
+            max: mut hi,
+        } = Bounds::of(self.start, self.end);
         if let CurveShape::Circle {
             center,
             radius,
@@ -184,7 +214,7 @@ impl Curve {
             let height = Vector::new(height, height);
             (lo, hi) = (lo + -height, hi + height);
         }
-        (lo, hi)
+        Bounds { min: lo, max: hi }
     }
 }
 

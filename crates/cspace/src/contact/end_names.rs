@@ -4,7 +4,7 @@ use crate::feature::Outline;
 
 use super::period::Period;
 
-/// How many features and joints there are, by which names of ends are made.
+/// The numbering of ends: by how many features and joints the parts have.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EndNames {
     fixed_features: u32,

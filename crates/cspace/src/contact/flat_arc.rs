@@ -1,8 +1,9 @@
-//! Circles much larger than the parts, as curves through a point near these.
+//! Flat arcs: circles much larger than the parts, as curves through a point near these.
 //!
 //! A circle with the curvature κ = 1/r through a point P with the unit normal n is n·d + κ d²/2 = 0 for the way d from P.
 //! Nothing in it is large, so that a place on it is as exact as P is, however far away the centre. A line is one with κ = 0.
 
+use crate::feature::tolerance::WIDEST_ARC;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 use crate::number::plane::dot;
@@ -27,9 +28,6 @@ pub(crate) struct Equation<T> {
     pub(crate) k: f64,
     pub(crate) c: T,
 }
-
-/// Flat arcs are followed up to this angle about their centres (radians): what is near the parts is far below.
-pub(crate) const WIDEST: f64 = 0.5;
 
 impl<T: Real> FlatArc<T> {
     /// The circle of a radius through a spiral, with a normal that turns or does not.
@@ -156,7 +154,7 @@ impl FlatArc<f64> {
             return None;
         }
         let u = self.crossing(other, enters);
-        ((u * self.curvature).abs() < WIDEST).then(|| self.point(u))
+        ((u * self.curvature).abs() < WIDEST_ARC).then(|| self.point(u))
     }
 
     /// The distances at which the ray p + t d meets it, d being a unit vector.
@@ -311,14 +309,14 @@ mod tests {
     /// Circles cross if the distance of their centres is between the difference and the sum of their radii.
     #[test]
     fn circles_that_just_touch_are_told_from_those_that_do_not() {
-        const HAIR: f64 = 1e-9;
+        const GAP: f64 = 1e-9;
         let center = Point::new(0.3, -3.0);
         for (at, towards) in [(1.2, 1.5), (1.7, 1.5), (1.5, 1.5)] {
             let (arc, _) = circle(center, 3.0, at);
             for radius in [0.5, -0.5] {
                 for (distance, inside) in [(3.5, -1.0), (2.5, 1.0)] {
                     for sign in [-1.0, 1.0] {
-                        let other = center + Vector::from_angle(towards) * (distance + sign * HAIR);
+                        let other = center + Vector::from_angle(towards) * (distance + sign * GAP);
                         let small = Carrier::Circle {
                             center: (other.x, other.y),
                             radius,

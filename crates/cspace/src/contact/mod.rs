@@ -1,8 +1,48 @@
-//! Contacts: the sheets that pairs of features sweep out, their ends, and the curves they show at one orientation.
+//! Contacts: the surfaces of the configuration space on which a feature of one part touches a feature of the other.
+//!
+//! # One orientation
+//!
+//! The positions at which two features touch are a curve, part of a line or circle, its carrier:
+//!
+//! ```text
+//!                 n ↑                    free space
+//!    end ←──────────┼────────── start    the curve of the contact
+//!                   │ r
+//!    ═══════════════╪══════════          a line of the fixed part, touched by an arc of radius r
+//!                   │                    blocked space
+//! ```
+//!
+//! The normal n is outward from the fixed part and points to the free side; travel is to the left of it, so that blocked
+//! space is on the left of travel. A circle is travelled counter-clockwise if its radius is positive: that is the sum of the
+//! signed radii of the two features, those of concave arcs being negative. `function.rs` has the equations.
+//!
+//! # All orientations
+//!
+//! As θ grows the curve moves, and its ends move along spirals u + R w (`spiral.rs`): an end is where one of the features ends
+//! at a joint, and the normal there is that of the joint, fixed or turning. A sheet is such a surface over an interval of
+//! orientations in which both ends keep their joints:
+//!
+//! ```text
+//!    θ ↑    end ●────────● start    top: two lines become parallel, or an end moves to another joint
+//!      │        │ sheet  │          ends: each is shared with the sheet of the next feature (`end_names.rs`)
+//!      │    end ●────────● start    bottom
+//! ```
+//!
+//! `build.rs` makes all sheets of a pair, `shared.rs` and `tangent.rs` tell what two of them have in common by their making.
+//! Other crossings of two curves come and go only at roots of α cos θ + β sin θ + γ (`condition.rs`). If parts are symmetric,
+//! only the sheets of one period are made (`period.rs`).
+//!
+//! # Levels of precision
+//!
+//! 1. Doubles: `curve.rs`, `crossing.rs`, `carrier.rs`. A circle whose centre is far from the parts is written as a flat arc
+//!    (`flat_arc.rs`), so that nothing in it is large.
+//! 2. Double-double (`exact/`), wherever doubles leave open which of two things is the case. The parts have been changed so that
+//!    nothing coincides at that level (see the features).
 
 mod build;
 mod carrier;
 mod condition;
+mod contacts;
 mod crossing;
 mod curve;
 mod drawn;

@@ -1,9 +1,9 @@
 //! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
 
 use crate::boxes::Boxes;
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
+use crate::feature::tolerance::{MOVING_GROWTH, WITHIN};
 use crate::feature::{Outline, Shape};
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Point, Rotation};
 use crate::part::{Bounds, Inside, Part};
 
 use super::crossing::{crossing, roots};
@@ -46,8 +46,6 @@ impl Body {
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-        /// How far in the material a point is that is in the material, whatever the parts are grown by (length).
-        const WITHIN: f64 = 4.0 * GROWTH;
         // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself.
         let samples = (part.loops().iter())
             .filter_map(|l| l.edges().next())
@@ -57,7 +55,7 @@ impl Body {
             })
             .collect();
         Self {
-            boxes: Boxes::new(curves.iter().map(bounds)),
+            boxes: Boxes::new(curves.iter().map(Curve::bounds)),
             curves,
             part: part.clone(),
             inside: Inside::of(part),
@@ -82,37 +80,6 @@ impl Body {
     }
 }
 
-/// A curve turned by `theta`, of which `turn` is the rotation, then moved by `p`.
-pub(super) fn placed(c: &Curve, p: Vector, theta: f64, turn: Rotation) -> Curve {
-    let place = |q: Point| turn * q + p;
-    Curve {
-        start: place(c.start),
-        end: place(c.end),
-        shape: match c.shape {
-            CurveShape::Line { normal } => CurveShape::Line {
-                normal: turn * normal,
-            },
-            CurveShape::Circle {
-                center,
-                radius,
-                mid_angle,
-                half,
-            } => CurveShape::Circle {
-                center: place(center),
-                radius,
-                mid_angle: mid_angle + theta,
-                half,
-            },
-            CurveShape::FlatArc(arc) => CurveShape::FlatArc(arc.moved(turn, p)),
-        },
-    }
-}
-
-fn bounds(curve: &Curve) -> Bounds {
-    let (min, max) = curve.bounds();
-    Bounds { min, max }
-}
-
 fn cross(f: &Curve, g: &Curve) -> bool {
     /// A crossing where two edges follow each other is on one of them at least (length).
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -129,8 +96,8 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
     let turn = Rotation::by(theta);
     let shift = p.to_vector();
     for g in &moving.curves {
-        let g = placed(g, shift, theta, turn);
-        let around = bounds(&g);
+        let g = g.moved(shift, theta, turn);
+        let around = g.bounds();
         let meets = |b: &Bounds| !b.is_apart(around, 0.0);
         if (fixed.boxes).any(meets, |f| cross(&fixed.curves[f as usize], &g)) {
             return true;
@@ -150,8 +117,8 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::GROWTH;
     use crate::contact::Bodies;
+    use crate::feature::tolerance::GROWTH;
     use crate::geometry::Configuration;
     use crate::part::{Part, Vertex};
 

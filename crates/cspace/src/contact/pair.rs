@@ -5,9 +5,9 @@ use crate::feature::{Growths, Outline, PairFrame, Perturbation};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
-use super::build::Contacts;
+use super::contacts::Contacts;
 use super::overlap::{Body, overlap};
-use super::period::{LoopImages, Period, Span, Steps};
+use super::period::{Period, Span, Steps};
 
 /// A pair in its own frame: outlines, sheets of contact, and the bodies for tests of overlap.
 #[derive(Debug)]
@@ -90,8 +90,8 @@ impl Geometry {
         let outlines = Outlines::new(fixed, moving);
         let period = Period::new(
             steps,
-            (&outlines.fixed, LoopImages::of(fixed.images, &of_fixed)),
-            (&outlines.moving, LoopImages::of(moving.images, &of_moving)),
+            (&outlines.fixed, fixed.images.map(|i| (i, &of_fixed[..]))),
+            (&outlines.moving, moving.images.map(|i| (i, &of_moving[..]))),
         )?;
         let span = Span::slab(&outlines.fixed, &outlines.moving, steps.slabs);
         Some(outlines.sheets(span, period, most))
@@ -210,26 +210,16 @@ impl Outlines {
 
     fn sheets(self, span: Span, period: Period, most: usize) -> Geometry {
         let contacts = Contacts::new(&self.fixed, &self.moving, span, period, most);
-        let Self {
-            frame,
-            fixed,
-            moving,
-            fixed_fold,
-            moving_fold,
-            growths,
-            fixed_body,
-            moving_body,
-        } = self;
         Geometry {
-            frame,
-            fixed,
-            moving,
+            frame: self.frame,
+            fixed: self.fixed,
+            moving: self.moving,
             contacts,
-            fixed_fold,
-            moving_fold,
-            growths,
-            fixed_body,
-            moving_body,
+            fixed_fold: self.fixed_fold,
+            moving_fold: self.moving_fold,
+            growths: self.growths,
+            fixed_body: self.fixed_body,
+            moving_body: self.moving_body,
         }
     }
 }

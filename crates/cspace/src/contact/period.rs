@@ -4,18 +4,20 @@
 //! its own. In the pair's frame, in which both centres are the origins, the parts overlap at (p, θ) if and only if they
 //! overlap at (`R_α` p, θ + α), and if and only if they overlap at (p, θ + β). With folds k and m, the smallest turn of θ
 //! that can be had so is T = 2π / lcm(k, m), by taking α = 2πa/k and β = 2πb/m with a/k + b/m = 1/lcm(k, m) up to whole
-//! turns. This twist (p, θ) → (`R_α` p, θ + T) maps the space to itself, and a contact of features f and g to one of the
+//! turns. This motion (p, θ) → (`R_α` p, θ + T) maps the space to itself, and a contact of features f and g to one of the
 //! features to which `R_α` takes f and `R_−β` takes g. All orientations are so many copies of a slab T wide (figure 4 of
-//! Sacks 1999, where the moving part is the symmetric one and α = 0).
+//! Sacks 1999, where the moving part is the symmetric one and α = 0), and sheets are made in the span of one only.
 
 use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
 
+use crate::feature::tolerance::CLEAR_CUT;
 use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::part::LoopImage;
 
+use super::curve::Curve;
 use super::function::ContactFunction;
 use super::spiral::{Spiral, Swing};
 
@@ -140,7 +142,7 @@ impl Steps {
         part_of_turn(self.fixed, self.fixed_fold, slabs)
     }
 
-    /// What the twist does some number of times.
+    /// The motion of the space onto itself by a number of slabs.
     pub(crate) fn motion(&self, slabs: i64) -> SlabMotion {
         SlabMotion {
             fixed: Rotation::by(self.angle(slabs)),
@@ -160,7 +162,8 @@ fn gcd(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// A power of the twist, applied to geometry: `R_α` to what belongs to the fixed part, `R_−β` to what turns with θ.
+/// The motion of the space onto itself by a number of slabs: `R_α` of what belongs to the fixed part, `R_−β` of what turns
+/// with θ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SlabMotion {
     pub(crate) fixed: Rotation,
@@ -224,12 +227,12 @@ impl SlabMotion {
     }
 
     /// A curve at one orientation; `angle` is that of the rotation of positions.
-    pub(crate) fn curve(&self, c: &super::Curve, angle: f64) -> super::Curve {
-        super::overlap::placed(c, Vector::ZERO, angle, self.fixed)
+    pub(crate) fn curve(&self, c: &Curve, angle: f64) -> Curve {
+        c.moved(Vector::ZERO, angle, self.fixed)
     }
 }
 
-/// How the twist permutes features and joints of both parts.
+/// How the space repeats: from slab to slab, features and joints of both parts are permuted.
 #[derive(Debug, Clone)]
 pub(crate) struct Period {
     pub(crate) steps: Steps,
@@ -241,18 +244,8 @@ pub(crate) struct Period {
     pub(crate) moving_back: Permutation,
 }
 
-/// A part's loops under one step of its symmetry: images, and numbers of vertices.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LoopImages<'a> {
-    pub(crate) images: &'a [LoopImage],
-    pub(crate) lengths: &'a [u32],
-}
-
-impl<'a> LoopImages<'a> {
-    pub(crate) fn of(images: Option<&'a [LoopImage]>, lengths: &'a [u32]) -> Option<Self> {
-        images.map(|images| Self { images, lengths })
-    }
-}
+/// A part's loops under one step of its symmetry: images, and numbers of vertices; `None` without symmetry.
+pub(super) type LoopImages<'a> = Option<(&'a [LoopImage], &'a [u32])>;
 
 impl Period {
     /// The slab is the turn: nothing moves.
@@ -268,13 +261,13 @@ impl Period {
     }
 
     /// `None` if the features of a part do not correspond under its symmetry.
-    pub(crate) fn new(
+    pub(super) fn new(
         steps: Steps,
-        fixed: (&Outline, Option<LoopImages<'_>>),
-        moving: (&Outline, Option<LoopImages<'_>>),
+        fixed: (&Outline, LoopImages<'_>),
+        moving: (&Outline, LoopImages<'_>),
     ) -> Option<Self> {
-        let step = |(outline, images): (&Outline, Option<LoopImages<'_>>)| match images {
-            Some(l) => Permutation::of_loops(outline, l.images, l.lengths),
+        let step = |(outline, images): (&Outline, LoopImages<'_>)| match images {
+            Some((images, lengths)) => Permutation::of_loops(outline, images, lengths),
             None => Some(Permutation::identity(outline)),
         };
         let (f, m) = (step(fixed)?, step(moving)?);
@@ -316,14 +309,13 @@ impl Span {
 
     /// The first of so many equal slabs of the full turn, not cut at an orientation where two normals oppose each other.
     pub(crate) fn slab(fixed: &Outline, moving: &Outline, slabs: u32) -> Self {
-        const CLEAR: f64 = 1e-7;
         // Irrational steps: some cut is clear unless the normals are dense on that scale.
         let cuts = (0..64).map(|i| -PI + 0.01234 + 0.000_761_3 * f64::from(i));
         let clear = |cut: f64| {
             fixed.joints.iter().all(|a| {
                 moving.joints.iter().all(|b| {
                     let t = (a.angle - b.angle - PI - cut) / TAU;
-                    (t - t.round()).abs() * TAU > CLEAR
+                    (t - t.round()).abs() * TAU > CLEAR_CUT
                 })
             })
         };

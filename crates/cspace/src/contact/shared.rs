@@ -55,7 +55,7 @@ impl Sheet {
     /// The centre of its circle, if that of another sheet is so near to it that places where the circles cross would be lost in the
     /// rounding of the two centres; and how near.
     ///
-    /// Two arcs of a part of 1e-9 sizes touch an arc of the other on circles as near as that. Where they cross is told by the
+    /// Two arcs of a part of 1e-9 sizes touch an arc of the other on circles as near as that. Where they cross follows from the
     /// direction from one centre to the other, and that by the difference of two spirals, in which nothing cancels.
     pub(crate) fn close_to(&self, other: &Self) -> Option<(Spiral, f64)> {
         if !(self.is_circle() && other.is_circle()) {

@@ -19,9 +19,9 @@ pub(crate) enum SheetKind {
     RoundLine,
     /// Arcs or vertices of both.
     RoundRound,
-    /// The same, the fixed arc being so large that the circle is told by a point near it; the normal there is constant.
+    /// The same, the fixed arc being so large that the curve is a flat arc; its normal is constant.
     FixedFlatArc,
-    /// The same, the moving arc alone being so large; the normal turns with θ.
+    /// The same, the moving arc alone being so large; its normal turns with θ.
     MovingFlatArc,
 }
 
@@ -33,6 +33,12 @@ pub(crate) struct EndAngle {
 }
 
 impl EndAngle {
+    /// Where there is no circle.
+    pub(super) const NONE: Self = Self {
+        offset: 0.0,
+        turns: false,
+    };
+
     #[inline]
     pub(crate) fn at(&self, theta: f64) -> f64 {
         if self.turns {
@@ -107,6 +113,32 @@ pub(crate) struct Sheet {
 }
 
 impl Sheet {
+    /// Nothing yet.
+    pub(super) const BLANK: Self = Self {
+        kind: SheetKind::RoundRound,
+        fixed: 0,
+        moving: 0,
+        lo: 0.0,
+        hi: 0.0,
+        from: Dd::ZERO,
+        to: Dd::ZERO,
+        start_at: EndAt::Fixed(0),
+        end_at: EndAt::Fixed(0),
+        fixed_point: Point::ORIGIN,
+        moving_point: Point::ORIGIN,
+        swing: Swing::NONE,
+        normal: Vector::ZERO,
+        radius: 0.0,
+        start: Spiral::new(Point::ORIGIN, Vector::ZERO),
+        end: Spiral::new(Point::ORIGIN, Vector::ZERO),
+        start_name: 0,
+        end_name: 0,
+        start_angle: EndAngle::NONE,
+        end_angle: EndAngle::NONE,
+        bottom: Seam::Window,
+        top: Seam::Window,
+    };
+
     /// A spiral from the start of a line, seen by its normal: what stays, and what turns.
     pub(crate) fn seen(&self, spiral: &Spiral) -> (Vector, Vector) {
         let (u, w) = (spiral.u - self.start.u, spiral.w - self.start.w);
@@ -136,7 +168,7 @@ impl Sheet {
         matches!(self.kind, SheetKind::LineRound | SheetKind::RoundLine)
     }
 
-    /// Whether its curves are circles told by a point.
+    /// Whether its curves are flat arcs.
     #[inline]
     pub(crate) fn is_flat_arc(&self) -> bool {
         matches!(
@@ -145,7 +177,7 @@ impl Sheet {
         )
     }
 
-    /// Whether a large arc is involved.
+    /// Whether a flat arc is involved: its curve is one, or its ends move with one.
     #[inline]
     pub(crate) fn is_flat(&self) -> bool {
         self.is_flat_arc() || !self.start.swing.is_none() || !self.end.swing.is_none()
@@ -166,7 +198,7 @@ impl Sheet {
         }
     }
 
-    /// By what its carrier is told: a position on it, or its centre.
+    /// The spiral that its carrier is placed by: a position on it, or its centre.
     pub(crate) fn any(&self) -> Spiral {
         if self.is_line() {
             self.start

@@ -3,7 +3,7 @@
 //! Where a flat arc is involved, each condition of tangency is α cos θ + β sin θ + γ = 0, but the three are large and
 //! all but cancel. So they are not written down: the condition is evaluated from points near the parts.
 
-use crate::feature::tolerance::SAME_CARRIER;
+use crate::feature::tolerance::{SAME_CARRIER, TANGENCY_STEP};
 use crate::geometry::{Rotation, Vector};
 use crate::number::Real;
 use crate::number::plane::{dot, minus};
@@ -75,7 +75,7 @@ impl Sheet {
     }
 }
 
-/// What vanishes.
+/// A condition of tangency.
 #[derive(Clone, Copy)]
 enum Condition<'a> {
     /// A line or flat arc tangent to a flat arc, their normals alike or opposed.
@@ -87,10 +87,10 @@ enum Condition<'a> {
 /// Error of a length computed from coordinates near the parts.
 const LENGTH_ERROR: f64 = 32.0 * f64::EPSILON;
 
-/// Errors are estimates.
+/// How much larger than its estimate an error may be.
 const MARGIN: f64 = 4.0;
 
-/// What vanishes where two curves are tangent, of which one is told by a point or moves with a large arc.
+/// The conditions under which two curves are tangent, of which one is a flat arc or moves with one.
 fn tangencies<'a>(f: &'a Sheet, g: &'a Sheet) -> impl Iterator<Item = Condition<'a>> {
     let of = move |side: bool| match (f.is_circle(), g.is_circle()) {
         (true, true) => None,
@@ -102,16 +102,14 @@ fn tangencies<'a>(f: &'a Sheet, g: &'a Sheet) -> impl Iterator<Item = Condition<
     [true, false].into_iter().filter_map(of)
 }
 
-/// Whether two curves, of which one is told by a point or moves with a large arc, are tangent at every orientation: contacts of
-/// one feature with two others that follow each other smoothly.
+/// Whether two curves, of which one is a flat arc or moves with one, are tangent at every orientation: contacts of one feature
+/// with two others that follow each other smoothly.
 ///
 /// The condition is α cos θ + β sin θ + γ = 0: if it is so at three orientations far from each other, it is so at all.
 fn always_touch(f: &Sheet, g: &Sheet) -> bool {
     let mid = 0.5 * (f.lo.max(g.lo) + f.hi.min(g.hi));
-    /// As far as flat arcs may be followed, radians.
-    const APART: f64 = 0.1;
     tangencies(f, g).any(|condition| {
-        [-APART, 0.0, APART].into_iter().all(|d| {
+        [-TANGENCY_STEP, 0.0, TANGENCY_STEP].into_iter().all(|d| {
             let (sin, cos) = (mid + d).sin_cos();
             let (value, size) = condition.at(cos, sin);
             value.abs() <= MARGIN * LENGTH_ERROR * size * condition.pace()

@@ -2,10 +2,10 @@
 //!
 //! All loops of a part are grown alike, unless arcs of two of them touch the other part along one circle at every orientation
 //! (see `concentric.rs`): growing them evenly does not change that. Those loops are put on levels, each grown by a little more
-//! than the one below. Arcs of one loop cannot be told apart so; slices from scratch know of them (`slice/coincident.rs`).
+//! than the one below. Arcs of one loop are grown alike: their coincidences are found by slices from scratch (`slice/coincident.rs`).
 
 use super::concentric::{EqualSum, equal_sums_of_loops};
-use super::tolerance::{GROWTH, LEVEL, MOVING_GROWTH};
+use super::tolerance::{GROWTH, LEVEL, MOVING_GROWTH, ONE_LENGTH};
 use super::types::Outline;
 
 /// By how much each loop of a part is grown (length): evenly, but for loops with equal sums.
@@ -71,8 +71,6 @@ struct Alike {
 
 impl Alike {
     fn new(outline: &Outline) -> Self {
-        /// Loops are of one length if they differ by less (length).
-        const ONE_LENGTH: f64 = 1e-9;
         let mut lengths: Vec<(f64, usize)> = Vec::new();
         for f in &outline.features {
             let i = f.name.loop_index as usize;

@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 
+use super::tolerance::FLAT_BULGE;
 use crate::boxes::Boxes;
 use crate::geometry::Point;
 use crate::part::{Bounds, Edge, Inside, Part};
@@ -102,8 +103,7 @@ fn closest(edge: &Edge, p: Point) -> Point {
         return edge.start + chord * (s / len2);
     }
     // About a centre far away the place would be lost in rounding.
-    const FLAT: f64 = 1.0 / 512.0;
-    if edge.bulge.abs() < FLAT {
+    if edge.bulge.abs() < FLAT_BULGE {
         return edge.foot(p).unwrap_or(end);
     }
     let c = edge.center();

@@ -40,7 +40,7 @@ pub(crate) enum Shape {
     Round { center: Point, radius: f64 },
 }
 
-/// A point of a large arc, half way between its ends, and the outward normal there: what it is told by, its centre being far.
+/// A point of a large arc, half way between its ends, and the outward normal there. It stands for the arc where the centre is too far away.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Near {
     pub(crate) point: Point,

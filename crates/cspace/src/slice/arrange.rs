@@ -3,16 +3,16 @@
 //! Travelling a contact curve, blocked space is on the left. Crossings and ends cut the curves into gaps; a gap is on
 //! the boundary of free space as a whole or not at all. Right after a curve has entered the blocked side of another,
 //! and right before it leaves it, it is in blocked space; so is an end that no other curve continues. The other gaps
-//! hang together at crossings and shared ends in shells; one honest test of overlap decides each shell.
+//! hang together at crossings and shared ends in shells; one test of the parts for overlap decides each shell.
 
 use crate::contact::{Curve, CurveShape, Geometry};
-use crate::feature::tolerance::NARROWEST_BAND;
+use crate::feature::tolerance::{LONGEST_STEP, NARROWEST_BAND, ROOM, TIED};
 use crate::geometry::{Point, Rotation};
+use crate::part::Bounds;
 use crate::union_find::UnionFind;
 
 use super::coincident::Coincidences;
-use super::cut::{Cut, Live, TIED, cut, live_curves};
-use super::span::Span;
+use super::cut::{Cut, Live, cut, live_curves};
 
 /// What bounds a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -202,7 +202,7 @@ impl Arrangement {
             }
             if let Some((i, from, length)) = witness[root] {
                 let free = is_free(geometry, live, i as usize, from + 0.5 * length, theta);
-                // What is too short to be told from nothing contradicts nothing.
+                // A gap shorter than the error of its ends may not be there: it contradicts nothing.
                 consistent &= !(free && shell_blocked[root]) || length < TIED;
                 if !free && doubt[root] {
                     // What lies furthest out is free, unless all is blocked.
@@ -229,9 +229,9 @@ impl Arrangement {
             }
         }
         let mut number = vec![u32::MAX; count as usize];
-        let (mut all, mut bounding) = (Span::NOTHING, Span::NOTHING);
+        let (mut all, mut bounding) = (Bounds::EMPTY, Bounds::EMPTY);
         for (i, l) in live.iter().enumerate() {
-            all = all.and(Span::of_curve(l));
+            all = all.union(l.extent());
             for g in 0..=l.cuts.len() {
                 let gap = l.first_gap + g as u32;
                 let free = match test {
@@ -244,7 +244,7 @@ impl Arrangement {
                 if !free {
                     continue;
                 }
-                bounding = bounding.and(Span::of_gap(l, g));
+                bounding = bounding.union(l.gap_extent(g));
                 number[gap as usize] = self.gaps.len() as u32;
                 let sheet = &geometry.contacts.sheets[l.sheet as usize];
                 let end = |c: &Cut| GapEnd::Crossing(live[c.other as usize].sheet, c.root);
@@ -270,9 +270,18 @@ impl Arrangement {
             }
             consistent &= gap.next != u32::MAX;
         }
-        // Far away all is free, and the outermost curves bound that.
-        consistent && !self.gaps.is_empty() && bounding.reaches(&all, ROOM)
+        // Far away all is free, and the outermost curves bound that: every place of a contact curve is touched or blocked, so that
+        // free space is bounded by pieces that reach as far as all curves do.
+        consistent && !self.gaps.is_empty() && reaches(bounding, all)
     }
+}
+
+/// Whether a box reaches as far as another on every side.
+fn reaches(inner: Bounds, outer: Bounds) -> bool {
+    inner.min.x <= outer.min.x + ROOM
+        && inner.min.y <= outer.min.y + ROOM
+        && inner.max.x >= outer.max.x - ROOM
+        && inner.max.y >= outer.max.y - ROOM
 }
 
 /// Of some gaps the one whose middle is furthest from the middle of the pair: its curve, and where on it.
@@ -294,11 +303,7 @@ fn furthest(live: &[Live], mut of: impl FnMut(u32) -> bool) -> Option<(usize, f6
     best.map(|b| b.1)
 }
 
-/// Gaps shorter than this, and those with a curve nearer than this on their free side, are not looked at one by one (length):
-/// what is there is known no better than the crossings. Nor are curves that are so much further out than any that is free.
-const ROOM: f64 = 1e-9;
-
-/// An honest test beside a gap: the parts must not overlap half way to the next contact curve on the free side.
+/// Whether a gap is free: the parts do not overlap half way to the next contact curve on the free side.
 fn is_free(geometry: &Geometry, live: &[Live], i: usize, position: f64, theta: f64) -> bool {
     !geometry.overlaps(beside(live, i, position).0, theta)
 }
@@ -319,11 +324,10 @@ fn beside(live: &[Live], i: usize, position: f64) -> (Point, f64) {
 
 /// How far from a curve its free side is looked at: not beyond the middle of the circle it goes around.
 fn longest_step(curve: &Curve) -> f64 {
-    const STEP: f64 = 1.0 / 256.0;
     match curve.shape {
-        CurveShape::Line { .. } => STEP,
-        CurveShape::Circle { radius, .. } => STEP.min(0.5 * radius.abs()),
-        CurveShape::FlatArc(arc) => STEP.min(0.5 / arc.curvature.abs()),
+        CurveShape::Line { .. } => LONGEST_STEP,
+        CurveShape::Circle { radius, .. } => LONGEST_STEP.min(0.5 * radius.abs()),
+        CurveShape::FlatArc(arc) => LONGEST_STEP.min(0.5 / arc.curvature.abs()),
     }
 }
 

@@ -1,15 +1,16 @@
 //! The contact curves at one orientation, and where they cross.
 
 use crate::contact::{Curve, CurveShape, Geometry, Seam, Sheet, crossing, roots};
+use crate::feature::tolerance::{BLUNT, TIED};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::part::Bounds;
 
 /// A contact curve with its crossings.
 pub(super) struct Live {
     pub(super) sheet: u32,
     pub(super) curve: Curve,
     pub(super) half: f64,
-    pub(super) lo: Point,
-    pub(super) hi: Point,
+    pub(super) bounds: Bounds,
     pub(super) cuts: Vec<Cut>,
     /// Whether a crossing may be on either side of the end of a curve.
     pub(super) tied: bool,
@@ -31,19 +32,14 @@ pub(super) struct Cut {
 /// on the wrong side of it by rounding; in the pair's frame.
 const ROUNDING: f64 = 1e-13;
 
-/// The same of crossings at any angle: the orientation may be known as well as this, or be one of an event.
-pub(super) const TIED: f64 = 1e-11;
-
 /// Curves that begin or end within this of an orientation, in radians, may exist there or not by rounding.
 const SEAM: f64 = 1e-14;
 
 impl Live {
     /// Whether a point of the carrier is in the curve's box, widened by a margin.
     fn may_hold(&self, p: Point, margin: f64) -> bool {
-        self.lo.x - margin <= p.x
-            && p.x <= self.hi.x + margin
-            && self.lo.y - margin <= p.y
-            && p.y <= self.hi.y + margin
+        let (lo, hi) = (self.bounds.min, self.bounds.max);
+        lo.x - margin <= p.x && p.x <= hi.x + margin && lo.y - margin <= p.y && p.y <= hi.y + margin
     }
 
     /// The range of places of a gap.
@@ -55,6 +51,35 @@ impl Live {
         };
         let to = self.cuts.get(gap).map_or(self.half, |c| c.position);
         (from, to)
+    }
+
+    /// A box no larger than the curve: its own but for the height of a flat arc.
+    pub(super) fn extent(&self) -> Bounds {
+        match self.curve.shape {
+            CurveShape::FlatArc(_) => Bounds::of(self.curve.start, self.curve.end),
+            _ => self.bounds,
+        }
+    }
+
+    /// A box no smaller than a gap.
+    pub(super) fn gap_extent(&self, gap: usize) -> Bounds {
+        if self.cuts.is_empty() {
+            return self.bounds;
+        }
+        let (from, to) = self.gap_range(gap);
+        let ends = Bounds::of(self.curve.point(from), self.curve.point(to));
+        match self.curve.shape {
+            CurveShape::Line { .. } => ends,
+            CurveShape::FlatArc(_) => self.bounds,
+            CurveShape::Circle { center, radius, .. } => {
+                let r = radius.abs();
+                [(r, 0.0), (-r, 0.0), (0.0, r), (0.0, -r)]
+                    .map(|(x, y)| center + Vector::new(x, y))
+                    .into_iter()
+                    .filter(|p| (from..=to).contains(&self.curve.position(*p)))
+                    .fold(ends, |all, p| all.union(Bounds::of(p, p)))
+            }
+        }
     }
 }
 
@@ -82,9 +107,10 @@ pub(super) fn live_curves(
             continue;
         }
         let curve = sheet.curve(theta, turn);
-        let (lo, hi) = curve.bounds();
+        let bounds = curve.bounds();
         let far = |core: Point| {
             let off = |c: f64, lo: f64, hi: f64| (c - lo).abs().max((c - hi).abs());
+            let (lo, hi) = (bounds.min, bounds.max);
             off(core.x, lo.x, hi.x).hypot(off(core.y, lo.y, hi.y))
         };
         if core.is_some_and(|(center, reach)| far(center) < reach) {
@@ -96,8 +122,7 @@ pub(super) fn live_curves(
             sheet: i,
             curve,
             half,
-            lo,
-            hi,
+            bounds,
             cuts: Vec::new(),
             tied: false,
             first_gap: 0,
@@ -109,19 +134,20 @@ pub(super) fn live_curves(
 /// Finds all crossings.
 pub(super) fn cut(live: &mut [Live], geometry: &Geometry, turn: Rotation) {
     let mut order: Vec<u32> = (0..live.len() as u32).collect();
-    order.sort_by(|&a, &b| live[a as usize].lo.x.total_cmp(&live[b as usize].lo.x));
+    let left = |i: u32| live[i as usize].bounds.min.x;
+    order.sort_by(|&a, &b| left(a).total_cmp(&left(b)));
     for (n, &i) in order.iter().enumerate() {
         // What is just beyond the end of a curve marks both.
         let (x, y0, y1) = {
-            let l = &live[i as usize];
-            (l.hi.x + TIED, l.lo.y - TIED, l.hi.y + TIED)
+            let (lo, hi) = (live[i as usize].bounds.min, live[i as usize].bounds.max);
+            (hi.x + TIED, lo.y - TIED, hi.y + TIED)
         };
         for &j in &order[n + 1..] {
-            let m = &live[j as usize];
-            if m.lo.x > x {
+            let m = live[j as usize].bounds;
+            if m.min.x > x {
                 break;
             }
-            if m.lo.y <= y1 && y0 <= m.hi.y {
+            if m.min.y <= y1 && y0 <= m.max.y {
                 let (a, b) = (i.min(j), i.max(j));
                 cut_pair(live, geometry, turn, a, b);
             }
@@ -140,8 +166,6 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     }
     /// More than rounding.
     const MARGIN: f64 = 1e-9;
-    /// Sines and lengths: two crossings this close to a tangency are closer to each other than their rounding.
-    const BLUNT: f64 = 1e-5;
     let mut found: [Option<(Point, bool)>; 2] = [None; 2];
     // Circles about nearly one centre are crossed as seen from there.
     let origin = fs.close_to(gs).map(|c| c.0);

@@ -1,4 +1,4 @@
-//! Many slices of one pair.
+//! Slices computed from the parts themselves: one, or many of one pair.
 
 use core::f64::consts::TAU;
 
@@ -6,8 +6,9 @@ use crate::contact::Geometry;
 use crate::part::Part;
 
 use super::arrange::Arrangement;
+use super::boundary::{Slice, SliceCurve};
 use super::coincident::Coincidences;
-use super::types::Slice;
+use super::curve_geometry::CurveGeometry;
 
 /// Slots of orientations, each with the contacts that exist in it.
 const SLOTS: usize = 256;
@@ -63,6 +64,63 @@ impl Slicer {
             (turned, self.slots[slot(turned - lo)].iter().copied())
         });
         Slice::from_arrangement(&arrangement, &self.geometry, theta)
+    }
+}
+
+impl Slice {
+    /// Computes the slice of a pair at one orientation from scratch.
+    ///
+    /// If `theta` is a critical orientation, the slice just above it is meant: within 1e-9 rad, or 1e-7 rad beside a tangency. For many slices
+    /// of one pair a [`Slicer`] is faster.
+    ///
+    /// ```
+    /// use cspace::{Part, Slice, Vertex};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let slice = Slice::compute(&square("fixed", 2.0)?, &square("moving", 1.0)?, 0.1);
+    /// assert_eq!(slice.loops.len(), 1);
+    /// assert_eq!(slice.curves.len(), 8);
+    /// # Ok::<(), cspace::PartError>(())
+    /// ```
+    pub fn compute(fixed: &Part, moving: &Part, theta: f64) -> Self {
+        let geometry = Geometry::new(
+            fixed,
+            moving,
+            Some((theta - 0.25, theta + 0.25)),
+            usize::MAX,
+        );
+        let sheets = geometry.contacts.sheets.len() as u32;
+        let arrangement = Arrangement::new(&geometry, &Coincidences::new(&geometry), theta, |t| {
+            (t, 0..sheets)
+        });
+        Self::from_arrangement(&arrangement, &geometry, theta)
+    }
+
+    /// The arrangement as positions at the orientation that was asked for; it may belong to one a little above.
+    fn from_arrangement(arrangement: &Arrangement, geometry: &Geometry, theta: f64) -> Self {
+        let curves = arrangement
+            .gaps
+            .iter()
+            .map(|gap| {
+                let sheet = &geometry.contacts.sheets[gap.sheet as usize];
+                SliceCurve {
+                    fixed: geometry.fixed.features[sheet.fixed as usize].name,
+                    moving: geometry.moving.features[sheet.moving as usize].name,
+                    geometry: CurveGeometry::from_inner(
+                        &gap.curve,
+                        gap.from_position,
+                        gap.to_position,
+                        &geometry.frame,
+                        theta,
+                    ),
+                    patch: None,
+                    next: gap.next,
+                }
+            })
+            .collect();
+        Self::from_curves(theta, curves, arrangement.doubtful, &geometry.frame)
     }
 }
 

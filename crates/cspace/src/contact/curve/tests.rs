@@ -84,7 +84,7 @@ fn places_are_lengths_of_travel_from_the_middle() {
 fn boxes_are_tight() {
     const STEPS: i32 = 2000;
     for c in curves() {
-        let (lo, hi) = c.bounds();
+        let (lo, hi) = (c.bounds().min, c.bounds().max);
         let points: Vec<Point> = (-STEPS..=STEPS)
             .map(|k| c.point(c.half_length() * f64::from(k) / f64::from(STEPS)))
             .collect();

@@ -2,13 +2,21 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
+use super::super::carrier::Carrier;
 use super::super::condition::conditions;
 use super::super::crossing::crossing;
 use super::super::curve::CurveShape;
 use super::super::pair::Geometry;
+use super::super::shared::SharedEnds;
+use super::super::sheet::Sheet;
 use super::super::tangent::tests::plain;
+use super::carrier::ExactCarrier;
+use super::condition::*;
+use super::spiral::*;
 use super::*;
-use crate::geometry::{Point, Rotation};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Dd;
+use crate::number::plane::{Xy, dot, exactly, left, length, minus, plus, rounded, times};
 use crate::part::{Part, Vertex};
 
 /// Two parts with arcs of both kinds, small and large.

@@ -8,10 +8,6 @@ fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
 
 /// A sheet with names of its own, made from four times `number` on.
 fn sheet(kind: SheetKind, number: u32) -> Sheet {
-    let angle = EndAngle {
-        offset: 0.0,
-        turns: false,
-    };
     Sheet {
         kind,
         fixed: number,
@@ -20,21 +16,9 @@ fn sheet(kind: SheetKind, number: u32) -> Sheet {
         hi: 3.0,
         from: Dd::from(-3.0),
         to: Dd::from(3.0),
-        start_at: EndAt::Fixed(0),
-        end_at: EndAt::Fixed(0),
-        fixed_point: Point::ORIGIN,
-        moving_point: Point::ORIGIN,
-        normal: Vector::ZERO,
-        radius: 0.0,
-        swing: Swing::NONE,
-        start: spiral((0.0, 0.0), (0.0, 0.0)),
-        end: spiral((0.0, 0.0), (0.0, 0.0)),
         start_name: 4 * number,
         end_name: 4 * number + 1,
-        start_angle: angle,
-        end_angle: angle,
-        bottom: Seam::Window,
-        top: Seam::Window,
+        ..Sheet::BLANK
     }
 }
 

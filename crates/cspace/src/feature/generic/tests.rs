@@ -1,4 +1,5 @@
 use super::*;
+use crate::number::plane::{Xy, length, minus, times};
 use core::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 
@@ -167,41 +168,36 @@ fn biarcs(points: usize, waves: [f64; 4]) -> Drawn {
 }
 
 /// How far a place is off the carrier of a drawn edge, from its centre and radius.
-fn off(from: &ExactVertex, to: &ExactVertex, place: Exact) -> f64 {
-    let chord = Exact::between(from, to);
-    let length = chord.dot(chord).sqrt();
-    let (x, y) = (place.x - from.x, place.y - from.y);
-    let to_place = Exact { x, y };
+fn off(from: &ExactVertex, to: &ExactVertex, place: Xy<Dd>) -> f64 {
+    let chord = between(from, to);
+    let to_place = minus(place, (from.x, from.y));
     let b = from.bulge;
     if b.is_zero() {
-        return (chord.cross(to_place) / length).to_f64().abs();
+        return (cross(chord, to_place) / length(chord)).to_f64().abs();
     }
     let up = (Dd::ONE - b * b) / b.scaled(4.0);
-    let center = Exact {
-        x: chord.x.scaled(0.5) - chord.y * up,
-        y: chord.y.scaled(0.5) + chord.x * up,
-    };
-    let radius = center.dot(center).sqrt();
-    let v = Exact {
-        x: x - center.x,
-        y: y - center.y,
-    };
-    (v.dot(v).sqrt() - radius).to_f64().abs()
+    let center = (
+        chord.0.scaled(0.5) - chord.1 * up,
+        chord.1.scaled(0.5) + chord.0 * up,
+    );
+    (length(minus(to_place, center)) - length(center))
+        .to_f64()
+        .abs()
 }
 
 /// A place of an arc, a fraction of it from its start.
-fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Exact {
-    let chord = Exact::between(from, to);
+fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Xy<Dd> {
+    let chord = between(from, to);
     // tan of a part of a half of the sweep; the chord's part and its rise, of the triangle with angles at both ends.
     let sweep = Dd::atan2(from.bulge, Dd::ONE) * 4.0;
     let (s, c) = (sweep * (0.5 * (1.0 - fraction))).sin_cos();
     let (first, _) = (sweep * (0.5 * fraction)).sin_cos();
     let (half, _) = (sweep * 0.5).sin_cos();
     let (along, rise) = (first * c / half, first * s / half);
-    Exact {
-        x: from.x + chord.x * along + chord.y * rise,
-        y: from.y + chord.y * along - chord.x * rise,
-    }
+    (
+        from.x + chord.0 * along + chord.1 * rise,
+        from.y + chord.1 * along - chord.0 * rise,
+    )
 }
 
 struct Told {
@@ -231,13 +227,12 @@ fn told(drawn: &Drawn, result: &[ExactVertex], wish: &[[f64; 3]]) -> Told {
     };
     for i in 0..n {
         let (h, j) = ((i + n - 1) % n, (i + 1) % n);
-        let (x, y) = (result[i].x, result[i].y);
-        let place = Exact { x, y };
+        let place = (result[i].x, result[i].y);
         let least =
             off(&vertices[h], &vertices[i], place).min(off(&vertices[i], &vertices[j], place));
         told.off = told.off.max(least);
-        let by = Exact::between(&vertices[i], &result[i]).rough().length();
-        let edge = |i: usize, j: usize| Exact::between(&vertices[i], &vertices[j]).rough().length();
+        let by = vector(between(&vertices[i], &result[i])).length();
+        let edge = |i: usize, j: usize| vector(between(&vertices[i], &vertices[j])).length();
         told.slide = told.slide.max(by / edge(h, i).min(edge(i, j)));
         if vertices[i].bulge.is_zero() {
             assert!(result[i].bulge.is_zero());
@@ -290,10 +285,10 @@ fn checked(name: &str, drawn: &Drawn, seed: u64, most_off: f64) -> Vec<ExactVert
 fn sine(result: &[ExactVertex], i: usize, j: usize) -> f64 {
     let n = result.len();
     let unit = |k: usize| {
-        let v = Exact::between(&result[k], &result[(k + 1) % n]);
-        v.times(Dd::ONE / v.dot(v).sqrt())
+        let v = between(&result[k], &result[(k + 1) % n]);
+        times(v, Dd::ONE / length(v))
     };
-    unit(i).cross(unit(j)).to_f64().abs()
+    cross(unit(i), unit(j)).to_f64().abs()
 }
 
 #[test]
@@ -404,12 +399,12 @@ fn tops_of_a_comb_are_no_longer_on_one_line() {
     for (k, &i) in tops.iter().enumerate() {
         for &j in &tops[..k] {
             assert!(sine(&result, i, j) > 1e-14);
-            let (x, y) = (result[j].x, result[j].y);
+            let place = (result[j].x, result[j].y);
             let from = ExactVertex {
                 bulge: Dd::ZERO,
                 ..result[i]
             };
-            assert!(off(&from, &result[i + 1], Exact { x, y }) > 1e-14);
+            assert!(off(&from, &result[i + 1], place) > 1e-14);
         }
     }
 }
@@ -438,7 +433,7 @@ fn a_loop_of_corners_is_only_moved() {
     let wish = wishes(4, WISH, 15);
     let result = made_generic(&vertices, &smooth, &wish).unwrap();
     for i in 0..4 {
-        let by = Exact::between(&vertices[i], &result[i]).rough();
+        let by = vector(between(&vertices[i], &result[i]));
         assert!((by.x - wish[i][0]).abs() < 1e-24 && (by.y - wish[i][1]).abs() < 1e-24);
     }
     checked("corners", &drawn, 15, 4.0 * WISH);

@@ -12,6 +12,7 @@ use crate::contact::{Curve, CurveShape, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::parallel;
+use crate::part::Bounds;
 
 use crate::general::broad::discs::{Cores, Layout};
 use crate::general::broad::uncovered::{BlockedDiscs, Uncovered};
@@ -300,7 +301,7 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
                 half: 0.5 * (to - from),
             },
         };
-        let (lo, hi) = arc.bounds();
+        let Bounds { min: lo, max: hi } = arc.bounds();
         let g = grow(center.w);
         return (lo + (-g), hi + g);
     }

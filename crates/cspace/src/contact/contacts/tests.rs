@@ -1,10 +1,13 @@
 //! Sheets of small pairs, against what their curves are at one orientation and another.
 
+use core::f64::consts::PI;
+
+use super::super::sheet::SheetKind;
 use super::*;
 use crate::contact::{Curve, Geometry};
 use crate::feature::FeatureKind;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
-use crate::geometry::Rotation;
+use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Part, Vertex};
 
 /// A square turned by an angle, with corners rounded by arcs that go on smoothly.
@@ -258,7 +261,7 @@ fn curves_are_in_their_boxes() {
     let mut flat_arcs = 0;
     for s in &geometry.contacts.sheets {
         let c = curve(s, s.lo + 0.3 * (s.hi - s.lo));
-        let (lo, hi) = c.bounds();
+        let (lo, hi) = (c.bounds().min, c.bounds().max);
         let chord = (c.end - c.start).unit();
         let (mut off, mut inside) = (0.0_f64, f64::INFINITY);
         for k in -50..=50 {

@@ -2,8 +2,13 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::*;
-use crate::feature::FeatureKind;
+use super::boundary::*;
+use super::curve_geometry::*;
+use crate::contact::{Curve, CurveShape};
+use crate::feature::tolerance::TORN;
+use crate::feature::{FeatureKind, FeatureName, PairFrame};
+use crate::geometry::{Point, Vector};
+use core::f64::consts::TAU;
 
 fn segment(a: (f64, f64), b: (f64, f64)) -> CurveGeometry {
     CurveGeometry::Segment {
@@ -408,21 +413,21 @@ fn rays_do_not_slip_through_torn_corners() {
     }
 }
 
-/// A blocked square with a notch, a side of which goes beyond the notch's corner by a hair: the first ray meets that hair from
+/// A blocked square with a notch, a side of which goes a little beyond the notch's corner: the first ray meets it from
 /// its free side.
 #[test]
 fn rays_do_not_meet_what_sticks_out_of_a_corner() {
-    let hair = 0.5 * TORN;
-    // The ray goes the way of both axes, to the middle of the hair, from the origin.
+    let little = 0.5 * TORN;
+    // The ray goes the way of both axes, to the middle of what sticks out, from the origin.
     let turned = |(x, y): (f64, f64)| {
-        let (x, y) = (x - 0.5 + 0.5 * hair, y + 0.5);
+        let (x, y) = (x - 0.5 + 0.5 * little, y + 0.5);
         (0.5 * (x + y), 0.5 * (y - x))
     };
     for size in [1e-3, 1.0, 1e3] {
         let corners = [
             [(-1.0, -1.0), (1.0, -1.0)],
             [(1.0, -1.0), (1.0, 0.0)],
-            [(1.0 - hair, 0.0), (2.0, 0.0)],
+            [(1.0 - little, 0.0), (2.0, 0.0)],
             [(2.0, 0.0), (2.0, 2.0)],
             [(2.0, 2.0), (-1.0, 2.0)],
             [(-1.0, 2.0), (-1.0, -1.0)],
@@ -452,13 +457,13 @@ fn what_is_a_point_has_no_normal() {
 #[test]
 fn open_ends_are_followed_by_the_nearest_beginnings() {
     let open = u32::MAX;
-    let hair = 1e-8;
+    let little = 1e-8;
     // From the right to two ends beside the origin, and back from two beginnings there; the second end is nearer to the
     // second beginning than to the first, and the first end nearer to that than the second is.
     let there = |y: f64| segment((1.0, 1.0), (0.0, y));
     let back = |y: f64| segment((0.0, y), (1.0, 1.0));
     for order in [[0, 1, 2, 3], [2, 3, 0, 1], [3, 1, 2, 0]] {
-        let pieces = [there(0.0), there(3.0 * hair), back(0.0), back(hair)];
+        let pieces = [there(0.0), there(3.0 * little), back(0.0), back(little)];
         let s = slice(&order.map(|i| (pieces[i], open)));
         let number = |i: usize| order.iter().position(|&o| o == i).unwrap() as u32;
         let next = |i: usize| s.curves[number(i) as usize].next;
@@ -470,8 +475,8 @@ fn open_ends_are_followed_by_the_nearest_beginnings() {
     // A successor that is known stays, and is not taken away.
     let kept = slice(&[
         (there(0.0), 2),
-        (there(hair), open),
-        (back(hair), open),
+        (there(little), open),
+        (back(little), open),
         (back(0.5), open),
     ]);
     assert_eq!(kept.curves[0].next, 2);

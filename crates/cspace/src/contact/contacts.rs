@@ -1,0 +1,113 @@
+//! All sheets of a pair of parts, and which of them share ends.
+
+use crate::feature::Outline;
+use crate::feature::tolerance::NARROWEST_BAND;
+
+use super::build::sheets;
+use super::end_names::EndNames;
+use super::period::{Period, Span};
+use super::sheet::Sheet;
+
+/// The sheets, and who shares their ends.
+#[derive(Debug)]
+pub(crate) struct Contacts {
+    pub(crate) sheets: Vec<Sheet>,
+    pub(crate) span: Span,
+    /// Names from here on belong to two vertices.
+    pub(crate) first_vertex_name: u32,
+    /// For every end name, sheets that end there and sheets that start there; sorted by name.
+    ends: Vec<(u32, u32)>,
+    starts: Vec<(u32, u32)>,
+    /// How features are permuted from slab to slab.
+    pub(crate) period: Period,
+    names: EndNames,
+}
+
+impl Contacts {
+    /// The name of the same end one slab lower.
+    pub(crate) fn name_below(&self, name: u32) -> u32 {
+        self.names.name_below(name, &self.period)
+    }
+
+    /// The feature pair that does one slab lower what this one does.
+    pub(crate) fn pair_below(&self, fixed: u32, moving: u32) -> (u32, u32) {
+        (
+            self.period.fixed_back.features[fixed as usize],
+            self.period.moving_back.features[moving as usize],
+        )
+    }
+
+    /// The sheets that end at a name.
+    pub(crate) fn ending_at(&self, name: u32) -> impl Iterator<Item = u32> + '_ {
+        run(&self.ends, name)
+    }
+
+    /// The sheets that start at a name.
+    pub(crate) fn starting_at(&self, name: u32) -> impl Iterator<Item = u32> + '_ {
+        run(&self.starts, name)
+    }
+
+    /// Whether a circle lies between the curves of two lines wherever both exist, tangent to both.
+    ///
+    /// It turns by less than half a turn, so that the lines cross beyond its ends, by ρ tan(φ/2): the curves do not cross.
+    /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
+    /// second order, so that computing would tell little.
+    fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
+        let lines = f.is_line() && g.is_line() && f.kind != g.kind;
+        let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
+        let bridge = |before: &Sheet, after: &Sheet| {
+            self.starting_at(before.end_name).any(|c| {
+                let c = &self.sheets[c as usize];
+                !c.is_line()
+                    && c.end_name == after.start_name
+                    && c.lo <= lo + NARROWEST_BAND
+                    && c.hi >= hi - NARROWEST_BAND
+            })
+        };
+        lines && (bridge(f, g) || bridge(g, f))
+    }
+
+    /// Whether the curves of two sheets are to be looked at for crossings: they are not tangent or one by their making.
+    pub(crate) fn may_cross(&self, f: &Sheet, g: &Sheet) -> bool {
+        !f.shared_ends(g, self.first_vertex_name).tangent && !self.bridged(f, g)
+    }
+
+    /// Finds every sheet of the pair in the window; if there are more than `most`, some of them, and no more is spent.
+    pub(crate) fn new(
+        fixed: &Outline,
+        moving: &Outline,
+        span: Span,
+        period: Period,
+        most: usize,
+    ) -> Self {
+        let names = EndNames::new(fixed, moving);
+        let sheets = sheets(fixed, moving, span, &period, most);
+        let index = |name: fn(&Sheet) -> u32| {
+            let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
+            list.sort_unstable();
+            list
+        };
+        let (starts, ends) = (index(|s| s.start_name), index(|s| s.end_name));
+        Self {
+            sheets,
+            span,
+            first_vertex_name: names.first_vertex(),
+            ends,
+            starts,
+            period,
+            names,
+        }
+    }
+}
+
+fn run(list: &[(u32, u32)], name: u32) -> impl Iterator<Item = u32> + '_ {
+    let from = list.partition_point(|e| e.0 < name);
+    list[from..]
+        .iter()
+        .take_while(move |e| e.0 == name)
+        .map(|e| e.1)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;

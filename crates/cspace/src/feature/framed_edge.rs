@@ -1,0 +1,109 @@
+//! An edge of a part in the pair's frame, in double-double.
+
+use super::tolerance::{LARGEST_CIRCLE, SAME_CARRIER, SMOOTH, STRAIGHT};
+use super::types::Near;
+use crate::geometry::Point;
+use crate::number::Dd;
+use crate::number::plane::{Xy, dot, left, length, minus, negative, plus, times, turned};
+use crate::part::Edge;
+
+/// An edge in the pair's frame, on its way to becoming a feature.
+pub(super) struct FramedEdge {
+    pub(super) edge: Edge,
+    pub(super) start: Xy<Dd>,
+    pub(super) end: Xy<Dd>,
+    /// `None` for a line.
+    pub(super) arc: Option<(Xy<Dd>, Dd)>,
+    /// Of a large arc.
+    pub(super) near: Option<Near>,
+    pub(super) start_direction: Xy<Dd>,
+    pub(super) end_direction: Xy<Dd>,
+    pub(super) sweep: f64,
+}
+
+impl FramedEdge {
+    pub(super) fn new(edge: &Edge, center: Point, scale: f64) -> Self {
+        let place = |p: Point| {
+            let along = |x: f64, center: f64| (Dd::from(x) - center).scaled(scale);
+            (along(p.x, center.x), along(p.y, center.y))
+        };
+        let near = |p: Point| Point::ORIGIN + (p - center) * scale;
+        let (start, end) = (place(edge.start), place(edge.end));
+        let mut edge = Edge {
+            start: near(edge.start),
+            end: near(edge.end),
+            ..*edge
+        };
+        let sweep = edge.sweep();
+        let height = 0.5 * edge.bulge.abs() * edge.start.distance(edge.end);
+        if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < SAME_CARRIER) {
+            edge.bulge = 0.0;
+        }
+        Self::of(edge, start, end, Dd::from(edge.bulge))
+    }
+
+    /// From its ends and its bulge in double-double; of the edge itself rough lengths are taken.
+    pub(super) fn of(edge: Edge, start: Xy<Dd>, end: Xy<Dd>, b: Dd) -> Self {
+        let chord = minus(end, start);
+        let span = length(chord);
+        let (one, square) = (Dd::ONE, b * b);
+        let arc = (!edge.is_line()).then(|| {
+            let middle = times(plus(start, end), Dd::from(0.5));
+            let up = (one - square) / (b * 4.0);
+            (
+                plus(middle, times(left(chord), up)),
+                span * (one + square) / (b * 4.0),
+            )
+        });
+        // With b = tan(sweep/4), cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
+        let (cos, sin) = ((one - square) / (one + square), b * 2.0 / (one + square));
+        let direction = times(chord, one / span);
+        let near = arc
+            .filter(|a| a.1.to_f64().abs() > LARGEST_CIRCLE)
+            .map(|_| {
+                let chord = edge.end - edge.start;
+                Near {
+                    point: edge.start.midpoint(edge.end) + chord.right() * (0.5 * edge.bulge),
+                    normal: chord.unit().right(),
+                }
+            });
+        Self {
+            edge,
+            start,
+            end,
+            arc,
+            near,
+            start_direction: turned(direction, cos, -sin),
+            end_direction: turned(direction, cos, sin),
+            sweep: edge.sweep(),
+        }
+    }
+
+    /// The normal with which this edge ends at a grown corner.
+    pub(super) fn normal_at(&self, apex: Xy<Dd>, normal: Xy<Dd>, growth: f64) -> Xy<Dd> {
+        match self.arc {
+            Some((center, radius)) if growth > 0.0 => {
+                let v = minus(apex, center);
+                let v = times(v, Dd::ONE / length(v));
+                if radius.is_negative() { negative(v) } else { v }
+            }
+            _ => normal,
+        }
+    }
+
+    /// How far a point is off the edge's line or circle as grown, outward, to first order; and the outward normal there.
+    pub(super) fn off(&self, p: Xy<Dd>, normal: Xy<Dd>, at: Xy<Dd>, growth: f64) -> (Dd, Xy<Dd>) {
+        match self.arc {
+            None => (dot(normal, minus(p, at)) - growth, normal),
+            Some((center, radius)) => {
+                let r = radius + growth;
+                let v = minus(p, center);
+                ((dot(v, v) - r * r) / (r * 2.0), times(v, Dd::ONE / r))
+            }
+        }
+    }
+
+    pub(super) fn curvature(&self) -> f64 {
+        self.arc.map_or(0.0, |(_, radius)| 1.0 / radius.to_f64())
+    }
+}

@@ -1,0 +1,290 @@
+//! Loops whose smooth joints are exactly smooth, and which are like no other loop.
+//!
+//! A drawing has its smooth joints to the rounding of its numbers, and lengths that are equal by design. [`made_generic`]
+//! moves the vertices and arcs of a loop by lengths that are asked for, and then by as little as makes its joints smooth to
+//! double-double.
+//!
+//! # Unknowns
+//!
+//! A smooth vertex moves by t along the direction of travel and by n to the left of it; any other vertex moves by (x, y).
+//! With chord L, bulge b = tan(h/2) and half the sweep h, an edge bends by κ = 2 sin h / L. When its ends move by d₀ and d₁,
+//! where it leaves along T₀ and arrives along T₁, its bulge changes by
+//!
+//! db = (b/L) (T₁·d₁ − T₀·d₀) + 2σ/L.
+//!
+//! So an edge whose ends slide along it stays on its carrier; the middle of one whose ends move by n₀ and n₁ moves by
+//! (n₀ + n₁)/2 + σ, and σ is the third unknown of an arc. A line has none.
+//!
+//! # Equations
+//!
+//! The chord of edge i has direction θᵢ; the edge leaves along θᵢ − hᵢ and arrives along θᵢ + hᵢ. At a smooth joint
+//! ρᵢ = (θᵢ − hᵢ) − (θᵢ₋₁ + hᵢ₋₁) is none. Sliding a vertex by t turns ρᵢ by (κᵢ − κᵢ₋₁) t, and no other joint: what a kink δ
+//! of a line and an arc of radius r needs is a slide of r δ, which changes the outline by r δ²/2 only. Moving across instead
+//! would change it by δ times the length of an edge. Therefore slides are cheap.
+//!
+//! The smallest change is W Jᵀ λ with (J W Jᵀ) λ = −ρ, where J has the derivatives of ρ and W the weights. Joint i is coupled
+//! with joints i ± 1 and i ± 2; in the order 0, n−1, 1, n−2, … a closed loop is a band of half width 4, which is factored as
+//! L D Lᵀ. Rows that depend on others are left out: two arcs that make a circle are smooth at both joints or at none.
+
+mod least;
+mod side;
+
+use crate::feature::tolerance::{
+    LARGEST_PART, MOST_WISHES, SAGITTA_PART, SAME_CARRIER, STRAIGHT, WISHED_PART,
+};
+use crate::geometry::Vector;
+use crate::number::Dd;
+use crate::number::plane::cross;
+
+use least::least_moves;
+pub(crate) use side::ExactVertex;
+use side::{Knot, Side, between, knots, sides, vector};
+
+/// Residuals below this are none (2⁻⁹⁹ ≈ 1.6e-30), but for what the rounding of coordinates makes of them.
+const RESIDUAL: f64 = 1.0 / (1u128 << 99) as f64;
+/// The rounding of a coordinate, relative to the largest (2⁻¹⁰⁷).
+const ROUNDING: f64 = 1.0 / (1u128 << 107) as f64;
+/// Steps of Newton's rule.
+const MOST_STEPS: usize = 16;
+
+/// Moves a closed loop by a generic small amount so that its smooth joints are exactly smooth (to double-double).
+///
+/// `drawn[i]` is the start of edge i and its bulge; 0 for a line, which stays a line. `smooth[i]` tells whether edges i − 1
+/// and i meet smoothly there. `wish[i]` has lengths by which vertex i (x, y) and the sagitta of arc i should be moved; of edges
+/// that are short, and of arcs that hardly bend, they are lessened.
+///
+/// `None` if that is no loop (fewer than two edges, or one without length), if no smooth loop is found beside it, if a vertex
+/// would move by more than 1/32 of an edge, or if the outline would move across by more than wished: by four times the longest
+/// wish, 1.1e-13, what sliding changes in the second order, and what pieces of one line are off it.
+pub(crate) fn made_generic(
+    drawn: &[ExactVertex],
+    smooth: &[bool],
+    wish: &[[f64; 3]],
+) -> Option<Vec<ExactVertex>> {
+    let n = drawn.len();
+    if n < 2 || smooth.len() != n || wish.len() != n {
+        return None;
+    }
+    let sides = sides(drawn)?;
+    let knots = knots(&sides, smooth);
+    let moved = moved(drawn, &sides, &knots, &lessened(wish, &sides, &knots));
+    let (result, _) = smoothed(moved, smooth)?;
+    is_near(drawn, &sides, &knots, &result, wish).then_some(result)
+}
+
+/// Wishes as unknowns of the equations, none of them too long for its edges.
+fn lessened(wish: &[[f64; 3]], sides: &[Side], knots: &[Knot]) -> Vec<[f64; 3]> {
+    let part = |wished: f64, most: f64| {
+        if wished > most { most / wished } else { 1.0 }
+    };
+    (wish.iter().zip(sides).zip(knots))
+        .map(|((wish, side), knot)| {
+            let by = Vector::new(wish[0], wish[1]);
+            let most = WISHED_PART * knot.shortest;
+            let by = by * (knot.opening * part(by.length(), most));
+            let most = (WISHED_PART * side.chord).min(SAGITTA_PART * side.sagitta());
+            let sagitta = wish[2] * part(wish[2].abs(), most);
+            [by.dot(knot.axes[0]), by.dot(knot.axes[1]), sagitta]
+        })
+        .collect()
+}
+
+/// Vertices moved by unknowns.
+///
+/// Sliding is along the carriers, to the second order: a smooth vertex moves by t along a circle of the mean curvature, and
+/// the sweep of an edge grows by κ times the length it grows by, x = κ (T₁·d₁ − T₀·d₀) / 4 being what is added to a fourth of
+/// it: b' = (b + tan x) / (1 − b tan x).
+fn moved(
+    vertices: &[ExactVertex],
+    sides: &[Side],
+    knots: &[Knot],
+    moves: &[[f64; 3]],
+) -> Vec<ExactVertex> {
+    let n = vertices.len();
+    let by = |i: usize| knots[i].axes[0] * moves[i][0] + knots[i].axes[1] * moves[i][1];
+    (0..n)
+        .map(|i| {
+            let (vertex, side, knot) = (&vertices[i], &sides[i], &knots[i]);
+            let here = by(i);
+            let bend = if knot.smooth {
+                0.5 * knot.bend * moves[i][0] * moves[i][0]
+            } else {
+                0.0
+            };
+            let to = here + knot.axes[1] * bend;
+            let bulge = if side.is_line() {
+                vertex.bulge
+            } else {
+                let longer = side.arrive.dot(by((i + 1) % n)) - side.leave.dot(here);
+                let tan = (0.25 * side.bend * longer).tan();
+                let b = side.bulge;
+                let slide = tan * (1.0 + b * b) / (1.0 - b * tan);
+                vertex.bulge + slide + 2.0 * moves[i][2] / side.chord
+            };
+            ExactVertex {
+                x: vertex.x + to.x,
+                y: vertex.y + to.y,
+                bulge,
+            }
+        })
+        .collect()
+}
+
+/// Makes the smooth joints of a loop exactly smooth, by Newton's rule; and how many steps that takes.
+fn smoothed(mut vertices: Vec<ExactVertex>, smooth: &[bool]) -> Option<(Vec<ExactVertex>, usize)> {
+    // More steps gain nothing where rounding is all that is left.
+    const LEFT: f64 = 32.0;
+    let size = vertices.iter().fold(0.0_f64, |size, v| {
+        size.max(v.x.to_f64().abs()).max(v.y.to_f64().abs())
+    });
+    let mut before = f64::INFINITY;
+    for steps in 0..MOST_STEPS {
+        let sides = sides(&vertices)?;
+        let knots = knots(&sides, smooth);
+        let residuals = residuals(&sides, smooth)?;
+        // The largest, in units of what is none.
+        let worst = residuals.iter().zip(&knots).fold(0.0_f64, |worst, (r, k)| {
+            worst.max(r.to_f64().abs() / (RESIDUAL + ROUNDING * size / k.shortest))
+        });
+        if worst <= 1.0 || (worst <= LEFT && worst > 0.25 * before) {
+            return Some((vertices, steps));
+        }
+        before = worst;
+        let moves = least_moves(&sides, &knots, &residuals);
+        if moves.iter().flatten().any(|m| !m.is_finite()) {
+            return None;
+        }
+        vertices = moved(&vertices, &sides, &knots, &moves);
+    }
+    None
+}
+
+/// The sine of the angle at every smooth joint, 0 at the others; `None` if one is turned around.
+fn residuals(sides: &[Side], smooth: &[bool]) -> Option<Vec<Dd>> {
+    let n = sides.len();
+    (0..n)
+        .map(|i| {
+            let (before, after) = (&sides[(i + n - 1) % n], &sides[i]);
+            if !smooth[i] {
+                return Some(Dd::ZERO);
+            }
+            if before.arrive.dot(after.leave) <= 0.0 {
+                return None;
+            }
+            Some(cross(before.exact_arrive, after.exact_leave))
+        })
+        .collect()
+}
+
+/// Whether a loop is no farther from the drawn one than wished.
+fn is_near(
+    drawn: &[ExactVertex],
+    sides: &[Side],
+    knots: &[Knot],
+    result: &[ExactVertex],
+    wish: &[[f64; 3]],
+) -> bool {
+    let n = drawn.len();
+    let longest = wish.iter().fold(0.0_f64, |longest, w| {
+        longest.max(w[0].hypot(w[1])).max(w[2].abs())
+    });
+    let allowed = MOST_WISHES * longest + SAME_CARRIER + bent_pieces(sides, knots);
+    // What sliding changes in the second order.
+    let mut slides = vec![0.0; n];
+    for i in 0..n {
+        let (before, after, knot) = (&sides[(i + n - 1) % n], &sides[i], &knots[i]);
+        let by = vector(between(&drawn[i], &result[i]));
+        let off = if knot.smooth {
+            let slide = by.dot(knot.axes[0]);
+            slides[i] = knot.bends.abs() * slide * slide;
+            if slide < 0.0 {
+                off_circle(by, before.arrive, before.bend)
+            } else {
+                off_circle(by, after.leave, after.bend)
+            }
+        } else {
+            by.length()
+        };
+        let is_little = by.length() <= 2.0 * LARGEST_PART * knot.shortest;
+        let is_wished = off <= allowed + slides[i];
+        if !(is_little && is_wished) {
+            return false;
+        }
+    }
+    (0..n).all(|i| {
+        let j = (i + 1) % n;
+        if sides[i].is_line() {
+            return result[i].bulge.is_zero();
+        }
+        let allowed = allowed + slides[i].max(slides[j]);
+        let was = inner_points(&drawn[i], &drawn[j]);
+        let is = inner_points(&result[i], &result[j]);
+        drawn[i].bulge.is_negative() == result[i].bulge.is_negative()
+            && (was.iter().zip(&is)).all(|((was, way), (is, _))| {
+                off_circle(vector(between(was, is)), *way, sides[i].bend) <= allowed
+            })
+    })
+}
+
+/// How far off a circle of curvature κ is what is at v from a point on it, where it runs along T: with
+/// f = T×v − κ v²/2 that is 2 f / (1 + √(1 − 2 κ f)).
+fn off_circle(v: Vector, way: Vector, bend: f64) -> f64 {
+    let f = way.cross(v) - 0.5 * bend * v.length_squared();
+    (2.0 * f / (1.0 + (1.0 - 2.0 * bend * f).max(0.0).sqrt())).abs()
+}
+
+/// Points of an arc at a fourth, half and three fourths of it, and the direction of travel there.
+fn inner_points(start: &ExactVertex, end: &ExactVertex) -> [(ExactVertex, Vector); 3] {
+    // Half an arc has the bulge b / (1 + √(1 + b²)).
+    let halved = |b: Dd| b / ((b * b + 1.0).sqrt() + 1.0);
+    let middle = |start: &ExactVertex, end: &ExactVertex, b: Dd| {
+        let chord = between(start, end);
+        let rise = b.scaled(0.5);
+        let middle = ExactVertex {
+            x: start.x + chord.0.scaled(0.5) + chord.1 * rise,
+            y: start.y + chord.1.scaled(0.5) - chord.0 * rise,
+            bulge: Dd::ZERO,
+        };
+        (middle, vector(chord).unit())
+    };
+    let b = halved(start.bulge);
+    let half = middle(start, end, start.bulge);
+    [middle(start, &half.0, b), half, middle(&half.0, end, b)]
+}
+
+/// How far the pieces of one line are off the line, at most: they meet at angles below twice [`STRAIGHT`], and no slide makes
+/// them straight. Pieces of one circle are alike.
+///
+/// A chain of length l with kinks δ is off its chord by at most Σ δ l / 4.
+fn bent_pieces(sides: &[Side], knots: &[Knot]) -> f64 {
+    let n = sides.len();
+    let long = |side: &Side| side.chord + 2.0 * side.sagitta();
+    let kink = |i: usize| {
+        let (before, after) = (&sides[(i + n - 1) % n], &sides[i]);
+        cross(before.exact_arrive, after.exact_leave).to_f64().abs()
+    };
+    let alike: Vec<Option<f64>> = (0..n)
+        .map(|i| {
+            let kink = kink(i);
+            let slides = knots[i].bends.abs() * LARGEST_PART * knots[i].shortest;
+            (knots[i].smooth && kink <= 2.0 * STRAIGHT && slides <= kink).then_some(kink)
+        })
+        .collect();
+    let first = alike.iter().position(Option::is_none).unwrap_or(0);
+    let mut most = 0.0_f64;
+    let (mut kinks, mut length) = (0.0, 0.0);
+    for step in 0..n {
+        let i = (first + step) % n;
+        if let Some(kink) = alike[i] {
+            kinks += kink;
+            length += long(&sides[i]);
+        } else {
+            (kinks, length) = (0.0, long(&sides[i]));
+        }
+        most = most.max(0.25 * kinks * length);
+    }
+    most
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,155 @@
+//! The edges and vertices of a loop as the equations need them.
+
+use crate::feature::tolerance::{GROWTH, LARGEST_PART, SAGITTA_PART, SLIDE};
+use crate::geometry::Vector;
+use crate::number::Dd;
+use crate::number::plane::{Xy, dot, rounded, times, turned};
+
+/// An edge of a loop in double-double: it starts here, and ends where the next one starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ExactVertex {
+    /// Where the edge starts.
+    pub(crate) x: Dd,
+    /// Where the edge starts.
+    pub(crate) y: Dd,
+    /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
+    pub(crate) bulge: Dd,
+}
+
+/// The way from one vertex to another.
+pub(super) fn between(from: &ExactVertex, to: &ExactVertex) -> Xy<Dd> {
+    (to.x - from.x, to.y - from.y)
+}
+
+/// In doubles.
+pub(super) fn vector(v: Xy<Dd>) -> Vector {
+    let (x, y) = rounded(v);
+    Vector::new(x, y)
+}
+
+/// What the equations need of an edge.
+pub(super) struct Side {
+    /// Unit directions of travel at both ends.
+    pub(super) exact_leave: Xy<Dd>,
+    pub(super) exact_arrive: Xy<Dd>,
+    pub(super) leave: Vector,
+    pub(super) arrive: Vector,
+    /// Unit direction of the chord.
+    pub(super) along: Vector,
+    pub(super) chord: f64,
+    pub(super) bulge: f64,
+    /// cos and sin of half the sweep.
+    pub(super) half: (f64, f64),
+    /// Signed curvature, 2 sin h / L.
+    pub(super) bend: f64,
+}
+
+impl Side {
+    /// `None` if the edge has no length.
+    fn new(start: &ExactVertex, end: &ExactVertex) -> Option<Self> {
+        let chord = between(start, end);
+        let length = dot(chord, chord).sqrt();
+        let long = length.to_f64();
+        if !(long > 0.0 && long.is_finite() && start.bulge.to_f64().is_finite()) {
+            return None;
+        }
+        let along = times(chord, Dd::ONE / length);
+        let b = start.bulge;
+        let square = b * b;
+        let q = Dd::ONE / (square + 1.0);
+        let (cos, sin) = ((Dd::ONE - square) * q, b.scaled(2.0) * q);
+        let (exact_leave, exact_arrive) = if b.is_zero() {
+            (along, along)
+        } else {
+            (turned(along, cos, -sin), turned(along, cos, sin))
+        };
+        let half = (cos.to_f64(), sin.to_f64());
+        Some(Self {
+            exact_leave,
+            exact_arrive,
+            leave: vector(exact_leave),
+            arrive: vector(exact_arrive),
+            along: vector(along),
+            chord: long,
+            bulge: b.to_f64(),
+            half,
+            bend: 2.0 * half.1 / long,
+        })
+    }
+
+    pub(super) fn is_line(&self) -> bool {
+        self.bulge == 0.0
+    }
+
+    /// Half the chord times |b|.
+    pub(super) fn sagitta(&self) -> f64 {
+        0.5 * self.chord * self.bulge.abs()
+    }
+
+    /// How far the ends of an arc of almost the whole circle may be moved, when by 1 those of a lesser one: the arc moves
+    /// sideways by as much as they move across, over sin h.
+    fn opening(&self) -> f64 {
+        if self.half.0 < 0.0 {
+            (2.0 * self.half.1.abs()).min(1.0)
+        } else {
+            1.0
+        }
+    }
+}
+
+/// The edges of a loop.
+pub(super) fn sides(vertices: &[ExactVertex]) -> Option<Vec<Side>> {
+    let n = vertices.len();
+    (0..n)
+        .map(|i| Side::new(&vertices[i], &vertices[(i + 1) % n]))
+        .collect()
+}
+
+/// What the equations need of a vertex.
+pub(super) struct Knot {
+    pub(super) smooth: bool,
+    /// Directions of its two unknowns: those of travel and to the left of it where it is smooth, of x and y elsewhere.
+    pub(super) axes: [Vector; 2],
+    pub(super) weights: [f64; 2],
+    /// Of the arc that starts here; 0 of a line.
+    pub(super) sagitta_weight: f64,
+    /// The shorter chord of its edges.
+    pub(super) shortest: f64,
+    /// The lesser opening of its edges.
+    pub(super) opening: f64,
+    /// The mean of the curvatures of its edges, and their difference.
+    pub(super) bend: f64,
+    pub(super) bends: f64,
+}
+
+/// The vertices of a loop.
+pub(super) fn knots(sides: &[Side], smooth: &[bool]) -> Vec<Knot> {
+    let n = sides.len();
+    (0..n)
+        .map(|i| {
+            let (before, after) = (&sides[(i + n - 1) % n], &sides[i]);
+            let shortest = before.chord.min(after.chord);
+            let opening = before.opening().min(after.opening());
+            let room = shortest * (LARGEST_PART / GROWTH);
+            let across = room.min(1.0) * opening;
+            let along = if smooth[i] { room.min(SLIDE) } else { across };
+            let travel = (before.arrive + after.leave).unit();
+            let axes = if smooth[i] {
+                [travel, travel.left()]
+            } else {
+                [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)]
+            };
+            let sagitta = (after.sagitta() * (SAGITTA_PART / GROWTH)).min(1.0);
+            Knot {
+                smooth: smooth[i],
+                axes,
+                weights: [along * along, across * across],
+                sagitta_weight: sagitta * sagitta,
+                shortest,
+                opening,
+                bend: 0.5 * (before.bend + after.bend),
+                bends: after.bend - before.bend,
+            }
+        })
+        .collect()
+}

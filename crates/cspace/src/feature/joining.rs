@@ -1,0 +1,192 @@
+//! How consecutive edges of a loop meet: smoothly, or in a convex or concave corner; and where the corner is once both have
+//! grown.
+
+use core::f64::consts::PI;
+
+use super::framed_edge::FramedEdge;
+use super::tolerance::{MITRE, MOVED_PART, SAME_CARRIER, SMOOTH, STRAIGHT};
+use crate::number::Dd;
+use crate::number::plane::{Xy, cross, dot, left, length, minus, plus, right, times, turned};
+
+/// How two consecutive edges meet.
+pub(super) enum Corner {
+    /// Tangent, by the drawing or by what rounding can tell; then it may be beside the vertex where they are.
+    Smooth {
+        beside: bool,
+    },
+    Convex {
+        turn: f64,
+    },
+    Concave {
+        turn: f64,
+    },
+}
+
+/// By how much travel turns to the left from one edge to the next.
+fn turn(before: &FramedEdge, after: &FramedEdge) -> f64 {
+    let (d1, d2) = (before.end_direction, after.start_direction);
+    cross(d1, d2).to_f64().atan2(dot(d1, d2).to_f64())
+}
+
+/// Lines that follow each other smoothly are put on one line, from where the first starts to where the last ends: contacts of
+/// each are then contacts of one line, as far as double-double tells, however short the edges are.
+pub(super) fn straightened(edges: &mut [FramedEdge]) {
+    let n = edges.len();
+    let goes_on: Vec<bool> = (0..n)
+        .map(|i| {
+            let (before, after) = (&edges[i], &edges[(i + 1) % n]);
+            before.arc.is_none()
+                && after.arc.is_none()
+                && matches!(corner(before, after), Corner::Smooth { .. })
+        })
+        .collect();
+    for first in 0..n {
+        if goes_on[(first + n - 1) % n] {
+            continue;
+        }
+        let count = (1..=n)
+            .find(|k| !goes_on[(first + k - 1) % n])
+            .unwrap_or_default();
+        if count < 2 {
+            continue;
+        }
+        let start = edges[first].start;
+        let chord = minus(edges[(first + count - 1) % n].end, start);
+        let direction = times(chord, Dd::ONE / length(chord));
+        for k in 0..count {
+            let i = (first + k) % n;
+            edges[i].start_direction = direction;
+            edges[i].end_direction = direction;
+            if k + 1 < count {
+                let along = dot(direction, minus(edges[i].end, start));
+                let joint = plus(start, times(direction, along));
+                edges[i].end = joint;
+                edges[(i + 1) % n].start = joint;
+            }
+        }
+    }
+}
+
+/// How two consecutive edges meet.
+pub(super) fn corner(before: &FramedEdge, after: &FramedEdge) -> Corner {
+    let turn = turn(before, after);
+    let beside = run_alike(before, after, turn);
+    if beside || turn.abs() < smooth(before, after) {
+        return Corner::Smooth { beside };
+    }
+    if turn.abs() > PI - SMOOTH {
+        // A cusp: material lies between the edges if the one arriving, seen backwards, bends further left.
+        return if -before.curvature() > after.curvature() {
+            Corner::Convex { turn: PI }
+        } else {
+            Corner::Concave { turn: -PI }
+        };
+    }
+    if turn > 0.0 {
+        Corner::Convex { turn }
+    } else {
+        Corner::Concave { turn }
+    }
+}
+
+/// Below which angle two edges are joined smoothly: what that changes is of the second order, times the radius; of two lines
+/// it is of the first, times their length.
+fn smooth(before: &FramedEdge, after: &FramedEdge) -> f64 {
+    if before.arc.is_none() && after.arc.is_none() {
+        return 2.0 * STRAIGHT;
+    }
+    let radius = |p: &FramedEdge| match (p.near, p.arc) {
+        (Some(_), Some((_, radius))) => radius.to_f64().abs(),
+        _ => 1.0,
+    };
+    SMOOTH / radius(before).max(radius(after)).sqrt()
+}
+
+/// Whether nothing is lost by taking two carriers that meet at a small angle to meet smoothly where they run alike.
+///
+/// Curvatures that differ by κ run alike δ/κ beside a corner that turns by δ, where they are δ²/2κ off each other, and cross
+/// again twice as far away. Less than [`SAME_CARRIER`] is no corner: rounding would not tell one crossing from the other.
+fn run_alike(before: &FramedEdge, after: &FramedEdge, turn: f64) -> bool {
+    let bend = (after.curvature() - before.curvature()).abs();
+    let along = turn.abs() / bend;
+    let shortest = before.edge.length().min(after.edge.length());
+    0.5 * turn.abs() * along <= SAME_CARRIER && along <= MOVED_PART * shortest
+}
+
+/// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.
+///
+/// Where a drawing was rounded that is `beside` the vertex, and it is the place at which contact curves of both edges end.
+pub(super) fn tangency(before: &FramedEdge, after: &FramedEdge, beside: bool) -> (Xy<Dd>, Xy<Dd>) {
+    let vertex = before.end;
+    let (d1, d2) = (before.end_direction, after.start_direction);
+    let on_line = |(center, radius): (Xy<Dd>, Dd), direction: Xy<Dd>| {
+        let normal = right(direction);
+        if !beside {
+            return (vertex, normal);
+        }
+        let at = plus(center, times(normal, radius));
+        let along = dot(direction, minus(at, vertex));
+        (plus(vertex, times(direction, along)), normal)
+    };
+    match (before.arc, after.arc) {
+        (None, None) => (vertex, right(d1)),
+        (None, Some(arc)) => on_line(arc, d1),
+        (Some(arc), None) => on_line(arc, d2),
+        (Some((c, r)), Some((d, s))) => {
+            if !beside {
+                return (vertex, right(d2));
+            }
+            // Normals that differ by a turn δ at the vertex agree δ / (κ₁ − κ₂) further on. The line of centres tells the same,
+            // but nothing where both arcs are of one circle.
+            let further = turn(before, after) / (before.curvature() - after.curvature());
+            let (sin, cos) = Dd::from(before.curvature() * further).sin_cos();
+            let normal = turned(right(d1), cos, sin);
+            match (before.near, after.near) {
+                (None, _) => (plus(c, times(normal, r)), normal),
+                // The smaller one knows the place best; of large ones the normal hardly turns.
+                (_, None) => (plus(d, times(normal, s)), normal),
+                _ => (vertex, right(d2)),
+            }
+        }
+    }
+}
+
+/// The corner of two edges that are both moved outward by `growth`: of lines, V + g (n₁ + n₂) / (1 + n₁·n₂); of arcs what
+/// Newton's rule makes of that.
+pub(super) fn mitre(
+    before: &FramedEdge,
+    after: &FramedEdge,
+    n1: Xy<Dd>,
+    n2: Xy<Dd>,
+    growth: f64,
+) -> Xy<Dd> {
+    let point = before.end;
+    if growth == 0.0 {
+        return point;
+    }
+    let reach = dot(n1, n2) + 1.0;
+    // |n₁ + n₂|² = 2 (1 + n₁·n₂), so the mitre's length is g √(2 / reach).
+    if 2.0 > MITRE * MITRE * reach.to_f64() {
+        return plus(point, times(left(n1), Dd::from(growth * MITRE)));
+    }
+    let mut apex = plus(point, times(plus(n1, n2), Dd::from(growth) / reach));
+    if before.arc.is_none() && after.arc.is_none() {
+        return apex;
+    }
+    /// The first place is right to second order; each step squares what is left.
+    const STEPS: usize = 2;
+    for _ in 0..STEPS {
+        let (h, m) = before.off(apex, n1, point, growth);
+        let (k, n) = after.off(apex, n2, point, growth);
+        let det = cross(m, n);
+        let step = plus(times(left(n), h), times(right(m), k));
+        let step = times(step, Dd::ONE / det);
+        // The edges may go on into each other all but smoothly.
+        let far = length(step).to_f64();
+        if far.is_nan() || far >= growth {
+            break;
+        }
+        apex = plus(apex, step);
+    }
+    apex
+}

@@ -1,0 +1,192 @@
+//! A slice as the user sees it: the boundary of free space at one orientation.
+
+use crate::feature::tolerance::{FACING, FACING_FAR, TORN};
+use crate::feature::{FeatureName, PairFrame};
+use crate::geometry::{Point, Vector};
+
+use super::curve_geometry::CurveGeometry;
+
+/// A piece of the boundary of free space in a slice: blocked space is on its left, free space on its right.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SliceCurve {
+    /// The feature of the fixed part that touches.
+    pub fixed: FeatureName,
+    /// The feature of the moving part that touches.
+    pub moving: FeatureName,
+    /// Positions (x, y) of the moving part.
+    pub geometry: CurveGeometry,
+    /// The patch of the contact space this is a slice of; `None` if the slice was computed on its own.
+    pub patch: Option<u32>,
+    /// The curve of the slice that follows around the boundary.
+    pub next: u32,
+}
+
+/// All positions at one orientation, split into free and blocked by closed loops of contact curves.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Slice {
+    /// The orientation in radians.
+    pub theta: f64,
+    /// The pieces of the boundary of free space.
+    pub curves: Vec<SliceCurve>,
+    /// Closed loops, each as indices of its curves in order of travel, beginning with the smallest.
+    pub loops: Vec<Vec<u32>>,
+    /// Whether the curves are not to be relied upon.
+    ///
+    /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations). Of a slice from
+    /// scratch: what bounds curves and tests of overlap contradict each other here and up to 1.2·10⁻¹⁰ rad above, or contacts of
+    /// arcs of one loop with arcs of another lie on one circle. Of either: a curve does not begin where the one before it ends.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub doubtful: bool,
+}
+
+/// Lets every curve without a successor be followed by the nearest that begins within a distance and follows none.
+///
+/// Where more than two curves meet in a point but for rounding, or two contacts are one curve, the order in which they are
+/// met there may leave an end open. Which curves there are does not change.
+fn close(curves: &mut [SliceCurve], within: f64) {
+    let n = curves.len();
+    let is_open = |c: &SliceCurve| c.next as usize >= n;
+    if !curves.iter().any(is_open) {
+        return;
+    }
+    let mut follows = vec![false; n];
+    for c in curves.iter().filter(|c| !is_open(c)) {
+        follows[c.next as usize] = true;
+    }
+    let mut near: Vec<(f64, usize, usize)> = Vec::new();
+    for (i, c) in curves.iter().enumerate().filter(|(_, c)| is_open(c)) {
+        let end = c.geometry.point(1.0);
+        for (j, d) in curves.iter().enumerate().filter(|&(j, _)| !follows[j]) {
+            let distance = end.distance(d.geometry.point(0.0));
+            if distance <= within {
+                near.push((distance, i, j));
+            }
+        }
+    }
+    near.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    for (_, i, j) in near {
+        if is_open(&curves[i]) && !follows[j] {
+            curves[i].next = j as u32;
+            follows[j] = true;
+        }
+    }
+}
+
+impl Slice {
+    /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
+    pub(crate) fn from_curves(
+        theta: f64,
+        mut curves: Vec<SliceCurve>,
+        doubtful: bool,
+        frame: &PairFrame,
+    ) -> Self {
+        let torn = frame.outer_length(TORN);
+        close(&mut curves, torn);
+        let mut seen = vec![false; curves.len()];
+        let mut loops = Vec::new();
+        for first in 0..curves.len() {
+            let mut walk = Vec::new();
+            let mut at = first;
+            while at < curves.len() && !seen[at] {
+                seen[at] = true;
+                walk.push(at as u32);
+                at = curves[at].next as usize;
+            }
+            if !walk.is_empty() {
+                loops.push(walk);
+            }
+        }
+        let is_open = |c: &SliceCurve| {
+            let next = curves.get(c.next as usize);
+            next.is_none_or(|n| c.geometry.point(1.0).distance(n.geometry.point(0.0)) > torn)
+        };
+        Self {
+            theta,
+            doubtful: doubtful || curves.iter().any(is_open),
+            curves,
+            loops,
+        }
+    }
+
+    /// Whether a position of the moving part is free at this orientation: the first contact curve a ray meets is met
+    /// from its free side, or none is.
+    ///
+    /// At a critical orientation two curves that face each other may lie on one carrier, as far as it is known, in either
+    /// order; and where one curve ends and the next begins a ray may slip through: one that meets such two, or passes such
+    /// a place, is not asked, as long as there is another.
+    pub fn is_free(&self, position: Point) -> bool {
+        self.first_met(position).is_none_or(|met| met.from_free)
+    }
+
+    /// The curve that bounds the space a position is in, as far as a ray tells; `None` if there is nothing that way.
+    pub(crate) fn first_met(&self, position: Point) -> Option<Met> {
+        /// The first of the directions; this one is no engineer's.
+        const FIRST: f64 = 1.234_567_89;
+        /// From each to the next, radians: the golden section of a turn.
+        const STEP: f64 = 2.399_963_229_728_653;
+        const DIRECTIONS: u32 = 7;
+        /// A ray that passes a joint of two curves at more than this, as a share of the way to the farthest, does not slip
+        /// through: such ends are within [`TORN`] of each other.
+        const BESIDE: f64 = 2.0 * TORN;
+        let joints: Vec<Vector> = (self.curves.iter())
+            .map(|c| c.geometry.point(0.0) - position)
+            .collect();
+        let farthest = joints
+            .iter()
+            .map(|v| v.length_squared())
+            .fold(0.0, f64::max);
+        let beside = BESIDE * farthest.sqrt();
+        let mut widest = (f64::NEG_INFINITY, None);
+        for k in 0..DIRECTIONS {
+            let d = Vector::from_angle(FIRST + STEP * f64::from(k));
+            // The nearest curve met from its free side, and from its blocked side.
+            let [mut free, mut blocked] = [(f64::INFINITY, 0); 2];
+            let mut last: f64 = 0.0;
+            for (i, c) in self.curves.iter().enumerate() {
+                if let Some((t, towards_free)) = c.geometry.hit(position, d) {
+                    last = last.max(t);
+                    let side = if towards_free < 0.0 {
+                        &mut free
+                    } else {
+                        &mut blocked
+                    };
+                    if t < side.0 {
+                        *side = (t, i);
+                    }
+                }
+            }
+            let from_free = free.0 < blocked.0;
+            let (first, curve) = if from_free { free } else { blocked };
+            let met = first.is_finite().then_some(Met { curve, from_free });
+            let apart = if met.is_some() {
+                (free.0 - blocked.0).abs()
+            } else {
+                f64::INFINITY
+            };
+            // How near the way to what is met passes a joint.
+            let clear = (joints.iter())
+                .filter(|&&v| (-beside..=first + beside).contains(&d.dot(v)))
+                .map(|&v| d.cross(v).abs())
+                .fold(f64::INFINITY, f64::min);
+            let room = apart.min(clear);
+            if room > widest.0 {
+                widest = (room, met);
+            }
+            let in_order = met.is_none() || apart > (FACING * first).max(FACING_FAR * last);
+            if in_order && clear > beside {
+                break;
+            }
+        }
+        widest.1
+    }
+}
+
+/// A curve of a slice, met by a ray.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Met {
+    pub(crate) curve: usize,
+    /// Whether the ray comes from the curve's free side.
+    pub(crate) from_free: bool,
+}

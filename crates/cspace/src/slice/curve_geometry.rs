@@ -1,0 +1,256 @@
+//! Pieces of the boundary of free space: segments and arcs, as the user sees them.
+
+use core::f64::consts::TAU;
+
+use crate::contact::{Curve, CurveShape};
+use crate::feature::PairFrame;
+use crate::geometry::{Point, Vector};
+use crate::part::Edge;
+
+/// A directed segment or circular arc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum CurveGeometry {
+    /// From start to end.
+    Segment {
+        /// Where it starts.
+        start: Point,
+        /// Where it ends.
+        end: Point,
+    },
+    /// From `start_angle` by `sweep` radians about the centre, counter-clockwise if positive.
+    Arc {
+        /// Centre of the circle.
+        center: Point,
+        /// Radius of the circle, positive.
+        radius: f64,
+        /// Direction from the centre to the start, radians.
+        start_angle: f64,
+        /// Angle travelled, radians.
+        sweep: f64,
+    },
+    /// An arc of a circle so large that places on it would be lost about its centre.
+    FlatArc {
+        /// Where it starts.
+        start: Point,
+        /// Where it ends.
+        end: Point,
+        /// tan(sweep / 4), positive counter-clockwise.
+        bulge: f64,
+    },
+}
+
+/// Whether an arc that turns from `start_angle` by `sweep` comes past a direction; all radians.
+pub(crate) fn is_on_arc(start_angle: f64, sweep: f64, angle: f64) -> bool {
+    let turned = (angle - start_angle) * sweep.signum();
+    turned - TAU * (turned / TAU).floor() <= sweep.abs()
+}
+
+impl CurveGeometry {
+    /// The point at fraction `s` of the way, 0 the start and 1 the end.
+    pub fn point(&self, s: f64) -> Point {
+        match *self {
+            Self::Segment { start, end } => start.lerp(end, s),
+            Self::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => center + Vector::from_angle(start_angle + s * sweep) * radius,
+            Self::FlatArc { start, end, .. } if start == end => start,
+            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).at(s),
+        }
+    }
+
+    /// A flat arc as an edge.
+    pub(crate) fn edge(&self) -> Option<Edge> {
+        match *self {
+            Self::FlatArc { start, end, bulge } => Some(flat(start, end, bulge)),
+            _ => None,
+        }
+    }
+
+    /// The point of the curve that is nearest to `p`.
+    pub fn nearest(&self, p: Point) -> Point {
+        match *self {
+            Self::Segment { start, end } => {
+                let v = end - start;
+                let s = (p - start).dot(v) / v.length_squared();
+                // NaN for a segment of no length.
+                if s > 0.0 {
+                    start.lerp(end, s.min(1.0))
+                } else {
+                    start
+                }
+            }
+            Self::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => {
+                let v = p - center;
+                if is_on_arc(start_angle, sweep, v.angle()) {
+                    return center + Vector::from_angle(v.angle()) * radius;
+                }
+                let (start, end) = (self.point(0.0), self.point(1.0));
+                nearer(p, start, end)
+            }
+            Self::FlatArc { start, end, bulge } => {
+                let foot = flat(start, end, bulge).foot(p);
+                foot.unwrap_or_else(|| nearer(p, start, end))
+            }
+        }
+    }
+
+    /// Length of the curve.
+    pub fn length(&self) -> f64 {
+        match *self {
+            Self::Segment { start, end } => start.distance(end),
+            Self::Arc { radius, sweep, .. } => radius * sweep.abs(),
+            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).length(),
+        }
+    }
+
+    /// The unit normal towards free space (right of travel) at fraction `s`; zero of what is but a point, as a segment is at
+    /// the critical orientation at which it begins.
+    pub fn free_normal(&self, s: f64) -> Vector {
+        match *self {
+            Self::Segment { start, end } | Self::FlatArc { start, end, .. } if start == end => {
+                Vector::ZERO
+            }
+            Self::Segment { start, end } => (end - start).unit().right(),
+            Self::Arc {
+                start_angle, sweep, ..
+            } => Vector::from_angle(start_angle + s * sweep) * sweep.signum(),
+            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).direction_at(s).right(),
+        }
+    }
+
+    /// From a curve of the pair's frame.
+    pub(crate) fn from_inner(
+        curve: &Curve,
+        from: f64,
+        to: f64,
+        frame: &PairFrame,
+        theta: f64,
+    ) -> Self {
+        let outer = |p: Point| frame.outer_from_inner(p, theta).position();
+        match curve.shape {
+            CurveShape::Line { .. } => Self::Segment {
+                start: outer(curve.point(from)),
+                end: outer(curve.point(to)),
+            },
+            CurveShape::Circle {
+                center,
+                radius,
+                mid_angle,
+                ..
+            } => {
+                let half_turn = if radius > 0.0 {
+                    0.0
+                } else {
+                    core::f64::consts::PI
+                };
+                let start = mid_angle + half_turn + from / radius;
+                Self::Arc {
+                    center: outer(center),
+                    radius: frame.outer_length(radius.abs()),
+                    start_angle: start - TAU * (start / TAU).round(),
+                    sweep: (to - from) / radius,
+                }
+            }
+            CurveShape::FlatArc(arc) => {
+                let (p, q) = (curve.point(from), curve.point(to));
+                Self::FlatArc {
+                    start: outer(p),
+                    end: outer(q),
+                    bulge: arc.bulge(arc.place(p), arc.place(q)),
+                }
+            }
+        }
+    }
+
+    /// The first distance along the ray at which the curve is met, or where it begins nearer to the ray than `joint`: a ray
+    /// does not slip through where one curve ends and the next begins.
+    pub(crate) fn met(&self, p: Point, d: Vector, joint: f64) -> Option<f64> {
+        let v = self.point(0.0) - p;
+        let along = v.dot(d);
+        let begins = (along > 0.0 && v.cross(d).abs() < joint).then_some(along);
+        let hit = self.hit(p, d).map(|h| h.0);
+        hit.into_iter().chain(begins).reduce(f64::min)
+    }
+
+    /// The first distance along the ray from `p` in the unit direction `d` at which the curve is met, and the
+    /// product of the direction with the normal towards free space there.
+    pub(crate) fn hit(&self, p: Point, d: Vector) -> Option<(f64, f64)> {
+        match *self {
+            Self::Segment { start, end } => {
+                let v = end - start;
+                let slope = d.cross(v);
+                let t = (start - p).cross(v) / slope;
+                let s = (start - p).cross(d) / slope;
+                (t > 0.0 && (0.0..=1.0).contains(&s)).then(|| (t, d.dot(v.right())))
+            }
+            Self::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => {
+                let v = center - p;
+                let (along, across) = (v.dot(d), v.cross(d));
+                let square = (radius - across) * (radius + across);
+                if square < 0.0 {
+                    return None;
+                }
+                let half = square.sqrt();
+                [along - half, along + half].into_iter().find_map(|t| {
+                    let q = (p + d * t) - center;
+                    (t > 0.0 && is_on_arc(start_angle, sweep, q.angle()))
+                        .then(|| (t, d.dot(q) * sweep.signum()))
+                })
+            }
+            Self::FlatArc { start, end, bulge } => flat_hit(&flat(start, end, bulge), p, d),
+        }
+    }
+}
+
+fn flat(start: Point, end: Point, bulge: f64) -> Edge {
+    Edge {
+        start,
+        end,
+        bulge,
+        index: 0,
+    }
+}
+
+fn nearer(p: Point, start: Point, end: Point) -> Point {
+    if p.distance(start) <= p.distance(end) {
+        start
+    } else {
+        end
+    }
+}
+
+/// The same of an arc by its ends and bulge b: with its chord c and q from its start, points of its circle have
+/// (1 − b²) c × q + 2 b q·(c − q) = 0.
+fn flat_hit(e: &Edge, p: Point, d: Vector) -> Option<(f64, f64)> {
+    let (b, c, q) = (e.bulge, e.end - e.start, p - e.start);
+    let flat = (1.0 - b) * (1.0 + b);
+    let square = -2.0 * b;
+    let slope = flat * c.cross(d) + 2.0 * b * (d.dot(c) - 2.0 * q.dot(d));
+    let root = slope * slope - 4.0 * square * e.level(p);
+    if root < 0.0 {
+        return None;
+    }
+    let sum = -(slope + root.sqrt().copysign(slope));
+    let mut both = [2.0 * e.level(p) / sum, sum / (2.0 * square)];
+    both.sort_by(f64::total_cmp);
+    both.into_iter().find_map(|t| {
+        // The level is positive on the left, and grows by this along the ray.
+        let rise = slope + 2.0 * square * t;
+        (t > 0.0 && t.is_finite() && e.covers_way(q + d * t)).then_some((t, -rise))
+    })
+}
