@@ -4,8 +4,8 @@ use crate::fixed_axes::{Axis, AxisMotion};
 use crate::geometry::Point;
 use crate::part::Part;
 
+use super::answers::QueryError;
 use super::locate::Location;
-use super::query::QueryError;
 use super::relation::Coordinates;
 use super::space::PairSpace;
 

@@ -2,9 +2,9 @@
 
 use crate::space::Band;
 
+use super::answers::QueryError;
 use super::ids::{LinkId, PatchId, RegionId};
 use super::patch::PairPatch;
-use super::query::QueryError;
 use super::relation::Coordinates;
 use super::space::PairSpace;
 

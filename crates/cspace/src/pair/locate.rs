@@ -2,8 +2,8 @@
 
 use crate::part::distance_of;
 
+use super::answers::QueryError;
 use super::ids::RegionId;
-use super::query::QueryError;
 use super::relation::Coordinates;
 use super::space::PairSpace;
 use crate::query::Classification;

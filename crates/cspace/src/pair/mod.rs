@@ -8,6 +8,7 @@
 //! | general | the general method ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
 
 mod along;
+mod answers;
 mod graph;
 mod ids;
 mod locate;
@@ -19,12 +20,12 @@ mod saved;
 mod space;
 
 pub use along::{SmoothMotion, SmoothOutcome};
+pub use answers::{Neighbours, PairContact, PairMotion, PairNearest, QueryError};
 pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::{FeatureId, LinkId, PatchId, RegionId};
 pub use locate::Location;
 pub use lower::{Joint, LowerPair, PermanentContact, PermanentKind};
 pub use patch::{ByDrawing, ByVertex, FeatureContact, PairPatch};
-pub use query::{Neighbours, PairContact, PairMotion, PairNearest, QueryError};
 pub use relation::{Coordinates, PairClass, Relation};
 pub use saved::{SavedLower, SavedPair};
 pub use space::{PairError, PairSpace};

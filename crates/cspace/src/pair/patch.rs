@@ -6,8 +6,8 @@ use crate::fixed_axes::{Axis, AxisMotion};
 use crate::number::{Dual, Scalar, SecondOrder};
 use crate::part::Part;
 
+use super::answers::{Neighbours, QueryError};
 use super::ids::{FeatureId, PatchId, RegionId};
-use super::query::{Neighbours, QueryError};
 use super::relation::Coordinates;
 use super::space::PairSpace;
 

@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::feature::tolerance::NARROWEST_BAND;
 
-use super::graph::Window;
+use super::options::Window;
 
 /// Disjoint intervals of orientation, radians, in ascending order.
 #[derive(Debug, Clone, PartialEq, Default)]

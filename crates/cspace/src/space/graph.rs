@@ -10,21 +10,10 @@ use crate::part::Part;
 use crate::slice::CurveGeometry;
 
 use super::doubts::Doubts;
+use super::options::Window;
 use super::patch::{Patch, PatchRef};
 use super::stats::Statistics;
 use super::symmetry::PairSymmetry;
-
-/// The orientations a contact space covers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Window {
-    /// First orientation, radians.
-    pub lo: f64,
-    /// Last orientation, radians.
-    pub hi: f64,
-    /// Whether these are all orientations: the last is then the first again.
-    pub full_turn: bool,
-}
 
 /// Two patches that follow each other along the boundary of free space, within bands.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,9 +11,9 @@ mod symmetry;
 
 pub(crate) use doubts::{Doubts, union};
 pub(crate) use graph::Walk;
-pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Window};
+pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink};
 pub(crate) use options::WINDOW_SLACK;
-pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage};
+pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage, Window};
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub(crate) use saved::check_head;
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};

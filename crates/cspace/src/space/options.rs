@@ -10,6 +10,18 @@ pub(crate) const WINDOW_SLACK: f64 = 1e-12;
 /// The longest window of orientations: a turn, give or take its rounding.
 pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
 
+/// The orientations a contact space covers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Window {
+    /// First orientation, radians.
+    pub lo: f64,
+    /// Last orientation, radians.
+    pub hi: f64,
+    /// Whether these are all orientations: the last is then the first again.
+    pub full_turn: bool,
+}
+
 /// What to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {

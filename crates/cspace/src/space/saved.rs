@@ -9,7 +9,8 @@ use crate::part::{Part, PartError, Vertex};
 use crate::slice::CurveGeometry;
 
 use super::doubts::Doubts;
-use super::graph::{ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Walk, Window};
+use super::graph::{ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink, Walk};
+use super::options::Window;
 use super::patch::{Boundary, Patch};
 use super::stats::Statistics;
 use super::symmetry::PairSymmetry;

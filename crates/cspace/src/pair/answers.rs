@@ -1,0 +1,120 @@
+//! What is answered of pairs of any class, and why a question has no answer.
+
+use crate::geometry::Configuration;
+use crate::query::MotionError;
+
+use super::ids::PatchId;
+use super::relation::{Coordinates, PairClass};
+
+/// Where a motion first touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct PairContact {
+    /// When, in the unit of time of the rates.
+    pub time: f64,
+    /// The configuration then.
+    pub at: Coordinates,
+    /// The patch it touches: one of them, where it touches several.
+    pub patch: PatchId,
+}
+
+/// The contact nearest to a configuration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct PairNearest {
+    /// The patch it is on.
+    pub patch: PatchId,
+    /// The configuration in contact.
+    pub at: Coordinates,
+    /// How far the moving part moves to it: a length, or radians of a part that turns on its axis.
+    pub distance: f64,
+}
+
+/// What becomes of a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum PairMotion {
+    /// It is free to the end.
+    Free,
+    /// It touches.
+    Contact(PairContact),
+    /// It is free until it leaves the window of orientations or the range of a part's motion, at this time.
+    Leaves {
+        /// When.
+        time: f64,
+    },
+}
+
+/// The neighbours of a patch along the boundary of free space, each once, in order.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Neighbours {
+    /// Those before it, at its left boundary.
+    pub before: Vec<PatchId>,
+    /// Those after it, at its right boundary.
+    pub after: Vec<PatchId>,
+    /// Those it continues at its lowest orientation. Patches of fixed axes have none.
+    pub below: Vec<PatchId>,
+    /// Those that continue it at its highest orientation.
+    pub above: Vec<PatchId>,
+}
+
+/// Why a question has no answer.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QueryError {
+    /// The configuration is in the coordinates of another class.
+    #[error("a configuration of a {class} pair is given by {wanted}, not by {given}")]
+    Coordinates {
+        /// The class.
+        class: PairClass,
+        /// The coordinates it has.
+        wanted: &'static str,
+        /// Those it was given.
+        given: &'static str,
+    },
+    /// The configuration is not finite, or outside the window or the ranges of motion.
+    #[error("the configuration is not finite, or outside the window or the ranges of motion")]
+    Outside,
+    /// There is no such patch.
+    #[error("there is no patch {patch}; the last is {last}")]
+    NoPatch {
+        /// The number given.
+        patch: PatchId,
+        /// The largest there is.
+        last: PatchId,
+    },
+    /// The parts never part.
+    #[error(
+        "the parts of a lower pair are in contact for ever: there is no first or nearest contact"
+    )]
+    Permanent,
+    /// The question is about orientations, and the pair has none as a coordinate.
+    #[error("a {class} pair has no orientation as a coordinate")]
+    NoOrientation {
+        /// The class.
+        class: PairClass,
+    },
+    /// The parts overlap there.
+    #[error("the parts overlap at the configuration")]
+    Blocked,
+    /// A motion cannot be followed.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+}
+
+impl QueryError {
+    /// Coordinates of another class than the pair's.
+    pub(super) fn coordinates(class: PairClass, given: Coordinates) -> Self {
+        let wanted = match class {
+            PairClass::FixedAxes => Coordinates::Axes { u: 0.0, v: 0.0 },
+            _ => Coordinates::Planar(Configuration::default()),
+        };
+        Self::Coordinates {
+            class,
+            wanted: wanted.names(),
+            given: given.names(),
+        }
+    }
+}
