@@ -79,7 +79,6 @@ fn leaves(tree: &UseTree, before: &[String], out: &mut Vec<(String, Vec<String>)
         UseTree::Rename(r) => out.push((r.rename.to_string(), with(r.ident.to_string()))),
         UseTree::Glob(_) => out.push(("*".into(), before.to_vec())),
         UseTree::Group(g) => g.items.iter().for_each(|t| leaves(t, before, out)),
-        _ => {}
     }
 }
 
