@@ -25,9 +25,9 @@ fn one(target: &Target, data: &[u8], name: &str) -> u64 {
     judged
 }
 
-/// The files of `fuzz/<folder>/<target>`, in the order of their names.
+/// The files of `dev/fuzz/<folder>/<target>`, in the order of their names.
 fn kept(folder: &str, target: &Target) -> Vec<PathBuf> {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fuzz");
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz");
     let Ok(entries) = fs::read_dir(format!("{root}/{folder}/{}", target.name)) else {
         return Vec::new();
     };

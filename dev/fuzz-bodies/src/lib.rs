@@ -1,7 +1,7 @@
 //! What the fuzz targets do.
 //!
 //! A [`Target`] makes an input of bytes, asks the library, and judges the answer by something that shares no code with it. The
-//! same function is run in two ways: by libFuzzer, which looks for bytes that reach new code (folder `fuzz` of the
+//! same function is run in two ways: by libFuzzer, which looks for bytes that reach new code (folder `dev/fuzz` of the
 //! repository), and by the tests of this crate, which run it on the kept inputs and on some thousand random ones.
 //!
 //! | target | input | judged by |

@@ -35,7 +35,7 @@ const FILES: [(&str, &str, [f64; 3]); 6] = [
 ];
 
 fn models() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../models")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models")
 }
 
 /// All pairs; the gears have 10 and 9 teeth, and mesh a little more than half the sum of these apart.

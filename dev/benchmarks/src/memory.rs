@@ -22,7 +22,7 @@ pub(crate) fn measure() -> Result<Vec<Row>, Failure> {
     let program = std::env::current_exe()?.with_file_name("cspace-memory");
     let output = Command::new(&program)
         .output()
-        .map_err(|e| format!("{}: {e}; benchmarks/run builds it", program.display()))?;
+        .map_err(|e| format!("{}: {e}; dev/benchmarks/run builds it", program.display()))?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());
     }
