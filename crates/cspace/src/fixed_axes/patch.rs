@@ -13,7 +13,7 @@ pub struct AxesPatch {
     pub fixed: FeatureName,
     /// The feature of the moving part.
     pub moving: FeatureName,
-    /// Its branches, indices into [`FixedAxesSpace::branches`], in order of travel.
+    /// Its branches, indices into [`FixedAxesSpace::branches`](super::FixedAxesSpace::branches), in order of travel.
     pub branches: core::ops::Range<u32>,
     /// The contact curve before it, on its left side.
     pub previous: Option<u32>,

@@ -285,8 +285,8 @@ mod tests {
             (at(h, 0.0) - at(-h, 0.0)) / (2.0 * h),
             (at(0.0, h) - at(0.0, -h)) / (2.0 * h),
         ];
-        for i in 0..2 {
-            assert!((f.gradient[i] - slopes[i]).abs() < 1e-7);
+        for (i, slope) in slopes.into_iter().enumerate() {
+            assert!((f.gradient[i] - slope).abs() < 1e-7);
             assert!((d.slope[i] - f.gradient[i]).abs() < 1e-14);
         }
         let second = |i: usize, j: usize| {
