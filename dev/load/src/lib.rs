@@ -30,12 +30,14 @@ pub mod check;
 pub mod draw;
 pub mod outline;
 pub mod output;
+pub mod report;
 pub mod shrink;
 pub mod structure;
 pub mod tally;
 mod trial;
 
-pub use check::{Effort, Fault, Report, check};
+pub use check::{Effort, check};
 pub use draw::{Drawn, Source};
+pub use report::{Fault, Report};
 pub use shrink::shrink;
 pub use tally::Tally;

@@ -4,7 +4,7 @@ use core::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::check::{Fault, Report};
+use crate::report::{Fault, Report};
 
 /// Counts over all pairs so far.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

@@ -7,7 +7,7 @@ use cspace_oracle::{Case, Oracle, Verdict, near_contact_about};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
-use crate::check::{Fault, Report, is_right};
+use crate::report::{Fault, Report, is_right};
 
 /// What the margin of a verdict must exceed to count, as a share of the pair's size.
 pub(crate) const CERTAIN: f64 = 1e-10;

@@ -3,7 +3,7 @@
 use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, PairSpace};
 
-use super::wrong;
+use super::error::wrong;
 use crate::angle::LARGEST_ANGLE;
 use crate::{ModelError, shown};
 

@@ -4,7 +4,7 @@ use cspace::space::{SAVED_VERSION, SavedError};
 use serde::de::IgnoredAny;
 use serde_json::value::RawValue;
 
-use super::wrong;
+use super::error::wrong;
 use crate::file::without_mark;
 use crate::model::no_json;
 use crate::{ModelError, shown};

@@ -6,6 +6,7 @@
 //! the model said of itself.
 
 mod check;
+mod error;
 mod head;
 
 use std::path::Path;
@@ -19,13 +20,11 @@ use crate::model::no_json;
 use crate::{Model, ModelError};
 
 use check::{check_angles, check_names, is_plain};
+use error::{AGAIN, wrong};
 use head::{as_text, cut, head, is_saved};
 
 /// The largest file read, in bytes: that many take some gigabytes of memory, whatever they say.
 const LARGEST: u64 = 1 << 30;
-
-/// How a damaged or outdated file is replaced.
-const AGAIN: &str = "write the file again with `cspace export MODEL -o OUT.json`";
 
 /// What a file holds.
 #[derive(Debug)]
@@ -178,12 +177,6 @@ pub fn pair_from_json(text: &str, file: &str) -> Result<PairSpace, ModelError> {
 const CONTACT_SPACE: &str = "contact-space";
 const FIXED_AXES: &str = "fixed-axes-space";
 const LOWER_PAIR: &str = "lower-pair";
-
-fn wrong(message: &str, file: &str) -> ModelError {
-    ModelError::of_file(message.to_owned())
-        .with_help(AGAIN)
-        .in_file(file)
-}
 
 fn contact_space(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
     ContactSpace::from_saved(data(text, file)?).map_err(|e| wrong(&e.to_string(), file))

@@ -6,10 +6,10 @@ use rayon::prelude::*;
 use super::bernstein::Basis;
 use super::body::Body;
 use super::contact::{Contact, contacts};
+use super::found::{Criticalities, Known};
 use super::grouped::{Grouped, reduced};
 use super::outline::Outline;
 use super::tolerance::SAME;
-use super::{Criticalities, Known};
 
 /// The pair, and the orientations found so far.
 pub(super) struct Search<'a> {

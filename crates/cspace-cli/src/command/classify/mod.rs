@@ -14,16 +14,13 @@ use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
-use rows::{Rows, read};
+use rows::{ANSWER, Rows, read};
 
 /// From so many rows on it pays to prepare the space for them: that takes about as long as so many rows without.
 const MANY: usize = 4096;
 
 /// As of a saved space.
 const MOST_BYTES: u64 = 1 << 30;
-
-/// The column that the answer adds.
-const ANSWER: &str = "class";
 
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let common = &args.common;

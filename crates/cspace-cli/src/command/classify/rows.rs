@@ -11,7 +11,8 @@ use crate::args::Format;
 use crate::failure::Failure;
 use crate::subject::Chosen;
 
-use super::ANSWER;
+/// The column that the answer adds.
+pub(super) const ANSWER: &str = "class";
 
 /// Where the coordinates of a row stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +27,7 @@ pub(super) struct Rows {
     pub(super) records: Vec<csv::StringRecord>,
     pub(super) configurations: Vec<Coordinates>,
 }
+
 /// Reads all rows; nothing is computed before all of them are understood.
 pub(super) fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Rows, Failure> {
     // A byte order mark is no part of the first name.

@@ -8,7 +8,7 @@ use cspace_baseline::critical::{Known, search};
 use cspace_baseline::kinds;
 use serde::Serialize;
 
-use super::measure::{median, timed};
+use super::timing::{median, timed};
 
 /// How many critical orientations have events of each kind, in one of the slabs that symmetry makes.
 #[derive(Serialize, Default)]

@@ -1,7 +1,6 @@
 //! One pair, by the general algorithm and by this one.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use cspace::{ContactSpace, Options, Part, Slicer, Symmetry};
 use cspace_baseline::compare::{errors, missed_bands};
@@ -14,6 +13,8 @@ use crate::args::EvaluateArgs;
 use crate::failure::Failure;
 
 use super::critical::{Kinds, criticality_seconds};
+use super::embedded::embedded;
+use super::timing::{median, timed};
 
 /// How far the surface's straight pieces may be from arcs, as a share of both parts' size: the paper's 1 % accuracy.
 const ACCURACY: f64 = 0.01;
@@ -95,23 +96,6 @@ pub(super) struct Paper {
     pub(super) new_slices_without_symmetry: u32,
 }
 
-/// The seconds that something takes, and what it makes.
-pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
-    let begin = Instant::now();
-    let made = work();
-    (begin.elapsed().as_secs_f64(), made)
-}
-
-/// The middle one, or the mean of the two in the middle; 0 of none.
-pub(super) fn median(mut seconds: Vec<f64>) -> f64 {
-    seconds.sort_by(f64::total_cmp);
-    let n = seconds.len();
-    match n {
-        0 => 0.0,
-        _ => 0.5 * (seconds[(n - 1) / 2] + seconds[n / 2]),
-    }
-}
-
 fn space(fixed: &Part, moving: &Part, symmetry: Symmetry) -> Result<ContactSpace, Failure> {
     let options = Options {
         symmetry,
@@ -122,7 +106,7 @@ fn space(fixed: &Part, moving: &Part, symmetry: Symmetry) -> Result<ContactSpace
 
 pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured, Failure> {
     let (separation, repeat) = (args.separation, args.repeat);
-    let model = super::embedded(pair.model, pair.name)?;
+    let model = embedded(pair.model, pair.name)?;
     let part = |index: usize| &model.parts[index].part;
     let (fixed, moving) = (part(model.pairs[0].fixed), part(model.pairs[0].moving));
     let exact = space(fixed, moving, Symmetry::Detect)?;

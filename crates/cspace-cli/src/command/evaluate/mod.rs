@@ -2,13 +2,14 @@
 
 mod averages;
 mod critical;
+mod embedded;
+mod evaluation;
 mod measure;
 mod special;
 mod text;
+mod timing;
 
 use cspace_baseline::paper::{self, PaperPair};
-use cspace_io::Model;
-use serde::Serialize;
 
 use crate::args::{EvaluateArgs, Format};
 use crate::failure::Failure;
@@ -17,23 +18,8 @@ use crate::progress::{Steps, catch_interrupts};
 use crate::subject::set_threads;
 
 use averages::Averages;
-use measure::{Measured, measure};
-use special::Survey;
-
-/// Everything that was measured.
-#[derive(Serialize)]
-struct Evaluation {
-    /// Between slices of the general algorithm, radians.
-    separation: f64,
-    /// Of how many runs seconds are the median.
-    repeat: u16,
-    /// Under which the search of critical orientations had to end, seconds.
-    criticality_limit: f64,
-    threads: usize,
-    pairs: Vec<Measured>,
-    averages: Averages,
-    survey: Survey,
-}
+use evaluation::Evaluation;
+use measure::measure;
 
 pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
     output::check(args.result.output.as_deref())?;
@@ -90,9 +76,4 @@ fn chosen(names: &[String]) -> Result<Vec<&'static PaperPair>, Failure> {
     Ok(all()
         .filter(|p| names.is_empty() || names.iter().any(|n| plain(n) == plain(p.name)))
         .collect())
-}
-
-/// A model that is part of the program.
-fn embedded(text: &str, name: &str) -> Result<Model, Failure> {
-    Model::from_toml(text, name).map_err(Failure::work)
 }

@@ -6,7 +6,8 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 
-use super::measure::{median, timed};
+use super::embedded::embedded;
+use super::timing::{median, timed};
 
 #[derive(Serialize)]
 pub(super) struct Survey {
@@ -57,7 +58,7 @@ pub(super) struct Special {
 pub(super) fn survey(repeat: u16) -> Result<Survey, Failure> {
     let mut special_pairs = Vec::new();
     for (name, text) in MODELS {
-        let model = super::embedded(text, name)?;
+        let model = embedded(text, name)?;
         for pair in &model.pairs {
             let kind = model.pair_class(pair);
             if !matches!(kind, PairClass::Lower | PairClass::FixedAxes) {

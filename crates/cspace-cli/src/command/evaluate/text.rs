@@ -4,8 +4,8 @@ use std::fmt::{self, Write};
 
 use crate::wording::count;
 
-use super::Evaluation;
 use super::averages::Average;
+use super::evaluation::Evaluation;
 use super::measure::Measured;
 use super::special::Survey;
 

@@ -2,7 +2,7 @@
 
 use crate::part::{Edge, Loop, Part, Vertex};
 
-use super::SYMMETRIC;
+use super::mapping::SYMMETRIC;
 
 /// The part without the vertices at which two edges lie on one line or one circle, if it has such vertices.
 ///

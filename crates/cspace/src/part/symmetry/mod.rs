@@ -6,24 +6,20 @@
 //! that count: a bore drawn as two half circles does not spoil the symmetry of a wheel, wherever the halves meet. Other
 //! vertices count, also those that could be left out because an edge goes straight on there.
 
+mod mapping;
 mod merge;
 mod redraw;
 mod trace;
 
-pub(crate) use redraw::{LoopImage, Symmetrized};
+pub use mapping::SYMMETRIC;
+pub(crate) use mapping::{Corresponding, LoopImage};
+pub(crate) use redraw::Symmetrized;
 
 use crate::geometry::Point;
 
 use super::Part;
 use merge::merged;
 use trace::Trace;
-
-/// How far a part may be off its own image under a rotation, as a fraction of its size: 2⁻³⁰ ≈ 9·10⁻¹⁰.
-///
-/// Drawings are written with rounded coordinates. Ten digits are within this, and what a designer means as a
-/// difference is not. The contact space computed with symmetry is that of the nearest symmetric part, and tells how far
-/// that is from the drawing.
-pub const SYMMETRIC: f64 = 1.0 / (1_u64 << 30) as f64;
 
 /// The rotations about its own centre that map a part to itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,15 +119,6 @@ impl Part {
             .then(|| Symmetrized::new(self, &trace, fold))
             .flatten()
     }
-}
-
-/// What has to be mapped to itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Corresponding {
-    /// The outline: whole circles have no vertices.
-    Outlines,
-    /// All vertices.
-    Vertices,
 }
 
 #[cfg(test)]

@@ -5,14 +5,8 @@ use core::f64::consts::TAU;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Loop, Part, Vertex};
 
+use super::mapping::LoopImage;
 use super::trace::{Ring, Trace};
-
-/// Where a rotation takes a loop: vertex t, in order of travel, to vertex t + shift of the target.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct LoopImage {
-    pub(crate) target: u32,
-    pub(crate) shift: u32,
-}
 
 /// Which edge and vertex as drawn an edge of the symmetric part is a piece of, and begins at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

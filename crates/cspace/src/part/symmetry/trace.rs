@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Edge, Loop, Part};
 
-use super::{Corresponding, LoopImage, SYMMETRIC};
+use super::mapping::{Corresponding, LoopImage, SYMMETRIC};
 
 /// A loop, about the part's centre, in order of travel.
 #[derive(Debug, Clone)]

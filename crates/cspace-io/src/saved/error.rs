@@ -1,0 +1,12 @@
+//! What is said of a saved space that is not read.
+
+use crate::ModelError;
+
+/// How a damaged or outdated file is replaced.
+pub(super) const AGAIN: &str = "write the file again with `cspace export MODEL -o OUT.json`";
+
+pub(super) fn wrong(message: &str, file: &str) -> ModelError {
+    ModelError::of_file(message.to_owned())
+        .with_help(AGAIN)
+        .in_file(file)
+}

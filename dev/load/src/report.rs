@@ -1,0 +1,105 @@
+//! What is found out about one pair.
+
+use cspace::{Classification, Configuration, ContactSpace};
+use cspace_oracle::Verdict;
+
+/// Something that must not be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fault {
+    /// A configuration is classified otherwise than by brute force.
+    Wrong {
+        /// Where.
+        at: Configuration,
+        /// What brute force says.
+        verdict: Verdict,
+    },
+    /// A slice from scratch that is not doubtful says otherwise than brute force.
+    Scratch {
+        /// Where.
+        at: Configuration,
+        /// What brute force says.
+        verdict: Verdict,
+    },
+    /// In the middle of a band the slice of the space and that from scratch have different numbers of loops, and neither is
+    /// doubtful.
+    Loops {
+        /// The orientation.
+        theta: f64,
+        /// Loops of the space's slice.
+        space: usize,
+        /// Loops of the slice from scratch.
+        scratch: usize,
+        /// The width of the band.
+        width: f64,
+    },
+    /// A curve of a slice of the space that is not doubtful does not begin where the one before it ends.
+    Open {
+        /// The orientation.
+        theta: f64,
+        /// How far apart, as a share of the size.
+        gap: f64,
+    },
+    /// One thread and two give different contact spaces.
+    Threads,
+    /// The space is not read back as plain data.
+    Saved,
+    /// The inverse pair says otherwise than brute force.
+    Inverse {
+        /// Where, as a configuration of the pair itself.
+        at: Configuration,
+        /// What brute force says.
+        verdict: Verdict,
+    },
+    /// The classifier says otherwise than the slice.
+    Classifier {
+        /// Where.
+        at: Configuration,
+    },
+}
+
+/// What came of one pair.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Report {
+    /// Configurations asked.
+    pub asked: u64,
+    /// Those whose verdict counts.
+    pub certain: u64,
+    /// Those of them beside contact.
+    pub near: u64,
+    /// Those of the certain ones that are free.
+    pub free: u64,
+    /// Otherwise than the oracle says, but nearer to contact than [`ContactSpace::resolution`].
+    pub within_resolution: u64,
+    /// Slices taken from the contact space.
+    pub slices: u64,
+    /// Those of them that are doubtful.
+    pub doubtful_slices: u64,
+    /// Configurations that these tell otherwise than the oracle, while they are classified rightly.
+    pub doubtful_wrong: u64,
+    /// Bands sliced from scratch.
+    pub bands: u64,
+    /// Those of them of which one of the two slices is doubtful: loops are not counted.
+    pub doubtful_bands: u64,
+    /// Shells decided cell by cell.
+    pub conflicts: u64,
+    /// Whether the thorough checks were done.
+    pub thorough: bool,
+    /// Bytes of patches and links.
+    pub bytes: u64,
+    /// Features of one part times those of the other.
+    pub feature_pairs: u64,
+    /// Seconds the contact space took.
+    pub computed: f64,
+    /// What must not be.
+    pub faults: Vec<Fault>,
+}
+
+/// Whether a configuration is classified as brute force has it.
+pub(crate) fn is_right(space: &ContactSpace, c: Configuration, verdict: Verdict) -> bool {
+    let expected = if verdict.overlap {
+        Classification::Blocked
+    } else {
+        Classification::Free
+    };
+    space.classify(c) == Some(expected)
+}
