@@ -258,7 +258,6 @@ fn crates() -> Vec<PathBuf> {
 }
 
 #[test]
-#[ignore = "circles are still being taken apart"]
 fn no_file_imports_a_file_that_imports_it() {
     let mut found = Vec::new();
     let mut files = 0;
