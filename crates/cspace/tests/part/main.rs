@@ -1,0 +1,5 @@
+//! What is a part, and what is none.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod random;
+mod validation;
