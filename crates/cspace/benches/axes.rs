@@ -1,11 +1,9 @@
-//! Times of fixed-axes pairs: the best and the middle one of several runs, with the counts that explain them; beside each
-//! the grid of collision checks that one would run instead. Then lower pairs.
+//! Times of fixed-axes pairs: the best and the middle one of several runs, with the counts that explain them. Then
+//! lower pairs.
 //!
 //! Words given on the command line choose the pairs whose names hold one of them.
 
 #![allow(clippy::unwrap_used, missing_docs)]
-
-mod grid;
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -88,5 +86,4 @@ fn report(m: &Mechanism) {
         s.tests,
         s.conflicts,
     );
-    grid::report(m, &space, times[RUNS / 2]);
 }
