@@ -1,6 +1,7 @@
 //! The cspace library against what a user would take instead: see README.md.
 
 mod checks;
+mod grids;
 mod memory;
 mod models;
 mod polygons;
@@ -42,6 +43,8 @@ enum Section {
     Stacks,
     /// Single configurations
     Checks,
+    /// Grids of configurations of pairs on fixed axes
+    Grids,
     /// Bytes allocated
     Memory,
 }
@@ -63,6 +66,7 @@ pub(crate) struct Results {
     pub(crate) limit: f64,
     pub(crate) stacks: Vec<stack::Row>,
     pub(crate) checks: Vec<checks::Row>,
+    pub(crate) grids: Vec<grids::Row>,
     pub(crate) memory: Vec<memory::Row>,
     /// What was left out, and why.
     pub(crate) left_out: Vec<String>,
@@ -95,6 +99,10 @@ fn run(args: &Args) -> Result<Results, Failure> {
             eprintln!("checks: {}", pair.name);
             results.checks.extend(checks::measure(pair)?);
         }
+    }
+    if asked(Section::Grids) {
+        eprintln!("grids");
+        results.grids = grids::measure(&args.pair)?;
     }
     if asked(Section::Stacks) {
         let tools = stack::Tools::find(&mut |why| {

@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use crate::stack::Tried;
-use crate::{Results, checks, memory, stack};
+use crate::{Results, checks, grids, memory, stack};
 
 pub(crate) fn describe(results: &Results) -> Result<String, fmt::Error> {
     let mut text = String::new();
@@ -13,6 +13,9 @@ pub(crate) fn describe(results: &Results) -> Result<String, fmt::Error> {
     }
     if !results.checks.is_empty() {
         checks(&mut text, &results.checks)?;
+    }
+    if !results.grids.is_empty() {
+        grids(&mut text, &results.grids)?;
     }
     if !results.memory.is_empty() {
         memory(&mut text, &results.memory)?;
@@ -135,6 +138,38 @@ fn checks(text: &mut String, rows: &[checks::Row]) -> fmt::Result {
             )?;
         }
         writeln!(text)?;
+    }
+    writeln!(text)
+}
+
+fn grids(text: &mut String, rows: &[grids::Row]) -> fmt::Result {
+    writeln!(
+        text,
+        "Pairs on fixed axes, milliseconds, and a grid of checks with parry2d; verdicts that differ, and how many of those asked\n\
+         about are the grid's mistakes; what a cell does not see, what the space does not, and the moving part's play, both ways\n"
+    )?;
+    for row in rows {
+        let (space, grid) = (1e3 * row.seconds_of_space, 1e3 * row.seconds_of_grid);
+        let scaled = if row.every > 1 { " scaled" } else { "" };
+        let [rows, columns] = row.cells;
+        let play = (row.play.as_ref()).map_or_else(String::new, |p| {
+            format!(
+                "   at {:.4}: {:.6}, {:.6} on the grid",
+                p.at, p.exact, p.seen
+            )
+        });
+        writeln!(
+            text,
+            "{:34}{space:>9.3}{grid:>12.1} ({rows} x {columns}{scaled}){:>8.0} times{:>8}/{} differ, {}/{} wrong, {:.1e}, {:.1e}{play}",
+            row.pair,
+            grid / space,
+            row.differ,
+            row.compared,
+            row.grid_wrong,
+            row.certain,
+            row.moved,
+            row.resolution_of_space
+        )?;
     }
     writeln!(text)
 }

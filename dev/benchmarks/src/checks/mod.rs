@@ -2,7 +2,7 @@
 
 mod cavalier;
 mod near;
-mod parry;
+pub(crate) mod parry;
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -13,13 +13,14 @@ use crate::models::Pair;
 use crate::polygons::rings;
 use crate::stack::CHORD;
 
-struct Polygons {
+/// A part as polygons.
+pub(crate) struct Polygons {
     loops: Vec<Vec<V>>,
     lines: Polyline,
 }
 
 impl Polygons {
-    fn new(part: &Part, chord: f64) -> Self {
+    pub(crate) fn new(part: &Part, chord: f64) -> Self {
         let loops: Vec<Vec<V>> = (rings(part, chord).iter())
             .map(|r| r.iter().map(|p| V::new(p.x, p.y)).collect())
             .collect();
@@ -48,6 +49,18 @@ impl Polygons {
         }
         inside
     }
+
+    /// Whether two parts at their places overlap; `None` where the library does not say.
+    pub(crate) fn overlaps(&self, at: &Pose, other: &Self, bt: &Pose) -> Option<bool> {
+        let meets = intersection_test(at, &self.lines, bt, &other.lines).ok()?;
+        Some(meets.intersecting || self.holds(at, other, bt) || other.holds(bt, self, at))
+    }
+
+    /// Whether a loop of the other part, not meeting this boundary, is within the material.
+    fn holds(&self, at: &Pose, other: &Self, bt: &Pose) -> bool {
+        let own = |p: V| at.inverse_transform_point(bt.transform_point(p));
+        other.loops.iter().any(|l| self.contains(own(l[0])))
+    }
 }
 
 pub(super) fn checker(pair: &Pair) -> Checker<'static> {
@@ -59,13 +72,7 @@ pub(super) fn checker(pair: &Pair) -> Checker<'static> {
     );
     let prepared_seconds = begin.elapsed().as_secs_f64();
     let overlaps = move |c: Configuration| {
-        let (at, still) = (Pose::new(V::new(c.x, c.y), c.theta), Pose::IDENTITY);
-        let meets = intersection_test(&still, &a.lines, &at, &b.lines).ok()?;
-        let within = || {
-            (b.loops.iter()).any(|l| a.contains(at.transform_point(l[0])))
-                || (a.loops.iter()).any(|l| b.contains(at.inverse_transform_point(l[0])))
-        };
-        Some(meets.intersecting || within())
+        a.overlaps(&Pose::IDENTITY, &b, &Pose::new(V::new(c.x, c.y), c.theta))
     };
     Checker {
         name: "parry2d",

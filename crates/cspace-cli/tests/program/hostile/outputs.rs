@@ -1,0 +1,246 @@
+//! Places that cannot be written, or only in part.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use super::bounds::{PROGRAM, fails, model, names, run_to};
+
+/// Each command, with what it needs.
+fn commands() -> Vec<Vec<String>> {
+    let file = model("peg_hole");
+    [
+        &["--help"][..],
+        &["--version"],
+        &["compute", "--help"],
+        &["completions", "bash"],
+        &["info", &file],
+        &["compute", &file],
+        &["compute", &file, "--format", "json"],
+        &["slice", &file, "--theta", "0.1"],
+    ]
+    .map(|args| args.iter().map(|&a| a.to_owned()).collect())
+    .into()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_device_is_told() {
+    for args in commands() {
+        let args: Vec<&str> = args.iter().map(String::as_str).collect();
+        let full = File::options().write(true).open("/dev/full").unwrap();
+        let output = run_to(full, &args);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{args:?}: {said}");
+        assert!(
+            said.starts_with("error: standard output: No space left"),
+            "{args:?}: {said}"
+        );
+    }
+    let file = model("peg_hole");
+    fails(
+        &["compute", &file, "-o", "/dev/full"],
+        1,
+        &["/dev/full", "No space left"],
+    );
+    // A mesh that was not written is not told of.
+    let dir = tempfile::tempdir().unwrap();
+    let mesh = dir.path().join("mesh.ply");
+    std::os::unix::fs::symlink("/dev/full", &mesh).unwrap();
+    let output = run_to(
+        Stdio::piped(),
+        &["export", &file, "-o", mesh.to_str().unwrap()],
+    );
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.starts_with("error: ") && said.contains("No space left"));
+    assert!(!said.contains("vertices"), "{said}");
+}
+
+/// `cspace … | head -1`: the reader takes one line and goes away.
+#[test]
+fn a_reader_may_go_after_a_line() {
+    for args in commands() {
+        let mut child = Command::new(PROGRAM)
+            .args(&args)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut line = String::new();
+        let mut reader = BufReader::with_capacity(16, child.stdout.take().unwrap());
+        reader.read_line(&mut line).unwrap();
+        drop(reader);
+        let output = child.wait_with_output().unwrap();
+        assert!(!line.is_empty(), "{args:?}");
+        assert_eq!(output.status.code(), Some(0), "{args:?}");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{args:?}");
+    }
+}
+
+#[test]
+fn places_that_cannot_be_written_are_told() {
+    let dir = tempfile::tempdir().unwrap();
+    let place = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let file = model("peg_hole");
+    std::fs::create_dir(place("folder.json")).unwrap();
+    fails(
+        &["export", &file, "-o", &place("folder.json")],
+        2,
+        &["folder.json", "is a directory", "  help: "],
+    );
+    fails(
+        &["export", &file, "-o", &place("none/a.json")],
+        2,
+        &["a.json", "no directory"],
+    );
+    // Nothing can be made in there, not even by the superuser.
+    #[cfg(target_os = "linux")]
+    fails(
+        &["export", &file, "-o", "/proc/a.json"],
+        1,
+        &["/proc/a.json", "cannot be written", "  help: "],
+    );
+    std::os::unix::fs::symlink("none/a.json", place("link.json")).unwrap();
+    fails(
+        &["export", &file, "-o", &place("link.json")],
+        1,
+        &["link.json", "cannot be written"],
+    );
+    std::fs::write(place("file"), "").unwrap();
+    fails(
+        &["export", &file, "-o", &place("file/a.json")],
+        2,
+        &["a.json", "no directory"],
+    );
+    assert_eq!(names(dir.path()), ["file", "folder.json", "link.json"]);
+}
+
+/// What was there before remains when the work fails.
+#[test]
+fn failures_leave_what_was_there() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.ply");
+    let place = out.to_str().unwrap();
+    let (file, mechanism) = (model("peg_hole"), model("ratchet_mechanism"));
+    std::fs::write(&out, "before").unwrap();
+    for (args, code) in [
+        (&["export", "none.toml"][..], 2),
+        (&["export", &mechanism], 2),
+        (&["export", &mechanism, "--pair", "driver,link"], 1),
+        (&["slice", &file], 2),
+        (&["slice", &file, "--theta", "1e12"], 2),
+        (&["compute", &file, "--pair", "peg,nut"], 2),
+        // Standard input is empty: there is no row with names.
+        (&["classify", &file], 2),
+    ] {
+        fails(&[args, &["-o", place]].concat(), code, &["error: "]);
+        assert_eq!(std::fs::read_to_string(&out).unwrap(), "before", "{args:?}");
+        assert_eq!(names(dir.path()), ["out.ply"], "{args:?}");
+    }
+}
+
+/// What is read is not written over, under whatever name.
+#[test]
+fn inputs_are_not_written_over() {
+    let dir = tempfile::tempdir().unwrap();
+    let place = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let (file, saved) = (place("m.toml"), place("s.json"));
+    std::fs::copy(model("peg_hole"), &file).unwrap();
+    let written = run_to(Stdio::null(), &["export", &file, "-o", &saved]);
+    assert!(written.status.success());
+    let (linked, hard) = (place("link.toml"), place("hard.toml"));
+    std::os::unix::fs::symlink(&file, &linked).unwrap();
+    std::fs::hard_link(&file, &hard).unwrap();
+    let round = format!("{}/./m.toml", dir.path().display());
+    let before = |name: &str| std::fs::read(name).unwrap();
+    let (model_before, saved_before) = (before(&file), before(&saved));
+    for args in [
+        &["compute", &file, "-o", &file][..],
+        &["compute", &file, "-o", &round],
+        &["compute", &file, "-o", &linked],
+        &["compute", &linked, "-o", &file],
+        &["compute", &file, "-o", &hard],
+        &["info", &file, "-o", &file],
+        &["slice", &file, "--theta", "0", "-o", &file],
+        &["classify", &file, "-o", &file],
+        &["export", &saved, "-o", &saved],
+    ] {
+        let output = args[args.len() - 1];
+        let words = [output, "the output is the file that is read", "  help: "];
+        fails(args, 2, &words);
+        assert_eq!(before(&file), model_before, "{args:?}");
+        assert_eq!(before(&saved), saved_before, "{args:?}");
+    }
+    let rows = place("rows.csv");
+    std::fs::write(&rows, "x,y,theta\n0,0,0\n").unwrap();
+    let output = Command::new(PROGRAM)
+        .args(["classify", &file, "-o", &rows])
+        .stdin(File::open(&rows).unwrap())
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("rows.csv") && said.contains("standard input"));
+    assert_eq!(before(&rows), b"x,y,theta\n0,0,0\n");
+    // A device is no file that could be lost.
+    let to_null = run_to(Stdio::null(), &["info", &file, "-o", "/dev/null"]);
+    assert!(to_null.status.success());
+    let names = names(dir.path());
+    assert_eq!(
+        names,
+        ["hard.toml", "link.toml", "m.toml", "rows.csv", "s.json"]
+    );
+}
+
+/// Whenever an interrupt comes, what is there is whole: the old file or the new one, and nothing beside it.
+#[test]
+fn an_interrupt_while_writing_leaves_a_whole_file() {
+    const OLD: &str = "\"old\"";
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.json");
+    let args = [
+        "export",
+        &model("ratchet_pawl"),
+        "--general",
+        "-o",
+        out.to_str().unwrap(),
+    ];
+    let (mut old, mut new) = (0, 0);
+    for attempt in 0..24 {
+        std::fs::write(&out, OLD).unwrap();
+        let mut child = Command::new(PROGRAM)
+            .args(args)
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        // As soon as there is a file beside it, which is when the writing begins; every other time at some earlier moment.
+        let begin = Instant::now();
+        let early = (attempt % 2 == 1).then(|| Duration::from_millis(4 * attempt));
+        while names(dir.path()).len() == 1
+            && child.try_wait().unwrap().is_none()
+            && early.is_none_or(|t| begin.elapsed() < t)
+        {}
+        let signal = ["INT", "TERM"][usize::from(attempt % 4 < 2)];
+        // It may be over by now.
+        let _ = Command::new("sh")
+            .args(["-c", &format!("kill -{signal} {} 2>&-", child.id())])
+            .status();
+        let output = child.wait_with_output().unwrap();
+        let text = std::fs::read_to_string(&out).unwrap();
+        if text == OLD {
+            old += 1;
+            assert_ne!(output.status.code(), Some(0), "{attempt}");
+        } else {
+            new += 1;
+            let value: Value = serde_json::from_str(&text).unwrap();
+            assert_eq!(value["format"], "contact-space", "{attempt}");
+        }
+        // Until the command listens, a signal ends it before anything was made.
+        assert_eq!(names(dir.path()), ["out.json"], "{attempt}: {output:?}");
+    }
+    println!("{old} old, {new} new");
+}

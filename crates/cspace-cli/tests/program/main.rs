@@ -1,0 +1,8 @@
+//! The program, run on files.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod classes;
+mod command;
+mod evaluate;
+#[cfg(unix)]
+mod hostile;

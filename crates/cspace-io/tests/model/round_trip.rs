@@ -1,0 +1,129 @@
+//! What is written as TOML is read as it was.
+
+use cspace::{Part, Point, Vector, Vertex};
+use cspace_io::{Joint, JointKind, Model, Motion, Pair, PartEntry};
+
+fn round_trip(model: &Model) {
+    let text = model.to_toml();
+    let again = Model::from_toml(&text, "m.toml").unwrap();
+    assert_eq!(&again, model, "{text}");
+    assert_eq!(again.to_toml(), text);
+}
+
+fn entry(name: &str, x: f64, motion: Motion) -> PartEntry {
+    let third = 1.0 / 3.0;
+    let outline = vec![
+        Vertex::new(x, -1e-7, third),
+        Vertex::line(x + 2.0, 0.1 + 0.2),
+        Vertex::new(x + 1.0, 10.0 * third, -0.125),
+    ];
+    PartEntry {
+        part: Part::new(name, vec![outline]).unwrap(),
+        motion,
+        symmetry: None,
+    }
+}
+
+#[test]
+fn every_motion_joint_and_window() {
+    let third = 1.0 / 3.0;
+    let parts = vec![
+        entry("a \"quoted\" \\ name", 0.0, Motion::Fixed),
+        PartEntry {
+            part: Part::new(
+                "räder",
+                vec![vec![
+                    Vertex::new(third, 0.1, 1.0),
+                    Vertex::new(1e4, 0.1 + 0.2, 1.0),
+                ]],
+            )
+            .unwrap(),
+            symmetry: Some(20),
+            ..entry(
+                "räder",
+                1e4,
+                Motion::Revolute {
+                    center: Point::new(third, -0.0),
+                    range: Some((-third, 1e-300)),
+                },
+            )
+        },
+        entry(
+            "slider",
+            -5e5,
+            Motion::Prismatic {
+                direction: Vector::new(third, -1e-9),
+                range: None,
+            },
+        ),
+        entry("free", 7.0, Motion::Planar),
+    ];
+    let joints = [
+        JointKind::Revolute {
+            at: Point::new(third, 2.0),
+        },
+        JointKind::Prismatic {
+            direction: Vector::new(0.0, third),
+            at: None,
+        },
+        JointKind::Prismatic {
+            direction: Vector::new(1.0, 0.0),
+            at: Some(Point::new(1e21, 3.0)),
+        },
+        JointKind::Rigid,
+    ]
+    .into_iter()
+    .zip([(2, 1), (3, 1), (3, 0), (3, 2)])
+    .map(|(kind, parts)| Joint { kind, parts });
+    round_trip(&Model {
+        name: "all of it".into(),
+        unit: Some("mm".into()),
+        parts,
+        joints: joints.collect(),
+        pairs: vec![
+            Pair {
+                fixed: 3,
+                moving: 1,
+                window: Some((-core::f64::consts::PI, core::f64::consts::PI)),
+            },
+            Pair {
+                fixed: 0,
+                moving: 2,
+                window: None,
+            },
+        ],
+    });
+}
+
+#[test]
+fn pairs_that_a_file_without_pairs_stands_for_are_left_out() {
+    let parts = vec![
+        entry("a", 0.0, Motion::Fixed),
+        entry("b", 0.0, Motion::Planar),
+    ];
+    let pair = Pair {
+        fixed: 0,
+        moving: 1,
+        window: None,
+    };
+    let model = Model {
+        name: "two".into(),
+        unit: None,
+        parts,
+        joints: vec![],
+        pairs: vec![pair],
+    };
+    assert!(!model.to_toml().contains("[[pair]]"));
+    round_trip(&model);
+}
+
+#[test]
+fn the_shipped_models() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models");
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|e| e == "toml") {
+            round_trip(&Model::read(&path).unwrap());
+        }
+    }
+}

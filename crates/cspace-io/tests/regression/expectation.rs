@@ -1,0 +1,157 @@
+//! What `NAME.expect.toml` says of the pair in `NAME.toml` or `NAME.json`. Angles are in radians.
+
+use serde::Deserialize;
+
+/// Expectations of one file: of contact spaces of the pair, or of its space on fixed axes, or a test of its own.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Expectation {
+    /// Each computes a contact space.
+    #[serde(default)]
+    pub(crate) planar: Vec<Planar>,
+    pub(crate) axes: Option<Axes>,
+    /// The function in `named.rs` that tests what has no key here.
+    pub(crate) named_test: Option<String>,
+}
+
+/// Of a contact space.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Planar {
+    /// Orientations computed; the whole turn if none is given.
+    pub(crate) window: Option<(f64, f64)>,
+    /// The moving part is the fixed one.
+    #[serde(default)]
+    pub(crate) swapped: bool,
+    pub(crate) free_regions: Option<usize>,
+    /// Free regions that are bounded.
+    pub(crate) caged_regions: Option<usize>,
+    pub(crate) conflicts: Option<u64>,
+    pub(crate) doubtful_orientations: Option<usize>,
+    /// From the first of these to the second.
+    pub(crate) resolution: Option<(f64, f64)>,
+    pub(crate) patches_more_than: Option<usize>,
+    /// Patches of the outermost region.
+    pub(crate) outer_patches_more_than: Option<usize>,
+    /// One is within 1e-10 of each of these.
+    #[serde(default)]
+    pub(crate) critical_orientations: Vec<f64>,
+    pub(crate) saved: Option<Saved>,
+    /// Slices at random orientations are right beside contact.
+    #[serde(default)]
+    pub(crate) slices_beside_contact: bool,
+    /// 10 000 random configurations beside contact are classified rightly, of which more than this many are certain.
+    pub(crate) beside_contact_more_than: Option<usize>,
+    pub(crate) around_the_origin: Option<Around>,
+    /// Slices at evenly spaced orientations are made of closed loops, as many as those from scratch.
+    #[serde(default)]
+    pub(crate) closed: bool,
+    /// In the middle of every band, both slices have loops.
+    #[serde(default)]
+    pub(crate) loops_in_every_band: bool,
+    /// Both slices at these orientations are closed.
+    #[serde(default)]
+    pub(crate) no_open_curves_at: Vec<f64>,
+    #[serde(default)]
+    pub(crate) at: Vec<At>,
+    #[serde(default)]
+    pub(crate) slice: Vec<Sliced>,
+}
+
+/// The space is read back from its text, which has some words and lacks others.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Saved {
+    #[serde(default)]
+    pub(crate) contains: Vec<String>,
+    #[serde(default)]
+    pub(crate) lacks: Vec<String>,
+}
+
+/// 3000 random configurations whose coordinates are at most so large are classified rightly.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Around {
+    pub(crate) shift: f64,
+    pub(crate) turn: f64,
+    /// Of those that are certain.
+    pub(crate) free_more_than: usize,
+}
+
+/// Who says whether a configuration is free.
+#[derive(Deserialize, Debug, Clone, Copy, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum By {
+    Space,
+    Classifier,
+    /// The slice of the space.
+    Slice,
+    /// The same; if it is doubtful it may say anything.
+    SliceUnlessDoubtful,
+    /// The slice from scratch.
+    Scratch,
+    /// Brute force.
+    Oracle,
+}
+
+/// Configurations x, y, θ.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct At {
+    /// All of them say so.
+    pub(crate) by: Vec<By>,
+    #[serde(default)]
+    pub(crate) free: Vec<[f64; 3]>,
+    #[serde(default)]
+    pub(crate) blocked: Vec<[f64; 3]>,
+    /// As brute force has it, which is certain.
+    #[serde(default)]
+    pub(crate) judged: Vec<[f64; 3]>,
+    /// Certain by more than this. If it is missing, by more than 1e-10 of the size, and within the resolution of the space any
+    /// answer is right that the space gives.
+    pub(crate) margin: Option<f64>,
+}
+
+/// Slices at some orientations.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Sliced {
+    /// `slice` or `scratch`.
+    pub(crate) of: Vec<By>,
+    pub(crate) theta: Vec<f64>,
+    pub(crate) loops: Option<usize>,
+    pub(crate) curves: Option<usize>,
+    /// The length of all curves, to 1e-8.
+    pub(crate) length: Option<f64>,
+    pub(crate) doubtful: Option<bool>,
+    /// Every curve is followed by another.
+    #[serde(default)]
+    pub(crate) closed: bool,
+}
+
+/// Of a space on fixed axes; positions are u, v.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Axes {
+    pub(crate) regions: Option<usize>,
+    pub(crate) conflicts: Option<usize>,
+    /// From the first of these to the second.
+    pub(crate) resolution: Option<(f64, f64)>,
+    /// The same as a share of the parts' size.
+    pub(crate) resolution_of_size: Option<(f64, f64)>,
+    /// These and a thousand random ones are classified rightly.
+    pub(crate) positions: Option<Vec<(f64, f64)>>,
+    /// So many of them are certain; 900 if it is missing.
+    pub(crate) certain_more_than: Option<usize>,
+    /// Random positions beyond the resolution are all blocked, and are more than this many of a thousand.
+    pub(crate) only_blocked_more_than: Option<usize>,
+    /// The parts touch.
+    #[serde(default)]
+    pub(crate) contact: Vec<(f64, f64)>,
+    /// No two of these are in one region.
+    #[serde(default)]
+    pub(crate) regions_of_their_own: Vec<(f64, f64)>,
+    /// Regions are free where they say, patches lead on within a region, and what is saved and read is the same.
+    #[serde(default)]
+    pub(crate) whole: bool,
+}

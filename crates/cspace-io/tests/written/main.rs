@@ -1,0 +1,7 @@
+//! What is written of a space, and read back.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod glb;
+mod saved_axes;
+mod saved_damage;
+mod saved_schema;

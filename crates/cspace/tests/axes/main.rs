@@ -1,0 +1,9 @@
+//! Pairs on fixed axes.
+#![allow(clippy::unwrap_used)]
+
+mod motion;
+mod nearest;
+mod oracle;
+mod patches;
+mod regions;
+mod symmetry;

@@ -1,0 +1,262 @@
+//! First contacts of pairs on fixed axes, against steps of the brute-force oracle along the way.
+//!
+//! Up to the contact no step may overlap, the contact must be one of the patch that is named, and just beyond it, where
+//! the motion goes in at an angle, the parts must overlap. A verdict of the oracle counts when it is certain of it by more
+//! than the resolution.
+
+use cspace::fixed_axes::AxesMotionOutcome;
+use cspace::fixed_axes::{AxisMotion, FixedAxesSpace};
+use cspace::{Axis, Classification};
+use cspace_oracle::Oracle;
+use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+/// What the margin of a verdict must exceed to count, as a share of the size.
+const CERTAIN: f64 = 1e-9;
+/// Motions of each mechanism, each followed by one from the contact it found.
+const MOTIONS: usize = 150;
+/// Steps of each motion.
+const STEPS: u32 = 120;
+
+/// How often what happened.
+#[derive(Default, Debug)]
+struct Tally {
+    contacts: usize,
+    entered: usize,
+    steps: usize,
+    free: usize,
+    leaves: usize,
+    from_contact: usize,
+    wrong: Vec<String>,
+}
+
+struct Trial<'a> {
+    mechanism: &'a Mechanism,
+    space: FixedAxesSpace,
+    oracle: Oracle,
+    tally: Tally,
+}
+
+impl Trial<'_> {
+    /// Overlap, if the oracle is certain of its verdict.
+    fn overlaps(&self, (u, v): (f64, f64)) -> Option<bool> {
+        let verdict = self.oracle.judge(self.space.configuration(u, v));
+        let known = CERTAIN * self.oracle.size();
+        (verdict.margin > known).then_some(verdict.overlap)
+    }
+
+    /// Follows a motion; where it touched, if it did.
+    fn follow(&mut self, from: (f64, f64), rates: (f64, f64), duration: f64) -> Option<(f64, f64)> {
+        let answer = self.space.first_contact(from, rates, duration).unwrap();
+        let at = |t: f64| (from.0 + rates.0 * t, from.1 + rates.1 * t);
+        let until = match answer {
+            AxesMotionOutcome::Free => duration,
+            AxesMotionOutcome::Leaves { time } => time,
+            AxesMotionOutcome::Contact(c) => c.time,
+        };
+        let mut wrong = |what: String| {
+            self.tally.wrong.push(format!(
+                "{}: from {from:?} at {rates:?} for {duration}: {answer:?}: {what}",
+                self.mechanism.name
+            ));
+        };
+        if !(0.0..=duration).contains(&until) {
+            wrong("the time is not in the motion".into());
+        }
+        let deep: Option<f64> = (1..STEPS)
+            .map(|k| until * f64::from(k) / f64::from(STEPS))
+            .find(|&t| {
+                let verdict = self
+                    .oracle
+                    .judge(self.space.configuration(at(t).0, at(t).1));
+                verdict.overlap && verdict.margin > CERTAIN * self.oracle.size()
+            });
+        if let Some(t) = deep {
+            wrong(format!("overlap already at {t}"));
+        }
+        let blocked = (1..STEPS)
+            .map(|k| until * f64::from(k) / f64::from(STEPS))
+            .find(|&t| {
+                self.space.classify(at(t).0, at(t).1) == Some(Classification::Blocked)
+                    && self.overlaps(at(t)) != Some(false)
+                    && until - t > 1e-9
+            });
+        // A motion along a boundary may dip into it by rounding; what is deeper the oracle has seen above.
+        if let (Some(t), None) = (blocked, deep)
+            && self
+                .space
+                .contacts(at(t).0, at(t).1, 1e-8 * self.oracle.size())
+                .is_empty()
+        {
+            self.tally
+                .wrong
+                .push(format!("{}: blocked at {t}", self.mechanism.name));
+        }
+        self.tally.steps += STEPS as usize;
+        match answer {
+            AxesMotionOutcome::Free => self.tally.free += 1,
+            AxesMotionOutcome::Leaves { .. } => self.tally.leaves += 1,
+            AxesMotionOutcome::Contact(c) => {
+                self.tally.contacts += 1;
+                self.touches(at(c.time), rates, c.patch, c.at);
+                return Some(at(c.time));
+            }
+        }
+        None
+    }
+
+    /// The contact is one of the patch; just beyond it the parts overlap where the motion goes in at an angle.
+    fn touches(&mut self, at: (f64, f64), rates: (f64, f64), patch: u32, given: (f64, f64)) {
+        let size = self.oracle.size();
+        let mut wrong = Vec::new();
+        if given != at {
+            wrong.push(format!("{given:?} is not {at:?}"));
+        }
+        let contacts = self.space.contacts(at.0, at.1, 1e-9 * size);
+        if !contacts.iter().any(|c| c.0 == patch) {
+            wrong.push(format!(
+                "{at:?} is not on patch {patch}, but on {contacts:?}"
+            ));
+        }
+        let (by_u, by_v) = self
+            .space
+            .contact_gradient(patch as usize, at.0, at.1)
+            .unwrap();
+        let slope = by_u * rates.0 + by_v * rates.1;
+        let speed = (by_u * rates.0).abs() + (by_v * rates.1).abs();
+        if slope > 1e-9 * speed {
+            wrong.push(format!("the parts part at {at:?}: {slope}"));
+        }
+        // Deeper by some 1e-6 of the size: nothing of these parts is as small.
+        if slope < -1e-2 * speed && speed > 0.0 {
+            let t = 1e-6 * size / -slope;
+            let beyond = (at.0 + rates.0 * t, at.1 + rates.1 * t);
+            if self.space.classify(beyond.0, beyond.1).is_some() {
+                match self.overlaps(beyond) {
+                    Some(true) => self.tally.entered += 1,
+                    verdict => wrong.push(format!("no overlap beyond {at:?}: {verdict:?}")),
+                }
+            }
+        }
+        for w in wrong {
+            self.tally
+                .wrong
+                .push(format!("{}: {w}", self.mechanism.name));
+        }
+    }
+}
+
+fn try_mechanism(m: &Mechanism) -> Tally {
+    let mut trial = Trial {
+        mechanism: m,
+        space: FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap(),
+        oracle: Oracle::new(&m.fixed, &m.moving),
+        tally: Tally::default(),
+    };
+    let size = trial.oracle.size();
+    let mut rng = ChaCha8Rng::seed_from_u64(41);
+    for k in 0..20 * MOTIONS {
+        if trial.tally.contacts + trial.tally.free + trial.tally.leaves >= 2 * MOTIONS {
+            break;
+        }
+        let (from, to) = (m.somewhere(size, &mut rng), m.somewhere(size, &mut rng));
+        if trial.space.classify(from.0, from.1) != Some(Classification::Free) {
+            continue;
+        }
+        let duration = 10f64.powf(rng.random_range(-1.0..1.0));
+        let share = 10f64.powf(rng.random_range(-1.5..1.0)) / duration;
+        let mut rates = (share * (to.0 - from.0), share * (to.1 - from.1));
+        match k % 4 {
+            0 => rates.0 = 0.0,
+            1 => rates.1 = 0.0,
+            _ => {}
+        }
+        let touched = trial.follow(from, rates, duration);
+        if let Some(at) = touched
+            && trial.space.classify(at.0, at.1) == Some(Classification::Contact)
+        {
+            // On from the contact, any way.
+            let other = m.somewhere(size, &mut rng);
+            let rates = (share * (other.0 - at.0), share * (other.1 - at.1));
+            trial.tally.from_contact += 1;
+            trial.follow(at, rates, duration);
+        }
+    }
+    trial.tally
+}
+
+#[test]
+fn first_contacts_agree_with_brute_force() {
+    let all = mechanisms();
+    let tried: Vec<Tally> = all.par_iter().map(try_mechanism).collect();
+    let mut sum = Tally::default();
+    for (m, t) in all.iter().zip(tried) {
+        println!(
+            "{:34} {} contacts ({} entered), {} free, {} leave, {} from contact, {} wrong",
+            m.name,
+            t.contacts,
+            t.entered,
+            t.free,
+            t.leaves,
+            t.from_contact,
+            t.wrong.len()
+        );
+        sum.contacts += t.contacts;
+        sum.entered += t.entered;
+        sum.steps += t.steps;
+        sum.free += t.free;
+        sum.leaves += t.leaves;
+        sum.from_contact += t.from_contact;
+        sum.wrong.extend(t.wrong.into_iter().take(4));
+    }
+    for w in &sum.wrong {
+        println!("{w}");
+    }
+    assert!(sum.wrong.is_empty(), "{} wrong", sum.wrong.len());
+    assert!(sum.contacts > 1500 && 2 * sum.entered > sum.contacts);
+    assert!(sum.free > 200 && sum.leaves > 50 && sum.from_contact > 500);
+}
+
+/// Every point of a drawn area, away from its border, is free; where free space is, areas are.
+#[test]
+fn drawn_areas_are_free() {
+    let mut rng = ChaCha8Rng::seed_from_u64(43);
+    for m in mechanisms() {
+        let space =
+            FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap();
+        let areas = space.free_areas(16);
+        assert_eq!(areas.is_empty(), space.regions().is_empty(), "{}", m.name);
+        if areas.is_empty() {
+            continue;
+        }
+        let mut asked = 0;
+        for _ in 0..400 {
+            let area = &areas[rng.random_range(0..areas.len())];
+            // Corners k and 2 p + 1 − k are above each other, at one value of the coordinate that is swept.
+            let k = rng.random_range(1..16);
+            let (a, b) = (area[k], area[area.len() - 1 - k]);
+            let (du, dv) = (b.0 - a.0, b.1 - a.1);
+            assert!(
+                du.abs() < 1e-9 || dv.abs() < 1e-9,
+                "{}: {a:?} {b:?}",
+                m.name
+            );
+            if du.hypot(dv) < 1e-6 {
+                continue;
+            }
+            let s = rng.random_range(0.01..0.99);
+            let (u, v) = (a.0 + s * du, a.1 + s * dv);
+            // The strip drawn for a part that does not move stands for its coordinate 0.
+            let stays = |axis: &Axis| axis.motion == AxisMotion::Fixed;
+            let u = if stays(&m.fixed_axis) { 0.0 } else { u };
+            let v = if stays(&m.moving_axis) { 0.0 } else { v };
+            asked += 1;
+            let class = space.classify(u, v);
+            assert_ne!(class, Some(Classification::Blocked), "{} {u} {v}", m.name);
+            assert!(class.is_some(), "{}: ({u}, {v}) is outside", m.name);
+        }
+        assert!(asked > 0, "{}", m.name);
+    }
+}

@@ -1,0 +1,301 @@
+//! Free regions of pairs on fixed axes against a flood fill over a grid of (u, v).
+//!
+//! The fill knows nothing but the oracle's verdicts. Two neighbours of the grid are joined when the way between them is
+//! free for certain: a step (Δu, Δv) moves no point of one part towards the other by more than the steps times the parts'
+//! reaches, and parts that move less than their clearance stay free. What the clearances at both ends do not cover is halved. So what
+//! the fill joins is joined in truth; it may only miss channels that are narrow compared to its steps.
+
+use core::f64::consts::TAU;
+use std::collections::{BTreeMap, BTreeSet};
+
+use cspace::fixed_axes::AxisMotion;
+use cspace::{Axis, FixedAxesSpace, Part, Point};
+use cspace_oracle::Oracle;
+use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
+use rayon::prelude::*;
+
+/// Values of each coordinate.
+const VALUES: usize = 360;
+/// How often a step between neighbours is halved.
+const HALVINGS: u32 = 6;
+/// What the margin of a verdict must exceed to count, as a share of the size.
+const CERTAIN: f64 = 1e-9;
+/// Places at which the clearance exceeds what a step moves, times this, must be joined by the fill if they are in one region:
+/// others may be in a cusp between two curves that no step leads out of.
+const GENEROUS: f64 = 0.5;
+
+/// The values of one coordinate.
+struct Values {
+    at: Vec<f64>,
+    /// Whether the last is followed by the first.
+    around: bool,
+    /// The farthest any point of the part moves as the coordinate grows by one.
+    reach: f64,
+}
+
+impl Values {
+    fn new(part: &Part, axis: &Axis, size: f64) -> Self {
+        let (lo, hi) = match (axis.motion, axis.range) {
+            (AxisMotion::Fixed, _) => (0.0, 0.0),
+            (_, Some(range)) => range,
+            (AxisMotion::Revolute { .. }, None) => (0.1, 0.1 + TAU),
+            (AxisMotion::Prismatic { .. }, None) => (-2.0 * size, 2.0 * size),
+        };
+        let around = axis.range.is_none() && matches!(axis.motion, AxisMotion::Revolute { .. });
+        let step = (hi - lo) / VALUES as f64;
+        let middle = |k: usize| lo + step * (k as f64 + if around { 0.0 } else { 0.5 });
+        Self {
+            at: match axis.motion {
+                AxisMotion::Fixed => vec![0.0],
+                _ => (0..VALUES).map(middle).collect(),
+            },
+            around,
+            reach: match axis.motion {
+                AxisMotion::Revolute { center } => farthest(part, center),
+                _ => 1.0,
+            },
+        }
+    }
+
+    /// How far a point of the part moves at most from one value to the next.
+    fn step(&self) -> f64 {
+        self.after(0)
+            .map_or(0.0, |(t, _)| (t - self.at[0]) * self.reach)
+    }
+
+    /// The value after the k-th, past a turn if need be, and its index.
+    fn after(&self, k: usize) -> Option<(f64, usize)> {
+        match self.at.get(k + 1) {
+            Some(&next) => Some((next, k + 1)),
+            None if self.around => Some((self.at[0] + TAU, 0)),
+            None => None,
+        }
+    }
+
+    /// The value before the k-th, past a turn if need be, and its index.
+    fn before(&self, k: usize) -> Option<(f64, usize)> {
+        match k.checked_sub(1) {
+            Some(j) => Some((self.at[j], j)),
+            None if self.around => self.at.last().map(|t| (t - TAU, self.at.len() - 1)),
+            None => None,
+        }
+    }
+}
+
+/// A distance from a point that no point of the part exceeds: an arc of chord c and bulge b is within c/2 max(1, |b|) of
+/// the chord's middle.
+fn farthest(part: &Part, from: Point) -> f64 {
+    part.edges()
+        .map(|e| {
+            let half = 0.5 * e.start.distance(e.end);
+            let middle = e.start + (e.end - e.start) * 0.5;
+            middle.distance(from) + half * e.bulge.abs().max(1.0)
+        })
+        .fold(0.0, f64::max)
+}
+
+struct Fill<'a> {
+    space: &'a FixedAxesSpace,
+    oracle: &'a Oracle,
+}
+
+impl Fill<'_> {
+    /// The clearance, if the parts are free of each other for certain.
+    fn clearance(&self, (u, v): (f64, f64)) -> Option<f64> {
+        let verdict = self.oracle.judge(self.space.configuration(u, v));
+        let certain = verdict.margin > CERTAIN * self.oracle.size();
+        (certain && !verdict.overlap).then_some(verdict.margin)
+    }
+
+    /// Whether the way from a to b is free for certain; `moved` is how far any point moves on it at most.
+    fn joined(
+        &self,
+        a: ((f64, f64), f64),
+        b: ((f64, f64), f64),
+        moved: f64,
+        halvings: u32,
+    ) -> bool {
+        if a.1 + b.1 > moved {
+            return true;
+        }
+        if halvings == 0 {
+            return false;
+        }
+        let at = (0.5 * (a.0.0 + b.0.0), 0.5 * (a.0.1 + b.0.1));
+        let Some(clearance) = self.clearance(at) else {
+            return false;
+        };
+        let middle = (at, clearance);
+        self.joined(a, middle, 0.5 * moved, halvings - 1)
+            && self.joined(middle, b, 0.5 * moved, halvings - 1)
+    }
+}
+
+fn root(of: &mut [usize], mut i: usize) -> usize {
+    while of[i] != i {
+        of[i] = of[of[i]];
+        i = of[i];
+    }
+    i
+}
+
+/// What is wrong with the regions of a mechanism, and a line about it.
+fn compare(m: &Mechanism) -> (Vec<String>, String, usize) {
+    let space = FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap();
+    let oracle = Oracle::new(&m.fixed, &m.moving);
+    let fill = Fill {
+        space: &space,
+        oracle: &oracle,
+    };
+    let us = Values::new(&m.fixed, &m.fixed_axis, oracle.size());
+    let vs = Values::new(&m.moving, &m.moving_axis, oracle.size());
+    let (rows, columns) = (us.at.len(), vs.at.len());
+    let place = |i: usize| (us.at[i / columns], vs.at[i % columns]);
+    let n = rows * columns;
+    let clear: Vec<Option<f64>> = (0..n)
+        .into_par_iter()
+        .map(|i| fill.clearance(place(i)))
+        .collect();
+    let mut of: Vec<usize> = (0..n).collect();
+    for i in 0..n {
+        let Some(clearance) = clear[i] else { continue };
+        let (u, v) = place(i);
+        let (row, column) = (i / columns, i % columns);
+        let (right, up) = (us.after(row), vs.after(column));
+        let down = vs.before(column);
+        let step = |du: Option<(f64, usize)>, dv: Option<(f64, usize)>| {
+            let ((s, k), (t, l)) = (du?, dv?);
+            let moved = (s - u).abs() * us.reach + (t - v).abs() * vs.reach;
+            Some(((s, t), k * columns + l, moved))
+        };
+        let (still_u, still_v) = (Some((u, row)), Some((v, column)));
+        let beside = [
+            step(right, still_v),
+            step(still_u, up),
+            step(right, up),
+            step(right, down),
+        ];
+        for (at, j, moved) in beside.into_iter().flatten() {
+            let (a, b) = (root(&mut of, i), root(&mut of, j));
+            let Some(there) = clear[j].filter(|_| a != b) else {
+                continue;
+            };
+            if fill.joined(((u, v), clearance), (at, there), moved, HALVINGS) {
+                of[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    let step = us.step() + vs.step();
+    let mut wrong = Vec::new();
+    let mut regions_of: BTreeMap<usize, BTreeSet<u32>> = BTreeMap::new();
+    let mut fills_of: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
+    for i in (0..n).filter(|&i| clear[i].is_some()) {
+        let (u, v) = place(i);
+        let filled = root(&mut of, i);
+        let generous = clear[i].is_some_and(|c| c > GENEROUS * step);
+        match space.region_at(u, v) {
+            None => wrong.push(format!("({u}, {v}) is free, but in no region")),
+            Some(region) => {
+                regions_of.entry(filled).or_default().insert(region);
+                if generous {
+                    fills_of.entry(region).or_default().insert(filled);
+                }
+            }
+        }
+    }
+    for (filled, regions) in &regions_of {
+        if regions.len() > 1 {
+            wrong.push(format!(
+                "{:?} hangs together, but is in {regions:?}",
+                place(*filled)
+            ));
+        }
+    }
+    for (region, filled) in &fills_of {
+        if filled.len() > 1 {
+            let places: Vec<_> = filled.iter().take(4).map(|&i| place(i)).collect();
+            wrong.push(format!(
+                "region {region} falls into {}: {places:?}",
+                filled.len()
+            ));
+        }
+    }
+    let regions = space.regions().len();
+    let on_grid: BTreeSet<u32> = regions_of.values().flatten().copied().collect();
+    if on_grid.iter().any(|&r| r as usize >= regions) {
+        wrong.push("a region that there is not".into());
+    }
+    let line = format!(
+        "{:34} {regions} regions, {} of them on the grid, {} generously; {} filled; {} of {n} free",
+        m.name,
+        on_grid.len(),
+        fills_of.len(),
+        regions_of.len(),
+        clear.iter().flatten().count(),
+    );
+    (wrong, line, fills_of.len())
+}
+
+#[test]
+fn free_regions_agree_with_a_flood_fill() {
+    let all = mechanisms();
+    let compared: Vec<(Vec<String>, String, usize)> = all.par_iter().map(compare).collect();
+    let mut sum = Vec::new();
+    let mut joined = 0;
+    for (m, (wrong, line, regions)) in all.iter().zip(compared) {
+        joined += regions;
+        println!("{line}; {} wrong", wrong.len());
+        sum.extend(
+            wrong
+                .into_iter()
+                .take(6)
+                .map(|w| format!("{}: {w}", m.name)),
+        );
+    }
+    assert!(sum.is_empty(), "{} wrong:\n{}", sum.len(), sum.join("\n"));
+    assert!(joined > 50, "{joined}");
+}
+
+/// Two gears in mesh can be put together in as many ways that no motion joins as their numbers of teeth have for greatest
+/// common divisor: turning one of them on by a tooth leads to another way, and meshing on brings some of these together.
+#[test]
+fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
+    for (n, m, ways) in [(10, 9, 1), (14, 12, 2), (9, 6, 3), (8, 8, 8), (6, 12, 6)] {
+        let g = gears(n, m);
+        let space =
+            FixedAxesSpace::compute(&g.fixed, g.fixed_axis, &g.moving, g.moving_axis).unwrap();
+        let regions = space.regions();
+        assert_eq!(regions.len(), ways, "{n} and {m}");
+        assert!(regions.iter().all(|r| r.around_u && r.around_v));
+    }
+}
+
+/// A region's sample is a configuration of it as any other: within the region's ranges and those of the motions, in the
+/// region by all queries, and free by the oracle.
+#[test]
+fn samples_lie_in_their_regions() {
+    let (mut samples, mut unrolled) = (0, 0);
+    for m in mechanisms().into_iter().chain([gears(10, 9), gears(6, 12)]) {
+        let space =
+            FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap();
+        let oracle = Oracle::new(&m.fixed, &m.moving);
+        for (i, r) in space.regions().iter().enumerate() {
+            let (u, v) = r.sample;
+            let name = format!("{}: region {i}, ({u}, {v})", m.name);
+            let within = |t: f64, (lo, hi): (f64, f64)| (lo..=hi).contains(&t);
+            assert!(within(u, r.u) && within(v, r.v), "{name}: {r:?}");
+            for (t, axis) in [(u, m.fixed_axis), (v, m.moving_axis)] {
+                assert!(axis.range.is_none_or(|range| within(t, range)), "{name}");
+            }
+            assert_eq!(space.region_at(u, v), Some(i as u32), "{name}");
+            let verdict = oracle.judge(space.configuration(u, v));
+            assert!(
+                !verdict.overlap || verdict.margin <= CERTAIN * oracle.size(),
+                "{name}"
+            );
+            samples += 1;
+            unrolled += usize::from(r.u.1 - r.u.0 > TAU || r.v.1 - r.v.0 > TAU);
+        }
+    }
+    assert!(samples > 50 && unrolled > 10, "{samples} {unrolled}");
+}

@@ -1,0 +1,11 @@
+//! Questions to spaces, and to pairs of any class.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+#[cfg(feature = "serde")]
+mod answers_saved;
+mod classifier;
+mod contact;
+mod lower;
+mod motion;
+mod nearest;
+mod pairs;

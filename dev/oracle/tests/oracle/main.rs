@@ -1,0 +1,7 @@
+//! The oracle and the shapes drawn for it.
+#![allow(clippy::unwrap_used)]
+
+mod judge;
+mod other_kernel;
+mod pairs;
+mod shapes;
