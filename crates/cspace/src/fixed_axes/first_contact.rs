@@ -106,6 +106,53 @@ impl FixedAxesSpace {
         })
     }
 
+    /// Every contact that the motion comes through, for times from 0 to `duration`, also where the parts overlap: when, which
+    /// patch, and whether the motion goes into blocked space there; in order of time.
+    ///
+    /// Roots are found as those of [`first_contact`](Self::first_contact); a motion that only touches comes through nothing.
+    ///
+    /// # Errors
+    /// If numbers are not finite, or the motion begins outside the ranges.
+    pub fn crossings(
+        &self,
+        from: (f64, f64),
+        rates: (f64, f64),
+        duration: f64,
+    ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
+        let numbers = [from.0, from.1, rates.0, rates.1, duration];
+        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
+            return Err(MotionError::NotFinite);
+        }
+        if self.placed(from.0, from.1).is_none() {
+            return Err(MotionError::StartsOutside);
+        }
+        let way = self.way(from, rates);
+        let end = self
+            .time_in_ranges(&way)
+            .map_or(duration, |t| t.min(duration));
+        // What rises on the way falls on the way back.
+        let back = Way {
+            x: way.x + way.dx * end,
+            y: way.y + way.dy * end,
+            dx: -way.dx,
+            dy: -way.dy,
+        };
+        let mut found = Vec::new();
+        for b in &self.branches {
+            let mut add = |way: &Way, enters: bool| {
+                self.falls_through(way, b.cell(), end, |time| {
+                    let time = if enters { time } else { end - time };
+                    found.push((time, b.patch, enters));
+                    false
+                });
+            };
+            add(&way, true);
+            add(&back, false);
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        Ok(found)
+    }
+
     /// The motion in the coordinates of the sweep.
     fn way(&self, from: (f64, f64), rates: (f64, f64)) -> Way {
         let (x, y) = self.map.inner(from.0, from.1);
@@ -160,6 +207,19 @@ impl FixedAxesSpace {
                 return Some(0.0);
             }
         }
+        self.falls_through(way, cell, until, |time| {
+            found = Some(time);
+            true
+        });
+        found
+    }
+
+    /// Calls `take` with every time at which the motion goes through a cell into blocked space, until it returns true.
+    fn falls_through(&self, way: &Way, cell: u32, until: f64, mut take: impl FnMut(f64) -> bool) {
+        let along = Along {
+            condition: self.condition_of(cell),
+            way,
+        };
         // Only while the way is in the cell's box.
         let (x_range, y_range) = self.cell_box(cell);
         let both = (
@@ -167,18 +227,13 @@ impl FixedAxesSpace {
             Visits::new((way.y, way.dy), y_range, self.y.is_circle(), until),
         );
         let (Some(in_x), Some(in_y)) = both else {
-            return None;
+            return;
         };
         in_x.shared(&in_y, until, |lo, hi| {
             along.falls(lo, hi, &mut |time| {
-                let here = self.touches_at(way, cell, time);
-                if here {
-                    found = Some(time);
-                }
-                here
+                self.touches_at(way, cell, time) && take(time)
             })
         });
-        found
     }
 
     fn condition_of(&self, cell: u32) -> &Condition {

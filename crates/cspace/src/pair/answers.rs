@@ -46,6 +46,18 @@ pub enum PairMotion {
     },
 }
 
+/// A contact that a motion comes through.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct PairCrossing {
+    /// When, in the unit of time of the rates.
+    pub time: f64,
+    /// The patch.
+    pub patch: PatchId,
+    /// Whether the motion goes into blocked space there; otherwise it comes out.
+    pub enters: bool,
+}
+
 /// The neighbours of a patch along the boundary of free space, each once, in order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

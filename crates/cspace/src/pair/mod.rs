@@ -20,7 +20,7 @@ mod saved;
 mod space;
 
 pub use along::{SmoothMotion, SmoothOutcome};
-pub use answers::{Neighbours, PairContact, PairMotion, PairNearest, QueryError};
+pub use answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
 pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::{FeatureId, LinkId, PatchId, RegionId};
 pub use locate::Location;

@@ -3,7 +3,7 @@
 use crate::fixed_axes::AxesMotionOutcome;
 use crate::query::{Classification, MotionOutcome};
 
-use super::answers::{Neighbours, PairContact, PairMotion, PairNearest, QueryError};
+use super::answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
 use super::ids::PatchId;
 use super::patch::PairPatch;
 use super::relation::Coordinates;
@@ -133,6 +133,40 @@ impl PairSpace {
             | (Self::Planar(_), Coordinates::Planar(_), _) => Err(self.wrong(rates)),
             _ => Err(self.wrong(from)),
         }
+    }
+
+    /// Every contact that a motion of constant rates comes through for times from 0 to `duration`, also where the parts
+    /// overlap, in order of time.
+    ///
+    /// # Errors
+    /// If coordinates are of another class, numbers are not finite, the motion begins outside the space, or the parts are a
+    /// lower pair.
+    pub fn crossings(
+        &self,
+        from: Coordinates,
+        rates: Coordinates,
+        duration: f64,
+    ) -> Result<Vec<PairCrossing>, QueryError> {
+        let found = match (self, from, rates) {
+            (Self::Lower(_), ..) => return Err(QueryError::Permanent),
+            (
+                Self::FixedAxes(space),
+                Coordinates::Axes { u, v },
+                Coordinates::Axes { u: du, v: dv },
+            ) => space.crossings((u, v), (du, dv), duration)?,
+            (Self::Planar(space), Coordinates::Planar(c), Coordinates::Planar(d)) => {
+                space.crossings(c, [d.x, d.y, d.theta], duration)?
+            }
+            (Self::FixedAxes(_), Coordinates::Axes { .. }, _)
+            | (Self::Planar(_), Coordinates::Planar(_), _) => return Err(self.wrong(rates)),
+            _ => return Err(self.wrong(from)),
+        };
+        let told = |(time, patch, enters)| PairCrossing {
+            time,
+            patch: PatchId(patch),
+            enters,
+        };
+        Ok(found.into_iter().map(told).collect())
     }
 
     /// A patch.

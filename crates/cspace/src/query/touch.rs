@@ -77,6 +77,59 @@ impl<'a> Search<'a> {
             .or_else(|| self.squeezed_in(hi))
     }
 
+    /// Every contact that the motion comes through up to `end`: when, which patch, and whether it goes into blocked space there.
+    pub(super) fn all(&self, end: f64) -> Vec<(f64, u32, bool)> {
+        let Some((lo, hi)) = self.path.times_in_reach(end) else {
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        for (lo, hi) in self.path.pieces(lo, hi) {
+            for (index, patch) in (0u32..).zip(&self.space.patches) {
+                self.presences(patch, lo, hi, |turn, from, to| {
+                    let along = Along { index, patch, turn };
+                    self.all_of(&along, from, to, &mut found);
+                });
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        // Where one piece of time ends and the next begins a contact is found in both.
+        let same = |a: &mut (f64, u32, bool), b: &mut (f64, u32, bool)| {
+            (a.1, a.2) == (b.1, b.2) && a.0 - b.0 <= 4.0 * self.narrowest
+        };
+        found.dedup_by(same);
+        found
+    }
+
+    /// The same of one patch: after each contact the search goes on behind it.
+    fn all_of(&self, along: &Along<'_>, mut lo: f64, hi: f64, found: &mut Vec<(f64, u32, bool)>) {
+        loop {
+            let mut best: Best = None;
+            self.search(along, lo, hi, &mut best);
+            let Some(touch) = best else {
+                return;
+            };
+            let rate = self.function(along, Ball::constant(touch.time)).slope.mid;
+            found.push((touch.time, along.index, rate < 0.0));
+            // Where the motion is tangent to the contact, it stays near for a while: it is one contact.
+            let mut step = 4.0 * self.narrowest;
+            while self
+                .function(along, Ball::constant(touch.time + step))
+                .value
+                .sign()
+                == 0
+            {
+                step *= 2.0;
+                if touch.time + step >= hi {
+                    return;
+                }
+            }
+            lo = touch.time + step;
+            if lo >= hi {
+                return;
+            }
+        }
+    }
+
     /// Contact of a motion that began in contact and ends in blocked space, though no patch was seen to be passed: it
     /// slid into a notch so sharp that its sides are left behind before either is passed at [`DEPTH`].
     fn squeezed_in(&self, end: f64) -> Best {

@@ -420,3 +420,54 @@ fn smooth_motions_touch_when_straight_ones_do() {
     }
     assert!(touched > 30, "{touched}");
 }
+
+/// Between crossings a motion is free or blocked as their directions say.
+#[test]
+fn crossings_are_where_free_space_ends_and_begins() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let (mut crossed, mut asked) = (0, 0);
+    for (name, space) in planar().into_iter().take(16).chain(on_axes()) {
+        let is_planar = matches!(space, PairSpace::Planar(_));
+        let far = size(&space);
+        for _ in 0..10 {
+            let mut number = |scale: f64| rng.random_range(-scale..scale);
+            let [from, rates] = if is_planar {
+                [
+                    [number(2.0 * far), number(2.0 * far), number(3.0)],
+                    [number(far), number(far), number(1.0)],
+                ]
+            } else {
+                [
+                    [number(1.0), number(1.0), 0.0],
+                    [number(1.0), number(1.0), 0.0],
+                ]
+            };
+            let motion = Straight {
+                from,
+                rates,
+                planar: is_planar,
+            };
+            let by = Straight {
+                from: rates,
+                rates: [0.0; 3],
+                planar: is_planar,
+            }
+            .at(0.0);
+            let Ok(found) = space.crossings(motion.at(0.0), by, 3.0) else {
+                continue;
+            };
+            crossed += found.len();
+            for pair in found.windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                if b.time - a.time < 1e-6 {
+                    continue;
+                }
+                let place = space.locate(motion.at(0.5 * (a.time + b.time))).unwrap();
+                let blocked = place == Location::Blocked;
+                assert_eq!(a.enters, blocked, "{name}: {a:?} {b:?} {place:?}");
+                asked += 1;
+            }
+        }
+    }
+    assert!(crossed > 100 && asked > 50, "{crossed} {asked}");
+}
