@@ -134,7 +134,7 @@ fn crate_sources(root: &Path) -> BTreeMap<Module, Source> {
         for entry in std::fs::read_dir(&folder).unwrap() {
             let path = entry.unwrap().path();
             let stem = path.file_stem().unwrap().to_str().unwrap().to_owned();
-            let inside = || [module.as_slice(), &[stem.clone()]].concat();
+            let inside = || [module.as_slice(), std::slice::from_ref(&stem)].concat();
             if path.is_dir() {
                 if stem != "bin" {
                     folders.push((path.clone(), inside()));
