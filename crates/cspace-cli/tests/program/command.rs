@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use assert_cmd::Command;
 use serde_json::Value;
+
+use crate::helpers::{cspace, fails, model, printed};
 
 const MODELS: [&str; 15] = [
     "ball_in_c",
@@ -23,43 +24,8 @@ const MODELS: [&str; 15] = [
     "snap_fastener",
 ];
 
-fn model(name: &str) -> String {
-    format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn cspace(args: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cspace").unwrap();
-    command.args(args);
-    command
-}
-
-/// What a successful run prints.
-fn printed(args: &[&str]) -> String {
-    let output = cspace(args).assert().success().get_output().clone();
-    assert!(
-        output.stderr.is_empty(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    String::from_utf8(output.stdout).unwrap()
-}
-
 fn json(args: &[&str]) -> Value {
     serde_json::from_str(&printed(args)).unwrap()
-}
-
-/// A run that fails with this code says something that contains all of `words`, and prints nothing to stdout.
-fn fails(mut command: Command, code: i32, words: &[&str]) {
-    let output = command.assert().code(code).get_output().clone();
-    assert!(
-        output.stdout.is_empty(),
-        "{}",
-        String::from_utf8_lossy(&output.stdout)
-    );
-    let message = String::from_utf8(output.stderr).unwrap();
-    for word in words {
-        assert!(message.contains(word), "no {word:?} in: {message}");
-    }
 }
 
 #[test]

@@ -3,10 +3,10 @@
 use assert_cmd::Command;
 use serde_json::Value;
 
+use crate::helpers;
+
 fn cspace(args: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cspace").unwrap();
-    command.arg("evaluate").args(args);
-    command
+    helpers::cspace(&[&["evaluate"], args].concat())
 }
 
 fn json(args: &[&str]) -> Value {

@@ -4,5 +4,6 @@
 mod classes;
 mod command;
 mod evaluate;
+mod helpers;
 #[cfg(unix)]
 mod hostile;

@@ -4,3 +4,16 @@
 mod outline;
 mod random;
 mod validation;
+
+use cspace::Vertex;
+
+/// The same loop given the other way around.
+fn backwards(vertices: &[Vertex]) -> Vec<Vertex> {
+    let n = vertices.len();
+    (0..n)
+        .map(|i| {
+            let (from, to) = (vertices[n - 1 - i], vertices[(2 * n - 2 - i) % n]);
+            Vertex::new(from.x, from.y, -to.bulge)
+        })
+        .collect()
+}

@@ -5,6 +5,8 @@ use core::f64::consts::TAU;
 use cspace::{Part, PartError, Point, Vertex};
 use proptest::prelude::*;
 
+use crate::backwards;
+
 /// A loop around the origin: at each angle one vertex, between neighbours a line or an arc that
 /// bulges by little enough to stay in the sector of its two vertices.
 ///
@@ -37,16 +39,6 @@ fn star_shaped() -> impl Strategy<Value = Vec<Vertex>> {
                 .collect()
         })
     })
-}
-
-fn backwards(vertices: &[Vertex]) -> Vec<Vertex> {
-    let n = vertices.len();
-    (0..n)
-        .map(|i| {
-            let (from, to) = (vertices[n - 1 - i], vertices[(2 * n - 2 - i) % n]);
-            Vertex::new(from.x, from.y, -to.bulge)
-        })
-        .collect()
 }
 
 /// The same loop turned by an angle, scaled and moved.

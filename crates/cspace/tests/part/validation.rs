@@ -5,6 +5,8 @@ use core::f64::consts::{PI, TAU};
 use cspace::part::tolerance::{MAX_VERTICES, RESOLUTION};
 use cspace::{Part, PartError, Point, Vertex};
 
+use crate::backwards;
+
 type Loop = Vec<Vertex>;
 
 fn polygon(corners: &[(f64, f64)]) -> Loop {
@@ -22,17 +24,6 @@ fn square(x: f64, y: f64, half: f64) -> Loop {
 
 fn circle(x: f64, y: f64, r: f64) -> Loop {
     vec![Vertex::new(x - r, y, 1.0), Vertex::new(x + r, y, 1.0)]
-}
-
-/// The same loop given the other way around.
-fn backwards(vertices: &[Vertex]) -> Loop {
-    let n = vertices.len();
-    (0..n)
-        .map(|i| {
-            let (from, to) = (vertices[n - 1 - i], vertices[(2 * n - 2 - i) % n]);
-            Vertex::new(from.x, from.y, -to.bulge)
-        })
-        .collect()
 }
 
 fn make(loops: Vec<Loop>) -> Result<Part, PartError> {

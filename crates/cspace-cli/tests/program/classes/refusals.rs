@@ -1,6 +1,6 @@
 //! What is refused, and how it is said.
 
-use super::helpers::{cspace, fails, mechanism, model, printed, with_rows};
+use crate::helpers::{cspace, fails, mechanism, model, printed, with_rows};
 
 #[test]
 fn wrong_columns_and_rows_beyond_the_range_are_told() {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::helpers::{PAIRS, classes, cspace, fails, json, mechanism, printed};
+use crate::helpers::{PAIRS, classes, cspace, fails, json, mechanism, printed};
 
 #[test]
 fn slices_and_pictures_of_fixed_axes_show_the_plane_of_the_motions() {

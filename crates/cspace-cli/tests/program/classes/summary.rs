@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json as value};
 
-use super::helpers::{PAIRS, cspace, json, mechanism, model, printed};
+use crate::helpers::{PAIRS, cspace, json, mechanism, model, printed};
 
 #[test]
 fn every_pair_of_the_mechanism_has_its_class() {

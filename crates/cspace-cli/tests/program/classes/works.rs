@@ -3,7 +3,7 @@
 use cspace::{Configuration, Point, Rotation};
 use serde_json::json as value;
 
-use super::helpers::{classes, json, mechanism, model};
+use crate::helpers::{classes, json, mechanism, model};
 
 /// The driver turns for ever. The link follows the direction of the eccentric's centre as the fork's clearance lets it:
 /// thrown by 19.5 at a distance of 100, with 0.1 to either side.

@@ -2,7 +2,8 @@
 
 use assert_cmd::Command;
 
-use super::bounds::{PROGRAM, fails, model};
+use super::bounds::{PROGRAM, fails};
+use crate::helpers::model;
 
 #[test]
 fn orientations_far_from_0_are_refused() {

@@ -13,10 +13,6 @@ const PATIENCE: Duration = Duration::from_secs(300);
 
 pub(crate) const PROGRAM: &str = env!("CARGO_BIN_EXE_cspace");
 
-pub(crate) fn model(name: &str) -> String {
-    format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
 /// Runs the command with its standard output there.
 pub(crate) fn run_to(out: impl Into<Stdio>, args: &[&str]) -> Output {
     let begin = Instant::now();

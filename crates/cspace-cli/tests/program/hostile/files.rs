@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use super::bounds::{fails, model, run_to};
+use super::bounds::{fails, run_to};
+use crate::helpers::model;
 
 const SQUARE: &str = "[[0, 0], [1, 0], [1, 1], [0, 1]]";
 

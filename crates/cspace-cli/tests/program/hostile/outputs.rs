@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use super::bounds::{PROGRAM, fails, model, names, run_to};
+use super::bounds::{PROGRAM, fails, names, run_to};
+use crate::helpers::model;
 
 /// Each command, with what it needs.
 fn commands() -> Vec<Vec<String>> {

@@ -6,7 +6,8 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use super::bounds::{PROGRAM, fails, model, run_to};
+use super::bounds::{PROGRAM, fails, run_to};
+use crate::helpers::model;
 
 const SQUARE: &str = "[[0, 0], [1, 0], [1, 1], [0, 1]]";
 
