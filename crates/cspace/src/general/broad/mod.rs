@@ -1,5 +1,16 @@
-//! Broad phase: which sheets may cross at all. Discs inside both parts block positions for certain, and what they cover
-//! is left out.
+//! Broad phase: which sheets may cross at all.
+//!
+//! A disc inside the fixed part and a disc inside the moving part overlap at all positions within a disc. Of a contact curve
+//! only what no such disc covers can bound free space:
+//!
+//! ```text
+//!        ╭───────╮
+//!   ─────┼━━━━━━━┼──────────  a contact curve: ━ is covered, and so blocked; ─ is left open
+//!        ╰───────╯
+//! ```
+//!
+//! `discs.rs` and `disc_table.rs` make the discs, `uncovered.rs` finds what is left of a curve over an interval of orientations, and
+//! `candidates.rs` gathers the pairs of sheets whose open pieces come near each other.
 
 pub(crate) mod candidates;
 pub(crate) mod covering;

@@ -1,4 +1,17 @@
-//! Cells: sheets cut by the branches that cross them, and how cells continue where sheets lie on each other.
+//! Cells: sheets cut by the branches that cross them.
+//!
+//! ```text
+//!   θ ↑  ┌──────┬─────────┐ end of the sheet
+//!     │  │      ╲  cell   │
+//!     │  │ cell  ╲────────┤ an event: the cell on the right begins anew
+//!     │  │        ╲ cell  │
+//!     │  └─────────╲──────┘
+//!             branch
+//! ```
+//!
+//! `sweep.rs` cuts, with the branches that are there at the moment (`active.rs`) in their order on the curve (`gaps.rs`). Where
+//! sheets lie on each other at one orientation, `levels.rs` and `track.rs` find which cells share a stretch of the curve;
+//! `extent.rs` measures what they share.
 
 pub(crate) mod active;
 pub(crate) mod cell;

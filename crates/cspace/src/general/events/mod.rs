@@ -1,5 +1,15 @@
-//! Events: the orientations at which crossings of sheets come, go and pass each other; and branches, the crossings between
-//! events.
+//! Events: the critical orientations, or what may be one.
+//!
+//! ```text
+//!   θ ↑        ╲ ╱      ← passing: branches a and b exchange their order on a sheet, where three sheets meet
+//!     │         ╳
+//!     │      a ╱ ╲ b
+//!     │  ─────●───┼────  ← event of a pair: the crossing a comes to be
+//! ```
+//!
+//! `trace.rs` finds where crossings of two sheets come and go (roots of α cos θ + β sin θ + γ) and follows the branches between.
+//! `triple.rs` and `passing.rs` find where branches pass each other. `clusters.rs` gathers events that cannot be told apart.
+//! `placing.rs` says where on its curve a branch is.
 
 pub(crate) mod branch;
 pub(crate) mod clusters;

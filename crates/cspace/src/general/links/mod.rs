@@ -1,5 +1,15 @@
-//! Links: chains of free cells become patches, with their neighbours, their copies by symmetry, and the regions of free
-//! space that they bound.
+//! Links: chains of free cells become patches, with their neighbours.
+//!
+//! ```text
+//!   θ ↑      ┌─────────┐
+//!     │      │ above   │        vertical link: across a critical orientation
+//!     │  ┌───┴──┬──────┴─┐
+//!     │  │ left │ right  │      side link: at a boundary curve
+//!     │  └──────┴────────┘
+//! ```
+//!
+//! `chains.rs` puts cells together, `neighbours.rs` links patches, `copies.rs` repeats the slab of a symmetric pair (Figure 4 of Sacks
+//! 1999), `assemble.rs` makes the space and `regions.rs` finds which patches bound one region of free space.
 
 pub(crate) mod assemble;
 pub(crate) mod chains;
