@@ -145,11 +145,6 @@ impl<'a> CellExtents<'a> {
         extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| self.bound(b, end, side)))
     }
 
-    /// How far places may be off where the curve is drawn in doubles.
-    pub(crate) fn drawn_error(&self) -> f64 {
-        self.speed * TURN_ERROR
-    }
-
     /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
     fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
         let rough = self.rough(branch, end);
@@ -184,7 +179,7 @@ impl<'a> CellExtents<'a> {
         } else {
             let (at, rounding) = self.at.within(b);
             let moved = self.speed * self.width / PLACE_ERROR;
-            (at, rounding * (1.0 + moved) + self.drawn_error())
+            (at, rounding * (1.0 + moved))
         };
         self.rough.push((branch, measured));
         measured

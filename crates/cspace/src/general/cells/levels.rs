@@ -273,12 +273,11 @@ impl Levels<'_> {
         let sheet = &self.geometry.contacts.sheets[index as usize];
         let curve = sheet.curve(self.clusters.at(at), self.clusters.turn(at));
         let mut extents = self.extents(index, at);
-        let drawn = extents.drawn_error();
         for &cell in cells {
             let e = extents.of(&self.cells.cells[cell as usize], side);
             let p = curve.point(0.5 * (e.lo + e.hi));
             let (along, forward) = track.ways(sheet, curve.normal(p), p);
-            let (lo, hi) = (e.lo_error + drawn, e.hi_error + drawn);
+            let (lo, hi) = (e.lo_error, e.hi_error);
             let errors = if forward { (lo, hi) } else { (hi, lo) };
             let half = 0.5 * (e.hi - e.lo);
             if half > 0.0 {
