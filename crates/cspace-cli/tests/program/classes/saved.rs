@@ -70,7 +70,7 @@ fn saved_spaces_of_every_class_answer_as_their_models_do() {
             text.contains("  model          ratchet mechanism\n"),
             "{text}"
         );
-        assert!(text.contains(" mm: a clearance below it"), "{text}");
+        assert!(text.contains(" mm; a clearance below "), "{text}");
         let summary = |args: &[&str]| timeless(json(&[&["compute"], args].concat()));
         assert_eq!(summary(&[saved]), summary(&model), "{pair}");
 
