@@ -3,8 +3,8 @@
 //! `freeze` writes what the library answers of many pairs, `compare` computes it again and says what differs:
 //!
 //! ```sh
-//! cargo run --release -p cspace-load --bin cspace-golden -- freeze /tmp/golden
-//! cargo run --release -p cspace-load --bin cspace-golden -- compare /tmp/golden
+//! cargo run --release -p cspace-load --bin cspace-golden -- freeze target/golden
+//! cargo run --release -p cspace-load --bin cspace-golden -- compare target/golden
 //! ```
 
 mod answers;
