@@ -5,7 +5,7 @@
 //! Both are on unless `default-features = false` is given.
 //!
 //! - `serde`: what is public and plain data can be written and read by `serde`, such as a
-//!   [`SavedSpace`](space::SavedSpace).
+//!   [`SpaceData`].
 //! - `rayon`: work is divided among the threads of the `rayon` pool from which it is called. Without it one thread, the
 //!   caller's, does all of it. Results are the same with any number of threads.
 
@@ -21,6 +21,7 @@ pub mod fixed_axes;
 pub mod fuzzing;
 pub(crate) mod general;
 pub mod geometry;
+mod grouped;
 pub(crate) mod number;
 pub mod pair;
 pub(crate) mod parallel;
@@ -34,7 +35,7 @@ pub use contact::{
     ContactFunction, ContactValue, FeatureShape, Placement, Spiral, Swing, Touching,
     contact_function, touching,
 };
-pub use feature::{FeatureKind, FeatureName};
+pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use number::{Dual, Scalar, SecondOrder};

@@ -67,8 +67,8 @@ pub fn check(
         if !same_with_two_threads(case, &options, &space, progress)? {
             report.faults.push(Fault::Threads);
         }
-        let saved = space.to_saved();
-        if !ContactSpace::from_saved(saved.clone()).is_ok_and(|s| s.to_saved() == saved) {
+        let data = space.data();
+        if !ContactSpace::from_data(data.clone()).is_ok_and(|s| s.data() == data) {
             report.faults.push(Fault::Saved);
         }
     }
@@ -127,7 +127,7 @@ fn same_with_two_threads(
     let other = std::thread::scope(|s| s.spawn(compute).join());
     let other = other.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
     let saved = |space: &ContactSpace| {
-        let mut saved = space.to_saved();
+        let mut saved = space.data().clone();
         saved.statistics.seconds = StageSeconds::default();
         saved
     };

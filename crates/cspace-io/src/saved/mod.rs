@@ -149,7 +149,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
 /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
 /// let text = saved::to_json(&space);
 /// let again = saved::from_json(&text, "space.json")?;
-/// assert_eq!(again.to_saved(), space.to_saved());
+/// assert_eq!(again.data(), space.data());
 /// let error = saved::from_json(r#"{"format": "contact-space", "version": 99}"#, "old.json").unwrap_err();
 /// assert!(error.message().contains("version is 99"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -179,7 +179,7 @@ const FIXED_AXES: &str = "fixed-axes-space";
 const LOWER_PAIR: &str = "lower-pair";
 
 fn contact_space(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
-    ContactSpace::from_saved(data(text, file)?).map_err(|e| wrong(&e.to_string(), file))
+    ContactSpace::from_data(data(text, file)?).map_err(|e| wrong(&e.to_string(), file))
 }
 
 fn data<T: serde::de::DeserializeOwned>(text: &str, file: &str) -> Result<T, ModelError> {
@@ -191,7 +191,7 @@ fn data<T: serde::de::DeserializeOwned>(text: &str, file: &str) -> Result<T, Mod
 /// For an example see [`from_json`].
 pub fn to_json(space: &ContactSpace) -> String {
     // Plain data with text for keys can always be written.
-    let mut text = serde_json::to_string_pretty(&space.to_saved()).unwrap_or_default();
+    let mut text = serde_json::to_string_pretty(space.data()).unwrap_or_default();
     text.push('\n');
     text
 }

@@ -107,12 +107,12 @@ pub(crate) fn check(model: &Model, e: &Planar) {
 }
 
 fn is_read_back(space: &ContactSpace, expected: &Saved) {
-    let saved = space.to_saved();
+    let saved = space.data();
     let text = serde_json::to_string(&saved).unwrap();
     let has = |word: &String| text.contains(word);
     assert!(expected.contains.iter().all(has) && !expected.lacks.iter().any(has));
     let read = serde_json::from_str(&text).unwrap();
-    assert_eq!(ContactSpace::from_saved(read).unwrap().to_saved(), saved);
+    assert_eq!(ContactSpace::from_data(read).unwrap().data(), saved);
 }
 
 impl Pair {

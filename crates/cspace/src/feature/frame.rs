@@ -8,13 +8,17 @@ use crate::part::{Edge, Part};
 /// Both parts about their own centres, scaled by a power of two into the unit disc.
 ///
 /// With centres c and d of the fixed and the moving part, and scale s, a configuration (p, θ) of the pair is at
-/// s (p − c + `R_θ` d) in this frame. The scale is a power of two, so scaling is exact.
+/// s (p − c + `R_θ` d) in this frame. The scale is a power of two, so scaling is exact. Contact functions and boundary curves
+/// of [`Patch`](crate::Patch)es are written in this frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct PairFrame {
-    pub(crate) fixed_center: Point,
-    pub(crate) moving_center: Point,
-    pub(crate) scale: f64,
+pub struct PairFrame {
+    /// Centre of the fixed part, in its own frame.
+    pub fixed_center: Point,
+    /// Centre of the moving part, in its own frame.
+    pub moving_center: Point,
+    /// A power of two.
+    pub scale: f64,
 }
 
 impl PairFrame {

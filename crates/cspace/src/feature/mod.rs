@@ -37,7 +37,7 @@ mod types;
 
 pub(crate) use as_drawn::as_drawn;
 pub(crate) use concentric::equal_sums;
-pub(crate) use frame::PairFrame;
+pub use frame::PairFrame;
 pub(crate) use growth::Growths;
 pub(crate) use inscribed::{Plenty, inscribed_discs};
 pub(crate) use material::Material;

@@ -1,7 +1,7 @@
 //! A fixed-axes space as plain data.
 
 use crate::feature::FeatureName;
-use crate::space::{SavedError, SavedPart};
+use crate::part::Part;
 
 use super::adjust::Aside;
 use super::arrange::Cell;
@@ -46,9 +46,9 @@ pub struct SavedAxesSpace {
     /// The version of the format.
     pub version: u32,
     /// The part called fixed, whose motion is u.
-    pub fixed: SavedPart,
+    pub fixed: Part,
     /// The moving part, whose motion is v.
-    pub moving: SavedPart,
+    pub moving: Part,
     /// The fixed part's axis.
     pub fixed_axis: Axis,
     /// The moving part's axis.
@@ -91,9 +91,6 @@ pub enum SavedAxesError {
         /// What it says.
         found: String,
     },
-    /// A part is none.
-    #[error(transparent)]
-    Part(#[from] SavedError),
     /// An axis is none.
     #[error(transparent)]
     Axes(#[from] AxesError),
@@ -137,8 +134,8 @@ impl From<&FixedAxesSpace> for SavedAxesSpace {
         Self {
             format: FORMAT.to_owned(),
             version: SAVED_AXES_VERSION,
-            fixed: SavedPart::of(&s.fixed),
-            moving: SavedPart::of(&s.moving),
+            fixed: s.fixed.clone(),
+            moving: s.moving.clone(),
             fixed_axis: s.axes.0,
             moving_axis: s.axes.1,
             free_regions: s.regions(),
@@ -172,7 +169,7 @@ impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
 
     fn try_from(s: SavedAxesSpace) -> Result<Self, SavedAxesError> {
         s.check()?;
-        let (fixed, moving) = (s.fixed.part()?, s.moving.part()?);
+        let (fixed, moving) = (s.fixed, s.moving);
         let setting = Setting::new(&fixed, s.fixed_axis, &moving, s.moving_axis, s.aside)?;
         let scene = &setting.scene;
         let features = |side: &super::scene::Side| side.outline.features.len() as u32;

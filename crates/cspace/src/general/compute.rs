@@ -3,20 +3,24 @@
 use core::f64::consts::TAU;
 use std::time::Instant;
 
+use crate::contact::Geometry;
 use crate::number::Dd;
 use crate::parallel;
 use crate::part::{Corresponding, Part};
 use crate::space::{
-    ComputeError, ContactSpace, Decisions, LONGEST_WINDOW, Options, Progress, Stage, StageSeconds,
-    Statistics, WINDOW_SLACK, Window,
+    ComputeError, ContactSpace, Decisions, FORMAT, FeatureCounts, LONGEST_WINDOW, Options,
+    Progress, SAVED_VERSION, Silent, SpaceData, Stage, StageSeconds, Statistics, Symmetry,
+    WINDOW_SLACK, Window,
 };
 
 use crate::general::broad::candidates::Candidates;
 use crate::general::broad::discs::Cores;
 use crate::general::cells::sweep::Sweep;
+use crate::general::events::branch::on_sheets;
 use crate::general::events::clusters::{Clusters, Moment};
-use crate::general::events::trace::{Traced, branches, pair_events};
-use crate::general::events::triple::{OnSheet, triple_events};
+use crate::general::events::gathered::Gathered;
+use crate::general::events::trace::{PairEvents, branches, pair_events};
+use crate::general::events::triple::triple_events;
 use crate::general::limits::{
     MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS,
 };
@@ -29,15 +33,6 @@ use crate::general::verdict::shells::ShellFinder;
 
 /// Error of the orientation at which two normals oppose each other (radians).
 const ALIGNMENT_ERROR: f64 = 64.0 * Dd::EPSILON;
-
-/// Does not care.
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 impl ContactSpace {
     /// Computes the contact space of two parts: by the general method, or one slab of it if a part is symmetric.
@@ -71,9 +66,15 @@ impl ContactSpace {
         options: &Options,
         progress: &dyn Progress,
     ) -> Result<Self, ComputeError> {
-        let window = checked_window(options.window)?;
-        let method = options.symmetry.into();
-        parallel::within(|| Self::compute_by(fixed, moving, window, method, progress))
+        Self::check_size(fixed, moving)?;
+        let computation = Computation {
+            fixed,
+            moving,
+            window: checked_window(options.window)?,
+            progress,
+            begin: Instant::now(),
+        };
+        parallel::within(|| computation.run(options.symmetry))
     }
 
     /// Whether the parts have few enough edges, which [`compute`](Self::compute) asks first; a slice may be as much work.
@@ -101,42 +102,58 @@ impl ContactSpace {
         }
         Ok(())
     }
+}
 
-    fn compute_by(
-        fixed: &Part,
-        moving: &Part,
-        window: Option<(f64, f64)>,
-        method: Method,
-        progress: &dyn Progress,
-    ) -> Result<Self, ComputeError> {
-        Self::check_size(fixed, moving)?;
+/// A computation: the parts, the window, and how far it has come.
+struct Computation<'a> {
+    fixed: &'a Part,
+    moving: &'a Part,
+    window: Option<(f64, f64)>,
+    progress: &'a dyn Progress,
+    begin: Instant,
+}
+
+impl Computation<'_> {
+    /// The contact space by the first method that can. Circles may be divided so that a part becomes symmetric; if one of
+    /// them is touched, its patches would be cut finer than the drawing, and symmetry of the vertices alone is used.
+    fn run(&self, symmetry: Symmetry) -> Result<ContactSpace, ComputeError> {
+        let mut method = symmetry.into();
+        loop {
+            if let Some(space) = self.by(method)? {
+                return Ok(space);
+            }
+            method = Method::Slab(Corresponding::Vertices);
+        }
+    }
+
+    /// The contact space by a method; `None` if it divides circles that are touched.
+    fn by(&self, method: Method) -> Result<Option<ContactSpace>, ComputeError> {
+        let (fixed, moving) = (self.fixed, self.moving);
         let (n, m) = (fixed.edges().count(), moving.edges().count());
         let mut seconds = StageSeconds::default();
-        let begin = Instant::now();
         let mut clock = Instant::now();
         let mut lap = |to: &mut f64| {
             *to = clock.elapsed().as_secs_f64();
             clock = Instant::now();
         };
 
-        progress.stage(Stage::Sheets)?;
+        self.progress.stage(Stage::Sheets)?;
         let Plan {
             geometry,
             symmetry,
             names,
-        } = Plan::new(fixed, moving, window, method);
-        if geometry.contacts.sheets.len() > MOST_SHEETS {
+        } = Plan::new(fixed, moving, self.window, method);
+        let (span, sheets) = (geometry.contacts.span, &geometry.contacts.sheets);
+        if sheets.len() > MOST_SHEETS {
             return Err(ComputeError::TooManyContacts {
                 fixed: n,
                 moving: m,
                 limit: MOST_SHEETS,
             });
         }
-        let span = geometry.contacts.span;
-        let sheets = &geometry.contacts.sheets;
         lap(&mut seconds.sheets);
 
-        progress.stage(Stage::Candidates)?;
+        self.progress.stage(Stage::Candidates)?;
         let cores = Cores::new(&geometry);
         let Some(mut candidates) = Candidates::find(&geometry, &cores) else {
             return Err(ComputeError::TooManyCrossings {
@@ -147,71 +164,35 @@ impl ContactSpace {
         };
         lap(&mut seconds.candidates);
 
-        progress.stage(Stage::PairEvents)?;
+        self.progress.stage(Stage::PairEvents)?;
         // What is not needed any more is dropped: a large pair takes as much memory as its largest stage.
         let pairs = core::mem::take(&mut candidates.pairs);
         let pair_count = pairs.len() as u64;
         let pair_events = pair_events(&geometry, &pairs);
-        let of_sheets = sheets.iter().flat_map(|s| [s.from, s.to]);
-        let of_slots = (candidates.slots.iter()).map(|&s| Dd::from(s));
-        let known: Vec<Moment> = of_sheets
-            .chain(of_slots)
-            .map(|theta| Moment {
-                theta,
-                error: ALIGNMENT_ERROR,
-            })
-            .collect();
         let pair_event_count = pair_events.events.len() as u64;
-        let clusters = Clusters::new(pair_events.events.iter().copied().chain(known));
+        let clusters = first_clusters(&geometry, &candidates, &pair_events);
         lap(&mut seconds.pair_events);
 
-        progress.stage(Stage::Branches)?;
-        let Traced {
-            mut branches,
-            mut coincidences,
-            mut swallowed,
-            mut pinches,
-            encounters,
-        } = branches(&geometry, &pairs, &pair_events, &clusters);
+        self.progress.stage(Stage::Branches)?;
+        let traced = branches(&geometry, &pairs, &pair_events, &clusters);
         drop((pairs, pair_events));
         lap(&mut seconds.branches);
 
-        progress.stage(Stage::TripleEvents)?;
-        let on_sheet = OnSheet::new(sheets.len(), &branches);
-        let triples = triple_events(&geometry, &branches, &encounters, &on_sheet, &clusters);
-        drop(encounters);
-        let (clusters, moved) = clusters.with(triples.events.iter().map(|m| m.event).collect());
-        for b in &mut branches {
-            b.from = moved[b.from as usize];
-            b.to = moved[b.to as usize];
-        }
-        for c in &mut coincidences {
-            c.at = moved[c.at as usize];
-        }
-        for (_, at) in &mut swallowed {
-            *at = moved[*at as usize];
-        }
-        for p in &mut pinches {
-            p.at = moved[p.at as usize];
-        }
-        pinches.sort_unstable();
-        let mut splits: Vec<(u32, u32)> = coincidences
-            .iter()
-            .flat_map(|c| [(c.first, c.at), (c.second, c.at)])
-            .chain(swallowed)
-            .collect();
-        splits.sort_unstable();
-        splits.dedup();
-        let mut passings: Vec<(u32, u32)> = triples
-            .events
-            .iter()
-            .map(|m| (m.sheet, clusters.index(m.event.theta)))
-            .collect();
-        passings.sort_unstable();
-        passings.dedup();
+        self.progress.stage(Stage::TripleEvents)?;
+        let on_sheet = on_sheets(sheets.len(), &traced.branches);
+        let triples = triple_events(&geometry, &traced, &on_sheet, &clusters);
+        let Gathered {
+            clusters,
+            branches,
+            on_sheet,
+            coincidences,
+            passings,
+            splits,
+            pinches,
+        } = Gathered::new(traced, on_sheet, &triples, &clusters);
         lap(&mut seconds.triple_events);
 
-        progress.stage(Stage::Cells)?;
+        self.progress.stage(Stage::Cells)?;
         let sweep = Sweep {
             geometry: &geometry,
             clusters: &clusters,
@@ -222,10 +203,10 @@ impl ContactSpace {
             pinches: &pinches,
         };
         let mut cells = sweep.run(&candidates.sheets);
-        drop((on_sheet, passings, splits));
+        drop((on_sheet, passings, splits, pinches));
         lap(&mut seconds.cells);
 
-        progress.stage(Stage::Shells)?;
+        self.progress.stage(Stage::Shells)?;
         let finder = ShellFinder {
             geometry: &geometry,
             clusters: &clusters,
@@ -237,8 +218,8 @@ impl ContactSpace {
         drop((candidates, coincidences));
         lap(&mut seconds.shells);
 
-        progress.stage(Stage::Graph)?;
-        let statistics = Statistics {
+        self.progress.stage(Stage::Graph)?;
+        let counts = Statistics {
             sheets: sheets.len() as u64,
             pairs: pair_count,
             pair_events: pair_event_count,
@@ -259,7 +240,12 @@ impl ContactSpace {
             },
             seconds: StageSeconds::default(),
         };
-        let (lo, hi) = window.unwrap_or((span.lo, span.lo + TAU));
+        let (lo, hi) = self.window.unwrap_or((span.lo, span.lo + TAU));
+        let window = Window {
+            lo,
+            hi,
+            full_turn: self.window.is_none(),
+        };
         let doubtful = doubtful(&clusters, &cells.cells, &shells);
         let contracted = contract(
             &geometry,
@@ -278,22 +264,13 @@ impl ContactSpace {
             },
             shells: &shells,
             doubtful: &doubtful,
-            window: Window {
-                lo,
-                hi,
-                full_turn: window.is_none(),
-            },
-            symmetry,
+            window,
             names: &names,
         };
         if assembler.divides_contacts() {
-            // Circles divided for the sake of symmetry are touched after all: rather not divide them.
-            let method = Method::Slab(Corresponding::Vertices);
-            let mut space = Self::compute_by(fixed, moving, window, method, progress)?;
-            space.statistics.seconds.total = begin.elapsed().as_secs_f64();
-            return Ok(space);
+            return Ok(None);
         }
-        let Some(mut space) = assembler.assemble(fixed, moving) else {
+        let Some(graph) = assembler.assemble() else {
             return Err(ComputeError::TooManyPatches {
                 fixed: n,
                 moving: m,
@@ -301,13 +278,42 @@ impl ContactSpace {
             });
         };
         lap(&mut seconds.graph);
-        seconds.total = begin.elapsed().as_secs_f64();
-        space.statistics = Statistics {
-            seconds,
-            ..statistics
+        seconds.total = self.begin.elapsed().as_secs_f64();
+        let (more_fixed, more_moving) = names.added();
+        let data = SpaceData {
+            format: FORMAT.to_owned(),
+            version: SAVED_VERSION,
+            fixed: fixed.clone(),
+            moving: moving.clone(),
+            window,
+            frame: geometry.frame,
+            features: FeatureCounts {
+                fixed: (geometry.fixed.feature_count - more_fixed) as u32,
+                moving: (geometry.moving.feature_count - more_moving) as u32,
+            },
+            critical_orientations: graph.critical_orientations,
+            patches: graph.patches,
+            side_links: graph.side_links,
+            vertical_links: graph.vertical_links,
+            free_regions: graph.free_regions,
+            symmetry,
+            computed_bands: graph.computed_bands,
+            doubtful_orientations: graph.doubtful_orientations,
+            statistics: Statistics { seconds, ..counts },
         };
-        Ok(space)
+        Ok(Some(ContactSpace::of(data, graph.walk, geometry.growths)))
     }
+}
+
+/// Clusters of the events of pairs, and of the orientations that are known before: where sheets begin and end.
+fn first_clusters(geometry: &Geometry, candidates: &Candidates, events: &PairEvents) -> Clusters {
+    let of_sheets = (geometry.contacts.sheets.iter()).flat_map(|s| [s.from, s.to]);
+    let of_slots = (candidates.slots.iter()).map(|&s| Dd::from(s));
+    let known = of_sheets.chain(of_slots).map(|theta| Moment {
+        theta,
+        error: ALIGNMENT_ERROR,
+    });
+    Clusters::new(events.events.iter().copied().chain(known))
 }
 
 /// The window, checked; a window of a whole turn is the full turn.

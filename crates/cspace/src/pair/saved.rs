@@ -1,7 +1,8 @@
 //! Configuration spaces of pairs of any class as plain data.
 
 use crate::fixed_axes::SavedAxesSpace;
-use crate::space::{SAVED_VERSION, SavedError, SavedPart, SavedSpace, check_head};
+use crate::part::Part;
+use crate::space::{SAVED_VERSION, SavedError, SpaceData, check_head};
 
 use super::lower::{Joint, LowerPair, PermanentContact};
 use super::space::PairSpace;
@@ -17,9 +18,9 @@ pub struct SavedLower {
     /// Version of the format.
     pub version: u32,
     /// The fixed part.
-    pub fixed: SavedPart,
+    pub fixed: Part,
     /// The moving part.
-    pub moving: SavedPart,
+    pub moving: Part,
     /// The joint.
     pub joint: Joint,
     /// Least and largest motion, radians or the model's unit of length.
@@ -36,7 +37,7 @@ pub struct SavedLower {
 #[cfg_attr(feature = "serde", serde(untagged))]
 pub enum SavedPair {
     /// Of a general or symmetric pair; its format is `contact-space`.
-    Planar(Box<SavedSpace>),
+    Planar(Box<SpaceData>),
     /// Of a pair with fixed axes; its format is `fixed-axes-space`.
     FixedAxes(Box<SavedAxesSpace>),
     /// Of a lower pair; its format is `lower-pair`.
@@ -47,7 +48,7 @@ impl PairSpace {
     /// The space as plain data.
     pub fn to_saved(&self) -> SavedPair {
         match self {
-            Self::Planar(space) => SavedPair::Planar(Box::new(space.to_saved())),
+            Self::Planar(space) => SavedPair::Planar(Box::new(space.data().clone())),
             Self::FixedAxes(space) => SavedPair::FixedAxes(Box::new(space.to_saved())),
             Self::Lower(pair) => SavedPair::Lower(Box::new(pair.to_saved())),
         }
@@ -60,8 +61,8 @@ impl LowerPair {
         SavedLower {
             format: FORMAT.to_owned(),
             version: SAVED_VERSION,
-            fixed: SavedPart::of(self.fixed()),
-            moving: SavedPart::of(self.moving()),
+            fixed: self.fixed().clone(),
+            moving: self.moving().clone(),
             joint: self.joint(),
             limits: self.limits(),
             contacts: self.contacts().to_vec(),
@@ -96,8 +97,8 @@ impl LowerPair {
             return whole("the limits", "they are not finite, or in the wrong order");
         }
         Ok(Self::new(
-            &saved.fixed.part()?,
-            &saved.moving.part()?,
+            &saved.fixed,
+            &saved.moving,
             saved.joint,
             saved.limits,
         ))

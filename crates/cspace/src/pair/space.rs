@@ -2,7 +2,7 @@
 
 use crate::fixed_axes::{AxesError, FixedAxesSpace};
 use crate::part::Part;
-use crate::space::{ComputeError, ContactSpace, FeatureCounts, Options, Progress};
+use crate::space::{ComputeError, ContactSpace, FeatureCounts, Options, Progress, Silent};
 
 use super::lower::LowerPair;
 use super::relation::{PairClass, Relation};
@@ -55,15 +55,6 @@ pub enum PairError {
         /// The class.
         class: PairClass,
     },
-}
-
-/// Does not care.
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: crate::space::Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
 }
 
 impl PairSpace {

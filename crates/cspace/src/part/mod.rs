@@ -26,6 +26,8 @@ mod sweep;
 mod symmetry;
 pub mod tolerance;
 mod vertex;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use arc::{
     ArcError, ArcSize, CENTER_TOLERANCE, CHORD_TOLERANCE, Direction, bulge_about, bulge_through,

@@ -68,11 +68,15 @@ impl ContactSpace {
 
 impl<'a> Classifier<'a> {
     fn new(space: &'a ContactSpace) -> Self {
-        let reach =
-            space.frame.reach(&space.fixed, &space.moving) + MARGIN + 2.0 * space.frame.rounding();
+        let reach = space
+            .data
+            .frame
+            .reach(&space.data.fixed, &space.data.moving)
+            + MARGIN
+            + 2.0 * space.data.frame.rounding();
         let grid = Grid::new(space, reach);
-        let drawn = space.frame.moving_center.to_vector().length();
-        let far = space.frame.outer_length(2.0 * reach) + drawn * (1.0 + 1e-12);
+        let drawn = space.data.frame.moving_center.to_vector().length();
+        let far = space.data.frame.outer_length(2.0 * reach) + drawn * (1.0 + 1e-12);
         let stores: Vec<CellStore> = presences(space, &grid)
             .par_iter()
             .enumerate()
@@ -85,10 +89,10 @@ impl<'a> Classifier<'a> {
         cells.finish(grid.side);
         Self {
             space,
-            doubts: grid.doubts(&space.doubts),
+            doubts: grid.doubts(&space.doubts()),
             grid,
             far: far * far,
-            rounding: space.frame.rounding(),
+            rounding: space.data.frame.rounding(),
             cells,
         }
     }
@@ -98,18 +102,18 @@ impl<'a> Classifier<'a> {
     #[inline]
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
         let slot = self.grid.slot(c.theta)?;
-        let from = c.position() - self.space.frame.fixed_center;
+        let from = c.position() - self.space.data.frame.fixed_center;
         let square = from.length_squared();
         // Not "at least", so that NaN comes here too.
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
             return self.classify_far(c, square);
         }
         let doubts = &self.doubts[slot];
-        if !doubts.is_empty() && self.space.doubts.hold_among(c.theta, doubts.clone()) {
+        if !doubts.is_empty() && self.space.doubts().hold_among(c.theta, doubts.clone()) {
             return self.space.classify(c);
         }
         let turn = Rotation::by(c.theta);
-        let frame = &self.space.frame;
+        let frame = &self.space.data.frame;
         let p = Point::ORIGIN + (from + turn * frame.moving_center.to_vector()) * frame.scale;
         let (Some(column), Some(row)) = (self.grid.index(p.x), self.grid.index(p.y)) else {
             return Some(Classification::Free);
@@ -156,7 +160,7 @@ impl<'a> Classifier<'a> {
         let settled = self.space.settled(c.theta);
         let mut unclear = false;
         for &i in patches {
-            let patch = &self.space.patches[i as usize];
+            let patch = &self.space.data.patches[i as usize];
             let off = off_carrier(patch, turn, p);
             if off <= self.grid.margin
                 && let Some(alive) = self.space.alive(patch, settled)

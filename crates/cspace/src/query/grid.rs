@@ -54,14 +54,15 @@ impl Grid {
         let (lo, hi) = if full_turn { (-PI, PI) } else { (lo, hi) };
         let span = hi - lo;
         let area: f64 = space
+            .data
             .patches
             .iter()
             .map(|p| {
                 let curve = space.curve(p, 0.5 * (p.lo + p.hi));
-                curve.length() * space.frame.scale * (p.hi - p.lo)
+                curve.length() * space.data.frame.scale * (p.hi - p.lo)
             })
             .sum();
-        let wanted = (CELLS_PER_PATCH * space.patches.len() as f64).max(LEAST_CELLS);
+        let wanted = (CELLS_PER_PATCH * space.data.patches.len() as f64).max(LEAST_CELLS);
         let by_contact = (2.0 * area / wanted).sqrt();
         let by_volume = (span * 4.0 * reach * reach / (ALL_CELLS * wanted)).cbrt();
         let cell = by_contact.max(by_volume);
@@ -80,7 +81,7 @@ impl Grid {
             reach,
             cell,
             cell_density: 1.0 / cell,
-            margin: MARGIN.max(2.0 * space.frame.rounding()),
+            margin: MARGIN.max(2.0 * space.data.frame.rounding()),
         }
     }
 

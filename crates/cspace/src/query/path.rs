@@ -32,8 +32,11 @@ impl Path {
             from,
             velocity,
             turning,
-            frame: space.frame,
-            reach: space.frame.reach(&space.fixed, &space.moving),
+            frame: space.data.frame,
+            reach: space
+                .data
+                .frame
+                .reach(&space.data.fixed, &space.data.moving),
         }
     }
 

@@ -22,12 +22,12 @@ pub(super) struct Presence {
 /// For every slot the patches that exist in it, or nearly.
 pub(super) fn presences(space: &ContactSpace, grid: &Grid) -> Vec<Vec<Presence>> {
     let mut all = vec![Vec::new(); grid.slots];
-    let turns: &[f64] = if space.window.full_turn {
+    let turns: &[f64] = if space.data.window.full_turn {
         &[-TAU, 0.0, TAU]
     } else {
         &[0.0]
     };
-    for (i, patch) in (0u32..).zip(&space.patches) {
+    for (i, patch) in (0u32..).zip(&space.data.patches) {
         for &turn in turns {
             for slot in grid.slots_between(patch.lo + turn - MARGIN, patch.hi + turn + MARGIN) {
                 let (lo, hi) = grid.orientations(slot);
@@ -51,7 +51,7 @@ pub(super) fn cells(
 ) -> CellStore {
     let mut passed: Vec<(u32, u32)> = Vec::new();
     for p in presences.iter().filter(|p| p.lo <= p.hi) {
-        let patch = &space.patches[p.patch as usize];
+        let patch = &space.data.patches[p.patch as usize];
         cells_of(grid, patch, (p.lo, p.hi), &mut |cell| {
             passed.push((cell as u32, p.patch));
         });
@@ -148,6 +148,10 @@ fn is_free(
             return free;
         }
     }
-    let at = space.frame.outer_from_inner(place.0, place.1).position();
+    let at = space
+        .data
+        .frame
+        .outer_from_inner(place.0, place.1)
+        .position();
     space.slice(place.1).is_free(at)
 }

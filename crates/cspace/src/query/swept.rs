@@ -212,7 +212,7 @@ mod tests {
         let (fixed, moving) = (part("fixed", 1.0), part("moving", 0.6));
         let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
         let (mut asked, mut narrow) = (0, 0);
-        for patch in &space.patches {
+        for patch in &space.data.patches {
             for half in [0.2, 0.02, 1e-3, 1e-6] {
                 for i in 0..9 {
                     let mid = patch.lo + (patch.hi - patch.lo) * f64::from(i) / 8.0;
@@ -225,7 +225,7 @@ mod tests {
                         for s in [0.0, 0.3, 0.5, 0.9, 1.0] {
                             let q = curve.point(s);
                             let c = crate::Configuration::new(q.x, q.y, theta);
-                            let p = space.frame.inner_from_outer(c);
+                            let p = space.data.frame.inner_from_outer(c);
                             assert!(!swept.is_away(p, 1e-13), "{patch:?} at {theta}");
                             asked += 1;
                         }

@@ -84,7 +84,7 @@ impl<'a> Search<'a> {
         };
         let mut found = Vec::new();
         for (lo, hi) in self.path.pieces(lo, hi) {
-            for (index, patch) in (0u32..).zip(&self.space.patches) {
+            for (index, patch) in (0u32..).zip(&self.space.data.patches) {
                 self.presences(patch, lo, hi, |turn, from, to| {
                     let along = Along { index, patch, turn };
                     self.all_of(&along, from, to, &mut found);
@@ -167,7 +167,7 @@ impl<'a> Search<'a> {
 
     fn first_between(&self, lo: f64, hi: f64) -> Best {
         let mut all: Vec<(f64, f64, Along<'_>)> = Vec::new();
-        for (index, patch) in (0u32..).zip(&self.space.patches) {
+        for (index, patch) in (0u32..).zip(&self.space.data.patches) {
             self.presences(patch, lo, hi, |turn, from, to| {
                 let along = Along { index, patch, turn };
                 all.push((from, to, along));
@@ -189,7 +189,7 @@ impl<'a> Search<'a> {
         let (a, b) = (self.path.theta(lo), self.path.theta(hi));
         let (least, most) = (a.min(b), a.max(b));
         let seam = SEAM + ROUNDING * least.abs().max(most.abs());
-        let (first, last) = if self.space.window.full_turn {
+        let (first, last) = if self.space.data.window.full_turn {
             let turns = |x: f64| x / TAU;
             (
                 turns(least - patch.hi - seam).ceil(),
@@ -252,7 +252,7 @@ impl<'a> Search<'a> {
 
     /// How near to a curve a position counts as on it.
     fn near(&self) -> f64 {
-        self.space.frame.rounding() + if self.from_contact { BESIDE } else { ON_CURVE }
+        self.space.data.frame.rounding() + if self.from_contact { BESIDE } else { ON_CURVE }
     }
 
     /// The orientations of the patch about a time: the middle, half their range, and how far the time is beyond them.
@@ -327,7 +327,7 @@ impl<'a> Search<'a> {
         if best.is_some_and(|b| b.known <= time) {
             return;
         }
-        let frame = &self.space.frame;
+        let frame = &self.space.data.frame;
         let (theta, wide, beyond) = self.within(along, time, half);
         let curve = self.space.curve(along.patch, theta);
         let p = frame.outer_from_inner(self.path.inner_at(time), theta);

@@ -48,7 +48,7 @@ pub(super) fn from_cell<'a>(
         // The nearest contact from the other side.
         let mut other = f64::INFINITY;
         for &i in patches {
-            let patch = &space.patches[i as usize];
+            let patch = &space.data.patches[i as usize];
             if space.alive(patch, theta).is_none() {
                 continue;
             }

@@ -6,52 +6,40 @@ use crate::feature::tolerance::NARROWEST_BAND;
 
 use super::options::Window;
 
-/// Disjoint intervals of orientation, radians, in ascending order.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Doubts {
-    intervals: Vec<(f64, f64)>,
-    full_turn: bool,
-}
-
-impl Doubts {
-    /// The union of intervals: of a full turn within [−π, π], wherever they were, otherwise as they are.
-    pub(crate) fn new(intervals: impl IntoIterator<Item = (f64, f64)>, window: Window) -> Self {
-        let mut all = Vec::new();
-        for (lo, hi) in intervals {
-            // Rounding, of turns and of copies by symmetry.
-            let (lo, hi) = (lo - NARROWEST_BAND, hi + NARROWEST_BAND);
-            if !window.full_turn {
-                all.push((lo.max(window.lo), hi.min(window.hi)));
-            } else if hi - lo >= TAU {
-                all.push((-PI, PI));
-            } else {
-                let turns = TAU * ((lo + PI) / TAU).floor();
-                let (lo, hi) = (lo - turns, hi - turns);
-                all.push((lo, hi.min(PI)));
-                if hi > PI {
-                    all.push((-PI, hi - TAU));
-                }
+/// Brings intervals home to a window and joins them: of a full turn within [−π, π], otherwise cut off at its ends.
+pub(crate) fn in_window(
+    intervals: impl IntoIterator<Item = (f64, f64)>,
+    window: Window,
+) -> Vec<(f64, f64)> {
+    let mut all = Vec::new();
+    for (lo, hi) in intervals {
+        // Rounding, of turns and of copies by symmetry.
+        let (lo, hi) = (lo - NARROWEST_BAND, hi + NARROWEST_BAND);
+        if !window.full_turn {
+            all.push((lo.max(window.lo), hi.min(window.hi)));
+        } else if hi - lo >= TAU {
+            all.push((-PI, PI));
+        } else {
+            let turns = TAU * ((lo + PI) / TAU).floor();
+            let (lo, hi) = (lo - turns, hi - turns);
+            all.push((lo, hi.min(PI)));
+            if hi > PI {
+                all.push((-PI, hi - TAU));
             }
         }
-        all.retain(|&(lo, hi)| lo <= hi);
-        Self {
-            intervals: union(all),
-            full_turn: window.full_turn,
-        }
     }
+    all.retain(|&(lo, hi)| lo <= hi);
+    union(all)
+}
 
-    /// Those that [`intervals`](Self::intervals) told.
-    pub(crate) fn known(intervals: Vec<(f64, f64)>, window: Window) -> Self {
-        Self {
-            intervals,
-            full_turn: window.full_turn,
-        }
-    }
+/// Disjoint intervals of orientation, radians, in ascending order; of a full turn in [−π, π].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Doubts<'a> {
+    pub(super) intervals: &'a [(f64, f64)],
+    pub(super) full_turn: bool,
+}
 
-    pub(crate) fn intervals(&self) -> &[(f64, f64)] {
-        &self.intervals
-    }
-
+impl Doubts<'_> {
     /// Whether an orientation is in one of them.
     pub(crate) fn hold(&self, theta: f64) -> bool {
         self.hold_among(theta, 0..self.intervals.len())
@@ -105,10 +93,14 @@ mod tests {
 
     #[test]
     fn intervals_are_joined_and_brought_home() {
-        let doubts = Doubts::new([(0.5, 0.7), (TAU + 0.6, TAU + 0.8), (3.0, 3.3)], TURN);
+        let intervals = in_window([(0.5, 0.7), (TAU + 0.6, TAU + 0.8), (3.0, 3.3)], TURN);
+        let doubts = Doubts {
+            intervals: &intervals,
+            full_turn: TURN.full_turn,
+        };
         let expected = [(-PI, 3.3 - TAU), (0.5, 0.8), (3.0, PI)];
-        assert_eq!(doubts.intervals().len(), expected.len());
-        for (found, expected) in doubts.intervals().iter().zip(expected) {
+        assert_eq!(intervals.len(), expected.len());
+        for (found, expected) in intervals.iter().zip(expected) {
             let off = (found.0 - expected.0).abs() + (found.1 - expected.1).abs();
             assert!(off < 4.0 * NARROWEST_BAND, "{found:?} {expected:?}");
         }
@@ -129,17 +121,19 @@ mod tests {
             hi: 5.0,
             full_turn: false,
         };
-        let doubts = Doubts::new([(3.0, 3.5), (3.9, 4.1), (4.9, 6.0)], window);
-        assert_eq!(doubts.intervals().len(), 2);
+        let intervals = in_window([(3.0, 3.5), (3.9, 4.1), (4.9, 6.0)], window);
+        let doubts = Doubts {
+            intervals: &intervals,
+            full_turn: window.full_turn,
+        };
+        assert_eq!(intervals.len(), 2);
         assert!(doubts.hold(4.05) && doubts.hold(4.0) && doubts.hold(5.0));
         assert!(!doubts.hold(4.5) && !doubts.hold(4.05 - TAU));
     }
 
     #[test]
     fn all_of_a_turn_is_all() {
-        let doubts = Doubts::new([(0.0, TAU)], TURN);
-        assert_eq!(doubts.intervals(), [(-PI, PI)]);
-        assert!(Doubts::new([], TURN).intervals().is_empty());
-        assert!(!Doubts::new([], TURN).hold(0.0));
+        assert_eq!(in_window([(0.0, TAU)], TURN), [(-PI, PI)]);
+        assert!(in_window([], TURN).is_empty());
     }
 }

@@ -1,22 +1,30 @@
 //! The contact space of a pair of parts: what was computed, as data, and what is read off it.
 
+mod band;
+mod check;
+mod data;
 mod doubts;
+mod fit;
 mod graph;
 mod options;
 mod patch;
-mod saved;
 mod slice;
 mod stats;
 mod symmetry;
+mod walk;
 
-pub(crate) use doubts::{Doubts, union};
-pub(crate) use graph::Walk;
-pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink};
-pub(crate) use options::WINDOW_SLACK;
+pub use band::Band;
+pub(crate) use band::bands;
+pub use check::SavedError;
+pub(crate) use check::check_head;
+pub(crate) use data::FORMAT;
+pub use data::{FeatureCounts, FreeRegion, SAVED_VERSION, SideLink, SpaceData, VerticalLink};
+pub(crate) use doubts::{Doubts, in_window, union};
+pub use graph::ContactSpace;
 pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage, Window};
+pub(crate) use options::{Silent, WINDOW_SLACK};
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
-pub(crate) use saved::check_head;
-pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
-pub(crate) use slice::{PASSED_ENDS, sweep};
+pub(crate) use slice::{PASSED_ENDS, Surface, sweep};
 pub use stats::{Decisions, StageSeconds, Statistics};
 pub use symmetry::{PairSymmetry, Symmetry};
+pub(crate) use walk::Walk;

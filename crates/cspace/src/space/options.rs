@@ -140,3 +140,13 @@ pub trait Progress: Sync {
     /// [`ComputeError::Interrupted`] if the user wants no more of it.
     fn stage(&self, stage: Stage) -> Result<(), ComputeError>;
 }
+
+/// Follows nothing: computations are neither shown nor stopped.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}

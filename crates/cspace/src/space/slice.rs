@@ -3,11 +3,16 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::contact::ContactFunction;
+use crate::feature::PairFrame;
 use crate::geometry::{Point, Rotation};
 use crate::slice::{CurveGeometry, Slice, SliceCurve};
 
+use super::data::SideLink;
+use super::doubts::Doubts;
 use super::graph::ContactSpace;
+use super::options::Window;
 use super::patch::Patch;
+use super::walk::Walk;
 
 impl ContactSpace {
     /// The slice at an orientation, in closed form: every patch that exists there contributes one curve.
@@ -15,11 +20,39 @@ impl ContactSpace {
     /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
     /// a [doubtful orientation](Self::doubtful_orientations) says so; that of [`Slice::compute`] may be certain there.
     pub fn slice(&self, theta: f64) -> Slice {
+        self.surface().slice(theta)
+    }
+}
+
+/// The boundary of free space: what slices are read off.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Surface<'a> {
+    pub(crate) window: Window,
+    pub(crate) frame: &'a PairFrame,
+    pub(crate) critical_orientations: &'a [f64],
+    pub(crate) patches: &'a [Patch],
+    pub(crate) side_links: &'a [SideLink],
+    pub(crate) walk: &'a Walk,
+    /// Orientations in doubt.
+    pub(crate) doubtful: &'a [(f64, f64)],
+}
+
+impl<'a> Surface<'a> {
+    /// The orientations in doubt, to be asked.
+    pub(crate) fn doubts(&self) -> Doubts<'a> {
+        Doubts {
+            intervals: self.doubtful,
+            full_turn: self.window.full_turn,
+        }
+    }
+
+    /// The slice at an orientation; see [`ContactSpace::slice`].
+    pub(crate) fn slice(&self, theta: f64) -> Slice {
         let mut curves = Vec::new();
         let mut number = vec![u32::MAX; self.patches.len()];
         let mut at = Vec::new();
         let settled = self.settled(theta);
-        for (i, patch) in (0u32..).zip(&self.patches) {
+        for (i, patch) in (0u32..).zip(self.patches) {
             if let Some(t) = self.alive(patch, settled) {
                 number[i as usize] = curves.len() as u32;
                 at.push((i, t));
@@ -34,15 +67,14 @@ impl ContactSpace {
         }
         for (curve, &(i, t)) in curves.iter_mut().zip(&at) {
             let last = t == self.patches[i as usize].hi;
-            let link = self
-                .links_after(i)
-                .find(|l| l.lo <= t && (t < l.hi || (last && t <= l.hi)));
+            let mut links = (self.walk.after(i).iter()).map(|&l| &self.side_links[l as usize]);
+            let link = links.find(|l| l.lo <= t && (t < l.hi || (last && t <= l.hi)));
             // The link's orientations are those of the patch before it.
             if let Some(link) = link {
                 curve.next = number[link.after as usize];
             }
         }
-        Slice::from_curves(theta, curves, self.doubts.hold(theta), &self.frame)
+        Slice::from_curves(theta, curves, self.doubts().hold(theta), self.frame)
     }
 
     /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.
@@ -53,7 +85,7 @@ impl ContactSpace {
         /// Some roundings, and twice as many; radians, relative to orientations beyond one.
         const NEAR: f64 = 4e-15;
         const ASIDE: f64 = 8e-15;
-        let (window, critical) = (&self.window, &self.critical_orientations);
+        let (window, critical) = (&self.window, self.critical_orientations);
         let scale = theta.abs().max(1.0);
         // Where critical orientations are: in [−π, π), wherever the turn was cut.
         let turns = if window.full_turn {

@@ -313,7 +313,7 @@ fn circles_that_are_nearly_one() {
 fn saved_spaces_and_what_is_no_configuration() {
     let pair = pair("random 2");
     let space = space_of(&pair);
-    let saved = ContactSpace::from_saved(space.to_saved()).unwrap();
+    let saved = ContactSpace::from_data(space.data().clone()).unwrap();
     let (classifier, again) = (space.classifier(), saved.classifier());
     assert_eq!(classifier.bytes(), again.bytes());
     let far = Classification::Free;

@@ -19,7 +19,7 @@ fn classification_agrees_with_brute_force() {
     for name in NAMES {
         let p = pair(name);
         let space = ContactSpace::compute(&p.fixed, &p.moving, &Options::default()).unwrap();
-        let saved = ContactSpace::from_saved(space.to_saved()).unwrap();
+        let saved = ContactSpace::from_data(space.data().clone()).unwrap();
         let oracle = Oracle::new(&p.fixed, &p.moving);
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         for near in near_contact_about(&oracle, &p.notable, &mut rng, 100) {

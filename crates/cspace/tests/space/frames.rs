@@ -189,7 +189,10 @@ fn the_number_of_threads_does_not_matter() {
                 .num_threads(threads)
                 .build()
                 .unwrap();
-            let mut saved = pool.install(|| space(&pair.fixed, &pair.moving)).to_saved();
+            let mut saved = pool
+                .install(|| space(&pair.fixed, &pair.moving))
+                .data()
+                .clone();
             saved.statistics.seconds = StageSeconds::default();
             saved
         };

@@ -129,7 +129,7 @@ impl Mesh {
         let mut mesher = Mesher {
             space,
             tolerance: options.tolerance * size,
-            scale: space.to_saved().frame.scale,
+            scale: space.data().frame.scale,
             mesh: Self::default(),
             most,
             numbers: Vec::new(),

@@ -41,7 +41,7 @@ fn the_schema_names_format_and_version() {
     );
     assert_eq!(
         schema["properties"]["format"]["const"],
-        space("ball_in_c", None).to_saved().format
+        space("ball_in_c", None).data().format
     );
 }
 
@@ -54,7 +54,7 @@ fn exports_of_shipped_models_and_of_hard_pairs_follow_the_schema() {
         has_no_mark(&value, name);
         // And they are read, as the same.
         let again = saved::from_json(&value.to_string(), name).unwrap();
-        assert_eq!(again.to_saved(), space.to_saved(), "{name}");
+        assert_eq!(again.data(), space.data(), "{name}");
     };
     for model in [
         "ball_in_c",

@@ -1,19 +1,16 @@
 //! A grid over the plane of positions that tells which of many discs may come near a place.
 
 use crate::geometry::Point;
+use crate::grouped::Grouped;
 
 /// The number of squares along each side.
 const SIDE: usize = 24;
 
-/// Squares, each with the discs that may reach into it.
+/// Discs by the squares that they may reach into.
 #[derive(Debug)]
 pub(crate) struct Grid {
-    lo: f64,
-    /// Squares per unit of length.
-    scale: f64,
-    /// The discs of square k are `list[first[k]..first[k + 1]]`.
-    first: Vec<u32>,
-    list: Vec<u32>,
+    squares: Squares,
+    discs: Grouped,
 }
 
 impl Grid {
@@ -24,44 +21,44 @@ impl Grid {
             lo = lo.min(c.x.min(c.y) - r);
             hi = hi.max(c.x.max(c.y) + r);
         }
-        let mut grid = Self {
+        let squares = Squares {
             lo,
             scale: SIDE as f64 / (hi - lo).max(f64::MIN_POSITIVE),
-            first: vec![0; SIDE * SIDE + 1],
-            list: Vec::new(),
         };
-        for (c, r) in discs.clone() {
-            for k in grid.squares(c, r + reach) {
-                grid.first[k + 1] += 1;
-            }
+        let pairs = (0u32..).zip(discs).flat_map(move |(i, (c, r))| {
+            let reached = squares.reached(c, r + reach);
+            reached.map(move |k| (k as u32, i))
+        });
+        Self {
+            squares,
+            discs: Grouped::new(SIDE * SIDE, pairs),
         }
-        for k in 0..SIDE * SIDE {
-            grid.first[k + 1] += grid.first[k];
-        }
-        let mut at = grid.first.clone();
-        grid.list = vec![0; grid.first[SIDE * SIDE] as usize];
-        for (i, (c, r)) in (0..).zip(discs) {
-            for k in grid.squares(c, r + reach) {
-                grid.list[at[k] as usize] = i;
-                at[k] += 1;
-            }
-        }
-        grid
     }
 
     /// The discs that may come within the reach of a place.
     pub(crate) fn near(&self, p: Point) -> &[u32] {
-        let k = self.index(p.x) * SIDE + self.index(p.y);
-        &self.list[self.first[k] as usize..self.first[k + 1] as usize]
+        let (i, j) = (self.squares.index(p.x), self.squares.index(p.y));
+        self.discs.of((i * SIDE + j) as u32)
     }
+}
 
-    /// The row or column of a coordinate; those beyond the grid count to its ends.
+/// A square of squares; what is beyond counts to those at its edges.
+#[derive(Debug, Clone, Copy)]
+struct Squares {
+    /// Least coordinate (length).
+    lo: f64,
+    /// Squares per unit of length.
+    scale: f64,
+}
+
+impl Squares {
+    /// The row or column of a coordinate.
     fn index(&self, v: f64) -> usize {
         (((v - self.lo) * self.scale) as usize).min(SIDE - 1)
     }
 
     /// The squares that a disc may reach into.
-    fn squares(&self, c: Point, r: f64) -> impl Iterator<Item = usize> + use<> {
+    fn reached(&self, c: Point, r: f64) -> impl Iterator<Item = usize> + Clone + use<> {
         let columns = self.index(c.x - r)..=self.index(c.x + r);
         let (from, to) = (self.index(c.y - r), self.index(c.y + r));
         columns.flat_map(move |i| (from..=to).map(move |j| i * SIDE + j))

@@ -1,6 +1,7 @@
 //! Cutting each sheet into cells by a sweep over orientation.
 
 use crate::contact::Geometry;
+use crate::grouped::{Grouped, starts};
 use crate::parallel;
 
 use crate::general::broad::candidates::SheetRun;
@@ -11,14 +12,13 @@ use crate::general::cells::gaps::Gaps;
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
 use crate::general::events::pinches::{Pinch, pinches_of};
-use crate::general::events::triple::OnSheet;
 
 /// Everything a sweep reads.
 pub(crate) struct Sweep<'a> {
     pub(crate) geometry: &'a Geometry,
     pub(crate) clusters: &'a Clusters,
     pub(crate) branches: &'a [Branch],
-    pub(crate) on_sheet: &'a OnSheet,
+    pub(crate) on_sheet: &'a Grouped,
     /// Sheets with the clusters at which branches pass each other on them, sorted.
     pub(crate) passings: &'a [(u32, u32)],
     /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
@@ -91,13 +91,8 @@ impl Sweep<'_> {
                     ..v
                 }));
         }
-        all.first = vec![0; self.geometry.contacts.sheets.len() + 1];
-        for c in &all.cells {
-            all.first[c.sheet as usize + 1] += 1;
-        }
-        for i in 1..all.first.len() {
-            all.first[i] += all.first[i - 1];
-        }
+        let sheets = self.geometry.contacts.sheets.len();
+        all.first = starts(sheets, all.cells.iter().map(|c| c.sheet));
         all
     }
 

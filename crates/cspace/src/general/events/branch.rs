@@ -1,5 +1,7 @@
 //! Branches: crossings of two sheets, followed over the orientations at which they exist.
 
+use crate::grouped::Grouped;
+
 /// One crossing of two sheets from one cluster of events to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Branch {
@@ -26,4 +28,13 @@ impl Branch {
     pub(crate) fn enters(&self, sheet: u32) -> bool {
         (self.first == sheet) == self.enters
     }
+}
+
+/// The branches on every sheet.
+pub(crate) fn on_sheets(sheets: usize, branches: &[Branch]) -> Grouped {
+    let numbered = (0u32..).zip(branches);
+    Grouped::new(
+        sheets,
+        numbered.flat_map(|(i, b)| [(b.first, i), (b.second, i)]),
+    )
 }

@@ -1,6 +1,7 @@
 //! Which sheets can have points in common: three sheets meet only where every two of them do.
 
 use crate::contact::Geometry;
+use crate::grouped::starts;
 
 use crate::general::events::trace::Encounter;
 
@@ -14,13 +15,8 @@ pub(crate) struct Meetings<'a> {
 
 impl<'a> Meetings<'a> {
     pub(crate) fn new(geometry: &'a Geometry, encounters: &'a [Encounter]) -> Self {
-        let mut start = vec![0u32; geometry.contacts.sheets.len() + 1];
-        for e in encounters {
-            start[e.first as usize + 1] += 1;
-        }
-        for i in 1..start.len() {
-            start[i] += start[i - 1];
-        }
+        let sheets = geometry.contacts.sheets.len();
+        let start = starts(sheets, encounters.iter().map(|e| e.first));
         Self {
             geometry,
             encounters,

@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 
 use crate::contact::{ExactTurn, Geometry};
+use crate::grouped::Grouped;
 use crate::number::{Dd, TrigPolynomial};
 use crate::parallel;
 
@@ -16,41 +17,7 @@ use crate::general::events::clusters::{Clusters, Moment, SAME};
 use crate::general::events::meetings::Meetings;
 use crate::general::events::passing::{Passing, Sample};
 use crate::general::events::placing::ExactPlacing;
-use crate::general::events::trace::Encounter;
-
-/// The branches on every sheet, as indices; the branches of sheet i are `list[first[i]..first[i + 1]]`.
-#[derive(Debug)]
-pub(crate) struct OnSheet {
-    first: Vec<u32>,
-    list: Vec<u32>,
-}
-
-impl OnSheet {
-    pub(crate) fn new(sheets: usize, branches: &[Branch]) -> Self {
-        let mut first = vec![0u32; sheets + 1];
-        for b in branches {
-            first[b.first as usize + 1] += 1;
-            first[b.second as usize + 1] += 1;
-        }
-        for i in 0..sheets {
-            first[i + 1] += first[i];
-        }
-        let mut at = first.clone();
-        let mut list = vec![0; 2 * branches.len()];
-        for (i, b) in (0u32..).zip(branches) {
-            for sheet in [b.first, b.second] {
-                let slot = &mut at[sheet as usize];
-                list[*slot as usize] = i;
-                *slot += 1;
-            }
-        }
-        Self { first, list }
-    }
-
-    pub(crate) fn of(&self, sheet: u32) -> &[u32] {
-        &self.list[self.first[sheet as usize] as usize..self.first[sheet as usize + 1] as usize]
-    }
-}
+use crate::general::events::trace::Traced;
 
 /// In intervals narrower than this (radians) samples of branches tell which of them pass each other.
 const NARROW: f64 = 1e-5;
@@ -61,12 +28,12 @@ const CHUNK: usize = 32;
 /// All orientations at which branches pass each other on a sheet where that can matter, with the sheet.
 pub(crate) fn triple_events(
     geometry: &Geometry,
-    branches: &[Branch],
-    encounters: &[Encounter],
-    on_sheet: &OnSheet,
+    traced: &Traced,
+    on_sheet: &Grouped,
     clusters: &Clusters,
 ) -> Triples {
-    let meetings = Meetings::new(geometry, encounters);
+    let branches = &traced.branches;
+    let meetings = Meetings::new(geometry, &traced.encounters);
     let found = parallel::chunks(&geometry.contacts.sheets, CHUNK, |first, sheets| {
         let mut all = Triples::default();
         for sheet in (first as u32..).take(sheets.len()) {

@@ -1,12 +1,10 @@
 //! From free cells to the contact graph: chains of cells become patches, and patches are copied from slab to slab.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 use crate::contact::{ContactFunction, SlabMotion};
 use crate::feature::{FeatureName, Outline};
 use crate::parallel;
-use crate::part::Part;
 
 use crate::general::cells::cell::END;
 use crate::general::limits::MOST_PATCHES;
@@ -17,10 +15,9 @@ use crate::general::links::regions::{Copying, find_regions};
 use crate::general::symmetry::Names;
 use crate::general::verdict::doubt::doubts;
 use crate::general::verdict::shells::Shells;
-use crate::space::PairSymmetry;
-use crate::space::Statistics;
-use crate::space::{Boundary, Patch};
-use crate::space::{ContactSpace, FeatureCounts, Walk, Window};
+use crate::space::{
+    Boundary, FreeRegion, Patch, SideLink, Surface, VerticalLink, Walk, Window, bands,
+};
 
 /// Everything the graph is made from.
 pub(crate) struct Assembler<'a> {
@@ -29,8 +26,19 @@ pub(crate) struct Assembler<'a> {
     /// Orientations that are in doubt in the slab that was computed.
     pub(crate) doubtful: &'a [(f64, f64)],
     pub(crate) window: Window,
-    pub(crate) symmetry: PairSymmetry,
     pub(crate) names: &'a Names,
+}
+
+/// The contact graph: all of a contact space that is found by computing.
+pub(crate) struct Graph {
+    pub(crate) critical_orientations: Vec<f64>,
+    pub(crate) patches: Vec<Patch>,
+    pub(crate) side_links: Vec<SideLink>,
+    pub(crate) vertical_links: Vec<VerticalLink>,
+    pub(crate) free_regions: Vec<FreeRegion>,
+    pub(crate) computed_bands: u32,
+    pub(crate) doubtful_orientations: Vec<(f64, f64)>,
+    pub(crate) walk: Walk,
 }
 
 impl Assembler<'_> {
@@ -51,7 +59,7 @@ impl Assembler<'_> {
     }
 
     /// `None` if there are more patches than a contact space has room for.
-    pub(crate) fn assemble(&self, fixed: &Part, moving: &Part) -> Option<ContactSpace> {
+    pub(crate) fn assemble(&self) -> Option<Graph> {
         let Linker {
             geometry, clusters, ..
         } = self.linker;
@@ -62,7 +70,7 @@ impl Assembler<'_> {
         if lifts.len() > MOST_PATCHES {
             return None;
         }
-        let patches = self.patches(&chains, &lifts);
+        let mut patches = self.patches(&chains, &lifts);
         let links = Links {
             linker: self.linker,
             shells: self.shells,
@@ -72,7 +80,8 @@ impl Assembler<'_> {
         let (side_links, vertical_links) =
             parallel::join(|| links.side(&patches), || links.vertical());
         let critical_orientations = lifts.critical_orientations(&chains.chains);
-        let doubts = doubts(
+        let bands = bands(self.window, &critical_orientations).len();
+        let doubtful_orientations = doubts(
             self.doubtful,
             &lifts,
             (&patches, &side_links),
@@ -80,32 +89,6 @@ impl Assembler<'_> {
             self.window,
         );
         let walk = Walk::new(patches.len(), &side_links, &vertical_links);
-        let (more_fixed, more_moving) = self.names.added();
-        let mut space = ContactSpace {
-            fixed: fixed.clone(),
-            moving: moving.clone(),
-            window: self.window,
-            frame: geometry.frame,
-            critical_orientations,
-            patches,
-            side_links,
-            vertical_links,
-            regions: Vec::new(),
-            features: FeatureCounts {
-                fixed: (geometry.fixed.feature_count - more_fixed) as u32,
-                moving: (geometry.moving.feature_count - more_moving) as u32,
-            },
-            symmetry: self.symmetry,
-            computed_bands: 0,
-            statistics: Statistics::default(),
-            walk,
-            doubts,
-            grown: geometry
-                .frame
-                .grown((fixed, geometry.growths.0), (moving, geometry.growths.1)),
-            bodies: Arc::default(),
-        };
-        space.computed_bands = lifts.computed_bands(&chains.chains, space.bands().len()) as u32;
         let copying = if steps.slabs == 1 {
             Copying::None {
                 shells: self.shells_of_patches(&chains, &lifts),
@@ -115,8 +98,29 @@ impl Assembler<'_> {
         } else {
             Copying::Some
         };
-        find_regions(&mut space, &copying);
-        Some(space)
+        let surface = Surface {
+            window: self.window,
+            frame: &geometry.frame,
+            critical_orientations: &critical_orientations,
+            patches: &patches,
+            side_links: &side_links,
+            walk: &walk,
+            doubtful: &doubtful_orientations,
+        };
+        let regions = find_regions(&surface, &vertical_links, &copying);
+        for (patch, region) in patches.iter_mut().zip(regions.of_patches) {
+            patch.region = region;
+        }
+        Some(Graph {
+            computed_bands: lifts.computed_bands(&chains.chains, bands) as u32,
+            critical_orientations,
+            patches,
+            side_links,
+            vertical_links,
+            free_regions: regions.regions,
+            doubtful_orientations,
+            walk,
+        })
     }
 
     /// The shell of each patch, unless an end of the window cuts it: what hangs together beyond does not count.

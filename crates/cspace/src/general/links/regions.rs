@@ -7,13 +7,14 @@
 use std::collections::BTreeMap;
 
 use crate::contact::Steps;
+use crate::feature::PairFrame;
 use crate::feature::tolerance::JOINT;
 use crate::geometry::{Configuration, Point, Vector};
 use crate::slice::{CurveGeometry, Slice, is_on_arc};
 use crate::union_find::UnionFind;
 
 use crate::general::links::copies::normalized;
-use crate::space::{ContactSpace, FreeRegion};
+use crate::space::{FreeRegion, Surface, VerticalLink};
 
 /// How the patches of a space are copies of each other.
 pub(crate) enum Copying {
@@ -44,13 +45,13 @@ impl Copying {
     }
 
     /// A configuration shifted by some slabs.
-    fn configuration(&self, space: &ContactSpace, c: Configuration, slabs: u32) -> Configuration {
+    fn configuration(&self, frame: &PairFrame, c: Configuration, slabs: u32) -> Configuration {
         match self {
             Self::Slabs(steps) if slabs > 0 => {
                 let slabs = i64::from(slabs);
-                let p = steps.motion(slabs).point(space.frame.inner_from_outer(c));
+                let p = steps.motion(slabs).point(frame.inner_from_outer(c));
                 let theta = normalized(c.theta + steps.period(slabs));
-                space.frame.outer_from_inner(p, theta)
+                frame.outer_from_inner(p, theta)
             }
             _ => c,
         }
@@ -63,17 +64,29 @@ const FEW_SHELLS: usize = 64;
 /// How far from its ends a slice must pass a patch to stand for its shell, as a share of its orientations.
 const WELL_AWAY: f64 = 0.25;
 
-/// Numbers the regions, the unbounded one first, and tells each patch its own.
-pub(crate) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
-    let n = space.patches.len();
+/// The free regions that a surface bounds.
+pub(crate) struct Regions {
+    /// The unbounded one first.
+    pub(crate) regions: Vec<FreeRegion>,
+    /// The region of each patch.
+    pub(crate) of_patches: Vec<u32>,
+}
+
+/// Numbers the regions, and tells each patch its own.
+pub(crate) fn find_regions(
+    surface: &Surface<'_>,
+    vertical_links: &[VerticalLink],
+    copying: &Copying,
+) -> Regions {
+    let n = surface.patches.len();
     // One more member stands for all that is far away.
     let far = n as u32;
-    let joint = space.frame.outer_length(JOINT);
+    let joint = surface.frame.outer_length(JOINT);
     let mut sets = UnionFind::new(n + 1);
-    for l in &space.side_links {
+    for l in surface.side_links {
         sets.union(l.before, l.after);
     }
-    for l in &space.vertical_links {
+    for l in vertical_links {
         sets.union(l.lower, l.upper);
     }
     if let Copying::None { shells } = copying {
@@ -87,7 +100,7 @@ pub(crate) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
     }
     // One slice through each shell, at the middle of its longest-lived patch; shells that are copies have copies of one.
     const NONE: u32 = u32::MAX;
-    let life = |i: u32| space.patches[i as usize].hi - space.patches[i as usize].lo;
+    let life = |i: u32| surface.patches[i as usize].hi - surface.patches[i as usize].lo;
     let shell: Vec<u32> = (0..n as u32).map(|i| sets.find(i)).collect();
     let mut longest = vec![NONE; n];
     for (i, &s) in (0u32..).zip(&shell) {
@@ -107,7 +120,7 @@ pub(crate) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
             let copy = copying.copy(i, slabs, far);
             let seen = &mut done[shell[copy as usize] as usize];
             if !core::mem::replace(seen, true) {
-                samples.push((copy, copying.configuration(space, inside, slabs)));
+                samples.push((copy, copying.configuration(surface.frame, inside, slabs)));
             }
         }
     };
@@ -120,8 +133,8 @@ pub(crate) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
             take(i, inside, &mut done);
             continue;
         }
-        let p = &space.patches[i as usize];
-        let slice = space.slice(0.5 * (p.lo + p.hi));
+        let p = &surface.patches[i as usize];
+        let slice = surface.slice(0.5 * (p.lo + p.hi));
         let mut together: Vec<(u32, u32)> = Vec::new();
         for l in &slice.loops {
             for w in l.windows(2) {
@@ -141,7 +154,7 @@ pub(crate) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
             continue;
         }
         for j in slice.curves.iter().filter_map(|c| c.patch) {
-            let (p, s) = (&space.patches[j as usize], shell[j as usize] as usize);
+            let (p, s) = (&surface.patches[j as usize], shell[j as usize] as usize);
             let margin = (slice.theta - p.lo).min(p.hi - slice.theta);
             if !done[s] && passed[s].is_none() && margin > WELL_AWAY * (p.hi - p.lo) {
                 passed[s] = Some((j, sample(&slice, j, joint)));
@@ -151,9 +164,7 @@ pub(crate) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
     let mut regions: Vec<FreeRegion> = Vec::new();
     let mut number = vec![NONE; n + 1];
     number[sets.find(far) as usize] = 0;
-    let far_sample = space
-        .frame
-        .outer_from_inner(Point::new(8.0, 0.0), space.window.lo);
+    let far_sample = (surface.frame).outer_from_inner(Point::new(8.0, 0.0), surface.window.lo);
     regions.push(FreeRegion {
         unbounded: true,
         sample: far_sample,
@@ -170,16 +181,20 @@ pub(crate) fn find_regions(space: &mut ContactSpace, copying: &Copying) {
             });
         }
     }
+    let mut of_patches = Vec::with_capacity(n);
     for i in 0..n as u32 {
         // Every patch is in a shell through which a slice was made, and has a number.
         let region = match number[sets.find(i) as usize] {
             NONE => 0,
             region => region,
         };
-        space.patches[i as usize].region = region;
+        of_patches.push(region);
         regions[region as usize].patches += 1;
     }
-    space.regions = regions;
+    Regions {
+        regions,
+        of_patches,
+    }
 }
 
 /// Joins every loop with free space outside to what surrounds it.

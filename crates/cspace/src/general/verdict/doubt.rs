@@ -12,7 +12,7 @@ use crate::general::cells::cell::Cell;
 use crate::general::events::clusters::Clusters;
 use crate::general::links::copies::Lifts;
 use crate::general::verdict::shells::Shells;
-use crate::space::{Doubts, Patch, SideLink, Window, union};
+use crate::space::{Patch, SideLink, Window, in_window, union};
 
 /// Bands narrower than this (radians) are in doubt: doubles do not tell places on curves that cross there at as small an angle.
 const NARROW: f64 = 2.0 * NARROWEST_BAND;
@@ -34,7 +34,7 @@ pub(crate) fn doubts(
     (patches, side_links): (&[Patch], &[SideLink]),
     critical_orientations: &[f64],
     window: Window,
-) -> Doubts {
+) -> Vec<(f64, f64)> {
     let copies = doubtful.iter().flat_map(|&(lo, hi)| {
         lifts.shifts(lo, hi).map(move |slabs| {
             let by = lifts.steps.period(slabs);
@@ -52,7 +52,7 @@ pub(crate) fn doubts(
         .filter(|w| w[1] - w[0] < NARROW)
         .map(|w| (w[0], w[1]));
     let open = unlinked(patches, side_links);
-    Doubts::new(copies.chain(narrow).chain(open), window)
+    in_window(copies.chain(narrow).chain(open), window)
 }
 
 /// The orientations at which a patch is followed by none.

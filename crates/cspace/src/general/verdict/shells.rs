@@ -2,6 +2,7 @@
 
 use crate::contact::{Curve, ExactTurn, Geometry};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::grouped::Grouped;
 use crate::number::Dd;
 use crate::parallel;
 use crate::union_find::UnionFind;
@@ -153,24 +154,11 @@ impl ShellFinder<'_> {
         // At a branch the outer piece of the sheet that enters is followed by the outer piece of the other.
         let starts_outside =
             |c: &Cell| c.left != END && !self.branches[c.left as usize].enters(c.sheet);
-        let mut first = vec![0u32; self.branches.len() + 1];
-        for c in cells.iter().filter(|c| starts_outside(c)) {
-            first[c.left as usize + 1] += 1;
-        }
-        for i in 1..first.len() {
-            first[i] += first[i - 1];
-        }
-        let mut at = first.clone();
-        let mut starts = vec![0u32; first[first.len() - 1] as usize];
-        for (i, c) in (0u32..).zip(cells).filter(|(_, c)| starts_outside(c)) {
-            let slot = &mut at[c.left as usize];
-            starts[*slot as usize] = i;
-            *slot += 1;
-        }
+        let starting = (0u32..).zip(cells).filter(|(_, c)| starts_outside(c));
+        let starting = Grouped::new(self.branches.len(), starting.map(|(i, c)| (c.left, i)));
         for (i, c) in (0u32..).zip(cells) {
             if c.right != END && self.branches[c.right as usize].enters(c.sheet) {
-                let range = first[c.right as usize] as usize..first[c.right as usize + 1] as usize;
-                for &after in &starts[range] {
+                for &after in starting.of(c.right) {
                     join(i, after, c.right);
                 }
             }

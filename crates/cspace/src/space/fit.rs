@@ -1,28 +1,31 @@
-//! Whether saved patches lie where contacts of the saved parts can be.
+//! Whether patches that were read lie where contacts of the parts can be.
 
 use crate::feature::PairFrame;
 use crate::geometry::Point;
 use crate::part::{Corresponding, Part};
-use crate::space::graph::SideLink;
-use crate::space::patch::Patch;
 
-use super::{Check, SavedFrame, SavedSpace, ensure};
+use super::data::{SideLink, SpaceData};
+use super::patch::Patch;
+
+/// Nothing, or what is wrong.
+pub(super) type Check = Result<(), &'static str>;
+
+/// That something holds; otherwise `why` says what is wrong.
+pub(super) fn ensure(holds: bool, why: &'static str) -> Check {
+    if holds { Ok(()) } else { Err(why) }
+}
 
 /// Lengths of the pair's frame are known better than that.
 const SLACK: f64 = 1e-6;
 
 /// That the frame is the one in which a computation of these parts writes patches.
-pub(crate) fn check_frame(saved: &SavedSpace, fixed: &Part, moving: &Part) -> Check {
-    let SavedFrame {
+pub(super) fn check_frame(data: &SpaceData) -> Check {
+    let (fixed, moving, frame) = (&data.fixed, &data.moving, data.frame);
+    let PairFrame {
         fixed_center,
         moving_center,
         scale,
-    } = saved.frame;
-    let frame = PairFrame {
-        fixed_center,
-        moving_center,
-        scale,
-    };
+    } = frame;
     let near = |a: Point, b: Point| a.distance(b) * scale <= SLACK.min(frame.rounding());
     let is_center = |part: &Part, center: Point| {
         // With one slab all was computed about the centres of the boxes.
@@ -31,7 +34,7 @@ pub(crate) fn check_frame(saved: &SavedSpace, fixed: &Part, moving: &Part) -> Ch
             symmetrized.is_some_and(|s| near(s.center, center))
         };
         near(PairFrame::center(part), center)
-            || (saved.symmetry.slabs > 1
+            || (data.symmetry.slabs > 1
                 && (by_symmetry(Corresponding::Outlines) || by_symmetry(Corresponding::Vertices)))
     };
     ensure(
@@ -68,7 +71,7 @@ fn inside(lo: f64, hi: f64) -> [f64; 3] {
 const BRIEF: f64 = 1e-8;
 
 /// That a patch begins and ends on its own contact surface, where the parts can touch.
-pub(crate) fn check_ends(p: &Patch, reach: f64) -> Check {
+pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
     if p.hi - p.lo < BRIEF {
         return Ok(());
     }
@@ -89,7 +92,7 @@ pub(crate) fn check_ends(p: &Patch, reach: f64) -> Check {
 }
 
 /// That where one patch ends the next one begins.
-pub(crate) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
+pub(super) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
     let [before, after] = [link.before, link.after].map(|i| patches.get(i as usize));
     let (Some(before), Some(after)) = (before, after) else {
         return Err("there is no such patch");

@@ -1,0 +1,47 @@
+//! From patch to patch: the links of every patch, found in constant time.
+
+use crate::grouped::Grouped;
+
+use super::data::{SideLink, VerticalLink};
+
+/// For every patch its links, by the end at which they lie.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Walk {
+    after: Grouped,
+    before: Grouped,
+    above: Grouped,
+    below: Grouped,
+}
+
+impl Walk {
+    pub(crate) fn new(patches: usize, side: &[SideLink], vertical: &[VerticalLink]) -> Self {
+        let side = || (0u32..).zip(side);
+        let vertical = || (0u32..).zip(vertical);
+        Self {
+            after: Grouped::new(patches, side().map(|(i, l)| (l.before, i))),
+            before: Grouped::new(patches, side().map(|(i, l)| (l.after, i))),
+            above: Grouped::new(patches, vertical().map(|(i, l)| (l.lower, i))),
+            below: Grouped::new(patches, vertical().map(|(i, l)| (l.upper, i))),
+        }
+    }
+
+    /// Numbers of the side links at the right boundary of a patch, in order of orientation.
+    pub(crate) fn after(&self, patch: u32) -> &[u32] {
+        self.after.of(patch)
+    }
+
+    /// Numbers of the side links at the left boundary of a patch, in order of orientation.
+    pub(crate) fn before(&self, patch: u32) -> &[u32] {
+        self.before.of(patch)
+    }
+
+    /// Numbers of the vertical links at the last orientation of a patch.
+    pub(crate) fn above(&self, patch: u32) -> &[u32] {
+        self.above.of(patch)
+    }
+
+    /// Numbers of the vertical links at the first orientation of a patch.
+    pub(crate) fn below(&self, patch: u32) -> &[u32] {
+        self.below.of(patch)
+    }
+}
