@@ -1,6 +1,6 @@
 //! Files for `cspace`: models in, contact spaces out and in again.
 //!
-//! [`read`] reads a file, whichever of the two it holds; [`Model::read`] and [`saved::read`] read one of them. Every
+//! [`read`] reads a file, whichever of the two it holds; [`model::read`] and [`saved::read`] read one of them. Every
 //! error is a [`ModelError`]: it names the file, the line, the part, loop and vertex, and says what to do.
 //!
 //! Saved contact spaces are JSON; `docs/contact-space.schema.json` in the project's repository describes them field by
@@ -14,5 +14,5 @@ pub mod shown;
 pub mod write;
 
 pub use angle::{LARGEST_ANGLE, parse_angle};
-pub use model::{Joint, JointKind, Model, ModelError, Motion, Pair, PairClass, PartEntry};
+pub use model::ModelError;
 pub use saved::{Document, SavedFile, read};

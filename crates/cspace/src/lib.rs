@@ -22,6 +22,7 @@ pub mod fuzzing;
 pub(crate) mod general;
 pub mod geometry;
 mod grouped;
+pub mod mechanism;
 pub(crate) mod number;
 pub mod pair;
 pub(crate) mod parallel;
@@ -38,6 +39,7 @@ pub use contact::{
 pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use geometry::{Configuration, Point, Rotation, Vector};
+pub use mechanism::{JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
 pub use number::{Dual, Scalar, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use cspace::{Configuration, Part};
-use cspace_io::Model;
+use cspace_io::{model};
 use cspace_oracle::shapes::gear;
 
 /// Two parts by name.
@@ -49,7 +49,7 @@ pub(crate) fn pairs() -> Result<Vec<Pair>, Box<dyn Error>> {
     for (name, file, [x, y, theta]) in FILES {
         let path = models().join(file);
         let text = std::fs::read_to_string(&path)?;
-        let model = Model::from_toml(&text, &path.display().to_string())?;
+        let model = model::from_toml(&text, &path.display().to_string())?;
         let pair = model.pairs.first().ok_or("a model without a pair")?;
         let part = |index: usize| model.parts[index].part.clone();
         pairs.push(Pair {

@@ -4,7 +4,8 @@ use core::fmt;
 use std::error::Error;
 
 use cspace::Part;
-use cspace_io::{Model, Motion, Pair, PartEntry};
+use cspace::{Mechanism, PairEntry, PartEntry};
+use cspace_io::model;
 
 /// An answer that is wrong.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,22 +27,22 @@ impl Finding {
     pub(crate) fn about(self, fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> Self {
         let entry = |part: &Part| PartEntry {
             part: part.clone(),
-            motion: Motion::Planar,
+            axis: None,
             symmetry: None,
         };
-        let model = Model {
+        let model = Mechanism {
             name: "found by fuzzing".into(),
             unit: None,
             parts: vec![entry(fixed), entry(moving)],
             joints: Vec::new(),
-            pairs: vec![Pair {
+            pairs: vec![PairEntry {
                 fixed: 0,
                 moving: 1,
                 window,
             }],
         };
         Self {
-            model: Some(model.to_toml()),
+            model: Some(model::to_toml(&model)),
             ..self
         }
     }

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use cspace_io::{Model, Motion, Pair, PartEntry};
+use cspace::{Mechanism, PairEntry, PartEntry};
+use cspace_io::model;
 use cspace_oracle::Case;
 
 /// Configurations in the comment of one file.
@@ -20,7 +21,7 @@ pub(crate) fn write(
 ) -> Result<(), String> {
     let failed = |e: std::io::Error| format!("{}: {e}", folder.display());
     std::fs::create_dir_all(folder).map_err(failed)?;
-    let mut text = format!("# Pair {number}: {name}.\n");
+    let mut text = format!("# PairEntry {number}: {name}.\n");
     for line in said.iter().take(SHOWN) {
         let _ = writeln!(text, "# {line}");
     }
@@ -29,20 +30,20 @@ pub(crate) fn write(
     }
     let entry = |part: &cspace::Part| PartEntry {
         part: part.clone(),
-        motion: Motion::Planar,
+        axis: None,
         symmetry: None,
     };
-    let model = Model {
+    let model = Mechanism {
         name: name.to_owned(),
         unit: None,
         parts: vec![entry(&case.fixed), entry(&case.moving)],
         joints: Vec::new(),
-        pairs: vec![Pair {
+        pairs: vec![PairEntry {
             fixed: 0,
             moving: 1,
             window: case.window,
         }],
     };
-    text.push_str(&model.to_toml());
+    text.push_str(&model::to_toml(&model));
     std::fs::write(folder.join(format!("{number}-{kind}.toml")), text).map_err(failed)
 }

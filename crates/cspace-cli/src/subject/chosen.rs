@@ -1,13 +1,13 @@
 //! What is known of a pair before anything is computed.
 
+use cspace::PairEntry;
 use cspace::{Axis, AxisMotion, PairClass, PairError, PairSpace, Part, Relation};
-use cspace_io::Pair;
 
 use super::{Chosen, Subject};
 use crate::failure::Failure;
 
 impl Chosen<'_> {
-    fn part(&self, of: impl Fn(&Pair) -> usize, saved: impl Fn(&PairSpace) -> &Part) -> &Part {
+    fn part(&self, of: impl Fn(&PairEntry) -> usize, saved: impl Fn(&PairSpace) -> &Part) -> &Part {
         match (self.subject, &self.pair) {
             (Subject::Model { model, .. }, Some(pair)) => &model.parts[of(pair)].part,
             (Subject::Saved(file), _) => saved(&file.space),

@@ -7,7 +7,8 @@ mod space;
 use std::path::PathBuf;
 
 use cspace::PairClass;
-use cspace_io::{Document, Model, Pair, SavedFile};
+use cspace::{Mechanism, PairEntry};
+use cspace_io::{Document, SavedFile};
 
 use crate::args::Common;
 use crate::failure::{Failure, note};
@@ -23,7 +24,7 @@ pub(crate) enum Subject {
         /// Where it was read from.
         path: PathBuf,
         /// What it says.
-        model: Box<Model>,
+        model: Box<Mechanism>,
     },
     /// A configuration space that was computed before.
     Saved(Box<SavedFile>),
@@ -32,7 +33,7 @@ pub(crate) enum Subject {
 /// A pair of a subject.
 pub(crate) struct Chosen<'a> {
     subject: &'a Subject,
-    pair: Option<Pair>,
+    pair: Option<PairEntry>,
     /// Whether symmetry is to be ignored.
     general: bool,
 }
@@ -121,7 +122,7 @@ impl Subject {
             without.push(format!("{} ({})", chosen.names(), chosen.class()));
             if let (Self::Model { model, .. }, Some(pair)) = (self, &mut chosen.pair) {
                 // What the file itself says of it remains, and is refused.
-                let same = |p: &&Pair| (p.fixed, p.moving) == (pair.fixed, pair.moving);
+                let same = |p: &&PairEntry| (p.fixed, p.moving) == (pair.fixed, pair.moving);
                 pair.window = model.pairs.iter().find(same).and_then(|p| p.window);
             }
         }
@@ -185,7 +186,7 @@ impl Subject {
             .map(|pair| Chosen {
                 subject: self,
                 general: common.general,
-                pair: Some(Pair {
+                pair: Some(PairEntry {
                     window: window.or(pair.window),
                     ..pair
                 }),

@@ -2,12 +2,16 @@
 
 use std::path::Path;
 
-use cspace_io::{Model, Pair};
+use cspace::{Mechanism, PairEntry};
 
 use crate::failure::Failure;
 
 /// The pair with the parts of these names; its window is that of the file where it lists the pair, either way around.
-pub(super) fn named_pair(path: &Path, model: &Model, names: &str) -> Result<Pair, Failure> {
+pub(super) fn named_pair(
+    path: &Path,
+    model: &Mechanism,
+    names: &str,
+) -> Result<PairEntry, Failure> {
     let known = || {
         let list: Vec<&str> = model.parts.iter().map(|p| p.part.name()).collect();
         format!("the parts are {}", list.join(", "))
@@ -47,8 +51,8 @@ pub(super) fn named_pair(path: &Path, model: &Model, names: &str) -> Result<Pair
             .find(|p| p.fixed == fixed && p.moving == moving)
             .copied()
     };
-    let exchanged = |p: Pair| p.window.map(|(lo, hi)| (-hi, -lo));
-    Ok(listed(fixed, moving).unwrap_or(Pair {
+    let exchanged = |p: PairEntry| p.window.map(|(lo, hi)| (-hi, -lo));
+    Ok(listed(fixed, moving).unwrap_or(PairEntry {
         fixed,
         moving,
         window: listed(moving, fixed).and_then(exchanged),

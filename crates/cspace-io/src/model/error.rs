@@ -11,7 +11,7 @@ use crate::shown;
 ///
 /// ```
 /// let text = "[[part]]\nname = \"pin\"\nloops = [[[0, 0], [1]]]\n";
-/// let error = cspace_io::Model::from_toml(text, "pin.toml").unwrap_err();
+/// let error = cspace_io::model::from_toml(text, "pin.toml").unwrap_err();
 /// assert_eq!(error.line(), Some(3));
 /// assert_eq!(error.place(), "part 0 \"pin\", loop 0, vertex 1");
 /// assert_eq!(error.help(), Some("a vertex is [x, y] or [x, y, bulge]"));

@@ -1,12 +1,10 @@
-//! Mechanisms and their file format: parts, motions, joints and pairs, in TOML or JSON.
+//! The file format of mechanisms: parts, motions, joints and pairs, in TOML or JSON.
 //!
 //! A file is read in three steps, each of which reports what it finds wrong as a [`ModelError`]: bytes become text,
-//! text becomes a tree of values, the tree becomes a [`Model`].
+//! text becomes a tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism).
 
-mod class;
 mod error;
 mod locate;
-mod mechanism;
 mod node;
 mod parts;
 mod place;
@@ -18,6 +16,7 @@ mod to_toml;
 
 pub(crate) use read::no_json;
 
-pub use cspace::PairClass;
 pub use error::ModelError;
-pub use mechanism::{Joint, JointKind, Model, Motion, Pair, PartEntry};
+pub(crate) use read::from_text;
+pub use read::{from_json, from_toml, read};
+pub use to_toml::to_toml;

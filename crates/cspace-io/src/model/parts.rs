@@ -2,10 +2,9 @@
 
 use std::collections::HashMap;
 
-use cspace::{Part, PartError, Point, Vector, Vertex};
+use cspace::{Axis, MechanismError, Part, PartEntry, PartError, Point, Vector, Vertex};
 
 use super::error::ModelError;
-use super::mechanism::{Motion, PartEntry};
 use super::node::Node;
 use super::place::Place;
 use super::suggest::nearest;
@@ -67,32 +66,33 @@ fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
         .map(|(i, l)| read_loop(&loops_place, i, l))
         .collect::<Result<Vec<_>>>()?;
     let part = Part::new(name, loops).map_err(|e| no_part(&loops_place, &e))?;
-    let motion = match table.get("motion") {
+    let axis = match table.get("motion") {
         Some(m) => read_motion(place.key("motion").further("motion"), m)?,
-        None => Motion::default(),
+        None => None,
     };
-    let symmetry = table.count("symmetry")?;
-    if let Some(fold) = symmetry {
-        check_symmetry(&table, &part, fold)?;
-    }
-    Ok(PartEntry {
+    let entry = PartEntry {
         part,
-        motion,
-        symmetry,
-    })
+        axis,
+        symmetry: table.count("symmetry")?,
+    };
+    check_symmetry(&table, &entry)?;
+    Ok(entry)
 }
 
 /// Symmetry is found from the outline anyway; what is declared must not contradict it.
-fn check_symmetry(table: &Table<'_>, part: &Part, fold: u32) -> Result<()> {
-    if part.is_symmetric(fold) {
+fn check_symmetry(table: &Table<'_>, entry: &PartEntry) -> Result<()> {
+    let Err(MechanismError::Symmetry {
+        declared, largest, ..
+    }) = entry.check(0)
+    else {
         return Ok(());
-    }
+    };
     let message = format!(
-        "part {} is not {fold}-fold symmetric: turning it by 360/{fold} degrees about its centre does not map its outline to itself",
-        quoted(part.name())
+        "part {} is not {declared}-fold symmetric: turning it by 360/{declared} degrees about its centre does not map its outline to itself",
+        quoted(entry.part.name())
     );
     let error = table.error("symmetry", message);
-    Err(error.with_help(match part.symmetry().fold() {
+    Err(error.with_help(match largest {
         1 => "it has no rotational symmetry: remove `symmetry`".to_owned(),
         largest => format!(
             "the largest is {largest}-fold: give symmetry = {largest}, or remove it, for it is found anyway"
@@ -223,7 +223,8 @@ fn read_vertex(node: &Node) -> core::result::Result<Vertex, String> {
     Ok(Vertex::new(read[0], read[1], read[2]))
 }
 
-fn read_motion(place: Place, node: &Node) -> Result<Motion> {
+/// The axis of a motion; none of a part that moves freely.
+fn read_motion(place: Place, node: &Node) -> Result<Option<Axis>> {
     const KINDS: [&str; 4] = ["fixed", "revolute", "prismatic", "planar"];
     const HELP: &str = "give it as motion = { type = \"planar\" }";
     let all = ["type", "center", "direction", "range"];
@@ -233,24 +234,24 @@ fn read_motion(place: Place, node: &Node) -> Result<Motion> {
         .ok_or_else(|| table.missing("type", "type = \"revolute\""))?;
     let only = |keys: &[&str]| Table::new(node, place.clone(), keys, HELP);
     match kind {
-        "fixed" => only(&["type"]).map(|_| Motion::Fixed),
-        "planar" => only(&["type"]).map(|_| Motion::Planar),
+        "fixed" => only(&["type"]).map(|_| Some(Axis::FIXED)),
+        "planar" => only(&["type"]).map(|_| None),
         "revolute" => {
             let table = only(&["type", "center", "range"])?;
             let (x, y) = table
                 .point("center")?
                 .ok_or_else(|| table.missing("center", "center = [0, 0]"))?;
-            Ok(Motion::Revolute {
-                center: Point::new(x, y),
+            Ok(Some(Axis {
                 range: table.interval("range", true)?,
-            })
+                ..Axis::revolute(Point::new(x, y))
+            }))
         }
         "prismatic" => {
             let table = only(&["type", "direction", "range"])?;
-            Ok(Motion::Prismatic {
-                direction: direction(&table)?,
+            Ok(Some(Axis {
                 range: table.interval("range", false)?,
-            })
+                ..Axis::prismatic(direction(&table)?)
+            }))
         }
         other => {
             let error = table.error("type", format!("unknown type of motion {}", quoted(other)));

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use cspace::Mechanism;
+
 use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column};
-use super::mechanism::{Model, every_two};
 use super::node::Node;
 use super::parts::read_parts;
 use super::place::Place;
@@ -33,107 +34,105 @@ fn largest(path: &Path) -> u64 {
     }
 }
 
-impl Model {
-    /// Reads a model file: `.toml`, or the same structure as `.json`.
-    ///
-    /// ```
-    /// # let folder = tempfile::tempdir()?;
-    /// # let path = folder.path().join("pin.toml");
-    /// std::fs::write(&path, "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n")?;
-    /// let model = cspace_io::Model::read(&path)?;
-    /// assert_eq!(model.name, "pin"); // the file's name, since the file gives none
-    /// assert_eq!(model.parts.len(), 1);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
-    pub fn read(path: impl AsRef<Path>) -> core::result::Result<Self, ModelError> {
-        let path = path.as_ref();
-        let extension = extension(path);
-        if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
-            let message = match extension.as_str() {
-                "" => "the name has no extension".to_owned(),
-                _ => format!("the extension .{extension} is not that of a model file"),
-            };
-            return Err(ModelError::of_file(message)
-                .with_help("model files end in .toml or .json")
-                .in_file(&path.display().to_string()));
-        }
-        Self::from_text(path, &read_text(path, largest(path))?)
+/// Reads a model file: `.toml`, or the same structure as `.json`.
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("pin.toml");
+/// std::fs::write(&path, "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n")?;
+/// let model = cspace_io::model::read(&path)?;
+/// assert_eq!(model.name, "pin"); // the file's name, since the file gives none
+/// assert_eq!(model.parts.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
+pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelError> {
+    let path = path.as_ref();
+    let extension = extension(path);
+    if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
+        let message = match extension.as_str() {
+            "" => "the name has no extension".to_owned(),
+            _ => format!("the extension .{extension} is not that of a model file"),
+        };
+        return Err(ModelError::of_file(message)
+            .with_help("model files end in .toml or .json")
+            .in_file(&path.display().to_string()));
     }
+    from_text(path, &read_text(path, largest(path))?)
+}
 
-    /// The model in the text of a file, whose extension tells whether it is JSON.
-    pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Self, ModelError> {
-        let file = path.display().to_string();
-        // It may have been read as a saved space, which may be longer.
-        let limit = largest(path);
-        if text.len() as u64 > limit {
-            return Err(too_large(path, limit));
-        }
-        let mut model = if extension(path) == "json" {
-            Self::from_json(text, &file)
-        } else {
-            Self::from_toml(text, &file)
-        }?;
-        if model.name.is_empty() {
-            model.name = path
-                .file_stem()
-                .map(|s| shown::text(&s.to_string_lossy()).into_owned())
-                .unwrap_or_default();
-        }
-        Ok(model)
+/// The model in the text of a file, whose extension tells whether it is JSON.
+pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechanism, ModelError> {
+    let file = path.display().to_string();
+    // It may have been read as a saved space, which may be longer.
+    let limit = largest(path);
+    if text.len() as u64 > limit {
+        return Err(too_large(path, limit));
     }
+    let mut model = if extension(path) == "json" {
+        from_json(text, &file)
+    } else {
+        from_toml(text, &file)
+    }?;
+    if model.name.is_empty() {
+        model.name = path
+            .file_stem()
+            .map(|s| shown::text(&s.to_string_lossy()).into_owned())
+            .unwrap_or_default();
+    }
+    Ok(model)
+}
 
-    /// Reads a model from TOML text; `file` is what errors call it.
-    ///
-    /// ```
-    /// use cspace_io::Model;
-    /// let model = Model::from_toml("[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n", "pin.toml")?;
-    /// assert_eq!(model.parts[0].part.loops().len(), 1);
-    /// let error = Model::from_toml("[[part]]\nnmae = \"pin\"\n", "pin.toml").unwrap_err();
-    /// assert_eq!(error.to_string(), "pin.toml:2:1: part 0: unknown key \"nmae\"");
-    /// assert_eq!(error.help(), Some("did you mean `name`?"));
-    /// # Ok::<(), cspace_io::ModelError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If the text is no model; the error names the line, part, loop and vertex.
-    pub fn from_toml(text: &str, file: &str) -> core::result::Result<Self, ModelError> {
-        let text = without_mark(text);
-        not_empty(text).map_err(|e| e.in_file(file))?;
-        let tree: Node = toml::from_str(text).map_err(|e| {
-            ModelError::of_file(format!("the file is no TOML: {}", e.message()))
-                .with_help("see the message for what was expected there")
-                .at(e.span().map(|span| line_and_column(text, span.start)))
-                .in_file(file)
-        })?;
-        from_tree(&tree).map_err(|e| {
-            let position = in_toml(text, e.tree_place());
-            e.at(position).in_file(file)
-        })
-    }
+/// Reads a model from TOML text; `file` is what errors call it.
+///
+/// ```
+/// use cspace_io::model;
+/// let model = model::from_toml("[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n", "pin.toml")?;
+/// assert_eq!(model.parts[0].part.loops().len(), 1);
+/// let error = model::from_toml("[[part]]\nnmae = \"pin\"\n", "pin.toml").unwrap_err();
+/// assert_eq!(error.to_string(), "pin.toml:2:1: part 0: unknown key \"nmae\"");
+/// assert_eq!(error.help(), Some("did you mean `name`?"));
+/// # Ok::<(), cspace_io::ModelError>(())
+/// ```
+///
+/// # Errors
+/// If the text is no model; the error names the line, part, loop and vertex.
+pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
+    let text = without_mark(text);
+    not_empty(text).map_err(|e| e.in_file(file))?;
+    let tree: Node = toml::from_str(text).map_err(|e| {
+        ModelError::of_file(format!("the file is no TOML: {}", e.message()))
+            .with_help("see the message for what was expected there")
+            .at(e.span().map(|span| line_and_column(text, span.start)))
+            .in_file(file)
+    })?;
+    from_tree(&tree).map_err(|e| {
+        let position = in_toml(text, e.tree_place());
+        e.at(position).in_file(file)
+    })
+}
 
-    /// Reads a model from JSON text; `file` is what errors call it.
-    ///
-    /// ```
-    /// let text = r#"{"part": [{"name": "pin", "loops": [[[6, 0, 1], [8, 0, 1]]]}]}"#;
-    /// let model = cspace_io::Model::from_json(text, "pin.json")?;
-    /// assert_eq!(model.parts[0].part.name(), "pin");
-    /// # Ok::<(), cspace_io::ModelError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If the text is no model; the error names the line, part, loop and vertex.
-    pub fn from_json(text: &str, file: &str) -> core::result::Result<Self, ModelError> {
-        let text = without_mark(text);
-        not_empty(text).map_err(|e| e.in_file(file))?;
-        let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-        from_tree(&tree).map_err(|e| {
-            let position = in_json(text, e.tree_place());
-            e.at(position).in_file(file)
-        })
-    }
+/// Reads a model from JSON text; `file` is what errors call it.
+///
+/// ```
+/// let text = r#"{"part": [{"name": "pin", "loops": [[[6, 0, 1], [8, 0, 1]]]}]}"#;
+/// let model = cspace_io::model::from_json(text, "pin.json")?;
+/// assert_eq!(model.parts[0].part.name(), "pin");
+/// # Ok::<(), cspace_io::ModelError>(())
+/// ```
+///
+/// # Errors
+/// If the text is no model; the error names the line, part, loop and vertex.
+pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
+    let text = without_mark(text);
+    not_empty(text).map_err(|e| e.in_file(file))?;
+    let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
+    from_tree(&tree).map_err(|e| {
+        let position = in_json(text, e.tree_place());
+        e.at(position).in_file(file)
+    })
 }
 
 /// What is wrong with the text as JSON.
@@ -168,7 +167,7 @@ fn not_empty(text: &str) -> Result<()> {
     Ok(())
 }
 
-fn from_tree(tree: &Node) -> Result<Model> {
+fn from_tree(tree: &Node) -> Result<Mechanism> {
     let root = Place::default();
     let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
     let parts = table
@@ -189,14 +188,16 @@ fn from_tree(tree: &Node) -> Result<Model> {
         .unwrap_or_default();
     let joints = read_joints(&table.place.key("joint"), joints, &parts)?;
     let pairs = match table.list("pair", "write each pair as [[pair]], in two brackets")? {
-        None | Some([]) => every_two(parts.len()).collect(),
-        Some(pairs) => read_pairs(&table.place.key("pair"), pairs, &parts)?,
+        None | Some([]) => None,
+        Some(pairs) => Some(read_pairs(&table.place.key("pair"), pairs, &parts)?),
     };
-    Ok(Model {
+    let mut mechanism = Mechanism {
         name: table.text("name")?.unwrap_or_default().to_owned(),
         unit: table.text("unit")?.map(str::to_owned),
         parts,
         joints,
-        pairs,
-    })
+        pairs: Vec::new(),
+    };
+    mechanism.pairs = pairs.unwrap_or_else(|| mechanism.every_two());
+    Ok(mechanism)
 }

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use cspace::Point;
+use cspace::pair::Joint;
+use cspace::{JointEntry, MechanismError, PairEntry, PartEntry, Point};
 
 use super::error::ModelError;
-use super::mechanism::{Joint, JointKind, Motion, Pair, PartEntry};
 use super::node::Node;
 use super::parts::direction;
 use super::place::Place;
@@ -32,55 +32,37 @@ pub(super) fn read_joints(
     place: &Place,
     nodes: &[Node],
     parts: &[PartEntry],
-) -> Result<Vec<Joint>> {
-    let mut joints: Vec<Joint> = Vec::new();
+) -> Result<Vec<JointEntry>> {
+    let mut joints: Vec<JointEntry> = Vec::new();
     for (i, node) in nodes.iter().enumerate() {
         let place = place.item(i).called(format!("joint {i}"));
         let joint = read_joint(place.clone(), node, parts)?;
-        let (a, b) = joint.parts;
-        let twice = |j: &Joint| j.parts == (a, b) || j.parts == (b, a);
-        if let Some(first) = joints.iter().position(twice) {
-            let message = format!("it joins the same parts as joint {first}");
-            return Err(ModelError::new(&place, message)
-                .with_help("two parts have one joint: keep one of the two"));
-        }
-        agrees(&place, &joint, parts)?;
+        (joint.check(i, &joints, parts)).map_err(|e| no_joint(&place, &e, parts))?;
         joints.push(joint);
     }
     Ok(joints)
 }
 
-/// A joint with a part that does not move leaves the other the motion of the joint, and no other.
-fn agrees(place: &Place, joint: &Joint, parts: &[PartEntry]) -> Result<()> {
-    let (a, b) = (&parts[joint.parts.0], &parts[joint.parts.1]);
-    let moving = match (a.motion, b.motion) {
-        (Motion::Fixed, _) => b,
-        (_, Motion::Fixed) => a,
-        _ => return Ok(()),
-    };
-    /// Coordinates are rounded in drawings: relative to their size.
-    const SAME: f64 = 1e-6;
-    let agree = match (joint.kind, moving.motion) {
-        (_, Motion::Planar) | (JointKind::Rigid, Motion::Fixed) => true,
-        (JointKind::Revolute { at }, Motion::Revolute { center, .. }) => {
-            at.distance(center) <= SAME * (moving.part.size() + at.to_vector().length())
+/// What is wrong with a joint, in the words of the file.
+fn no_joint(place: &Place, error: &MechanismError, parts: &[PartEntry]) -> ModelError {
+    match *error {
+        MechanismError::JoinedTwice { first, .. } => {
+            let message = format!("it joins the same parts as joint {first}");
+            ModelError::new(place, message)
+                .with_help("two parts have one joint: keep one of the two")
         }
-        (JointKind::Prismatic { direction: d, .. }, Motion::Prismatic { direction: e, .. }) => {
-            d.unit().cross(e.unit()).abs() <= SAME
+        MechanismError::Contradiction { part, .. } => {
+            let name = quoted(parts[part].part.name());
+            let message = format!("the joint does not let part {name} move as its `motion` says");
+            ModelError::new(place, message).with_help(
+                "the other part does not move: give both the same type and the same centre or direction, or leave out one of them",
+            )
         }
-        _ => false,
-    };
-    if agree {
-        return Ok(());
+        ref error => ModelError::new(place, error.to_string()),
     }
-    let name = quoted(moving.part.name());
-    let message = format!("the joint does not let part {name} move as its `motion` says");
-    Err(ModelError::new(place, message).with_help(
-        "the other part does not move: give both the same type and the same centre or direction, or leave out one of them",
-    ))
 }
 
-fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
+fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<JointEntry> {
     const KEYS: [&str; 4] = ["type", "parts", "at", "direction"];
     const KINDS: [&str; 3] = ["revolute", "prismatic", "rigid"];
     const HELP: &str =
@@ -115,21 +97,21 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
         let point = table.point("at")?;
         Ok(point.map(|(x, y)| Point::new(x, y)))
     };
-    let kind = match kind {
+    let joint = match kind {
         "revolute" => {
             let table = only(&["type", "parts", "at"])?;
-            JointKind::Revolute {
+            Joint::Revolute {
                 at: at(&table)?.ok_or_else(|| table.missing("at", "at = [x, y]"))?,
             }
         }
         "prismatic" => {
             let table = only(&["type", "parts", "direction", "at"])?;
-            JointKind::Prismatic {
+            Joint::Prismatic {
                 direction: direction(&table)?,
-                at: at(&table)?,
+                at: at(&table)?.unwrap_or(Point::ORIGIN),
             }
         }
-        "rigid" => only(&["type", "parts"]).map(|_| JointKind::Rigid)?,
+        "rigid" => only(&["type", "parts"]).map(|_| Joint::Rigid)?,
         other => {
             let error = table.error("type", format!("unknown type of joint {}", quoted(other)));
             return Err(error.with_help(match nearest(other, KINDS) {
@@ -138,15 +120,19 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<Joint> {
             }));
         }
     };
-    Ok(Joint {
-        kind,
+    Ok(JointEntry {
+        joint,
         parts: (a, b),
     })
 }
 
-pub(super) fn read_pairs(place: &Place, nodes: &[Node], parts: &[PartEntry]) -> Result<Vec<Pair>> {
+pub(super) fn read_pairs(
+    place: &Place,
+    nodes: &[Node],
+    parts: &[PartEntry],
+) -> Result<Vec<PairEntry>> {
     const HELP: &str = "a pair is a table with fixed = \"ratchet\" and moving = \"pawl\"";
-    let mut pairs: Vec<Pair> = Vec::new();
+    let mut pairs: Vec<PairEntry> = Vec::new();
     let mut known: HashMap<(usize, usize), usize> = HashMap::new();
     for (i, node) in nodes.iter().enumerate() {
         let place = place.item(i).called(format!("pair {i}"));
@@ -177,7 +163,7 @@ pub(super) fn read_pairs(place: &Place, nodes: &[Node], parts: &[PartEntry]) -> 
             let error = table.error("theta", message);
             return Err(error.with_help("leave `theta` out for all orientations"));
         }
-        pairs.push(Pair {
+        pairs.push(PairEntry {
             fixed,
             moving,
             window,

@@ -2,60 +2,48 @@
 
 use std::fmt::Write as _;
 
-use cspace::{Point, Vector, Vertex};
+use cspace::pair::Joint;
+use cspace::{
+    Axis, AxisMotion, JointEntry, Mechanism, PairEntry, PartEntry, Point, Vector, Vertex,
+};
 
-use super::mechanism::every_two;
-use super::{Joint, JointKind, Model, Motion, Pair, PartEntry};
-
-impl Model {
-    /// The model as the text of a TOML file. Reading it gives the same model: numbers are written
-    /// with as many digits as that takes, angles in radians.
-    ///
-    /// Pairs are left out when they are what a file without pairs stands for. A model that breaks
-    /// the reader's rules, say by an index that is no part's (whose name is written as empty), a
-    /// number that is not finite or a control character in a name, is written all the same, and
-    /// refused when read.
-    ///
-    /// ```
-    /// use cspace::{Part, Vertex};
-    /// use cspace_io::{Model, Motion, PartEntry};
-    /// let disc = vec![vec![Vertex::new(-1.0, 0.0, 1.0), Vertex::new(0.1, 0.0, 1.0)]];
-    /// let model = Model {
-    ///     name: "disc".into(),
-    ///     unit: Some("mm".into()),
-    ///     parts: vec![PartEntry {
-    ///         part: Part::new("disc", disc)?,
-    ///         motion: Motion::Planar,
-    ///         symmetry: None,
-    ///     }],
-    ///     joints: vec![],
-    ///     pairs: vec![],
-    /// };
-    /// assert_eq!(Model::from_toml(&model.to_toml(), "disc.toml")?, model);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn to_toml(&self) -> String {
-        let mut out = Out(format!("name = {}\n", text(&self.name)));
-        if let Some(unit) = &self.unit {
-            out.line("unit", text(unit));
-        }
-        for part in &self.parts {
-            out.part(part);
-        }
-        for joint in &self.joints {
-            out.joint(joint, self);
-        }
-        if !(self.pairs.iter().copied()).eq(every_two(self.parts.len())) {
-            for pair in &self.pairs {
-                out.pair(pair, self);
-            }
-        }
-        out.0
+/// The model as the text of a TOML file. Reading it gives the same model: numbers are written
+/// with as many digits as that takes, angles in radians.
+///
+/// Pairs are left out when they are what a file without pairs stands for. A model that breaks
+/// the reader's rules, say by an index that is no part's (whose name is written as empty), a
+/// number that is not finite or a control character in a name, is written all the same, and
+/// refused when read.
+///
+/// ```
+/// use cspace::{Mechanism, Part, PartEntry};
+/// use cspace_io::model;
+/// let mut mechanism = Mechanism::new("disc");
+/// mechanism.parts.push(PartEntry::planar(Part::circle("disc", (0.0, 0.0), 0.5)?));
+/// assert_eq!(model::from_toml(&model::to_toml(&mechanism), "disc.toml")?, mechanism);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn to_toml(mechanism: &Mechanism) -> String {
+    let mut out = Out(format!("name = {}\n", text(&mechanism.name)));
+    if let Some(unit) = &mechanism.unit {
+        out.line("unit", text(unit));
     }
-
-    fn name_of(&self, part: usize) -> String {
-        text(self.parts.get(part).map_or("", |p| p.part.name()))
+    for part in &mechanism.parts {
+        out.part(part);
     }
+    for joint in &mechanism.joints {
+        out.joint(joint, mechanism);
+    }
+    if mechanism.pairs != mechanism.every_two() {
+        for pair in &mechanism.pairs {
+            out.pair(pair, mechanism);
+        }
+    }
+    out.0
+}
+
+fn name_of(mechanism: &Mechanism, part: usize) -> String {
+    text(mechanism.parts.get(part).map_or("", |p| p.part.name()))
 }
 
 /// The text so far.
@@ -78,8 +66,8 @@ impl Out {
             self.0.push_str("  ],\n");
         }
         self.0.push_str("]\n");
-        if entry.motion != Motion::Planar {
-            self.line("motion", motion(&entry.motion));
+        if let Some(axis) = entry.axis {
+            self.line("motion", motion(&axis));
         }
         if let Some(fold) = entry.symmetry {
             self.line("symmetry", fold.to_string());
@@ -95,16 +83,16 @@ impl Out {
         };
     }
 
-    fn joint(&mut self, joint: &Joint, model: &Model) {
-        let (a, b) = joint.parts;
-        let (kind, along, at) = match joint.kind {
-            JointKind::Revolute { at } => ("revolute", None, Some(at)),
-            JointKind::Prismatic { direction, at } => ("prismatic", Some(direction), at),
-            JointKind::Rigid => ("rigid", None, None),
+    fn joint(&mut self, entry: &JointEntry, mechanism: &Mechanism) {
+        let (a, b) = entry.parts;
+        let (kind, along, at) = match entry.joint {
+            Joint::Revolute { at } => ("revolute", None, Some(at)),
+            Joint::Prismatic { direction, at } => ("prismatic", Some(direction), Some(at)),
+            Joint::Rigid => ("rigid", None, None),
         };
         self.0.push_str("\n[[joint]]\n");
         self.line("type", text(kind));
-        let names = format!("[{}, {}]", model.name_of(a), model.name_of(b));
+        let names = format!("[{}, {}]", name_of(mechanism, a), name_of(mechanism, b));
         self.line("parts", names);
         if let Some(along) = along {
             self.line("direction", vector(along));
@@ -114,33 +102,28 @@ impl Out {
         }
     }
 
-    fn pair(&mut self, pair: &Pair, model: &Model) {
+    fn pair(&mut self, pair: &PairEntry, mechanism: &Mechanism) {
         self.0.push_str("\n[[pair]]\n");
-        self.line("fixed", model.name_of(pair.fixed));
-        self.line("moving", model.name_of(pair.moving));
+        self.line("fixed", name_of(mechanism, pair.fixed));
+        self.line("moving", name_of(mechanism, pair.moving));
         if let Some(window) = pair.window {
             self.line("theta", two(window));
         }
     }
 }
 
-fn motion(motion: &Motion) -> String {
-    let limits = |range: Option<(f64, f64)>| {
-        range.map_or_else(String::new, |range| format!(", range = {}", two(range)))
-    };
-    match *motion {
-        Motion::Fixed => r#"{ type = "fixed" }"#.into(),
-        Motion::Planar => r#"{ type = "planar" }"#.into(),
-        Motion::Revolute { center, range } => format!(
-            r#"{{ type = "revolute", center = {}{} }}"#,
-            point(center),
-            limits(range)
-        ),
-        Motion::Prismatic { direction, range } => format!(
-            r#"{{ type = "prismatic", direction = {}{} }}"#,
-            vector(direction),
-            limits(range)
-        ),
+fn motion(axis: &Axis) -> String {
+    let range = (axis.range).map_or_else(String::new, |r| format!(", range = {}", two(r)));
+    match axis.motion {
+        AxisMotion::Fixed => r#"{ type = "fixed" }"#.into(),
+        AxisMotion::Revolute { center } => {
+            let center = point(center);
+            format!(r#"{{ type = "revolute", center = {center}{range} }}"#)
+        }
+        AxisMotion::Prismatic { direction } => {
+            let direction = vector(direction);
+            format!(r#"{{ type = "prismatic", direction = {direction}{range} }}"#)
+        }
     }
 }
 

@@ -12,12 +12,12 @@ mod head;
 use std::path::Path;
 
 use cspace::pair::SavedPair;
-use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
+use cspace::{ContactSpace, FixedAxesSpace, LowerPair, Mechanism, PairSpace};
 use serde_json::value::RawValue;
 
 use crate::file::{extension, read_text, without_mark};
 use crate::model::no_json;
-use crate::{Model, ModelError};
+use crate::{ModelError, model};
 
 use check::{check_angles, check_names, is_plain};
 use error::{AGAIN, wrong};
@@ -30,7 +30,7 @@ const LARGEST: u64 = 1 << 30;
 #[derive(Debug)]
 pub enum Document {
     /// Parts, motions, joints and pairs.
-    Model(Box<Model>),
+    Model(Box<Mechanism>),
     /// The configuration space of a pair that was computed before.
     Space(Box<SavedFile>),
 }
@@ -132,9 +132,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
             let file = SavedFile::from_json(&text, &path.display().to_string())?;
             return Ok(Document::Space(Box::new(file)));
         }
-        return Model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
+        return model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
     }
-    Model::read(path).map(|m| Document::Model(Box::new(m)))
+    model::read(path).map(|m| Document::Model(Box::new(m)))
 }
 
 /// The contact space in JSON text; `file` is what errors call it.

@@ -1,9 +1,9 @@
 //! Expectations of spaces on fixed axes.
 
+use cspace::Mechanism;
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, FixedAxesSpace, Relation, Rotation, Vector,
 };
-use cspace_io::Model;
 use cspace_oracle::Oracle;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -17,7 +17,7 @@ pub(crate) struct OnAxes {
 }
 
 impl OnAxes {
-    fn new(model: &Model) -> Self {
+    fn new(model: &Mechanism) -> Self {
         let Relation::Axes {
             fixed: u,
             moving: v,
@@ -130,7 +130,7 @@ impl OnAxes {
     }
 }
 
-pub(crate) fn check(model: &Model, e: &Axes) {
+pub(crate) fn check(model: &Mechanism, e: &Axes) {
     let pair = OnAxes::new(model);
     let space = &pair.space;
     let resolution = space.resolution();

@@ -15,14 +15,14 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cspace::Part;
-use cspace_io::Model;
+use cspace_io::model;
 use expectation::Expectation;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// The two parts of a file of this project.
 fn parts(file: &str) -> [Part; 2] {
-    let model = Model::read(format!("{ROOT}/{file}")).unwrap();
+    let model = model::read(format!("{ROOT}/{file}")).unwrap();
     [0, 1].map(|i| model.parts[i].part.clone())
 }
 
@@ -32,7 +32,7 @@ fn check(path: &PathBuf) {
     let text = text.unwrap_or_else(|e| panic!("{name}.expect.toml: {e}"));
     let expected: Expectation =
         toml::from_str(&text).unwrap_or_else(|e| panic!("{name}.expect.toml: {e}"));
-    let model = Model::read(path).unwrap();
+    let model = model::read(path).unwrap();
     for planar in &expected.planar {
         planar::check(&model, planar);
     }

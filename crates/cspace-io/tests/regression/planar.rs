@@ -2,8 +2,8 @@
 
 use core::f64::consts::TAU;
 
+use cspace::Mechanism;
 use cspace::{Classification, Configuration, ContactSpace, Options, Slice, Slicer};
-use cspace_io::Model;
 use cspace_oracle::{Oracle, Verdict, near_contact};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -32,7 +32,7 @@ fn open(slice: &Slice) -> usize {
     open.count()
 }
 
-pub(crate) fn check(model: &Model, e: &Planar) {
+pub(crate) fn check(model: &Mechanism, e: &Planar) {
     let mut indices = [0, 1];
     if e.swapped {
         indices.reverse();

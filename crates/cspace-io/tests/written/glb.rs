@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use cspace::{ContactSpace, Options};
-use cspace_io::Model;
+use cspace_io::model;
 use cspace_io::write::glb::{GlbError, PATCH_ATTRIBUTE, glb};
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use gltf::Semantic;
@@ -73,7 +73,7 @@ fn read(bytes: &[u8]) -> Read {
 
 fn mesh(model: &str, window: Option<(f64, f64)>) -> Mesh {
     let path = format!("{}/../../models/{model}.toml", env!("CARGO_MANIFEST_DIR"));
-    let model = Model::read(path).unwrap();
+    let model = model::read(path).unwrap();
     let pair = &model.pairs[0];
     let part = |i: usize| &model.parts[i].part;
     let options = Options {

@@ -2,7 +2,7 @@
 
 use cspace::{Configuration, ContactSpace, Options};
 use cspace_io::write::mesh::{Mesh, MeshOptions};
-use cspace_io::{Document, Model, saved};
+use cspace_io::{Document, model, saved};
 use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 fn space() -> ContactSpace {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/ball_in_c.toml");
-    let model = Model::read(path).unwrap();
+    let model = model::read(path).unwrap();
     let part = |i: usize| &model.parts[i].part;
     ContactSpace::compute(part(0), part(1), &Options::default()).unwrap()
 }

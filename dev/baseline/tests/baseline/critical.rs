@@ -6,7 +6,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use cspace::{ContactSpace, Options, Part, Symmetry, Vertex};
 use cspace_baseline::critical::{Criticalities, Known, search};
 use cspace_baseline::paper;
-use cspace_io::Model;
+use cspace_io::model;
 
 /// How far apart, in radians, the two may have an orientation: where contact curves become tangent, both know it to the square root
 /// of their rounding only, and the product grows the fixed part by 2⁻⁴⁰.
@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 4e-6;
 
 fn parts(name: &str) -> (Part, Part) {
     let pair = paper::PAIRS.iter().find(|p| p.name == name).unwrap();
-    let model = Model::from_toml(pair.model, pair.name).unwrap();
+    let model = model::from_toml(pair.model, pair.name).unwrap();
     let part = |index: usize| model.parts[index].part.clone();
     (part(model.pairs[0].fixed), part(model.pairs[0].moving))
 }

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use cspace::{ContactSpace, Options, Part, Symmetry, Vertex};
 use cspace_baseline::kinds::{self, Kinds};
 use cspace_baseline::paper;
-use cspace_io::Model;
+use cspace_io::model;
 
 fn space(fixed: &Part, moving: &Part) -> ContactSpace {
     let options = Options {
@@ -19,7 +19,7 @@ fn space(fixed: &Part, moving: &Part) -> ContactSpace {
 #[test]
 fn every_critical_orientation_of_the_papers_pairs_has_a_kind() {
     for pair in &paper::PAIRS {
-        let model = Model::from_toml(pair.model, pair.name).unwrap();
+        let model = model::from_toml(pair.model, pair.name).unwrap();
         let [fixed, moving] =
             [model.pairs[0].fixed, model.pairs[0].moving].map(|i| &model.parts[i].part);
         let space = space(fixed, moving);

@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, SQRT_2};
 use cspace::{Classification, Configuration, ContactSpace, Options, Part, Symmetry, Vertex};
 use cspace_baseline::compare::{Errors, errors, missed_bands};
 use cspace_baseline::{Stack, Surface, evenly, paper, with_bands};
-use cspace_io::Model;
+use cspace_io::model;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -16,7 +16,7 @@ struct Both {
 }
 
 fn both(pair: &paper::PaperPair, separation: f64) -> Both {
-    let model = Model::from_toml(pair.model, pair.name).unwrap();
+    let model = model::from_toml(pair.model, pair.name).unwrap();
     let [fixed, moving] =
         [model.pairs[0].fixed, model.pairs[0].moving].map(|i| &model.parts[i].part);
     let options = Options {

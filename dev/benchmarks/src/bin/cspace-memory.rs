@@ -4,7 +4,7 @@ use std::error::Error;
 
 use cspace::{ContactSpace, Options, Symmetry};
 use cspace_baseline::paper;
-use cspace_io::Model;
+use cspace_io::{model};
 use peak_alloc::PeakAlloc;
 
 // Counting costs time: this is a program of its own, and nothing is timed in it.
@@ -13,7 +13,7 @@ static MEMORY: PeakAlloc = PeakAlloc;
 
 fn main() -> Result<(), Box<dyn Error>> {
     for pair in &paper::PAIRS {
-        let model = Model::from_toml(pair.model, pair.name)?;
+        let model = model::from_toml(pair.model, pair.name)?;
         let part = |index: usize| &model.parts[index].part;
         let (fixed, moving) = (part(model.pairs[0].fixed), part(model.pairs[0].moving));
         let measure = |symmetry| {

@@ -79,8 +79,8 @@ mod tests {
     fn all_of_them_are_read() {
         assert_eq!(BASES.len(), MODELS.len() + 4);
         for text in BASES.iter() {
-            let model = cspace_io::Model::from_toml(text, "m.toml").is_ok()
-                || cspace_io::Model::from_json(text, "m.json").is_ok();
+            let model = cspace_io::model::from_toml(text, "m.toml").is_ok()
+                || cspace_io::model::from_json(text, "m.json").is_ok();
             assert!(
                 model || SavedFile::from_json(text, "s.json").is_ok(),
                 "{text}"

@@ -3,8 +3,9 @@
 mod bases;
 mod edit;
 
+use cspace::Mechanism;
 use cspace::{Coordinates, PairSpace};
-use cspace_io::{Model, ModelError, SavedFile};
+use cspace_io::{ModelError, SavedFile, model};
 
 use crate::Finding;
 use crate::draw::Bytes;
@@ -23,8 +24,8 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
 /// Reads the text in every format: three answers.
 fn read(text: &str) -> Result<u64, Finding> {
     let models = [
-        ("toml", Model::from_toml(text, "file.toml")),
-        ("json", Model::from_json(text, "file.json")),
+        ("toml", model::from_toml(text, "file.toml")),
+        ("json", model::from_json(text, "file.json")),
     ];
     for (format, model) in models {
         match model {
@@ -49,14 +50,14 @@ fn finding(said: &str, text: &str) -> Finding {
     Finding::new(format!("{said}, of the text\n{text}"))
 }
 
-fn written_and_read(model: &Model) -> Result<(), String> {
-    let text = model.to_toml();
-    let again = Model::from_toml(&text, "again.toml")
+fn written_and_read(model: &Mechanism) -> Result<(), String> {
+    let text = model::to_toml(model);
+    let again = model::from_toml(&text, "again.toml")
         .map_err(|e| format!("is refused when it is written and read again: {e}"))?;
     if again != *model {
         return Err(format!("reads otherwise when it is written as\n{text}"));
     }
-    if again.to_toml() != text {
+    if model::to_toml(&again) != text {
         return Err(format!("is written otherwise than before:\n{text}"));
     }
     Ok(())

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use cspace_io::{Model, PairClass};
+use cspace::PairClass;
+use cspace_io::model;
 use cspace_oracle::families::loops_of;
 
 use super::{Change, Specimen};
@@ -22,8 +23,8 @@ pub fn specimen(argument: &str) -> Result<Specimen, String> {
         Some((path, n)) => (path, Some(n)),
         None => (argument, None),
     };
-    let model = Model::read(path).map_err(|e| e.to_string())?;
-    let general = |p: &&cspace_io::Pair| model.pair_class(p) == PairClass::General;
+    let model = model::read(path).map_err(|e| e.to_string())?;
+    let general = |p: &&cspace::PairEntry| model.pair_class(p) == PairClass::General;
     let pairs = &model.pairs;
     let pair = pairs.iter().find(general).or(pairs.first());
     let parts = pair.and_then(|p| {

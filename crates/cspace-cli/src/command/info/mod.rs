@@ -4,8 +4,8 @@ mod text;
 
 use core::f64::consts::PI;
 
-use cspace::{AxisMotion, Edge, PairSpace, Part};
-use cspace_io::{JointKind, Motion, PairClass};
+use cspace::pair::Joint;
+use cspace::{Axis, AxisMotion, Edge, PairClass, PairSpace, Part};
 use serde::Serialize;
 
 use crate::args::{Format, InfoArgs};
@@ -109,12 +109,12 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
             name: model.name.clone(),
             unit: model.unit.clone(),
             parts: (model.parts.iter())
-                .map(|p| part_info(&p.part, p.motion))
+                .map(|p| part_info(&p.part, p.axis))
                 .collect(),
             joints: (model.joints.iter())
                 .map(|j| {
                     let (a, b) = j.parts;
-                    joint_info(j.kind, [a, b].map(|i| &model.parts[i].part))
+                    joint_info(j.joint, [a, b].map(|i| &model.parts[i].part))
                 })
                 .collect(),
             pairs,
@@ -127,7 +127,9 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
                 unit: file.unit.clone(),
                 parts: saved_parts(space),
                 joints: match space {
-                    PairSpace::Lower(pair) => vec![saved_joint(pair)],
+                    PairSpace::Lower(pair) => {
+                        vec![joint_info(pair.joint(), [pair.fixed(), pair.moving()])]
+                    }
                     _ => Vec::new(),
                 },
                 pairs,
@@ -138,38 +140,16 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
 
 /// The parts of a saved space; how they move relative to the ground is known of those on axes only.
 fn saved_parts(space: &PairSpace) -> Vec<PartInfo> {
-    let motions = match space {
+    let axes = match space {
         PairSpace::FixedAxes(space) => {
             let (fixed, moving) = space.axes();
-            [fixed, moving].map(|axis| match axis.motion {
-                AxisMotion::Fixed => Motion::Fixed,
-                AxisMotion::Revolute { center } => Motion::Revolute {
-                    center,
-                    range: axis.range,
-                },
-                AxisMotion::Prismatic { direction } => Motion::Prismatic {
-                    direction,
-                    range: axis.range,
-                },
-            })
+            [fixed, moving].map(Some)
         }
-        _ => [Motion::Planar; 2],
+        _ => [None; 2],
     };
-    ([space.fixed(), space.moving()].into_iter().zip(motions))
-        .map(|(part, motion)| part_info(part, motion))
+    ([space.fixed(), space.moving()].into_iter().zip(axes))
+        .map(|(part, axis)| part_info(part, axis))
         .collect()
-}
-
-fn saved_joint(pair: &cspace::LowerPair) -> JointInfo {
-    let kind = match pair.joint() {
-        cspace::pair::Joint::Revolute { at } => JointKind::Revolute { at },
-        cspace::pair::Joint::Prismatic { direction, at } => JointKind::Prismatic {
-            direction,
-            at: Some(at),
-        },
-        cspace::pair::Joint::Rigid => JointKind::Rigid,
-    };
-    joint_info(kind, [pair.fixed(), pair.moving()])
 }
 
 fn pair_info(pair: &Chosen<'_>) -> PairInfo {
@@ -199,7 +179,7 @@ fn class(pair: &Chosen<'_>) -> &'static str {
     class.name()
 }
 
-fn part_info(part: &Part, motion: Motion) -> PartInfo {
+fn part_info(part: &Part, axis: Option<Axis>) -> PartInfo {
     let symmetry = part.symmetry();
     PartInfo {
         name: part.name().to_owned(),
@@ -207,28 +187,27 @@ fn part_info(part: &Part, motion: Motion) -> PartInfo {
         features: features(part),
         size: part.size(),
         area: part.area(),
-        motion: match motion {
-            Motion::Fixed => MotionInfo::Fixed,
-            Motion::Revolute { center, range } => MotionInfo::Revolute {
+        motion: axis.map_or(MotionInfo::Planar, |axis| match axis.motion {
+            AxisMotion::Fixed => MotionInfo::Fixed,
+            AxisMotion::Revolute { center } => MotionInfo::Revolute {
                 center: [center.x, center.y],
-                range,
+                range: axis.range,
             },
-            Motion::Prismatic { direction, range } => MotionInfo::Prismatic {
+            AxisMotion::Prismatic { direction } => MotionInfo::Prismatic {
                 direction: [direction.x, direction.y],
-                range,
+                range: axis.range,
             },
-            Motion::Planar => MotionInfo::Planar,
-        },
+        }),
         symmetry: symmetry.fold(),
         round: symmetry.is_round(),
     }
 }
 
-fn joint_info(kind: JointKind, parts: [&Part; 2]) -> JointInfo {
-    let (kind, at, direction) = match kind {
-        JointKind::Revolute { at } => ("revolute", Some(at), None),
-        JointKind::Prismatic { direction, at } => ("prismatic", at, Some(direction)),
-        JointKind::Rigid => ("rigid", None, None),
+fn joint_info(joint: Joint, parts: [&Part; 2]) -> JointInfo {
+    let (kind, at, direction) = match joint {
+        Joint::Revolute { at } => ("revolute", Some(at), None),
+        Joint::Prismatic { direction, at } => ("prismatic", Some(at), Some(direction)),
+        Joint::Rigid => ("rigid", None, None),
     };
     JointInfo {
         kind,

@@ -3,7 +3,7 @@
 use cspace::{ContactSpace, Options, Part, Vertex};
 
 use super::{Mesh, MeshError, MeshOptions};
-use crate::Model;
+use crate::model;
 
 const TOLERANCE: f64 = 1e-3;
 
@@ -170,7 +170,7 @@ fn shipped_models_are_closed() {
         "ratchet_pawl",
         "snap_fastener",
     ] {
-        let model = Model::read(format!("{models}/{name}.toml")).unwrap();
+        let model = model::read(format!("{models}/{name}.toml")).unwrap();
         let pair = &model.pairs[0];
         let part = |i: usize| &model.parts[i].part;
         check(

@@ -1,6 +1,6 @@
 //! What a model may not say: keys of another type of joint, control characters, angles and numbers beyond all use.
 
-use cspace_io::{Model, ModelError};
+use cspace_io::{ModelError, model};
 
 use super::{SQUARE, error, part, says};
 
@@ -46,7 +46,7 @@ fn joints_have_the_keys_of_their_type() {
     let square = |name: &str| part(name, &format!("loops = [{SQUARE}]"));
     let slide = "[[joint]]\nparts = [\"a\", \"b\"]\ntype = \"prismatic\"\ndirection = [1, 0]\nat = [0, 2]\n";
     let text = format!("{}{}{slide}", square("a"), square("b"));
-    assert_eq!(Model::from_toml(&text, "m.toml").unwrap().joints.len(), 1);
+    assert_eq!(model::from_toml(&text, "m.toml").unwrap().joints.len(), 1);
 }
 
 #[test]
@@ -112,7 +112,7 @@ fn text_has_no_control_characters() {
     }
     // The same in JSON, and in the name of the file itself.
     let json = format!(r#"{{"part": [{{"name": "p\u001b[2Jq", "loops": [{SQUARE}]}}]}}"#);
-    let error = Model::from_json(&json, "m\u{1b}[2J\n.json").unwrap_err();
+    let error = model::from_json(&json, "m\u{1b}[2J\n.json").unwrap_err();
     says(
         &error,
         &[r"m\u{1b}[2J\n.json:1:", "control character", r"p\u{1b}[2Jq"],
@@ -150,7 +150,7 @@ fn orientations_far_from_0_are_refused() {
         .replace("revolute", "prismatic")
         .replace("center = [0, 0]", "direction = [1, 0]");
     let text = part("a", &format!("loops = [{SQUARE}]\n{sliding}"));
-    assert!(Model::from_toml(&text, "m.toml").is_ok());
+    assert!(model::from_toml(&text, "m.toml").is_ok());
 }
 
 #[test]

@@ -2,12 +2,13 @@
 
 mod limits;
 
-use cspace_io::{Model, ModelError, PairClass};
+use cspace::PairClass;
+use cspace_io::{ModelError, model};
 
 const SQUARE: &str = "[[0, 0], [1, 0], [1, 1], [0, 1]]";
 
 fn error(toml: &str) -> ModelError {
-    Model::from_toml(toml, "m.toml").unwrap_err()
+    model::from_toml(toml, "m.toml").unwrap_err()
 }
 
 /// Asserts that an error, with its help, has all the words.
@@ -29,7 +30,7 @@ fn the_shipped_models_are_read() {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|e| e == "toml") {
-            let model = Model::read(&path).unwrap();
+            let model = model::read(&path).unwrap();
             assert!(!model.pairs.is_empty(), "{path:?}");
             read += 1;
         }
@@ -53,8 +54,8 @@ fn toml_and_json_are_the_same() {
             {{"name": "b", "loops": [{SQUARE}]}}],
             "pair": [{{"fixed": "b", "moving": "a", "theta": ["-10deg", 0.5]}}]}}"#
     );
-    let a = Model::from_toml(&toml, "m.toml").unwrap();
-    assert_eq!(a, Model::from_json(&json, "m.json").unwrap());
+    let a = model::from_toml(&toml, "m.toml").unwrap();
+    assert_eq!(a, model::from_json(&json, "m.json").unwrap());
     assert_eq!(a.pair_class(&a.pairs[0]), PairClass::General);
     assert!((a.pairs[0].window.unwrap().0 + 10f64.to_radians()).abs() < 1e-15);
 }
@@ -66,7 +67,7 @@ fn errors_name_the_place_and_say_what_to_do() {
             &error(empty),
             &["m.toml: the file is empty", "[[part]]", "loops"],
         );
-        let json = Model::from_json(empty, "m.json").unwrap_err();
+        let json = model::from_json(empty, "m.json").unwrap_err();
         says(&json, &["m.json: the file is empty"]);
     }
     says(&error("# a comment\n"), &["m.toml", "no parts", "[[part]]"]);
@@ -155,16 +156,16 @@ fn declared_symmetry_must_be_true() {
         |loops: &str, fold: u32| part("a", &format!("loops = {loops}\nsymmetry = {fold}"));
     let square = format!("[{SQUARE}]");
     for fold in [1, 2, 4] {
-        Model::from_toml(&declared(&square, fold), "m.toml").unwrap();
+        model::from_toml(&declared(&square, fold), "m.toml").unwrap();
     }
     says(
         &error(&declared(&square, 3)),
         &["symmetry", "\"a\"", "3-fold", "the largest is 4-fold"],
     );
     // A disc may claim anything, and a corner that is none changes nothing.
-    Model::from_toml(&declared("[[[0, 0, 1], [1, 0, 1]]]", 17), "m.toml").unwrap();
+    model::from_toml(&declared("[[[0, 0, 1], [1, 0, 1]]]", 17), "m.toml").unwrap();
     let seamed = "[[[0, 0], [0.5, 0], [1, 0], [1, 1], [0, 1]]]";
-    Model::from_toml(&declared(seamed, 4), "m.toml").unwrap();
+    model::from_toml(&declared(seamed, 4), "m.toml").unwrap();
     says(
         &error(&declared("[[[0, 0], [3, 0], [1, 1]]]", 2)),
         &["2-fold", "no rotational symmetry", "remove"],
@@ -182,7 +183,7 @@ fn joints_must_agree_with_motions() {
         format!("[[joint]]\ntype = \"revolute\"\nparts = [\"frame\", \"wheel\"]\nat = {at}\n")
     };
     let turning = "{ type = \"revolute\", center = [1, 2] }";
-    assert!(Model::from_toml(&model(turning, &hinge("[1, 2]")), "m.toml").is_ok());
+    assert!(model::from_toml(&model(turning, &hinge("[1, 2]")), "m.toml").is_ok());
     says(
         &error(&model(turning, &hinge("[1, 2.1]"))),
         &["joint 0", "\"wheel\"", "motion"],
@@ -256,7 +257,7 @@ fn errors_of_files() {
         std::fs::write(&path, bytes).unwrap();
         path
     };
-    let read = |p: &std::path::Path| Model::read(p).unwrap_err();
+    let read = |p: &std::path::Path| model::read(p).unwrap_err();
     says(
         &read(&folder.path().join("none.toml")),
         &["none.toml", "cannot be read"],
@@ -339,7 +340,7 @@ fn errors_name_line_and_column() {
 
 #[test]
 fn errors_in_json_name_line_and_column_once() {
-    let error = |text: &str| Model::from_json(text, "m.json").unwrap_err();
+    let error = |text: &str| model::from_json(text, "m.json").unwrap_err();
     let e =
         error("{\"part\": [\n  {\"name\": \"a\",\n   \"loops\": [[[0, 0],\n     [1, null]]]}]}");
     says(
@@ -404,18 +405,18 @@ fn many_parts_are_refused_before_their_pairs_are_made() {
 #[test]
 fn a_byte_order_mark_is_no_part_of_the_text() {
     let text = format!("\u{feff}{}", part("a", &format!("loops = [{SQUARE}]")));
-    assert_eq!(Model::from_toml(&text, "m.toml").unwrap().parts.len(), 1);
+    assert_eq!(model::from_toml(&text, "m.toml").unwrap().parts.len(), 1);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("marked.toml");
     std::fs::write(&path, &text).unwrap();
-    assert_eq!(Model::read(&path).unwrap().name, "marked");
+    assert_eq!(model::read(&path).unwrap().name, "marked");
     let path = folder.path().join("marked.json");
     let json = format!("\u{feff}{{\"part\": [{{\"name\": \"a\", \"loops\": [{SQUARE}]}}]}}");
     std::fs::write(&path, json).unwrap();
-    assert_eq!(Model::read(&path).unwrap().parts.len(), 1);
+    assert_eq!(model::read(&path).unwrap().parts.len(), 1);
     // The mark takes no column.
     says(
-        &Model::from_toml("\u{feff}x = = 2", "m.toml").unwrap_err(),
+        &model::from_toml("\u{feff}x = = 2", "m.toml").unwrap_err(),
         &["m.toml:1:5"],
     );
 }
@@ -428,7 +429,7 @@ fn only_regular_files_are_opened() {
     let zero = folder.path().join("zero.toml");
     std::os::unix::fs::symlink("/dev/zero", &zero).unwrap();
     says(
-        &Model::read(&zero).unwrap_err(),
+        &model::read(&zero).unwrap_err(),
         &["zero.toml", "no regular file", "write the text to a file"],
     );
     let pipe = folder.path().join("pipe.json");
@@ -441,7 +442,7 @@ fn only_regular_files_are_opened() {
     let file = std::fs::File::create(&large).unwrap();
     file.set_len((16 << 20) + 1).unwrap();
     says(
-        &Model::read(&large).unwrap_err(),
+        &model::read(&large).unwrap_err(),
         &["large.toml", "at most 16777216 bytes", "write it as .json"],
     );
     let large = folder.path().join("large.json");
@@ -449,7 +450,7 @@ fn only_regular_files_are_opened() {
     file.set_len((64 << 20) + 1).unwrap();
     // Read as a model, and by whichever it might be.
     let words = ["large.json", "at most 67108864 bytes", "several files"];
-    says(&Model::read(&large).unwrap_err(), &words);
+    says(&model::read(&large).unwrap_err(), &words);
     says(&cspace_io::read(&large).unwrap_err(), &words);
 }
 
@@ -473,8 +474,8 @@ fn damaged_models_are_refused_or_read() {
             {{"name": "b", "loops": [[[2, 0, 1], [3, 0, 1]]]}}],
             "joint": [{{"type": "rigid", "parts": ["a", "b"]}}], "pair": [{{"fixed": "b", "moving": "a"}}]}}"#
     );
-    Model::from_toml(&toml, "m.toml").unwrap();
-    Model::from_json(&json, "m.json").unwrap();
+    model::from_toml(&toml, "m.toml").unwrap();
+    model::from_json(&json, "m.json").unwrap();
     let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
     for i in 0..20_000 {
         let is_toml = i % 2 == 0;
@@ -490,9 +491,9 @@ fn damaged_models_are_refused_or_read() {
         }
         let text: String = text.into_iter().collect();
         let read = if is_toml {
-            Model::from_toml(&text, "m")
+            model::from_toml(&text, "m")
         } else {
-            Model::from_json(&text, "m")
+            model::from_json(&text, "m")
         };
         if let Err(e) = read {
             assert!(!e.message().is_empty() && e.help().is_some(), "{e}: {text}");

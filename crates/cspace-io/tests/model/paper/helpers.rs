@@ -1,13 +1,14 @@
 //! Reading the models, and asking what becomes of their parts.
 
+use cspace::Mechanism;
 use cspace::{Classification, Configuration, ContactSpace, Options, Part, Rotation, Vector};
-use cspace_io::Model;
+use cspace_io::model;
 
 pub(crate) use Classification::{Blocked, Contact, Free};
 
-pub(crate) fn model(name: &str) -> Model {
+pub(crate) fn model(name: &str) -> Mechanism {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/paper");
-    Model::read(format!("{folder}/{name}.toml")).unwrap()
+    model::read(format!("{folder}/{name}.toml")).unwrap()
 }
 
 /// The fixed and the moving part.

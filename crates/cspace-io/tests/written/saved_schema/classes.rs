@@ -6,7 +6,7 @@ use cspace::fixed_axes::SAVED_AXES_VERSION;
 use cspace::pair::Joint;
 use cspace::space::SAVED_VERSION;
 use cspace::{Axis, FixedAxesSpace, LowerPair, Options, PairClass, PairSpace, Point, Vector};
-use cspace_io::{Model, saved};
+use cspace_io::{model, saved};
 use cspace_oracle::shapes::mechanisms::mechanisms;
 use cspace_oracle::shapes::{rectangle, square};
 use jsonschema::Validator;
@@ -84,7 +84,7 @@ fn shipped_models_and_mechanisms_follow_the_schema_of_fixed_axes() {
         gather(&value, &mut kinds);
     };
     for name in ["cam_plate", "cam_tappet", "geneva", "ratchet_mechanism"] {
-        let model = Model::read(format!("{ROOT}/models/{name}.toml")).unwrap();
+        let model = model::read(format!("{ROOT}/models/{name}.toml")).unwrap();
         let pair = (model.pairs.iter())
             .find(|p| model.pair_class(p) == PairClass::FixedAxes)
             .unwrap();

@@ -1,14 +1,14 @@
 //! What a saved space repeats of its model: its name, and its unit of length.
 
 use cspace::{Options, PairSpace};
-use cspace_io::{Model, SavedFile, saved};
+use cspace_io::{SavedFile, model, saved};
 use serde_json::{Value, json};
 
 use super::helpers::{ROOT, errors, validator};
 
 /// A space of each class, with the name of its format.
 fn spaces() -> Vec<(&'static str, SavedFile)> {
-    let model = Model::read(format!("{ROOT}/models/ratchet_mechanism.toml")).unwrap();
+    let model = model::read(format!("{ROOT}/models/ratchet_mechanism.toml")).unwrap();
     [
         ("lower-pair", 0),
         ("fixed-axes-space", 4),

@@ -2,7 +2,7 @@
 
 use cspace::space::SAVED_VERSION;
 use cspace::{ContactSpace, Options};
-use cspace_io::{Model, saved};
+use cspace_io::{model, saved};
 use serde_json::{Value, json};
 
 use super::helpers::{ROOT, errors, has_no_mark, objects, schema, validator};
@@ -10,7 +10,7 @@ use super::helpers::{ROOT, errors, has_no_mark, objects, schema, validator};
 const SCHEMA: &str = "contact-space";
 
 fn space(model: &str, window: Option<(f64, f64)>) -> ContactSpace {
-    let model = Model::read(format!("{ROOT}/models/{model}.toml")).unwrap();
+    let model = model::read(format!("{ROOT}/models/{model}.toml")).unwrap();
     let pair = &model.pairs[0];
     let part = |i: usize| &model.parts[i].part;
     let window = window.or(pair.window);

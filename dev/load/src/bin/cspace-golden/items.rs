@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use cspace::Mechanism;
 use cspace::{Axis, Part, Point, Relation, Vector};
-use cspace_io::{Document, Model};
+use cspace_io::Document;
 use cspace_load::Source;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -93,7 +94,7 @@ fn general(relation: Relation) -> Option<Relation> {
     (relation != Relation::Planar).then_some(Relation::Planar)
 }
 
-fn question(model: &Model, pair: &cspace_io::Pair, relation: Relation) -> Question {
+fn question(model: &Mechanism, pair: &cspace::PairEntry, relation: Relation) -> Question {
     let part = |i: usize| model.parts[i].part.clone();
     Question {
         fixed: part(pair.fixed),

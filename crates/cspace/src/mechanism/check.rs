@@ -1,0 +1,231 @@
+//! Whether a mechanism makes sense.
+
+use std::collections::HashMap;
+
+use crate::fixed_axes::AxisMotion;
+use crate::pair::{Joint, PairError};
+use crate::space::LONGEST_WINDOW;
+
+use super::entries::{JointEntry, Mechanism, PairEntry, PartEntry};
+
+/// What is wrong with a mechanism.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MechanismError {
+    /// Two parts have one name.
+    #[error(
+        "part {part}: the name is already that of part {first}; give every part a name of its own"
+    )]
+    SameName {
+        /// The later part.
+        part: usize,
+        /// The earlier part.
+        first: usize,
+    },
+    /// A declared symmetry is not that of the outline.
+    #[error(
+        "part {part} is not {declared}-fold symmetric, but {largest}-fold; turning it by 360/{declared} degrees about its centre does not map its outline to itself"
+    )]
+    Symmetry {
+        /// The part.
+        part: usize,
+        /// The fold that is declared.
+        declared: u32,
+        /// The largest fold there is.
+        largest: u32,
+    },
+    /// An index is no part's.
+    #[error("there is no part {part}: there are {parts}")]
+    NoSuchPart {
+        /// The index.
+        part: usize,
+        /// Number of parts.
+        parts: usize,
+    },
+    /// A joint joins a part to itself.
+    #[error("joint {joint} joins a part to itself; a joint connects two different parts")]
+    JoinsItself {
+        /// The joint.
+        joint: usize,
+    },
+    /// Two joints join the same parts.
+    #[error("joint {joint} joins the same parts as joint {first}; keep one of the two")]
+    JoinedTwice {
+        /// The later joint.
+        joint: usize,
+        /// The earlier joint.
+        first: usize,
+    },
+    /// A joint with a part that does not move contradicts the other part's motion.
+    #[error(
+        "joint {joint} does not let part {part} move as its motion says; give both the same type and the same centre or direction"
+    )]
+    Contradiction {
+        /// The joint.
+        joint: usize,
+        /// The part that moves.
+        part: usize,
+    },
+    /// A part is paired with itself.
+    #[error("pair {pair} is a part and itself; name two different parts")]
+    PairedWithItself {
+        /// The pair.
+        pair: usize,
+    },
+    /// A pair is listed twice.
+    #[error("pair {pair} is the same pair as pair {first}; list every pair once")]
+    PairedTwice {
+        /// The later entry.
+        pair: usize,
+        /// The earlier entry.
+        first: usize,
+    },
+    /// A window of orientations is empty or more than a turn.
+    #[error("pair {pair}: the window from {lo} to {hi} is not an interval of at most one turn")]
+    Window {
+        /// The pair.
+        pair: usize,
+        /// First orientation.
+        lo: f64,
+        /// Last orientation.
+        hi: f64,
+    },
+    /// The configuration space of a pair cannot be computed.
+    #[error("{fixed} and {moving}: {error}")]
+    Pair {
+        /// Name of the fixed part.
+        fixed: String,
+        /// Name of the moving part.
+        moving: String,
+        /// Why.
+        error: PairError,
+    },
+}
+
+/// Centres and directions of a joint and a motion that are one, relative to the size of the drawing: coordinates are rounded
+/// in drawings.
+const SAME: f64 = 1e-6;
+
+impl Mechanism {
+    /// Whether all of it makes sense: names and pairs are told apart, indices are those of parts, joints agree with motions.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, in the order parts, joints, pairs.
+    pub fn check(&self) -> Result<(), MechanismError> {
+        let mut names = HashMap::new();
+        for (i, entry) in self.parts.iter().enumerate() {
+            if let Some(first) = names.insert(entry.part.name(), i) {
+                return Err(MechanismError::SameName { part: i, first });
+            }
+            entry.check(i)?;
+        }
+        for (i, joint) in self.joints.iter().enumerate() {
+            joint.check(i, &self.joints[..i], &self.parts)?;
+        }
+        let mut known = HashMap::new();
+        for (i, pair) in self.pairs.iter().enumerate() {
+            pair.check(i, self.parts.len())?;
+            let both = (pair.fixed.min(pair.moving), pair.fixed.max(pair.moving));
+            if let Some(first) = known.insert(both, i) {
+                return Err(MechanismError::PairedTwice { pair: i, first });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl PartEntry {
+    /// Whether the outline, of part number `part`, has the symmetry that is declared.
+    ///
+    /// # Errors
+    /// If it has not.
+    pub fn check(&self, part: usize) -> Result<(), MechanismError> {
+        match self.symmetry {
+            Some(declared) if !self.part.is_symmetric(declared) => Err(MechanismError::Symmetry {
+                part,
+                declared,
+                largest: self.part.symmetry().fold(),
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl JointEntry {
+    /// Whether joint number `joint` connects two parts that no joint before it connects, and lets them move as they say.
+    ///
+    /// # Errors
+    /// If it does not.
+    pub fn check(
+        &self,
+        joint: usize,
+        before: &[Self],
+        parts: &[PartEntry],
+    ) -> Result<(), MechanismError> {
+        let (a, b) = self.parts;
+        check_two(self.parts, parts.len())?;
+        if a == b {
+            return Err(MechanismError::JoinsItself { joint });
+        }
+        let same = |j: &Self| j.parts == (a, b) || j.parts == (b, a);
+        if let Some(first) = before.iter().position(same) {
+            return Err(MechanismError::JoinedTwice { joint, first });
+        }
+        // A joint with a part that does not move leaves the other the motion of the joint, and no other.
+        let still = |i: usize| parts[i].axis.is_some_and(|x| x.motion == AxisMotion::Fixed);
+        let part = match (still(a), still(b)) {
+            (true, _) => b,
+            (_, true) => a,
+            _ => return Ok(()),
+        };
+        if self.lets_move(&parts[part]) {
+            Ok(())
+        } else {
+            Err(MechanismError::Contradiction { joint, part })
+        }
+    }
+
+    /// Whether a part that is joined to one that does not move can move as its axis says.
+    fn lets_move(&self, moving: &PartEntry) -> bool {
+        let Some(axis) = moving.axis else { return true };
+        match (self.joint, axis.motion) {
+            (Joint::Rigid, AxisMotion::Fixed) => true,
+            (Joint::Revolute { at }, AxisMotion::Revolute { center }) => {
+                at.distance(center) <= SAME * (moving.part.size() + at.to_vector().length())
+            }
+            (Joint::Prismatic { direction: d, .. }, AxisMotion::Prismatic { direction: e }) => {
+                d.unit().cross(e.unit()).abs() <= SAME
+            }
+            _ => false,
+        }
+    }
+}
+
+impl PairEntry {
+    /// Whether pair number `pair` names two of so many parts, and its window is an interval of at most one turn.
+    ///
+    /// # Errors
+    /// If it does not.
+    pub fn check(&self, pair: usize, parts: usize) -> Result<(), MechanismError> {
+        check_two((self.fixed, self.moving), parts)?;
+        if self.fixed == self.moving {
+            return Err(MechanismError::PairedWithItself { pair });
+        }
+        match self.window {
+            Some((lo, hi)) if !(lo < hi && hi - lo <= LONGEST_WINDOW) => {
+                Err(MechanismError::Window { pair, lo, hi })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// That two indices are those of parts.
+fn check_two((a, b): (usize, usize), parts: usize) -> Result<(), MechanismError> {
+    let part = a.max(b);
+    if part < parts {
+        Ok(())
+    } else {
+        Err(MechanismError::NoSuchPart { part, parts })
+    }
+}

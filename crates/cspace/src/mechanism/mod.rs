@@ -1,0 +1,14 @@
+//! Mechanisms: parts, how each may move, how they are joined, and which pairs of them matter.
+//!
+//! A [`Mechanism`] says of every pair how its two parts are related ([`Mechanism::relation`]), and so by which method its
+//! configuration space is computed ([`Mechanism::compute`]).
+
+mod check;
+mod entries;
+mod relation;
+
+pub use check::MechanismError;
+pub use entries::{JointEntry, Mechanism, PairEntry, PartEntry};
+
+#[cfg(test)]
+mod tests;
