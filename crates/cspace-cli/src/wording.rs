@@ -1,18 +1,6 @@
-//! Words for features, angles and counts.
+//! Words for angles, lengths and counts.
 
-use cspace::{FeatureKind, FeatureName};
 use cspace_io::shown;
-
-/// `line 3 of loop 0`.
-pub(crate) fn feature(name: FeatureName) -> String {
-    let kind = match name.kind {
-        FeatureKind::Line => "line",
-        FeatureKind::ConvexArc => "convex arc",
-        FeatureKind::ConcaveArc => "concave arc",
-        FeatureKind::Vertex => "vertex",
-    };
-    format!("{kind} {} of loop {}", name.index, name.loop_index)
-}
 
 /// `1 patch`, `2 patches`.
 pub(crate) fn count(n: usize, one: &str, many: &str) -> String {

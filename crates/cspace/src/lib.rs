@@ -1,11 +1,92 @@
 //! Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 //!
+//! Two parts touch, slide, jam and clear each other. Where the *moving* part is relative to the *fixed* part is a
+//! *configuration* (x, y, θ): a point q of the moving part is at (x, y) + `R_θ` q, angles in radians. The configurations in
+//! which the parts overlap are *blocked*, those in which they are apart are *free*, and between them lies a surface of
+//! *contact patches*: on each patch one feature of one part touches one feature of the other. This crate computes that surface
+//! in closed form, without polygons for arcs and without steps in θ, and answers questions from it.
+//!
+//! # From parts to a space
+//!
+//! A [`Part`] is a set of closed loops; [`Part::polygon`], [`Part::circle`], [`Part::rectangle`], [`Part::slot`] and
+//! [`OutlineBuilder`] draw them. A [`PairSpace`] is computed from two parts and how they are related:
+//!
+//! ```
+//! use cspace::{Configuration, Coordinates, Location, Options, OutlineBuilder, PairSpace, Part, Relation};
+//! // A tray 10 wide inside, with walls and a lip, and a coin of radius 2.
+//! let tray = OutlineBuilder::start((-6.0, -1.0))
+//!     .line_to((6.0, -1.0))
+//!     .line_to((6.0, 8.0))
+//!     .line_to((1.5, 8.0))
+//!     .line_to((1.5, 7.0))
+//!     .line_to((5.0, 7.0))
+//!     .fillet(1.0)
+//!     .line_to((5.0, 0.0))
+//!     .line_to((-5.0, 0.0))
+//!     .line_to((-5.0, 8.0))
+//!     .line_to((-6.0, 8.0))
+//!     .close()?;
+//! let tray = Part::new("tray", vec![tray])?;
+//! let coin = Part::circle("coin", (0.0, 0.0), 2.0)?;
+//! let space = PairSpace::compute(&tray, &coin, Relation::Planar, &Options::default())?;
+//!
+//! // Where is a configuration: free, and in which region; in contact; blocked; outside of what was computed?
+//! let at = |x, y| Coordinates::Planar(Configuration::new(x, y, 0.0));
+//! assert!(matches!(space.locate(at(0.0, 3.0))?, Location::Free(_)));
+//! assert_eq!(space.locate(at(0.0, 1.0))?, Location::Blocked);
+//! // With its middle 3 above the floor, its rim is 1 above it, and everything else is farther away.
+//! assert!((space.clearance(at(0.0, 3.0))? - 1.0).abs() < 1e-12);
+//! // The opening is 6.5 wide: the coin comes out.
+//! assert!(space.connected(at(0.0, 3.0), at(0.0, 20.0))?);
+//!
+//! // What does it meet on its way down, and when?
+//! use cspace::pair::PairMotion;
+//! let PairMotion::Contact(floor) = space.first_contact(at(0.0, 3.0), at(0.0, -1.0), 10.0)? else {
+//!     return Err("there is a floor".into());
+//! };
+//! assert!((floor.time - 1.0).abs() < 1e-9);
+//! let patch = space.patch(floor.patch)?;
+//! let (of_tray, of_coin) = patch.features()?;
+//! assert_eq!(of_tray.to_string(), "line 7 of loop 0 of the fixed part");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What can be asked
+//!
+//! | question | answer |
+//! |---|---|
+//! | where is a configuration, and how far are the parts apart | [`PairSpace::locate`], [`clearance`](PairSpace::clearance), [`connected`](PairSpace::connected) |
+//! | what touches there, what is nearest to touching | [`PairSpace::contacts`], [`nearest_contact`](PairSpace::nearest_contact) |
+//! | what does a motion meet, and when | [`PairSpace::first_contact`], [`crossings`](PairSpace::crossings), [`first_contact_along`](PairSpace::first_contact_along) |
+//! | the patches, what is next to what, the free regions | [`PairSpace::patches`], [`links`](PairSpace::links), [`regions`](PairSpace::regions), [`bands`](PairSpace::bands) |
+//! | a patch's contact function, gradient, Hessian, touching points, derivatives by the drawing | [`PairPatch::contact`] |
+//! | all contacts at one orientation | [`Slice`] |
+//! | millions of configurations | [`Classifier`] |
+//!
+//! # Pairs of all classes
+//!
+//! How the parts can move relative to each other decides the method, and what a configuration is:
+//!
+//! | [`Relation`] | class | a configuration is |
+//! |---|---|---|
+//! | `Planar` | general, or symmetric where a part is | (x, y, θ) |
+//! | `Axes` | fixed axes: each part turns, slides or stands still | (u, v), the two motions |
+//! | `Joint` | lower: a joint connects the parts | (x, y, θ), on the joint |
+//!
+//! A [`Mechanism`] has parts, axes, joints and pairs, and says of every pair how it is related.
+//!
+//! # How far it can be trusted
+//!
+//! *Exact* means exact in form and correct to a resolution, 7·10⁻¹² of the size of the pair; [`PairSpace::resolution`] gives
+//! it, and [`PairSpace::least_clearance`] the clearance below which there is none. Where the structure of a space is in doubt,
+//! [`ContactSpace::doubtful_orientations`] says so.
+//!
 //! # Cargo features
 //!
 //! Both are on unless `default-features = false` is given.
 //!
-//! - `serde`: what is public and plain data can be written and read by `serde`, such as a
-//!   [`SpaceData`].
+//! - `serde`: what is public and plain data can be written and read by `serde`, such as a [`Part`], a [`Mechanism`] or the
+//!   [`SpaceData`](space::SpaceData) of a computed space.
 //! - `rayon`: work is divided among the threads of the `rayon` pool from which it is called. Without it one thread, the
 //!   caller's, does all of it. Results are the same with any number of threads.
 
@@ -59,3 +140,8 @@ pub use space::{
     FeatureCounts, FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress,
     SideLink, Stage, StageSeconds, Statistics, Symmetry, VerticalLink, Window,
 };
+
+/// The library's example in the README.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

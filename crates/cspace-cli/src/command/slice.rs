@@ -9,7 +9,7 @@ use crate::args::{Format, SliceArgs};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
-use crate::wording::{angle, count, feature, length};
+use crate::wording::{angle, count, length};
 
 pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -92,9 +92,9 @@ fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) 
         writeln!(
             text,
             "\ncurve {i}: {} of {} on {} of {}",
-            feature(curve.moving),
+            curve.moving,
             pair.moving().name(),
-            feature(curve.fixed),
+            curve.fixed,
             pair.fixed().name()
         )?;
         let (from, to) = (curve.branches.start as usize, curve.branches.end as usize);
@@ -166,9 +166,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result 
             writeln!(
                 text,
                 ": {} of {} on {} of {}",
-                feature(curve.moving),
+                curve.moving,
                 pair.moving().name(),
-                feature(curve.fixed),
+                curve.fixed,
                 pair.fixed().name()
             )?;
         }

@@ -31,6 +31,28 @@ pub struct FeatureName {
     pub index: u32,
 }
 
+impl core::fmt::Display for FeatureKind {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(match self {
+            Self::Line => "line",
+            Self::ConvexArc => "convex arc",
+            Self::ConcaveArc => "concave arc",
+            Self::Vertex => "vertex",
+        })
+    }
+}
+
+/// As `line 3 of loop 0`.
+impl core::fmt::Display for FeatureName {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(
+            f,
+            "{} {} of loop {}",
+            self.kind, self.index, self.loop_index
+        )
+    }
+}
+
 /// The carrier of a feature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Shape {

@@ -66,3 +66,10 @@ impl FeatureId {
         }
     }
 }
+
+/// As `line 3 of loop 0 of the fixed part`.
+impl core::fmt::Display for FeatureId {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} of the {} part", self.name, self.part)
+    }
+}
