@@ -5,7 +5,6 @@ use crate::geometry::Point;
 use crate::part::Part;
 
 use super::answers::QueryError;
-use super::locate::Location;
 use super::relation::Coordinates;
 use super::space::PairSpace;
 
@@ -97,17 +96,14 @@ impl PairSpace {
         let mut step = duration;
         for taken in 0..MOST_STEPS {
             let at = motion.at(time);
-            match self.locate(at)? {
-                Location::Outside if taken == 0 => return Err(QueryError::Outside),
-                Location::Outside => return Ok(SmoothOutcome::Leaves { time }),
-                Location::Blocked if taken == 0 => return Err(QueryError::Blocked),
-                // The drawing touches a little after the parts as they are computed.
-                Location::Blocked | Location::Contact => {
-                    return Ok(SmoothOutcome::Contact { time, at });
+            let clearance = match self.clearance(at) {
+                Err(QueryError::Outside) if taken > 0 => {
+                    return Ok(SmoothOutcome::Leaves { time });
                 }
-                Location::Free(_) => {}
-            }
-            let clearance = self.clearance(at)?;
+                // The drawing touches a little after the parts as they are computed.
+                Err(QueryError::Blocked) if taken > 0 => 0.0,
+                clearance => clearance?,
+            };
             if clearance <= tolerance {
                 return Ok(SmoothOutcome::Contact { time, at });
             }
@@ -140,11 +136,8 @@ impl PairSpace {
     /// How fast the nearest points can come nearer, at most, for each rate of a coordinate.
     fn levers(&self) -> [f64; 3] {
         let reach = |part: &Part, from: Point| {
-            let far = |e: crate::part::Edge| {
-                let half = 0.5 * e.start.distance(e.end);
-                from.distance(e.start.midpoint(e.end)) + half * e.bulge.abs().max(1.0)
-            };
-            part.edges().map(far).fold(0.0, f64::max)
+            let discs = part.edges().map(|e| e.disc());
+            (discs.map(|(middle, radius)| from.distance(middle) + radius)).fold(0.0, f64::max)
         };
         let along = |part: &Part, axis: Axis| match axis.motion {
             AxisMotion::Fixed => 0.0,

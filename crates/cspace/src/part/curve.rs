@@ -121,6 +121,16 @@ impl Edge {
         bounds
     }
 
+    /// The centre and radius of a disc that holds the curve: about the middle of the chord, up to a half circle over half of
+    /// it, of a larger arc over its height.
+    pub(crate) fn disc(&self) -> (Point, f64) {
+        let reach = 0.5 * self.chord() * self.bulge.abs().max(1.0);
+        (
+            self.start.midpoint(self.end),
+            reach * (1.0 + 4.0 * f64::EPSILON),
+        )
+    }
+
     /// The distance from a point to the nearest point of the curve.
     ///
     /// ```

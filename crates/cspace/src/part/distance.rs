@@ -1,14 +1,14 @@
 //! How far two parts are apart.
 
-use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::geometry::{Configuration, Point, Rotation};
 
 use super::{Edge, Part};
 
 /// The least distance of the boundaries of two parts that do not overlap, the moving one placed in the fixed one's frame, in
 /// the model's unit of length.
 ///
-/// Of every two edges it is between an end of one and the other, or along a line through the centres of both (of a line, at
-/// right angles to it). Pairs of edges whose boxes are farther apart than what was found are passed over.
+/// Of every two edges it is between an end of one and the other, or along a line at right angles to both. Pairs of edges
+/// whose discs are farther apart than what was found are passed over.
 pub(crate) fn distance_of(fixed: &Part, moving: &Part, moving_at: Configuration) -> f64 {
     let turn = Rotation::by(moving_at.theta);
     let place = |p: Point| turn * p + moving_at.position().to_vector();
@@ -17,99 +17,45 @@ pub(crate) fn distance_of(fixed: &Part, moving: &Part, moving_at: Configuration)
         end: place(e.end),
         ..e
     };
-    let first: Vec<Piece> = fixed.edges().map(Piece::new).collect();
-    let second: Vec<Piece> = moving.edges().map(placed).map(Piece::new).collect();
+    let with_disc = |e: Edge| (e, e.disc());
+    let first: Vec<_> = fixed.edges().map(with_disc).collect();
+    let second: Vec<_> = moving.edges().map(placed).map(with_disc).collect();
     let mut least = f64::INFINITY;
-    for a in &first {
-        for b in &second {
-            let apart = a.middle.distance(b.middle) - a.reach - b.reach;
-            if apart < least {
-                least = least.min(a.distance(b));
+    for (a, (p, r)) in &first {
+        for (b, (q, s)) in &second {
+            if p.distance(*q) - r - s < least {
+                least = least.min(between(a, b));
             }
         }
     }
     least
 }
 
-/// An edge with a disc that holds it.
-struct Piece {
-    edge: Edge,
-    middle: Point,
-    reach: f64,
+/// The distance of two edges that do not cross.
+fn between(a: &Edge, b: &Edge) -> f64 {
+    let ends = [
+        b.distance(a.start),
+        b.distance(a.end),
+        a.distance(b.start),
+        a.distance(b.end),
+    ];
+    let right_angles = normals(a, b).into_iter().flatten().map(|p| b.distance(p));
+    let other_way = normals(b, a).into_iter().flatten().map(|p| a.distance(p));
+    (ends.into_iter().chain(right_angles).chain(other_way)).fold(f64::INFINITY, f64::min)
 }
 
-impl Piece {
-    fn new(edge: Edge) -> Self {
-        let half = 0.5 * edge.start.distance(edge.end);
-        // Up to a half circle the arc is within half its chord of the chord's middle, a larger one within its sagitta.
-        let reach = half * edge.bulge.abs().max(1.0) * (1.0 + 4.0 * f64::EPSILON);
-        Self {
-            middle: edge.start.midpoint(edge.end),
-            reach,
-            edge,
-        }
+/// The places of an arc whose normals go at right angles through another edge's line or circle; none of a line.
+fn normals(arc: &Edge, other: &Edge) -> [Option<Point>; 2] {
+    if arc.is_line() {
+        return [None; 2];
     }
-
-    fn distance(&self, other: &Self) -> f64 {
-        let (a, b) = (&self.edge, &other.edge);
-        let ends = [
-            nearest(b, a.start).distance(a.start),
-            nearest(b, a.end).distance(a.end),
-            nearest(a, b.start).distance(b.start),
-            nearest(a, b.end).distance(b.end),
-        ];
-        let mut least = ends.into_iter().fold(f64::INFINITY, f64::min);
-        // Along the line of centres both are met at right angles.
-        let mut along = |from: &Edge, to: &Edge, direction: Vector| {
-            let center = from.center();
-            for way in [1.0, -1.0] {
-                let p = center + direction * (way * from.radius());
-                if holds(from, p) {
-                    least = least.min(nearest(to, p).distance(p));
-                }
-            }
-        };
-        match (a.is_line(), b.is_line()) {
-            (true, true) => {}
-            (true, false) => along(b, a, (a.end - a.start).unit().left()),
-            (false, true) => along(a, b, (b.end - b.start).unit().left()),
-            (false, false) => {
-                let d = b.center() - a.center();
-                if d.length() > 0.0 {
-                    along(a, b, d.unit());
-                }
-            }
-        }
-        least
+    if other.is_line() {
+        let along = other.start_direction();
+        return [along, -along].map(|d| arc.fraction_heading(d).map(|u| arc.at(u)));
     }
-}
-
-/// Whether a point of an arc's circle is on the arc: beyond its chord, on the side to which it bulges.
-fn holds(arc: &Edge, p: Point) -> bool {
-    let chord = arc.end - arc.start;
-    chord.cross(p - arc.start) * arc.bulge <= 0.0
-}
-
-/// The point of an edge nearest to a point.
-fn nearest(edge: &Edge, p: Point) -> Point {
-    let chord = edge.end - edge.start;
-    if edge.is_line() {
-        let share = chord.dot(p - edge.start) / chord.length_squared();
-        return edge.start.lerp(edge.end, share.clamp(0.0, 1.0));
-    }
-    let center = edge.center();
-    let out = p - center;
-    if out.length() > 0.0 {
-        let q = center + out.unit() * edge.radius();
-        if holds(edge, q) {
-            return q;
-        }
-    }
-    if p.distance(edge.start) <= p.distance(edge.end) {
-        edge.start
-    } else {
-        edge.end
-    }
+    // Towards the other centre, and away from it.
+    let (center, to) = (arc.center(), other.center());
+    [arc.foot(to), arc.foot(center + (center - to))]
 }
 
 #[cfg(test)]
