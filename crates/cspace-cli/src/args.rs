@@ -131,15 +131,19 @@ pub(crate) struct ExportArgs {
     pub(crate) common: Common,
     #[command(flatten)]
     pub(crate) window: WindowArg,
-    /// Meshes: how far a triangle may be from the contact surface, as a share of the pair's size
-    #[arg(long, value_name = "SHARE", default_value_t = 1e-3, value_parser = share, allow_negative_numbers = true)]
-    pub(crate) tolerance: f64,
+    /// Meshes: how far a triangle may be from the contact surface, as a share of the pair's size [default: 0.001]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub(crate) tolerance: Option<f64>,
+    /// Meshes: what a radian of θ is as third coordinate, in the model's unit [default: 1 in PLY; else a turn is as tall as
+    /// the surface is wide]
+    #[arg(long, value_name = "S", value_parser = scale, allow_negative_numbers = true)]
+    pub(crate) theta_scale: Option<f64>,
     /// Meshes: write numbers as text where the format can have either
     #[arg(long)]
     pub(crate) ascii: bool,
-    /// Pictures: the largest number of slices
-    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
-    pub(crate) slices: u32,
+    /// Pictures: the largest number of slices [default: 12]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
+    pub(crate) slices: Option<u32>,
 }
 
 #[derive(Debug, Args)]
@@ -187,6 +191,13 @@ pub(crate) struct CompletionsArgs {
     /// The shell
     #[arg(value_enum)]
     pub(crate) shell: clap_complete::Shell,
+}
+
+fn scale(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|t| (1e-9..=1e9).contains(t))
+        .ok_or_else(|| "give a number from 1e-9 to 1e9".to_owned())
 }
 
 fn share(text: &str) -> Result<f64, String> {

@@ -29,6 +29,15 @@ enum Kind {
     Glb,
 }
 
+impl Kind {
+    fn is_mesh(self) -> bool {
+        matches!(self, Self::Ply | Self::Obj | Self::Stl | Self::Glb)
+    }
+}
+
+/// Slices of a picture, if the user does not say.
+const SLICES: u32 = 12;
+
 const EXTENSIONS: &str = ".json, .svg, .ply, .obj, .stl or .glb";
 
 pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
@@ -38,6 +47,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
             .help(format_args!("give -o OUT with an extension: {EXTENSIONS}")));
     };
     let kind = kind(path)?;
+    refuse_unused(args, kind, path)?;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
     let mut said = None;
@@ -52,17 +62,22 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
         }
         Kind::Svg => {
             let space = pair.contact_space("a picture")?;
-            pictures(pair.title(), &space, args.slices).into_bytes()
+            pictures(pair.title(), &space, args.slices.unwrap_or(SLICES)).into_bytes()
         }
         Kind::Ply | Kind::Obj | Kind::Stl | Kind::Glb => {
             let options = MeshOptions {
-                tolerance: args.tolerance,
+                tolerance: (args.tolerance).unwrap_or(MeshOptions::default().tolerance),
             };
             let space = pair.contact_space("a surface")?;
             let mesh = Mesh::new(&space, &options).map_err(|e| {
                 Failure::work(format_args!("{}: {e}", path.display()))
                     .help("give a larger --tolerance; of a saved space, compute it again")
             })?;
+            let theta_scale = args.theta_scale.unwrap_or_else(|| match kind {
+                Kind::Ply => 1.0,
+                _ => mesh.turn_as_tall_as_wide(),
+            });
+            let mesh = mesh.with_theta_scale(theta_scale);
             let encoding = if args.ascii {
                 Encoding::Ascii
             } else {
@@ -86,6 +101,41 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
         let _ = writeln!(std::io::stderr(), "{said}");
     }
     Ok(())
+}
+
+/// Options that say nothing about what is written are a slip.
+fn refuse_unused(args: &ExportArgs, kind: Kind, path: &Path) -> Result<(), Failure> {
+    let is_mesh = kind.is_mesh();
+    let unused = [
+        (
+            "--tolerance",
+            args.tolerance.is_some() && !is_mesh,
+            "meshes",
+        ),
+        (
+            "--theta-scale",
+            args.theta_scale.is_some() && !is_mesh,
+            "meshes",
+        ),
+        (
+            "--ascii",
+            args.ascii && !matches!(kind, Kind::Ply | Kind::Stl),
+            ".ply and .stl",
+        ),
+        (
+            "--slices",
+            args.slices.is_some() && kind != Kind::Svg,
+            "pictures",
+        ),
+    ];
+    match unused.into_iter().find(|u| u.1) {
+        None => Ok(()),
+        Some((option, _, what)) => Err(Failure::input(format_args!(
+            "{}: {option} is about {what}",
+            path.display()
+        ))
+        .help(format_args!("leave {option} out, or write another format"))),
+    }
 }
 
 /// That a mesh does not fit the format.
@@ -134,7 +184,7 @@ fn pictures(title: String, space: &ContactSpace, limit: u32) -> String {
 fn report(mesh: &Mesh, path: &Path) -> String {
     let openings = mesh.openings();
     format!(
-        "{}: {}, {}, at most {:.2e} from the surface, {}",
+        "{}: {}, {}, at most {:.2e} from the surface, {}{}",
         shown::text(&path.to_string_lossy()),
         count(mesh.vertices.len(), "vertex", "vertices"),
         count(mesh.triangles.len(), "triangle", "triangles"),
@@ -146,6 +196,14 @@ fn report(mesh: &Mesh, path: &Path) -> String {
                 count(n, "open edge", "open edges"),
                 openings.edges
             ),
+        },
+        if mesh.theta_scale == 1.0 {
+            String::new()
+        } else {
+            format!(
+                "; a radian is {:.6} of the third coordinate",
+                mesh.theta_scale
+            )
         }
     )
 }

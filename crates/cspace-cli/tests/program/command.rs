@@ -770,7 +770,17 @@ fn obj_and_stl_have_the_triangles_of_the_ply() {
     printed(&["export", &model("ball_in_c"), "-o", &saved]);
     let export = |name: &str, more: &[&str]| -> Vec<u8> {
         let out = path(name);
-        let args = [&["export", &saved, "-o", &out, "--tolerance", "0.01"], more].concat();
+        let common = [
+            "export",
+            &saved,
+            "-o",
+            &out,
+            "--tolerance",
+            "0.01",
+            "--theta-scale",
+            "1",
+        ];
+        let args = [&common[..], more].concat();
         cspace(&args).assert().success().stdout("");
         std::fs::read(out).unwrap()
     };

@@ -8,6 +8,7 @@ use super::mesh::Mesh;
 pub const PATCH_ATTRIBUTE: &str = "_PATCH";
 
 /// Component types of glTF 2.0, section 3.6.2.2.
+const UNSIGNED_BYTE: u32 = 5121;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 /// Targets of buffer views, section 3.6.1.
@@ -37,16 +38,32 @@ pub enum GlbError {
 /// The vertices of the file: one for each vertex of the mesh and each patch it is used by.
 struct Arrays {
     positions: Vec<[f32; 3]>,
+    /// Unit vectors towards free space, of each patch for itself.
+    normals: Vec<[f32; 3]>,
     patches: Vec<u32>,
     indices: Vec<u32>,
+    /// What the coordinates are, in words.
+    coordinates: String,
 }
+
+/// Colours of patches, one after the other: those of Okabe and Ito, which the colour-blind tell apart, without black.
+const COLORS: [[u8; 4]; 7] = [
+    [230, 159, 0, 255],
+    [86, 180, 233, 255],
+    [0, 158, 115, 255],
+    [240, 228, 66, 255],
+    [0, 114, 178, 255],
+    [213, 94, 0, 255],
+    [204, 121, 167, 255],
+];
 
 /// The mesh as a binary glTF 2.0 file: vertices (x, y, θ) in single precision, which is all the format has; triangles
 /// counter-clockwise seen from free space.
 ///
 /// The attribute [`PATCH_ATTRIBUTE`] of the vertices, a float, is the number of the patch. The three vertices of a triangle
 /// have the same: where patches meet, the surface has a vertex for each, of one position to the last bit. The model's x, y
-/// and θ are the format's X, Y and Z; no node turns them.
+/// and scaled θ are the format's X, Y and Z; no node turns them. Normals are those of the triangles around, each patch for itself,
+/// and patches have colours.
 ///
 /// Triangles of which two corners are one place in single precision are left out, which opens no edge.
 ///
@@ -97,9 +114,7 @@ impl Arrays {
         }
         // A sum of 0 and −0 is 0: the two are one place, and one pattern of bits.
         let single = |x: f64| x as f32 + 0.0;
-        let places: Vec<[f32; 3]> = (mesh.vertices.iter())
-            .map(|v| [v.x, v.y, v.theta].map(single))
-            .collect();
+        let places: Vec<[f32; 3]> = mesh.places().map(|p| p.map(single)).collect();
         let mut triangles: Vec<_> = (mesh.triangles.iter())
             .filter(|t| {
                 let [a, b, c] = t.vertices.map(|v| places[v as usize]);
@@ -110,8 +125,10 @@ impl Arrays {
         triangles.sort_by_key(|t| t.patch);
         let mut arrays = Self {
             positions: Vec::new(),
+            normals: Vec::new(),
             patches: Vec::new(),
             indices: Vec::with_capacity(3 * triangles.len()),
+            coordinates: mesh.coordinates(),
         };
         // The vertex of the file that a vertex of the mesh had last, and for which patch.
         let mut last: Vec<Option<(u32, u32)>> = vec![None; places.len()];
@@ -138,12 +155,45 @@ impl Arrays {
                 arrays.indices.push(index);
             }
         }
+        arrays.normals = arrays.normals_of_triangles();
         Ok(arrays)
     }
 
-    /// Positions, patches and indices, one after the other.
+    /// At each vertex the direction of the sum of its triangles' normals, each as long as its triangle is large.
+    fn normals_of_triangles(&self) -> Vec<[f32; 3]> {
+        let mut sums = vec![[0.0_f64; 3]; self.positions.len()];
+        for t in self.indices.chunks_exact(3) {
+            let [a, b, c] = [t[0], t[1], t[2]].map(|i| self.positions[i as usize].map(f64::from));
+            let (u, v) = (
+                [0, 1, 2].map(|k| b[k] - a[k]),
+                [0, 1, 2].map(|k| c[k] - a[k]),
+            );
+            let n = [
+                u[1] * v[2] - u[2] * v[1],
+                u[2] * v[0] - u[0] * v[2],
+                u[0] * v[1] - u[1] * v[0],
+            ];
+            for &i in t {
+                for (sum, x) in sums[i as usize].iter_mut().zip(n) {
+                    *sum += x;
+                }
+            }
+        }
+        let unit = |n: [f64; 3]| {
+            let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+            // Normals must have length 1 (section 3.7.2.1), also where triangles are too narrow to have any.
+            if length > 0.0 && length.is_finite() {
+                n.map(|x| (x / length) as f32)
+            } else {
+                [0.0, 0.0, 1.0]
+            }
+        };
+        sums.into_iter().map(unit).collect()
+    }
+
+    /// Positions, patches, indices, normals and colours, one after the other.
     fn binary(&self) -> Vec<u8> {
-        let mut out = Vec::with_capacity(16 * self.positions.len() + 4 * self.indices.len());
+        let mut out = Vec::with_capacity(32 * self.positions.len() + 4 * self.indices.len());
         for x in self.positions.iter().flatten() {
             out.extend_from_slice(&x.to_le_bytes());
         }
@@ -152,6 +202,12 @@ impl Arrays {
         }
         for index in &self.indices {
             out.extend_from_slice(&index.to_le_bytes());
+        }
+        for x in self.normals.iter().flatten() {
+            out.extend_from_slice(&x.to_le_bytes());
+        }
+        for &patch in &self.patches {
+            out.extend_from_slice(&COLORS[patch as usize % COLORS.len()]);
         }
         out
     }
@@ -176,24 +232,32 @@ impl Arrays {
             "scenes": [{ "nodes": [0] }],
             "nodes": [{ "mesh": 0, "name": NODE }],
             "meshes": [{
-                "name": "contact surface: x and y in the model's unit, the third coordinate is theta in radians",
+                "name": format!("contact surface: {}", self.coordinates),
                 "primitives": [{
-                    "attributes": { "POSITION": 0, PATCH_ATTRIBUTE: 1 },
+                    "attributes": { "POSITION": 0, PATCH_ATTRIBUTE: 1, "NORMAL": 3, "COLOR_0": 4 },
                     "indices": 2,
                     "material": 0,
                 }],
             }],
             // Who looks from blocked space sees the surface as well.
-            "materials": [{ "doubleSided": true }],
+            "materials": [{
+                "name": "contact",
+                "doubleSided": true,
+                "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 0.8 },
+            }],
             "accessors": [
                 { "bufferView": 0, "componentType": FLOAT, "count": n, "type": "VEC3", "min": lo, "max": hi },
                 { "bufferView": 1, "componentType": FLOAT, "count": n, "type": "SCALAR" },
                 { "bufferView": 2, "componentType": UNSIGNED_INT, "count": indices, "type": "SCALAR" },
+                { "bufferView": 3, "componentType": FLOAT, "count": n, "type": "VEC3" },
+                { "bufferView": 4, "componentType": UNSIGNED_BYTE, "normalized": true, "count": n, "type": "VEC4" },
             ],
             "bufferViews": [
                 { "buffer": 0, "byteOffset": 0, "byteLength": 12 * n, "target": ARRAY_BUFFER },
                 { "buffer": 0, "byteOffset": 12 * n, "byteLength": 4 * n, "target": ARRAY_BUFFER },
                 { "buffer": 0, "byteOffset": 16 * n, "byteLength": 4 * indices, "target": ELEMENT_ARRAY_BUFFER },
+                { "buffer": 0, "byteOffset": 16 * n + 4 * indices, "byteLength": 12 * n, "target": ARRAY_BUFFER },
+                { "buffer": 0, "byteOffset": 28 * n + 4 * indices, "byteLength": 4 * n, "target": ARRAY_BUFFER },
             ],
             "buffers": [{ "byteLength": bytes }],
         })

@@ -23,11 +23,9 @@ use super::mesh::{Mesh, Triangle};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn obj(mesh: &Mesh) -> String {
-    let mut out = String::from(
-        "# contact surface: x and y in the model's unit, the third coordinate is theta in radians\n",
-    );
-    for v in &mesh.vertices {
-        let _ = writeln!(out, "v {} {} {}", v.x, v.y, v.theta);
+    let mut out = format!("# contact surface: {}\n", mesh.coordinates());
+    for [x, y, z] in mesh.places() {
+        let _ = writeln!(out, "v {x} {y} {z}");
     }
     let mut triangles: Vec<&Triangle> = mesh.triangles.iter().collect();
     triangles.sort_by_key(|t| t.patch);

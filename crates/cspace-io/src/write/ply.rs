@@ -14,16 +14,17 @@ pub enum Encoding {
     Ascii,
 }
 
-/// The mesh as a PLY file: vertices with `x`, `y` and `theta` as doubles, triangles with the `patch` they lie on.
+/// The mesh as a PLY file: vertices with `x`, `y` and `z`, which is θ, as doubles; triangles with the `patch` they lie on.
 pub fn ply(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     let format = match encoding {
         Encoding::Binary => "binary_little_endian",
         Encoding::Ascii => "ascii",
     };
     let header = format!(
-        "ply\nformat {format} 1.0\ncomment contact surface: x and y in the model's unit, theta in radians\n\
-         element vertex {}\nproperty double x\nproperty double y\nproperty double theta\n\
+        "ply\nformat {format} 1.0\ncomment contact surface: {}\n\
+         element vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
          element face {}\nproperty list uchar int vertex_indices\nproperty int patch\nend_header\n",
+        mesh.coordinates(),
         mesh.vertices.len(),
         mesh.triangles.len()
     );
@@ -35,10 +36,8 @@ pub fn ply(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
 
 fn binary(mut out: Vec<u8>, mesh: &Mesh) -> Vec<u8> {
     out.reserve(24 * mesh.vertices.len() + 17 * mesh.triangles.len());
-    for v in &mesh.vertices {
-        for x in [v.x, v.y, v.theta] {
-            out.extend_from_slice(&x.to_le_bytes());
-        }
+    for x in mesh.places().flatten() {
+        out.extend_from_slice(&x.to_le_bytes());
     }
     for t in &mesh.triangles {
         out.push(3);
@@ -50,8 +49,8 @@ fn binary(mut out: Vec<u8>, mesh: &Mesh) -> Vec<u8> {
 }
 
 fn ascii(mut out: String, mesh: &Mesh) -> String {
-    for v in &mesh.vertices {
-        let _ = writeln!(out, "{} {} {}", v.x, v.y, v.theta);
+    for [x, y, z] in mesh.places() {
+        let _ = writeln!(out, "{x} {y} {z}");
     }
     for t in &mesh.triangles {
         let [a, b, c] = t.vertices;

@@ -27,24 +27,22 @@ use super::ply::Encoding;
 /// ```
 pub fn stl(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     let triangles: Vec<[[f32; 3]; 3]> = (mesh.triangles.iter())
-        .map(|t| {
-            t.vertices.map(|v| {
-                let v = mesh.vertices[v as usize];
-                [v.x as f32, v.y as f32, v.theta as f32]
-            })
-        })
+        .map(|t| t.vertices.map(|v| mesh.place(v).map(|x| x as f32)))
         .filter(|[a, b, c]| a != b && b != c && c != a)
         .collect();
     match encoding {
-        Encoding::Binary => binary(&triangles),
+        Encoding::Binary => binary(
+            &format!("contact surface: {}", mesh.coordinates()),
+            &triangles,
+        ),
         Encoding::Ascii => ascii(&triangles).into_bytes(),
     }
 }
 
-fn binary(triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
+fn binary(header: &str, triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
     let mut out = Vec::with_capacity(84 + 50 * triangles.len());
     // Readers take a header that begins with `solid` for the text format.
-    out.extend_from_slice(b"contact surface: x and y in the model's unit, theta in radians");
+    out.extend_from_slice(&header.as_bytes()[..header.len().min(80)]);
     out.resize(80, b' ');
     out.extend_from_slice(&(triangles.len() as u32).to_le_bytes());
     for t in triangles {

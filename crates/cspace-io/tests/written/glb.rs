@@ -54,6 +54,12 @@ fn read(bytes: &[u8]) -> Read {
         .unwrap()
         .collect();
     assert_eq!(patches.len(), places.len());
+    let normals: Vec<[f32; 3]> = reader.read_normals().unwrap().collect();
+    let unit = |n: &[f32; 3]| (n.iter().map(|x| x * x).sum::<f32>() - 1.0).abs() < 1e-5;
+    assert!(normals.len() == places.len() && normals.iter().all(unit));
+    let colors: Vec<[u8; 4]> = reader.read_colors(0).unwrap().into_rgba_u8().collect();
+    let same_color = |i: usize, j: usize| patches[i] != patches[j] || colors[i] == colors[j];
+    assert!(colors.len() == places.len() && (1..places.len()).all(|i| same_color(i - 1, i)));
     // The box that the format wants is that of the places.
     let bounds = primitive.bounding_box();
     for k in 0..3 {
@@ -186,4 +192,49 @@ fn what_single_precision_cannot_hold_is_refused() {
     let mut many = good;
     many.triangles[0].patch = 1 << 24;
     assert_eq!(glb(&many), Err(GlbError::Patches));
+}
+
+/// Normals point to free space: they are the contact functions' gradients, in the scaled coordinates.
+#[test]
+fn normals_are_those_of_the_surface() {
+    let mesh = mesh("peg_hole", None);
+    let mesh = mesh.clone().with_theta_scale(mesh.turn_as_tall_as_wide());
+    let (lo, hi) = (mesh.vertices.iter()).fold((f64::MAX, f64::MIN), |(lo, hi), v| {
+        (lo.min(v.x.min(v.y)), hi.max(v.x.max(v.y)))
+    });
+    let turn = mesh.theta_scale * core::f64::consts::TAU;
+    assert!(
+        turn <= (hi - lo) * (1.0 + 1e-12) && turn > 0.3 * (hi - lo),
+        "{turn}"
+    );
+    let bytes = glb(&mesh).unwrap();
+    let file = gltf::Gltf::from_slice(&bytes).unwrap();
+    let blob = file.blob.as_deref().unwrap();
+    let primitive = (file.meshes().next().unwrap().primitives().next()).unwrap();
+    let reader = primitive.reader(|_| Some(blob));
+    let places: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+    let normals: Vec<[f32; 3]> = reader.read_normals().unwrap().collect();
+    let path = format!("{}/../../models/peg_hole.toml", env!("CARGO_MANIFEST_DIR"));
+    let model = model::read(path).unwrap();
+    let [fixed, moving] = [model.pairs[0].fixed, model.pairs[0].moving];
+    let (fixed, moving) = (&model.parts[fixed].part, &model.parts[moving].part);
+    let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
+    let patch = Semantic::Extras(PATCH_ATTRIBUTE.trim_start_matches('_').to_owned());
+    let patches = gltf::accessor::Iter::<f32>::new(primitive.get(&patch).unwrap(), |_| Some(blob));
+    let mut agree = 0;
+    for ((p, n), patch) in places.iter().zip(&normals).zip(patches.unwrap()) {
+        let theta = f64::from(p[2]) / mesh.theta_scale;
+        let c = cspace::Configuration::new(f64::from(p[0]), f64::from(p[1]), theta);
+        let g = space.patch(patch as u32).unwrap().gradient(c);
+        let g = [g[0], g[1], g[2] / mesh.theta_scale];
+        let length = g.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let dot: f64 = g.iter().zip(n).map(|(g, n)| g * f64::from(*n)).sum();
+        agree += usize::from(dot > 0.8 * length);
+    }
+    // But at a few vertices between patches, where triangles are narrow.
+    assert!(
+        agree * 100 > normals.len() * 97,
+        "{agree} of {}",
+        normals.len()
+    );
 }

@@ -1,6 +1,6 @@
 //! From a contact space to its mesh.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
 
 use cspace::{Configuration, ContactSpace};
@@ -25,7 +25,7 @@ pub struct Triangle {
 }
 
 /// The contact surface as triangles: vertices (x, y, θ) on the exact surface.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// The vertices.
     pub vertices: Vec<Configuration>,
@@ -35,6 +35,8 @@ pub struct Mesh {
     pub deviation: f64,
     /// The orientations at which the surface is cut off; at a full turn's ends the same vertices come in the same order.
     pub ends: (f64, f64),
+    /// What files have for a radian as third coordinate: 1, or [`turn_as_tall_as_wide`](Self::turn_as_tall_as_wide).
+    pub theta_scale: f64,
 }
 
 /// Edges of a mesh that are not shared by two triangles in opposite directions.
@@ -48,6 +50,19 @@ pub struct Openings {
     pub elsewhere: usize,
     /// Edges of four triangles or more, in opposite directions in equal number: where surfaces touch.
     pub touching: usize,
+}
+
+/// A mesh of nothing.
+impl Default for Mesh {
+    fn default() -> Self {
+        Self {
+            vertices: Vec::new(),
+            triangles: Vec::new(),
+            deviation: 0.0,
+            ends: (0.0, 0.0),
+            theta_scale: 1.0,
+        }
+    }
 }
 
 impl Default for MeshOptions {
@@ -138,12 +153,59 @@ impl Mesh {
         Ok(mesher.mesh)
     }
 
+    /// The same mesh, with so much for a radian in files.
+    #[must_use]
+    pub fn with_theta_scale(self, theta_scale: f64) -> Self {
+        Self {
+            theta_scale,
+            ..self
+        }
+    }
+
+    /// The scale of θ, in the model's unit per radian, with which a turn is as tall as the surface is wide in x or y; 1 for a
+    /// mesh of nothing.
+    pub fn turn_as_tall_as_wide(&self) -> f64 {
+        let extent = |of: fn(&Configuration) -> f64| {
+            let (lo, hi) = (self.vertices.iter().map(of))
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+                    (lo.min(x), hi.max(x))
+                });
+            hi - lo
+        };
+        let width = extent(|v| v.x).max(extent(|v| v.y));
+        if width > 0.0 && width.is_finite() {
+            width / TAU
+        } else {
+            1.0
+        }
+    }
+
+    /// A vertex as files have it: x, y, and θ scaled.
+    pub fn place(&self, vertex: u32) -> [f64; 3] {
+        let v = &self.vertices[vertex as usize];
+        [v.x, v.y, v.theta * self.theta_scale]
+    }
+
+    /// The vertices as files have them.
+    pub(crate) fn places(&self) -> impl Iterator<Item = [f64; 3]> {
+        (0..self.vertices.len() as u32).map(|v| self.place(v))
+    }
+
+    /// What the coordinates of files are, in words.
+    pub(crate) fn coordinates(&self) -> String {
+        if self.theta_scale == 1.0 {
+            "x and y in the model's unit, z is theta in radians".to_owned()
+        } else {
+            format!(
+                "x and y in the model's unit, z is theta in radians times {}",
+                self.theta_scale
+            )
+        }
+    }
+
     /// Whether every coordinate is finite in single precision, which is all that some formats have.
     pub fn fits_single_precision(&self) -> bool {
-        let fits = |x: f64| (x as f32).is_finite();
-        self.vertices
-            .iter()
-            .all(|v| fits(v.x) && fits(v.y) && fits(v.theta))
+        self.places().flatten().all(|x| (x as f32).is_finite())
     }
 
     /// Counts the edges that are open.
