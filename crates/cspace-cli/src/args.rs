@@ -50,7 +50,7 @@ pub(crate) enum Format {
 /// What all commands that take a file have.
 #[derive(Debug, Args)]
 pub(crate) struct Common {
-    /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`
+    /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`; - is standard input
     pub(crate) file: PathBuf,
 
     /// The pair: names of its fixed and its moving part
@@ -78,7 +78,7 @@ pub(crate) struct ResultArgs {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
 
-    /// Write the result to this file instead of standard output; whole or not at all
+    /// Write the result to this file instead of standard output (-); whole or not at all
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
 }

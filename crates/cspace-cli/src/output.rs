@@ -6,9 +6,17 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::failure::Failure;
 
+/// What stands for standard input as FILE, and for standard output after `-o`.
+pub(crate) const STANDARD: &str = "-";
+
+/// The file to write, if it is not standard output.
+fn file(path: Option<&Path>) -> Option<&Path> {
+    path.filter(|p| *p != Path::new(STANDARD))
+}
+
 /// Writes to the file, or to standard output if there is none.
 pub(crate) fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
-    match path {
+    match file(path) {
         Some(path) => write_file(path, bytes),
         None => write_stdout(bytes),
     }
@@ -72,7 +80,7 @@ pub(crate) fn abandon() -> impl Sized {
 
 /// That the output can be written is found out before the work is done.
 pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
-    let Some(path) = path else {
+    let Some(path) = file(path) else {
         return Ok(());
     };
     if path.is_dir() {
@@ -101,7 +109,7 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
 
 /// That the output is not the file that is read, under whatever name: writing would destroy it.
 pub(crate) fn check_apart(path: Option<&Path>, input: &Path) -> Result<(), Failure> {
-    match path {
+    match file(path) {
         Some(path) if is_same_file(path, input) => Err(over_input(path, "the file that is read")),
         _ => Ok(()),
     }
@@ -112,7 +120,7 @@ pub(crate) fn check_apart(path: Option<&Path>, input: &Path) -> Result<(), Failu
 pub(crate) fn check_apart_from_stdin(path: Option<&Path>) -> Result<(), Failure> {
     use std::fs::File;
     use std::os::fd::AsFd;
-    let Some(path) = path else {
+    let Some(path) = file(path) else {
         return Ok(());
     };
     let stdin = std::io::stdin().as_fd().try_clone_to_owned();

@@ -29,14 +29,25 @@ pub(crate) fn read_text(path: &Path, limit: u64) -> Result<String, ModelError> {
     if meta.len() > limit {
         return Err(too_large());
     }
-    let mut bytes = Vec::with_capacity(usize::try_from(meta.len()).unwrap_or(0));
-    // The file may grow while it is read.
     let file = std::fs::File::open(path)
         .map_err(|e| unreadable(&e, "check that you are allowed to read it"))?;
-    (file.take(limit + 1).read_to_end(&mut bytes))
-        .map_err(|e| unreadable(&e, "check the disk, or copy the file"))?;
+    // The file may grow while it is read.
+    text_of(file, limit, &path.display().to_string())
+}
+
+/// The text that a reader gives, of at most `limit` bytes; `file` is what errors call it.
+pub(crate) fn text_of(source: impl Read, limit: u64, file: &str) -> Result<String, ModelError> {
+    let error =
+        |message: String, help: &str| ModelError::of_file(message).with_help(help).in_file(file);
+    let mut bytes = Vec::new();
+    (source.take(limit + 1).read_to_end(&mut bytes)).map_err(|e| {
+        error(
+            format!("it cannot be read: {e}"),
+            "check the disk, or copy the file",
+        )
+    })?;
     if bytes.len() as u64 > limit {
-        return Err(too_large());
+        return Err(too_large(Path::new(file), limit));
     }
     String::from_utf8(bytes).map_err(|e| {
         error(

@@ -4,15 +4,14 @@ mod chosen;
 mod named;
 mod space;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use cspace::PairClass;
-use cspace::{Mechanism, PairEntry};
+use cspace::{Mechanism, PairClass, PairEntry};
 use cspace_io::{Document, SavedFile};
 
 use crate::args::Common;
 use crate::failure::{Failure, note};
-use crate::output;
+use crate::output::{self, STANDARD};
 use crate::progress::catch_interrupts;
 
 use named::named_pair;
@@ -72,8 +71,14 @@ impl Subject {
         output::check_apart(output, &common.file)?;
         catch_interrupts();
         set_threads(common.threads)?;
-        let path = common.file.clone();
-        Ok(match cspace_io::read(&path)? {
+        let mut path = common.file.clone();
+        let document = if common.file == Path::new(STANDARD) {
+            path = PathBuf::from("standard input");
+            cspace_io::read_from(std::io::stdin().lock(), "standard input")?
+        } else {
+            cspace_io::read(&path)?
+        };
+        Ok(match document {
             Document::Model(model) => Self::Model { path, model },
             Document::Space(file) => Self::Saved(file),
         })

@@ -15,7 +15,7 @@ use cspace::pair::SavedPair;
 use cspace::{ContactSpace, FixedAxesSpace, LowerPair, Mechanism, PairSpace};
 use serde_json::value::RawValue;
 
-use crate::file::{extension, read_text, without_mark};
+use crate::file::{extension, read_text, text_of, without_mark};
 use crate::model::no_json;
 use crate::{ModelError, model};
 
@@ -135,6 +135,28 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
         return model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
     }
     model::read(path).map(|m| Document::Model(Box::new(m)))
+}
+
+/// As [`read`], from what a reader gives; `file` is what errors call it. Text that begins with a brace is JSON, other text TOML.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from(source: impl std::io::Read, file: &str) -> Result<Document, ModelError> {
+    let text = text_of(source, LARGEST, file)?;
+    let is_json = without_mark(&text).trim_start().starts_with('{');
+    if is_json && is_saved(&text) {
+        let saved = SavedFile::from_json(&text, file)?;
+        return Ok(Document::Space(Box::new(saved)));
+    }
+    let mut model = if is_json {
+        model::from_json(&text, file)
+    } else {
+        model::from_toml(&text, file)
+    }?;
+    if model.name.is_empty() {
+        file.clone_into(&mut model.name);
+    }
+    Ok(Document::Model(Box::new(model)))
 }
 
 /// The contact space in JSON text; `file` is what errors call it.

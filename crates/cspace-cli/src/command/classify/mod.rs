@@ -4,6 +4,7 @@ mod rows;
 
 use core::f64::consts::TAU;
 use std::io::Read;
+use std::path::Path;
 
 use cspace::{Classification, Configuration, Coordinates, PairSpace, QueryError};
 use cspace_io::shown;
@@ -25,6 +26,10 @@ const MOST_BYTES: u64 = 1 << 30;
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let common = &args.common;
     output::check_apart_from_stdin(common.result.output.as_deref())?;
+    if common.file == Path::new(output::STANDARD) {
+        let failure = Failure::input("the model and the rows both come from standard input");
+        return Err(failure.help("give the model as a file, and the rows on standard input"));
+    }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
     let mut bytes = Vec::new();

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::bounds::{PROGRAM, fails, names, run_to};
-use crate::helpers::model;
+use crate::helpers::{cspace, model, printed};
 
 /// Each command, with what it needs.
 fn commands() -> Vec<Vec<String>> {
@@ -244,4 +244,84 @@ fn an_interrupt_while_writing_leaves_a_whole_file() {
         assert_eq!(names(dir.path()), ["out.json"], "{attempt}: {output:?}");
     }
     println!("{old} old, {new} new");
+}
+
+/// A model and a saved space from standard input, results to standard output by name.
+#[test]
+fn a_dash_is_standard_input_or_output() {
+    let text = std::fs::read_to_string(model("peg_hole")).unwrap();
+    let info = printed(&["info", &model("peg_hole")]);
+    let from = |text: &str, args: &[&str]| {
+        let output = cspace(args).write_stdin(text.to_owned()).output().unwrap();
+        (
+            output.status.code(),
+            String::from_utf8(output.stdout).unwrap(),
+            String::from_utf8(output.stderr).unwrap(),
+        )
+    };
+    assert_eq!(from(&text, &["info", "-"]).1, info);
+    assert_eq!(from(&text, &["info", "-", "-o", "-"]).1, info);
+    let dir = tempfile::tempdir().unwrap();
+    let saved = dir.path().join("space.json");
+    printed(&["export", &model("peg_hole"), "-o", saved.to_str().unwrap()]);
+    let saved = std::fs::read_to_string(saved).unwrap();
+    let (code, told, _) = from(&saved, &["compute", "-"]);
+    assert!(code == Some(0) && told.contains("peg"), "{told}");
+    let (code, _, error) = from("[[part]]\nnmae = \"a\"\n", &["info", "-"]);
+    assert!(
+        code == Some(2) && error.contains("standard input:2:1"),
+        "{error}"
+    );
+    let (code, _, error) = from(&text, &["classify", "-"]);
+    assert!(code == Some(2) && error.contains("both"), "{error}");
+}
+
+/// An option that says nothing about what is written is a slip.
+#[test]
+fn options_without_use_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    for (name, option) in [
+        ("a.json", "--slices=3"),
+        ("a.ply", "--slices=3"),
+        ("a.svg", "--tolerance=0.1"),
+        ("a.json", "--theta-scale=2"),
+        ("a.svg", "--ascii"),
+        ("a.glb", "--ascii"),
+    ] {
+        let out = dir.path().join(name);
+        let args = [
+            "export",
+            &model("peg_hole"),
+            option,
+            "-o",
+            out.to_str().unwrap(),
+        ];
+        let output = cspace(&args).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{name} {option}");
+        let error = String::from_utf8(output.stderr).unwrap();
+        let option = option.split('=').next().unwrap();
+        assert!(error.contains(option) && error.contains("help:"), "{error}");
+        assert!(!out.exists());
+    }
+}
+
+/// The third coordinate of a mesh is what is asked for.
+#[test]
+fn theta_is_scaled() {
+    let dir = tempfile::tempdir().unwrap();
+    let z = |name: &str, more: &[&str]| -> f64 {
+        let out = dir.path().join(name);
+        let path = out.to_str().unwrap();
+        let name = model("ball_in_c");
+        let args = [&["export", &name, "-o", path], more].concat();
+        cspace(&args).assert().success();
+        let text = std::fs::read_to_string(&out).unwrap();
+        let lines = text.lines().filter_map(|l| l.strip_prefix("v "));
+        let heights = lines.map(|l| l.split(' ').next_back().unwrap().parse::<f64>().unwrap());
+        heights.fold(f64::MIN, f64::max)
+    };
+    let pi = core::f64::consts::PI;
+    assert!((z("a.obj", &["--theta-scale", "1"]) - pi).abs() < 1e-9);
+    assert!((z("a.obj", &["--theta-scale", "2.5"]) - 2.5 * pi).abs() < 1e-9);
+    assert!((z("a.obj", &[]) - pi).abs() > 0.1);
 }
