@@ -37,6 +37,9 @@ pub(crate) enum Command {
     /// Print a script that completes this command in a shell
     #[command(after_long_help = COMPLETIONS)]
     Completions(CompletionsArgs),
+    /// Print the manual page of this command, or of one of its subcommands
+    #[command(after_long_help = MAN)]
+    Man(ManArgs),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -193,6 +196,13 @@ pub(crate) struct CompletionsArgs {
     pub(crate) shell: clap_complete::Shell,
 }
 
+#[derive(Debug, Args)]
+pub(crate) struct ManArgs {
+    /// The subcommand; without one, the page of `cspace` itself
+    #[arg(value_name = "COMMAND")]
+    pub(crate) command: Option<String>,
+}
+
 fn scale(text: &str) -> Result<f64, String> {
     text.parse::<f64>()
         .ok()
@@ -329,6 +339,13 @@ lets free and blocked configurations meet.
 
 `special` are times of the pairs with joints and fixed axes among the project's models, each by its own
 method and by the one for three degrees of freedom.";
+
+const MAN: &str = "\
+Example:
+  mkdir -p ~/.local/share/man/man1
+  cspace man > ~/.local/share/man/man1/cspace.1
+  cspace man compute > ~/.local/share/man/man1/cspace-compute.1
+  man cspace-compute";
 
 const COMPLETIONS: &str = "\
 Example:

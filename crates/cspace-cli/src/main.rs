@@ -61,5 +61,6 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Export(args) => command::export::run(&args),
         Command::Evaluate(args) => command::evaluate::run(&args),
         Command::Completions(args) => command::completions::run(&args),
+        Command::Man(args) => command::man::run(&args),
     }
 }

@@ -884,3 +884,22 @@ fn the_examples_of_the_help_are_true() {
     }
     assert!(run >= 14, "{run}");
 }
+
+/// Each command has a manual page that names its options.
+#[test]
+fn manual_pages_are_those_of_the_commands() {
+    let all = printed(&["man"]);
+    assert!(all.starts_with(".ie") && all.contains(".TH cspace 1"));
+    for (command, option) in [
+        ("compute", "theta"),
+        ("export", "slices"),
+        ("evaluate", "repeat"),
+    ] {
+        assert!(all.contains(command), "{command}");
+        let page = printed(&["man", command]);
+        assert!(page.contains(&format!(".TH cspace-{command} 1")), "{page}");
+        assert!(page.contains(option), "{command}");
+    }
+    let output = cspace(&["man", "comptue"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+}
