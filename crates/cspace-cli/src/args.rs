@@ -106,6 +106,9 @@ pub(crate) struct InfoArgs {
 pub(crate) struct ComputeArgs {
     #[command(flatten)]
     pub(crate) common: Common,
+    /// Say as well how certain the structure is
+    #[arg(short, long)]
+    pub(crate) verbose: bool,
     #[command(flatten)]
     pub(crate) window: WindowArg,
 }

@@ -16,6 +16,11 @@ pub(crate) fn angle(radians: f64) -> String {
     )
 }
 
+/// An angle in degrees.
+pub(crate) fn degrees(radians: f64) -> String {
+    format!("{:.4} deg", shown::number(radians.to_degrees()))
+}
+
 /// A length, or a coordinate, to six digits after the point.
 pub(crate) fn length(x: f64) -> String {
     format!("{:.6}", shown::number(x))

@@ -1,6 +1,7 @@
 //! The program, run on files.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod answers;
 mod classes;
 mod command;
 mod evaluate;

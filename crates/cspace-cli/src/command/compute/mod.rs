@@ -1,5 +1,6 @@
 //! `cspace compute`.
 
+mod answer;
 mod text;
 
 use std::time::Instant;
@@ -165,11 +166,14 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
         Format::Json => super::json(&summaries)?,
         Format::Text => {
             let mut text = String::new();
-            for (i, (pair, summary)) in pairs.iter().zip(&summaries).enumerate() {
+            for (i, ((pair, (space, _)), summary)) in
+                pairs.iter().zip(&spaces).zip(&summaries).enumerate()
+            {
                 if i > 0 {
                     text.push('\n');
                 }
-                text::describe(&mut text, pair, summary).map_err(Failure::work)?;
+                text::describe(&mut text, pair, space, summary, args.verbose)
+                    .map_err(Failure::work)?;
             }
             text.into_bytes()
         }

@@ -3,20 +3,31 @@
 use std::fmt::{self, Write};
 
 use cspace::pair::{Joint, PermanentContact, PermanentKind};
-use cspace::{Axis, AxisMotion, PairClass, Part};
-use cspace_io::shown;
+use cspace::{Axis, AxisMotion, PairClass, PairSpace, Part};
 
 use crate::subject::Chosen;
 use crate::wording::{angle, count, length, symmetry};
 
-use super::{Counts, MotionSpace, Regions, Seconds, Statistic, Summary};
+use super::{Counts, MotionSpace, Seconds, Statistic, Summary, answer};
 
-pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) -> fmt::Result {
+/// The answer first, then counts; with `verbose` also what tells how certain the structure is.
+pub(super) fn describe(
+    text: &mut String,
+    pair: &Chosen<'_>,
+    space: &PairSpace,
+    s: &Summary<'_>,
+    verbose: bool,
+) -> fmt::Result {
     let unit = pair.unit();
-    writeln!(text, "{} (fixed), {} (moving)", s.fixed, s.moving)?;
+    writeln!(
+        text,
+        "{} relative to {} ({} is fixed, {} moves)",
+        s.moving, s.fixed, s.fixed, s.moving
+    )?;
     if let Some(model) = s.model {
         writeln!(text, "  model          {model}")?;
     }
+    answer::describe(text, pair, space)?;
     let class = pair.class();
     if pair.is_general() && class != PairClass::General {
         writeln!(
@@ -57,12 +68,14 @@ pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, s: &Summary<'_>) ->
             limits,
             permanent,
         }) => describe_joint(text, joint, *limits, permanent, &unit)?,
-        Some(MotionSpace::Axes { fixed, moving }) => describe_axes(text, s, (fixed, moving))?,
-        None => describe_planar(text, s)?,
+        Some(MotionSpace::Axes { fixed, moving }) => {
+            describe_axes(text, s, (fixed, moving), verbose)?;
+        }
+        None => describe_planar(text, s, verbose)?,
     }
     writeln!(
         text,
-        "  resolution     {:.1e}{unit}; a clearance below {:.1e}{unit} counts as none",
+        "  exact to       {:.1e}{unit}; a clearance below {:.1e}{unit} counts as none",
         s.resolution, s.least_clearance
     )?;
     let computed = match (pair.is_saved(), &s.seconds) {
@@ -118,7 +131,12 @@ fn place((x, y): (f64, f64)) -> String {
     format!("({}, {})", length(x), length(y))
 }
 
-fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fmt::Result {
+fn describe_axes(
+    text: &mut String,
+    s: &Summary<'_>,
+    axes: (&Axis, &Axis),
+    verbose: bool,
+) -> fmt::Result {
     for (name, axis) in [("u", axes.0), ("v", axes.1)] {
         let what = match axis.motion {
             AxisMotion::Fixed => "does not move".to_owned(),
@@ -145,46 +163,15 @@ fn describe_axes(text: &mut String, s: &Summary<'_>, axes: (&Axis, &Axis)) -> fm
         count(s.patches, "contact curve", "contact curves"),
         count(s.links.side, "link", "links")
     )?;
-    if let Some(Statistic::Axes(counts)) = &s.statistics {
+    if let Some(Statistic::Axes(counts)) = &s.statistics
+        && (verbose || counts.conflicts > 0)
+    {
         writeln!(
             text,
             "  certainty      {}, {}, {}",
             count(counts.crossings, "crossing", "crossings"),
             count(counts.tests, "test of overlap", "tests of overlap"),
             count(counts.conflicts, "conflict", "conflicts")
-        )?;
-    }
-    writeln!(
-        text,
-        "  free space     {}",
-        count(s.free_regions, "connected region", "connected regions")
-    )?;
-    let Regions::Axes(regions) = &s.regions else {
-        return Ok(());
-    };
-    for (i, r) in regions.iter().enumerate() {
-        let around = match (r.around_u, r.around_v) {
-            (true, true) => ", around u and v",
-            (true, false) => ", around u",
-            (false, true) => ", around v",
-            _ => "",
-        };
-        let range = |(lo, hi): (f64, f64), open: (bool, bool)| {
-            let end = |t: f64, open: bool| {
-                if open {
-                    "no limit".to_owned()
-                } else {
-                    length(t)
-                }
-            };
-            format!("from {} to {}", end(lo, open.0), end(hi, open.1))
-        };
-        writeln!(
-            text,
-            "    region {i}     u {}, v {}{around}, e.g. {}",
-            range(r.u, r.open_u),
-            range(r.v, r.open_v),
-            place(r.sample)
         )?;
     }
     Ok(())
@@ -219,7 +206,7 @@ fn describe_doubt(text: &mut String, doubtful: &[(f64, f64)]) -> fmt::Result {
     )
 }
 
-fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
+fn describe_planar(text: &mut String, s: &Summary<'_>, verbose: bool) -> fmt::Result {
     match s.window {
         Some(w) if !w.full_turn => writeln!(
             text,
@@ -251,30 +238,11 @@ fn describe_planar(text: &mut String, s: &Summary<'_>) -> fmt::Result {
         count(s.links.side, "side link", "side links"),
         count(s.links.vertical, "vertical link", "vertical links")
     )?;
-    if let Some(Statistic::General(counts)) = &s.statistics {
+    if let Some(Statistic::General(counts)) = &s.statistics
+        && (verbose || counts.conflicts > 0)
+    {
         describe_certainty(text, counts)?;
         describe_doubt(text, s.doubtful_orientations.unwrap_or_default())?;
-    }
-    let Regions::Planar(regions) = s.regions else {
-        return Ok(());
-    };
-    let caged = regions.iter().filter(|r| !r.unbounded).count();
-    writeln!(
-        text,
-        "  free space     {}, {} caged",
-        count(s.free_regions, "connected region", "connected regions"),
-        caged
-    )?;
-    for (i, r) in regions.iter().enumerate() {
-        writeln!(
-            text,
-            "    region {i}     {}, {} on its boundary, e.g. ({}, {}, {:.6} rad)",
-            if r.unbounded { "open" } else { "caged" },
-            count(r.patches as usize, "patch", "patches"),
-            length(r.sample.x),
-            length(r.sample.y),
-            shown::number(r.sample.theta)
-        )?;
     }
     Ok(())
 }
