@@ -71,6 +71,14 @@ pub(crate) fn note(message: impl Display) {
     let _ = writeln!(std::io::stderr(), "note: {}", harmless(&message));
 }
 
+/// Says on stderr what is most likely a slip, and what to do about it.
+pub(crate) fn warning(message: impl Display, help: impl Display) {
+    let (message, help) = (message.to_string(), help.to_string());
+    let mut err = std::io::stderr().lock();
+    let _ = writeln!(err, "warning: {}", harmless(&message));
+    let _ = writeln!(err, "  help: {}", harmless(&help));
+}
+
 /// Nobody reads more characters than that. Names may be as long as files.
 const LONGEST: usize = 10_000;
 

@@ -10,7 +10,7 @@ use cspace::{Mechanism, PairClass, PairEntry};
 use cspace_io::{Document, SavedFile};
 
 use crate::args::Common;
-use crate::failure::{Failure, note};
+use crate::failure::{Failure, note, warning};
 use crate::output::{self, STANDARD};
 use crate::progress::catch_interrupts;
 
@@ -82,6 +82,25 @@ impl Subject {
             Document::Model(model) => Self::Model { path, model },
             Document::Space(file) => Self::Saved(file),
         })
+    }
+
+    /// Says on stderr what in a model is most likely not meant.
+    pub(crate) fn warn(&self) {
+        /// More of them tell nothing new.
+        const MOST: usize = 8;
+        let Self::Model { path, model } = self else {
+            return;
+        };
+        let slips = cspace_io::model::slips(model);
+        for slip in slips.iter().take(MOST) {
+            warning(format_args!("{}: {slip}", path.display()), &slip.help);
+        }
+        if slips.len() > MOST {
+            note(format_args!(
+                "{} more warnings like these",
+                slips.len() - MOST
+            ));
+        }
     }
 
     /// The pairs asked for: the one that was named, or all of the file, of which there must be one.

@@ -4,3 +4,4 @@
 mod errors;
 mod paper;
 mod round_trip;
+mod slips;

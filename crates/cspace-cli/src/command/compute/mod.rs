@@ -148,6 +148,7 @@ impl From<&Statistics> for Counts {
 
 pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
     let subject = Subject::open(&args.common)?;
+    subject.warn();
     let pairs = subject.pairs(&args.common, args.window.theta)?;
     let spaces = pairs
         .iter()

@@ -86,6 +86,7 @@ struct PairInfo {
 
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
     let subject = Subject::open(&args.common)?;
+    subject.warn();
     let pairs = subject.pairs_if_any(&args.common, args.window.theta)?;
     for pair in &pairs {
         pair.check_window()?;
