@@ -2,6 +2,7 @@
 
 use super::arrange::{Cell, Stop};
 use super::domain::Extent;
+use super::gaps::Graphs;
 use super::piece::Name;
 use super::piece::{Pair, Piece};
 
@@ -36,16 +37,15 @@ pub(super) fn end_of(cell: &Cell, piece: &Piece, pairs: &[Pair], at_end: bool) -
 
 /// Finds which free cell follows which, and gathers those of the same features, as `same` tells, to curves.
 pub(super) fn chains(
-    pairs: &[Pair],
-    pieces: &[Piece],
-    cells: &[Cell],
+    graphs: &Graphs<'_>,
+    x: &Extent,
     free: &[bool],
     joints: &[[(u32, bool); 2]],
-    (x, y): (Extent, Extent),
     same: impl Fn(&Pair, &Pair) -> bool,
 ) -> Vec<Chain> {
     const NONE: u32 = u32::MAX;
-    let piece = |i: u32| &pieces[cells[i as usize].piece as usize];
+    let (cells, pairs) = (graphs.cells, graphs.pairs);
+    let piece = |i: u32| graphs.piece(i);
     let leaves = |(i, at_end): (u32, bool)| goes_up(piece(i)) == at_end;
     let mut next = vec![NONE; cells.len()];
     let mut previous = vec![NONE; cells.len()];
@@ -90,14 +90,7 @@ pub(super) fn chains(
             .filter(|&j| previous[j as usize] == NONE)
             .map(|j| {
                 let (s, t) = place(j, false);
-                let folded = |e: &Extent, d: f64| {
-                    if e.is_circle() {
-                        super::domain::wrapped(d)
-                    } else {
-                        d
-                    }
-                };
-                (folded(&x, s - u).hypot(folded(&y, t - v)), j)
+                (x.apart(s, u).hypot(graphs.y.apart(t, v)), j)
             })
             .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if let Some((_, j)) = near.filter(|n| n.0 < SAME_PLACE) {

@@ -2,18 +2,16 @@
 
 use super::arrange::Cell;
 use super::arrange::Stop;
-use super::bands::Band;
-use super::bands::Gap;
-use super::bands::Link;
-use super::bands::Swept;
 use super::build::carriers;
 use super::condition::Condition;
+use super::gaps::{Band, Gap};
 use super::piece::End;
 use super::piece::Key;
 use super::piece::Name;
 use super::piece::Pair;
 use super::piece::Piece;
 use super::scene::Scene;
+use super::sweep::{Link, Swept};
 use core::f64::consts::TAU;
 
 impl Partition {

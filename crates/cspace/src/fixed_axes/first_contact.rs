@@ -86,9 +86,9 @@ impl FixedAxesSpace {
         let leaves = self.time_in_ranges(&way).filter(|&t| t < duration);
         let end = leaves.unwrap_or(duration);
         let mut first: Option<(f64, u32)> = None;
-        for b in &self.branches {
+        for b in &self.data.branches {
             let until = first.map_or(end, |f| f.0);
-            if let Some(time) = self.meets(&way, b.cell(), until, touches) {
+            if let Some(time) = self.meets(&way, b.cell, until, touches) {
                 let earlier = first.is_none_or(|f| (time, b.patch) < f);
                 if earlier {
                     first = Some((time, b.patch));
@@ -123,7 +123,7 @@ impl FixedAxesSpace {
         if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
             return Err(MotionError::NotFinite);
         }
-        if self.placed(from.0, from.1).is_none() {
+        if self.setting.placed(from.0, from.1).is_none() {
             return Err(MotionError::StartsOutside);
         }
         let way = self.way(from, rates);
@@ -138,9 +138,9 @@ impl FixedAxesSpace {
             dy: -way.dy,
         };
         let mut found = Vec::new();
-        for b in &self.branches {
+        for b in &self.data.branches {
             let mut add = |way: &Way, enters: bool| {
-                self.falls_through(way, b.cell(), end, |time| {
+                self.falls_through(way, b.cell, end, |time| {
                     let time = if enters { time } else { end - time };
                     found.push((time, b.patch, enters));
                     false
@@ -155,10 +155,10 @@ impl FixedAxesSpace {
 
     /// The motion in the coordinates of the sweep.
     fn way(&self, from: (f64, f64), rates: (f64, f64)) -> Way {
-        let (x, y) = self.map.inner(from.0, from.1);
-        let (dx, dy) = self.map.inner(rates.0, rates.1);
+        let (x, y) = self.setting.map.inner(from.0, from.1);
+        let (dx, dy) = self.setting.map.inner(rates.0, rates.1);
         // As configurations are placed.
-        match self.on_one_line() {
+        match self.setting.on_one_line() {
             Some(share) => Way {
                 x: 0.0,
                 y: y - x * share,
@@ -185,8 +185,8 @@ impl FixedAxesSpace {
                 r => Some(((extent.lo - t) / r).max(0.0)),
             }
         };
-        let a = of(&self.x, self.motions.first, way.x, way.dx);
-        let b = of(&self.y, self.motions.second, way.y, way.dy);
+        let a = of(&self.setting.x, self.setting.motions.first, way.x, way.dx);
+        let b = of(&self.setting.y, self.setting.motions.second, way.y, way.dy);
         match (a, b) {
             (Some(a), Some(b)) => Some(a.min(b)),
             (a, b) => a.or(b),
@@ -196,11 +196,11 @@ impl FixedAxesSpace {
     /// The first time at which the motion goes through a cell into blocked space, up to `until`.
     fn meets(&self, way: &Way, cell: u32, until: f64, starts_touching: bool) -> Option<f64> {
         let along = Along {
-            condition: self.condition_of(cell),
+            condition: self.graphs().condition(cell),
             way,
         };
         let mut found = None;
-        let distance = self.contact_distance() * self.map.frame.scale;
+        let distance = self.setting.inner_contact_distance();
         if starts_touching && self.touches_at(way, cell, 0.0) {
             let (value, slope) = along.distance(0.0);
             if value.abs() <= distance && slope < 0.0 {
@@ -217,14 +217,14 @@ impl FixedAxesSpace {
     /// Calls `take` with every time at which the motion goes through a cell into blocked space, until it returns true.
     fn falls_through(&self, way: &Way, cell: u32, until: f64, mut take: impl FnMut(f64) -> bool) {
         let along = Along {
-            condition: self.condition_of(cell),
+            condition: self.graphs().condition(cell),
             way,
         };
         // Only while the way is in the cell's box.
-        let (x_range, y_range) = self.cell_box(cell);
+        let (x_range, y_range) = self.graphs().cell_box(cell);
         let both = (
-            Visits::new((way.x, way.dx), x_range, self.x.is_circle(), until),
-            Visits::new((way.y, way.dy), y_range, self.y.is_circle(), until),
+            Visits::new((way.x, way.dx), x_range, self.setting.x.is_circle(), until),
+            Visits::new((way.y, way.dy), y_range, self.setting.y.is_circle(), until),
         );
         let (Some(in_x), Some(in_y)) = both else {
             return;
@@ -236,15 +236,13 @@ impl FixedAxesSpace {
         });
     }
 
-    fn condition_of(&self, cell: u32) -> &Condition {
-        let (_, piece) = self.cell_and_piece(cell);
-        &self.pairs[piece.pair as usize].condition
-    }
-
     fn touches_at(&self, way: &Way, cell: u32, time: f64) -> bool {
-        let (u, v) = self.map.outer(way.x + way.dx * time, way.y + way.dy * time);
-        let distance = self.contact_distance() * self.map.frame.scale;
-        self.placed(u, v).is_some_and(|(x, y)| {
+        let (u, v) = self
+            .setting
+            .map
+            .outer(way.x + way.dx * time, way.y + way.dy * time);
+        let distance = self.setting.inner_contact_distance();
+        self.setting.placed(u, v).is_some_and(|(x, y)| {
             self.in_box(cell, x, y, NEAR) && self.on_own_root(cell, x, y, distance)
         })
     }

@@ -2,13 +2,11 @@
 
 use super::arrange::Arrangement;
 use super::arrange::Cell;
+use super::bodies::Bodies;
 use super::domain::Extent;
-use super::motion::Motions;
 use super::piece::Pair;
 use super::piece::Piece;
 use super::place::crossing_of_level;
-use crate::contact::Body;
-use crate::contact::overlap;
 use crate::parallel::prelude::*;
 use core::f64::consts::TAU;
 
@@ -310,23 +308,5 @@ impl<'a> Judge<'a> {
     fn slot(&self, x: f64) -> &[u32] {
         let s = (((x - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
         &self.slots[s]
-    }
-}
-
-// The two bodies, for honest tests of overlap.
-
-/// Both parts, ready to be placed.
-#[derive(Debug)]
-pub(super) struct Bodies {
-    pub(super) first: Body,
-    pub(super) second: Body,
-    pub(super) motions: Motions,
-}
-
-impl Bodies {
-    /// Whether the parts overlap at (x, y). Certain away from contact.
-    pub(super) fn overlap(&self, x: f64, y: f64) -> bool {
-        let (p, theta) = self.motions.relative(x, y);
-        overlap(&self.first, &self.second, p, theta)
     }
 }

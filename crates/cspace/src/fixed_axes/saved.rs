@@ -1,44 +1,45 @@
-//! A fixed-axes space as plain data.
+//! A fixed-axes space as plain data, and whether these hang together.
 
 use crate::feature::FeatureName;
 use crate::space::{SavedError, SavedPart};
 
-use super::adjust::Aside;
 use super::arrange::Cell;
 use super::axis::{AxesError, Axis};
-use super::bands::{Band, Bands, Gap, Region};
-use super::build::carriers;
+use super::components::Region;
 use super::condition::Carriers;
-use super::condition::Condition;
+use super::displacement::Displacement;
 use super::domain::Extent;
+use super::gaps::{Band, Gap};
 use super::motion::Motions;
 use super::patch::{AxesBranch, AxesPatch};
-use super::piece::{Pair, Piece};
+use super::piece::Piece;
 use super::region::AxesRegion;
-use super::setup::{Map, Setting};
-use super::space::{AxesStatistics, FixedAxesSpace};
+use super::setting::Map;
+use super::statistics::AxesStatistics;
 
 /// The version of the format that this library writes, and the only one it reads.
 pub const SAVED_AXES_VERSION: u32 = 1;
 
-const FORMAT: &str = "fixed-axes-space";
+pub(super) const FORMAT: &str = "fixed-axes-space";
 
-/// A [`FixedAxesSpace`] as plain data, to be written in any format `serde` knows and read again.
+/// A [`FixedAxesSpace`](super::FixedAxesSpace) as plain data, to be written in any format `serde` knows and read again: what
+/// the space holds itself.
+///
+/// Everything from `map` to the names of features, and the carriers of the pairs, follows from the parts and their axes. It is
+/// written for other readers, and is not read back.
 ///
 /// ```
-/// use cspace::fixed_axes::SavedAxesSpace;
 /// use cspace::{Axis, FixedAxesSpace, Part, Point, Vector, Vertex};
 /// let disc = |x: f64| vec![Vertex::new(x + 1.0, 0.0, 1.0), Vertex::new(x - 1.0, 0.0, 1.0)];
 /// let (a, b) = (Part::new("a", vec![disc(0.5)])?, Part::new("b", vec![disc(4.0)])?);
 /// let turning = Axis::revolute(Point::new(0.0, 0.0));
 /// let space = FixedAxesSpace::compute(&a, turning, &b, Axis::prismatic(Vector::new(1.0, 0.0)))?;
-/// let again = FixedAxesSpace::try_from(SavedAxesSpace::from(&space))?;
+/// let again = FixedAxesSpace::from_saved(space.to_saved())?;
 /// assert_eq!(again.patches(), space.patches());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-// What follows from parts and axes is there to be written, and is not read back.
 #[cfg_attr(not(feature = "serde"), allow(dead_code))]
 pub struct SavedAxesSpace {
     /// Always `fixed-axes-space`.
@@ -63,22 +64,26 @@ pub struct SavedAxesSpace {
     pub statistics: AxesStatistics,
     #[cfg_attr(
         feature = "serde",
-        serde(default, skip_serializing_if = "Aside::is_none")
+        serde(
+            rename = "aside",
+            default,
+            skip_serializing_if = "Displacement::is_none"
+        )
     )]
-    aside: Aside,
-    map: Map,
-    motions: Motions,
-    x: Extent,
-    y: Extent,
-    first_names: Vec<FeatureName>,
-    second_names: Vec<FeatureName>,
-    pairs: Vec<(u32, u32, Carriers)>,
-    pieces: Vec<Piece>,
-    cells: Vec<Cell>,
-    free: Vec<bool>,
-    bands: Vec<Band>,
-    gaps: Vec<Gap>,
-    regions: Vec<Region>,
+    pub(super) displacement: Displacement,
+    pub(super) map: Map,
+    pub(super) motions: Motions,
+    pub(super) x: Extent,
+    pub(super) y: Extent,
+    pub(super) first_names: Vec<FeatureName>,
+    pub(super) second_names: Vec<FeatureName>,
+    pub(super) pairs: Vec<(u32, u32, Carriers)>,
+    pub(super) pieces: Vec<Piece>,
+    pub(super) cells: Vec<Cell>,
+    pub(super) free: Vec<bool>,
+    pub(super) bands: Vec<Band>,
+    pub(super) gaps: Vec<Gap>,
+    pub(super) regions: Vec<Region>,
 }
 
 /// Why saved data are not a fixed-axes space.
@@ -115,117 +120,12 @@ pub enum SavedAxesError {
     },
 }
 
-impl FixedAxesSpace {
-    /// The space as plain data.
-    pub fn to_saved(&self) -> SavedAxesSpace {
-        self.into()
-    }
-
-    /// The space that plain data describe. The partition is not computed again; what follows at once from the parts and
-    /// their axes (motions, names of features, contact conditions) is, and is not read.
-    ///
-    /// # Errors
-    /// If the data are of another format or version, describe no parts or axes, refer to what is not there, or have numbers
-    /// out of order.
-    pub fn from_saved(saved: SavedAxesSpace) -> Result<Self, SavedAxesError> {
-        saved.try_into()
-    }
-}
-
-impl From<&FixedAxesSpace> for SavedAxesSpace {
-    fn from(s: &FixedAxesSpace) -> Self {
-        Self {
-            format: FORMAT.to_owned(),
-            version: SAVED_AXES_VERSION,
-            fixed: SavedPart::of(&s.fixed),
-            moving: SavedPart::of(&s.moving),
-            fixed_axis: s.axes.0,
-            moving_axis: s.axes.1,
-            free_regions: s.regions(),
-            map: s.map,
-            motions: s.motions,
-            x: s.x,
-            y: s.y,
-            first_names: s.names.0.clone(),
-            second_names: s.names.1.clone(),
-            pairs: s
-                .pairs
-                .iter()
-                .map(|p| (p.first, p.second, p.condition.carriers))
-                .collect(),
-            pieces: s.pieces.clone(),
-            cells: s.cells.clone(),
-            free: s.free.clone(),
-            bands: s.bands.bands.clone(),
-            gaps: s.bands.gaps.clone(),
-            regions: s.bands.regions.clone(),
-            patches: s.patches.clone(),
-            branches: s.branches.clone(),
-            statistics: s.statistics,
-            aside: s.aside,
-        }
-    }
-}
-
-impl TryFrom<SavedAxesSpace> for FixedAxesSpace {
-    type Error = SavedAxesError;
-
-    fn try_from(s: SavedAxesSpace) -> Result<Self, SavedAxesError> {
-        s.check()?;
-        let (fixed, moving) = (s.fixed.part()?, s.moving.part()?);
-        let setting = Setting::new(&fixed, s.fixed_axis, &moving, s.moving_axis, s.aside)?;
-        let scene = &setting.scene;
-        let features = |side: &super::scene::Side| side.outline.features.len() as u32;
-        let (first, second) = (features(&scene.first), features(&scene.second));
-        let pair = |(a, b, _): (u32, u32, Carriers)| {
-            let there = a < first && b < second;
-            let carriers = there.then(|| carriers(scene, a, b)).flatten()?;
-            Some(Pair {
-                first: a,
-                second: b,
-                condition: Condition::new(carriers, scene.motions),
-            })
-        };
-        let pairs: Option<Vec<Pair>> = s.pairs.into_iter().map(pair).collect();
-        let pairs = pairs.ok_or(SavedAxesError::Damaged { what: "pairs" })?;
-        let mut space = Self {
-            fixed,
-            moving,
-            axes: (s.fixed_axis, s.moving_axis),
-            map: setting.map,
-            motions: scene.motions,
-            x: scene.x,
-            y: scene.y,
-            names: setting.names,
-            pairs,
-            pieces: s.pieces,
-            cells: s.cells,
-            free: s.free,
-            bands: Bands {
-                bands: s.bands,
-                gaps: s.gaps,
-                regions: s.regions,
-            },
-            deviation: setting.deviation,
-            grown: setting.grown,
-            aside: s.aside,
-            bodies: setting.bodies,
-            slots: Vec::new(),
-            patches: s.patches,
-            branches: s.branches,
-            statistics: s.statistics,
-        };
-        space.slots = space.near_slots();
-        Ok(space)
-    }
-}
-
 /// Motions are lengths of the pair's frame, in which the parts have size 1, or radians: they are far below this.
 const FARTHEST: f64 = 1e12;
 
 impl SavedAxesSpace {
     /// Whether everything that is referred to is there.
-    fn check(&self) -> Result<(), SavedAxesError> {
+    pub(super) fn check(&self) -> Result<(), SavedAxesError> {
         if self.format != FORMAT {
             return Err(SavedAxesError::Format {
                 found: self.format.clone(),
@@ -280,7 +180,7 @@ impl SavedAxesSpace {
         )?;
         let mut branches = self.branches.iter();
         sound(
-            branches.all(|b| within(b.cell(), n) && within(b.patch, self.patches.len())),
+            branches.all(|b| within(b.cell, n) && within(b.patch, self.patches.len())),
             "branches",
         )?;
         let mut patches = self.patches.iter();

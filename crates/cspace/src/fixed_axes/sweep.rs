@@ -1,12 +1,10 @@
-//! Bands of x between critical values, the free gaps of y in each, and the free regions they join to.
+//! The plane swept along x: bands between critical values, the free gaps of y in each, and which gaps join.
 
-use super::arrange::Cell;
-use super::domain::Extent;
-use super::domain::brought_between;
-use super::judge::Bodies;
-use super::piece::Pair;
-use super::piece::Piece;
 use core::f64::consts::TAU;
+
+use super::bodies::Bodies;
+use super::domain::Extent;
+use super::gaps::{Band, Gap, Graphs};
 
 /// Critical values nearer than this are one (radians or length).
 const NARROWEST: f64 = crate::feature::tolerance::NARROWEST_BAND;
@@ -22,48 +20,6 @@ const TOO_NARROW: f64 = 1e-11;
 const CHECKED: f64 = 1e-5;
 /// Where in a gap, as a share of its width, overlap is tested: not in the middle, where a disc may just fill a hole.
 const TRIED_AT: f64 = 0.382;
-
-/// A free interval of y over a band.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Gap {
-    /// The cell below it, or none at a limit of y, and where nothing touches.
-    pub(super) lower: Option<u32>,
-    /// The cell above it.
-    pub(super) upper: Option<u32>,
-    /// Turns to add to y of the lower and of the upper cell: the lower end is in the first turn at the band's middle.
-    pub(super) turns: (i32, i32),
-    pub(super) region: u32,
-}
-
-/// An interval of x in which the order of the free boundary's cells does not change.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Band {
-    pub(super) lo: f64,
-    pub(super) hi: f64,
-    /// Indices of its gaps, from the lowest.
-    pub(super) gaps: core::ops::Range<u32>,
-}
-
-/// A connected component of free space.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Region {
-    pub(super) sample: (f64, f64),
-    pub(super) x: (f64, f64),
-    pub(super) y: (f64, f64),
-    pub(super) around_x: bool,
-    pub(super) around_y: bool,
-}
-
-/// The bands, their gaps, and the regions they join to.
-#[derive(Debug)]
-pub(super) struct Bands {
-    pub(super) bands: Vec<Band>,
-    pub(super) gaps: Vec<Gap>,
-    pub(super) regions: Vec<Region>,
-}
 
 /// Two gaps of neighbouring bands that share a stretch: `to`, moved by so many turns, or widths of the window, is right of
 /// `from`.
@@ -89,42 +45,11 @@ pub(super) struct Swept {
     pub(super) tests: usize,
 }
 
-/// Cells as functions of x.
-pub(super) struct Graphs<'a> {
-    pub(super) pairs: &'a [Pair],
-    pub(super) pieces: &'a [Piece],
-    pub(super) cells: &'a [Cell],
-    pub(super) y: Extent,
-}
-
 pub(super) struct Sweep<'a> {
     pub(super) graphs: Graphs<'a>,
     pub(super) free: &'a [bool],
     pub(super) bodies: &'a Bodies,
     pub(super) x: Extent,
-}
-
-impl Graphs<'_> {
-    pub(super) fn piece(&self, cell: u32) -> &Piece {
-        &self.pieces[self.cells[cell as usize].piece as usize]
-    }
-
-    /// y of a cell at an x within it, or just beyond.
-    pub(super) fn at(&self, cell: u32, x: f64) -> f64 {
-        let c = &self.cells[cell as usize];
-        self.piece(cell)
-            .y(self.pairs, brought_between(x, c.from, c.to))
-    }
-
-    /// From and to of a gap at x of its band; in the band's middle the lower end is in the first turn.
-    pub(super) fn interval(&self, gap: &Gap, x: f64) -> (f64, f64) {
-        let end = |cell: Option<u32>, turns: i32, limit: f64| {
-            cell.map_or(limit, |i| self.at(i, x) + TAU * f64::from(turns))
-        };
-        let from = end(gap.lower, gap.turns.0, self.y.lo);
-        let to = end(gap.upper, gap.turns.1, self.y.hi);
-        (from, to.max(from))
-    }
 }
 
 impl Sweep<'_> {
@@ -360,100 +285,5 @@ impl Sweep<'_> {
                     .push([band.lo, middle, band.hi].map(|x| self.graphs.interval(gap, x)));
             }
         }
-    }
-}
-
-// The connected components of free space: gaps that hang together.
-
-/// Walks through linked gaps, keeping count of turns.
-pub(super) fn regions(swept: Swept, y: &Extent) -> Bands {
-    let Swept {
-        bands,
-        mut gaps,
-        spans,
-        links,
-        ..
-    } = swept;
-    let n = gaps.len();
-    let mut regions: Vec<Region> = Vec::new();
-    // The links of each gap, side by side.
-    let mut beside: Vec<(u32, u32, i32, i32)> = Vec::with_capacity(2 * links.len());
-    for l in &links {
-        beside.push((l.from, l.to, l.x_turns, l.y_turns));
-        beside.push((l.to, l.from, -l.x_turns, -l.y_turns));
-    }
-    beside.sort_unstable();
-    let mut starts = vec![0usize; n + 1];
-    for b in &beside {
-        starts[b.0 as usize + 1] += 1;
-    }
-    for i in 0..n {
-        starts[i + 1] += starts[i];
-    }
-    let mut band_of = vec![0u32; n];
-    for (k, band) in (0u32..).zip(&bands) {
-        for g in band.gaps.clone() {
-            band_of[g as usize] = k;
-        }
-    }
-    let mut turns = vec![(0, 0); n];
-    for seed in 0..n as u32 {
-        if gaps[seed as usize].region != u32::MAX {
-            continue;
-        }
-        let index = regions.len() as u32;
-        let mut region = Region {
-            sample: (0.0, 0.0),
-            x: (f64::INFINITY, f64::NEG_INFINITY),
-            y: (f64::INFINITY, f64::NEG_INFINITY),
-            around_x: false,
-            around_y: false,
-        };
-        let mut largest = -1.0;
-        let mut stack = vec![seed];
-        gaps[seed as usize].region = index;
-        while let Some(g) = stack.pop() {
-            let (tx, ty) = turns[g as usize];
-            let gap = gaps[g as usize];
-            let band = &bands[band_of[g as usize] as usize];
-            if gap.lower == gap.upper && y.is_circle() && gap.lower.is_none() {
-                region.around_y = true;
-            }
-            let middle = 0.5 * (band.lo + band.hi);
-            let size = |(p, q): (f64, f64)| q - p;
-            let (dx, dy) = (TAU * f64::from(tx), TAU * f64::from(ty));
-            let at = spans[g as usize][1];
-            let measure = size(at).min(band.hi - band.lo);
-            if measure > largest {
-                largest = measure;
-                // In the turn in which the walk came to it, as the region's ranges are.
-                region.sample = (middle + dx, 0.5 * (at.0 + at.1) + dy);
-            }
-            region.x.0 = region.x.0.min(band.lo + dx);
-            region.x.1 = region.x.1.max(band.hi + dx);
-            for (p, q) in spans[g as usize] {
-                region.y.0 = region.y.0.min(p + dy);
-                region.y.1 = region.y.1.max(q + dy);
-            }
-            for &(_, other, dx, dy) in &beside[starts[g as usize]..starts[g as usize + 1]] {
-                // The neighbour, seen from here, is dx turns of x and dy turns of y farther than where it is drawn.
-                let there = (tx + dx, ty + dy);
-                if gaps[other as usize].region == u32::MAX {
-                    gaps[other as usize].region = index;
-                    turns[other as usize] = there;
-                    stack.push(other);
-                } else {
-                    let known = turns[other as usize];
-                    region.around_x |= known.0 != there.0;
-                    region.around_y |= known.1 != there.1;
-                }
-            }
-        }
-        regions.push(region);
-    }
-    Bands {
-        bands,
-        gaps,
-        regions,
     }
 }
