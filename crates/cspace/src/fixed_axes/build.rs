@@ -5,14 +5,9 @@
 
 use super::condition::{Carriers, Condition};
 use super::cycle::Cycle;
-use super::piece::End;
-use super::piece::Key;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
-use super::piece::Spot;
-use super::reach::Apart;
-use super::reach::reaches;
+use super::domain::clusters;
+use super::piece::{End, Key, Name, Pair, Piece, Spot};
+use super::reach::{Apart, reaches};
 use super::scene::Scene;
 use super::tolerance::INDEPENDENT;
 use crate::feature::Feature;
@@ -43,6 +38,29 @@ pub(super) struct Cut {
 }
 
 impl Cut {
+    /// Where one of the features gives way, on a curve that is there at x.
+    pub(super) fn at_node(node: &Spot, x: f64, (at, copy): (f64, u32)) -> Self {
+        Self {
+            root: node.root,
+            ends: true,
+            ..Self::between(x, (at, copy), node.y, node.name)
+        }
+    }
+
+    /// Where both features go on.
+    pub(super) fn between(x: f64, (at, copy): (f64, u32), y: f64, name: Name) -> Self {
+        Self {
+            x,
+            at,
+            copy,
+            y,
+            name,
+            root: 0,
+            ends: false,
+            x_turn: 0,
+        }
+    }
+
     /// Its key where it belongs to a pair, so many turns of x on.
     pub(super) fn key(&self, pair: u32, turn: i32) -> Key {
         Key {
@@ -218,20 +236,10 @@ pub(super) fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
 /// Gives all ends that rounding alone keeps from the x of a vertical piece that x, so that they agree on what is left of
 /// it.
 pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
-    let mut xs: Vec<f64> = pieces
-        .iter()
-        .filter(|p| p.vertical)
-        .flat_map(|p| [p.start.x, p.end.x])
-        .collect();
-    xs.sort_by(f64::total_cmp);
+    let verticals = pieces.iter().filter(|p| p.vertical);
+    let xs = verticals.flat_map(|p| [p.start.x, p.end.x]).collect();
     // One value for each cluster.
-    let mut clusters: Vec<(f64, f64)> = Vec::new();
-    for x in xs {
-        match clusters.last_mut() {
-            Some(last) if x - last.1 < INDEPENDENT => last.1 = x,
-            _ => clusters.push((x, x)),
-        }
-    }
+    let clusters = clusters(xs, INDEPENDENT);
     if clusters.is_empty() {
         return;
     }

@@ -3,8 +3,7 @@
 use super::arrange::{Cell, Stop};
 use super::domain::Extent;
 use super::gaps::Graphs;
-use super::piece::Name;
-use super::piece::{Pair, Piece};
+use super::piece::{Name, Pair, Piece};
 
 /// Ends that no name joins, but no farther apart than this (radians or length), follow each other: three curves through one
 /// point, or lines that continue each other.
@@ -67,15 +66,15 @@ pub(super) fn chains(
             goes_up(piece(i)) == leaving,
         )
     };
-    let at_limit = |i: u32, leaving: bool| {
+    let stop = |i: u32, leaving: bool| {
         let c = &cells[i as usize];
-        let stop = if goes_up(piece(i)) == leaving {
+        if goes_up(piece(i)) == leaving {
             c.end
         } else {
             c.start
-        };
-        matches!(stop, Stop::Node(key) if key.name == Name::Limit)
+        }
     };
+    let at_limit = |i: u32, leaving: bool| matches!(stop(i, leaving), Stop::Node(key) if key.name == Name::Limit);
     let open: Vec<u32> = all()
         .filter(|&i| previous[i as usize] == NONE && !at_limit(i, false))
         .collect();
@@ -101,14 +100,6 @@ pub(super) fn chains(
     let pair = |i: u32| piece(i).pair;
     // A curve starts where the pair of features changes, and where it crosses itself.
     let continues = |from: u32, to: u32| {
-        let stop = |i: u32, leaving: bool| {
-            let c = &cells[i as usize];
-            if goes_up(piece(i)) == leaving {
-                c.end
-            } else {
-                c.start
-            }
-        };
         same(&pairs[pair(from) as usize], &pairs[pair(to) as usize])
             && matches!(stop(from, true), Stop::Node(_))
             && matches!(stop(to, false), Stop::Node(_))

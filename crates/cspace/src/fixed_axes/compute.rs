@@ -163,7 +163,7 @@ impl Window {
             cells: &arrangement.cells,
             y: scene.y,
         };
-        let judge = Judge::new(&pairs, &pieces, bodies, x, scene.y);
+        let judge = Judge::new(graphs, bodies, x);
         let mut verdicts = judge.verdicts(&arrangement);
         let sweep = |free: &[bool]| {
             let sweep = Sweep {

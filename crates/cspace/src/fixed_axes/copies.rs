@@ -1,15 +1,10 @@
 //! From the window to the full turn of a part that repeats itself (figure 4 of Sacks 1999, for two degrees of freedom).
 
-use super::arrange::Cell;
-use super::arrange::Stop;
+use super::arrange::{Cell, Stop};
 use super::build::carriers;
 use super::condition::Condition;
 use super::gaps::{Band, Gap};
-use super::piece::End;
-use super::piece::Key;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
+use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::Scene;
 use super::sweep::{Link, Swept};
 use core::f64::consts::TAU;

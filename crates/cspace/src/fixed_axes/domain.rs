@@ -102,6 +102,19 @@ pub(super) fn brought_between(t: f64, lo: f64, hi: f64) -> f64 {
     t.max(lo).min(hi)
 }
 
+/// Values that are nearer to the one before than `near`, together: the first and the last of each cluster.
+pub(super) fn clusters(mut values: Vec<f64>, near: f64) -> Vec<(f64, f64)> {
+    values.sort_by(f64::total_cmp);
+    let mut clusters: Vec<(f64, f64)> = Vec::new();
+    for x in values {
+        match clusters.last_mut() {
+            Some(last) if x - last.1 < near => last.1 = x,
+            _ => clusters.push((x, x)),
+        }
+    }
+    clusters
+}
+
 /// The angle brought to (−π, π] by whole turns.
 pub(super) fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()

@@ -64,6 +64,7 @@
 //! chain. Pieces that coincide and face the same way count as one. Sections too short to have a place are contracted; ends that
 //! rounding keeps from a vertical piece are put on it; normals that oppose each other exactly are ordered by one rule.
 
+mod along;
 mod arrange;
 mod axis;
 mod bearing;
@@ -110,6 +111,7 @@ mod statistics;
 mod straighten;
 mod sweep;
 mod tolerance;
+mod visits;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use first_contact::{AxesContact, AxesMotionOutcome};

@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use super::domain::{Extent, brought_between};
 use super::motion::Motion;
+use super::place::crossing_of_level;
 use super::slots::Slots;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
@@ -18,9 +19,6 @@ pub struct NearestOnAxes {
     /// How far the part moves: radians of one that turns, length of one that slides.
     pub distance: f64,
 }
-
-/// Halvings of an interval until its ends are neighbours, or nearly.
-const HALVINGS: usize = 80;
 
 impl FixedAxesSpace {
     /// The contact nearest to (u, v), free or blocked, when the moving part alone is moved: u stays. If the moving part does
@@ -110,17 +108,7 @@ impl FixedAxesSpace {
         if p.vertical {
             return Some(p.start.x);
         }
-        let (mut from, mut to) = (c.from, c.to);
-        let rises = p.y(&self.pairs, from) < p.y(&self.pairs, to);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (from + to);
-            if (p.y(&self.pairs, middle) < s) == rises {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        Some(0.5 * (from + to))
+        Some(crossing_of_level(p, &self.pairs, (c.from, c.to), s))
     }
 }
 

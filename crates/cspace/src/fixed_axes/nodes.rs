@@ -9,9 +9,8 @@ use crate::geometry::Rotation;
 
 use super::cycle::Cycle;
 use super::equation::coincidences;
-use super::meet::{Seen, aligned};
-use super::meet::{Tip, meetings};
-use super::motion::Motions;
+use super::meet::{Tip, aligned, meetings};
+use super::motion::{Motions, Placement};
 use super::piece::{Name, Spot};
 use super::repeats::Image;
 use super::scene::Scene;
@@ -151,7 +150,7 @@ impl Scene {
             let Motions { first, second } = self.motions;
             let side = (self.first.normal(a.start), start, self.first.angle(a.start));
             let (point, beta) = (self.second.point(joint), self.second.angle(joint));
-            let accepts = |seen: Seen| {
+            let accepts = |seen: Placement| {
                 let at = along.dot(seen.point(point) - start);
                 0.0 < at && at < length
             };
@@ -188,7 +187,7 @@ impl Scene {
                 self.second.angle(b.start),
             );
             let (point, alpha) = (self.first.point(joint), self.first.angle(joint));
-            let accepts = |seen: Seen| {
+            let accepts = |seen: Placement| {
                 let at = along.dot(seen.point(point) - start);
                 0.0 < at && at < length
             };
@@ -218,7 +217,7 @@ impl Scene {
         let (start, along, length) = self.first.segment(a);
         let side = (self.first.normal(a.start), start, self.first.angle(a.start));
         let joint = (self.second.point(b.start), self.second.angle(b.start));
-        let accepts = |seen: Seen| {
+        let accepts = |seen: Placement| {
             let place = |joint| along.dot(seen.point(self.second.point(joint)) - start);
             // Opposite normals: travel goes the other way on the second part.
             let (lo, hi) = (place(b.end), place(b.start));

@@ -1,13 +1,10 @@
 //! Both parts on their axes, and which of their normals oppose each other.
 
-use super::domain::Extent;
-use super::domain::wrapped;
+use super::domain::{Extent, wrapped};
 use super::motion::Motions;
 use super::repeats::Repeats;
-use crate::feature::Feature;
-use crate::feature::Outline;
-use crate::geometry::Point;
-use crate::geometry::Vector;
+use crate::feature::{Feature, Outline};
+use crate::geometry::{Point, Vector};
 use core::f64::consts::PI;
 
 /// Normals that oppose each other to within this do so exactly (radians): the rounding of the configurations at which that is

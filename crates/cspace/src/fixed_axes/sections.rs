@@ -1,17 +1,10 @@
 //! Contact curves as monotone graphs y(x): where they begin and end.
 
-use super::build::Builder;
-use super::build::Cut;
-use super::build::SHORT;
+use super::build::{Builder, Cut, SHORT};
 use super::condition::Condition;
 use super::domain::brought_between;
-use super::piece::End;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
-use super::piece::Spot;
-use super::place::decide;
-use super::place::margin;
+use super::piece::{End, Name, Pair, Piece, Spot};
+use super::place::{decide, margin};
 use core::f64::consts::TAU;
 
 /// How far rounding may put a node beyond a turning (radians or length).
@@ -99,16 +92,7 @@ impl Builder<'_> {
                 let around = around.get_or_insert_with(|| self.around(&condition));
                 let cut = |k: usize| -> Cut {
                     if let (x, Some(s)) = marks[k] {
-                        return Cut {
-                            x,
-                            at: s.in_window,
-                            copy: s.copy,
-                            y: s.y,
-                            name: s.name,
-                            root: s.root,
-                            ends: true,
-                            x_turn: 0,
-                        };
+                        return Cut::at_node(s, x, (s.in_window, s.copy));
                     }
                     let last = k > 0;
                     let breaking = if last {
@@ -127,16 +111,11 @@ impl Builder<'_> {
                     for a in around.iter() {
                         let inside = start.x < a.x && a.x < end.x;
                         if inside && rises(a.x, a.y) == (root == 0) {
-                            let (at, copy) = scene.repeats.split(&scene.x, a.x);
+                            let at = scene.repeats.split(&scene.x, a.x);
+                            let name = Name::Same(0, a.index);
                             let to = Cut {
-                                x: a.x,
-                                at,
-                                copy,
-                                y: a.y,
-                                name: Name::Same(0, a.index),
                                 root,
-                                ends: false,
-                                x_turn: 0,
+                                ..Cut::between(a.x, at, a.y, name)
                             };
                             self.section(rep, root, &from, &to);
                             from = to;
@@ -180,16 +159,8 @@ impl Builder<'_> {
                 let fold = scene.repeats.fold;
                 return self.seam(rep, root, if last { fold } else { 0 }, last);
             }
-            return Cut {
-                x,
-                at: x,
-                copy: 0,
-                y: scene.y.reduced(condition.y(x, root)),
-                name: Name::Limit,
-                root: 0,
-                ends: false,
-                x_turn: 0,
-            };
+            let y = scene.y.reduced(condition.y(x, root));
+            return Cut::between(x, (x, 0), y, Name::Limit);
         };
         let (y0, y1) = (condition.y(x, 0), condition.y(x, 1));
         let y = if y0.is_finite() && y1.is_finite() {
@@ -198,17 +169,8 @@ impl Builder<'_> {
         } else {
             condition.y(x, root)
         };
-        let (at, copy) = scene.repeats.split(&scene.x, x);
-        Cut {
-            x,
-            at,
-            copy,
-            y: scene.y.reduced(y),
-            name: Name::Turning(0, k as u32),
-            root: 0,
-            ends: false,
-            x_turn: 0,
-        }
+        let at = scene.repeats.split(&scene.x, x);
+        Cut::between(x, at, scene.y.reduced(y), Name::Turning(0, k as u32))
     }
 
     /// Where a curve leaves a copy of the window, or comes into the next. Both sides have the very same y.
@@ -222,23 +184,21 @@ impl Builder<'_> {
             TAU
         };
         let x = |n: u32| scene.x.lo + period * f64::from(n);
+        let at = if leaving {
+            (window.lo + period, number - 1)
+        } else {
+            (window.lo, number)
+        };
+        let y = scene.y.reduced(rep.condition.y(x(number % fold), root));
+        let name = Name::Seam(rep.first, rep.second);
         Cut {
-            x: x(number),
-            at: if leaving {
-                window.lo + period
-            } else {
-                window.lo
-            },
-            copy: if leaving { number - 1 } else { number },
-            y: scene.y.reduced(rep.condition.y(x(number % fold), root)),
-            name: Name::Seam(rep.first, rep.second),
             root,
-            ends: false,
             x_turn: if window.is_circle() {
                 (number % fold) as i32
             } else {
                 number as i32
             },
+            ..Cut::between(x(number), at, y, name)
         }
     }
 
@@ -334,16 +294,7 @@ impl Builder<'_> {
                     let rises = swapped.gradient(s.y, s.x).1 > 0.0;
                     rises == (root == 0)
                 })
-                .map(|s| Cut {
-                    x,
-                    at,
-                    copy,
-                    y: s.y,
-                    name: s.name,
-                    root: s.root,
-                    ends: true,
-                    x_turn: 0,
-                })
+                .map(|s| Cut::at_node(s, x, (at, copy)))
                 .collect();
             cuts.sort_by(|a, b| a.y.total_cmp(&b.y).then(a.name.cmp(&b.name)));
             let repeats = scene.y.repeats();
@@ -352,22 +303,13 @@ impl Builder<'_> {
             } else {
                 (scene.y.lo, scene.y.hi)
             };
-            let end = |y: f64| Cut {
-                x,
-                at,
-                copy,
-                y,
-                name: if repeats {
-                    Name::Same(0, 2 + u32::from(root))
-                } else {
-                    Name::Limit
-                },
-                root: 0,
-                ends: false,
-                x_turn: 0,
+            let name = if repeats {
+                Name::Same(0, 2 + u32::from(root))
+            } else {
+                Name::Limit
             };
-            cuts.insert(0, end(lo));
-            cuts.push(end(hi));
+            cuts.insert(0, Cut::between(x, (at, copy), lo, name));
+            cuts.push(Cut::between(x, (at, copy), hi, name));
             let n = cuts.len() - 1;
             let margins: Vec<f64> = (0..n)
                 .map(|i| margin(scene, rep, x, 0.5 * (cuts[i].y + cuts[i + 1].y)))

@@ -3,9 +3,8 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::contact::{Body, Permutation};
-use crate::feature::as_drawn;
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
-use crate::feature::{Feature, Outline, PairFrame};
+use crate::feature::{Feature, Outline, PairFrame, as_drawn};
 use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
 

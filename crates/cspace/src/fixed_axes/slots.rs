@@ -5,21 +5,24 @@ use core::f64::consts::TAU;
 use super::domain::Extent;
 use super::tolerance::NEAR;
 
-/// So many slots of one width is an extent divided into.
-const SLOTS: i64 = 1024;
-
-/// For every slot of an extent the ranges that reach into it, by number.
+/// An extent divided into slots of one width, and for each the ranges that reach into it, by number.
 #[derive(Debug)]
 pub(super) struct Slots {
     extent: Extent,
+    count: i64,
     ranges: Vec<Vec<u32>>,
 }
 
 impl Slots {
-    pub(super) fn new(extent: Extent, ranges: impl Iterator<Item = (f64, f64)>) -> Self {
+    pub(super) fn new(
+        extent: Extent,
+        count: i64,
+        ranges: impl Iterator<Item = (f64, f64)>,
+    ) -> Self {
         let mut slots = Self {
             extent,
-            ranges: vec![Vec::new(); SLOTS as usize],
+            count,
+            ranges: vec![Vec::new(); count as usize],
         };
         for (i, (lo, hi)) in (0u32..).zip(ranges) {
             for slot in slots.reached(lo, hi) {
@@ -31,11 +34,16 @@ impl Slots {
 
     /// All ranges no farther from a value than `reach`, some perhaps several times, and some that are farther.
     pub(super) fn near(&self, t: f64, reach: f64) -> impl Iterator<Item = u32> + '_ {
-        let slots = self.reached(t - reach, t + reach);
+        self.between(t - reach, t + reach)
+    }
+
+    /// The same of those that reach between two values.
+    pub(super) fn between(&self, lo: f64, hi: f64) -> impl Iterator<Item = u32> + '_ {
+        let slots = self.reached(lo, hi);
         slots.flat_map(|slot| self.ranges[slot].iter().copied())
     }
 
-    /// The same, each once and in order.
+    /// All no farther than `reach`, each once and in order.
     pub(super) fn near_in_order(&self, t: f64, reach: f64) -> Vec<u32> {
         let mut found: Vec<u32> = self.near(t, reach).collect();
         found.sort_unstable();
@@ -51,14 +59,14 @@ impl Slots {
             hi: last,
             ..
         } = self.extent;
-        let circle = self.extent.is_circle();
-        let slot = |t: f64| ((t - first) / (last - first) * SLOTS as f64).floor() as i64;
+        let (count, circle) = (self.count, self.extent.is_circle());
+        let slot = |t: f64| ((t - first) / (last - first) * count as f64).floor() as i64;
         let (from, to) = (slot(lo - NEAR), slot(hi + NEAR));
         let (from, to) = match circle {
-            true if hi - lo >= TAU || to.saturating_sub(from) >= SLOTS => (0, SLOTS - 1),
+            true if hi - lo >= TAU || to.saturating_sub(from) >= count => (0, count - 1),
             true => (from, to),
-            false => (from.clamp(0, SLOTS - 1), to.clamp(0, SLOTS - 1)),
+            false => (from.clamp(0, count - 1), to.clamp(0, count - 1)),
         };
-        (from..=to).map(|slot| slot.rem_euclid(SLOTS) as usize)
+        (from..=to).map(move |slot| slot.rem_euclid(count) as usize)
     }
 }

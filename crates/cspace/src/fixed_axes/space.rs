@@ -14,6 +14,9 @@ use super::setup::set_up;
 use super::slots::Slots;
 use super::statistics::AxesStatistics;
 
+/// So many slots of x, and of y, in which branches are looked up.
+const SLOTS: i64 = 1024;
+
 /// The configuration space of two parts on fixed axes.
 #[derive(Debug)]
 pub struct FixedAxesSpace {
@@ -45,8 +48,8 @@ impl FixedAxesSpace {
         };
         let boxes = || data.branches.iter().map(|b| graphs.cell_box(b.cell));
         Self {
-            by_x: Slots::new(setting.x, boxes().map(|b| b.0)),
-            by_y: Slots::new(setting.y, boxes().map(|b| b.1)),
+            by_x: Slots::new(setting.x, SLOTS, boxes().map(|b| b.0)),
+            by_y: Slots::new(setting.y, SLOTS, boxes().map(|b| b.1)),
             data,
             fixed,
             moving,

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::bodies::Bodies;
-use super::domain::Extent;
+use super::domain::{Extent, clusters};
 use super::gaps::{Band, Gap, Graphs};
 
 /// Critical values nearer than this are one (radians or length).
@@ -111,15 +111,7 @@ impl Sweep<'_> {
                 all.extend([c.from, c.to]);
             }
         }
-        all.sort_by(f64::total_cmp);
-        let mut clusters: Vec<(f64, f64)> = Vec::new();
-        for x in all {
-            match clusters.last_mut() {
-                Some(last) if x - last.1 < NARROWEST => last.1 = x,
-                _ => clusters.push((x, x)),
-            }
-        }
-        clusters
+        clusters(all, NARROWEST)
     }
 
     /// The free gaps at the middle of a band, between cells in order of y.
