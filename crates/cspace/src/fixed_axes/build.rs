@@ -6,7 +6,7 @@
 use super::condition::{Carriers, Condition};
 use super::cycle::Cycle;
 use super::domain::clusters;
-use super::piece::{End, Key, Name, Pair, Piece, Spot};
+use super::piece::{End, Key, Name, Node, Pair, Piece};
 use super::reach::{Apart, reaches};
 use super::scene::Scene;
 use super::tolerance::INDEPENDENT;
@@ -22,7 +22,7 @@ pub(super) const SHORT: f64 = 1e-13;
 
 /// A place on a curve where a section may end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cut {
+pub(super) struct SectionEnd {
     /// Where it is on the curve of the feature that stands for its orbit.
     pub(super) x: f64,
     /// Where its node is in the window, and in which copy of it x is: rounding may put it beyond a turning.
@@ -37,9 +37,9 @@ pub(super) struct Cut {
     pub(super) x_turn: i32,
 }
 
-impl Cut {
+impl SectionEnd {
     /// Where one of the features gives way, on a curve that is there at x.
-    pub(super) fn at_node(node: &Spot, x: f64, (at, copy): (f64, u32)) -> Self {
+    pub(super) fn at_node(node: &Node, x: f64, (at, copy): (f64, u32)) -> Self {
         Self {
             root: node.root,
             ends: true,
@@ -91,7 +91,7 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
                 scene,
                 pairs: Vec::new(),
                 pieces: Vec::new(),
-                spots: Vec::new(),
+                nodes: Vec::new(),
                 breaks: Vec::new(),
                 instances: Vec::new(),
             };
@@ -118,7 +118,7 @@ pub(super) struct Builder<'a> {
     pub(super) scene: &'a Scene,
     pub(super) pairs: Vec<Pair>,
     pub(super) pieces: Vec<Piece>,
-    pub(super) spots: Vec<Spot>,
+    pub(super) nodes: Vec<Node>,
     pub(super) breaks: Vec<f64>,
     /// Of the pair that is looked at, its images by copies of the window, and whether pieces came of them.
     instances: Vec<Option<(u32, bool)>>,
@@ -141,15 +141,15 @@ impl Builder<'_> {
         };
         self.instances.clear();
         self.instances.resize(scene.repeats.fold as usize, None);
-        let mut spots = core::mem::take(&mut self.spots);
-        spots.clear();
-        scene.spots(ia, ib, |s| spots.push(s));
+        let mut nodes = core::mem::take(&mut self.nodes);
+        nodes.clear();
+        scene.nodes(ia, ib, |s| nodes.push(s));
         if rep.condition.is_vertical() {
-            self.add_verticals(&rep, &spots);
+            self.add_verticals(&rep, &nodes);
         } else {
-            self.add_graphs(&rep, &spots);
+            self.add_graphs(&rep, &nodes);
         }
-        self.spots = spots;
+        self.nodes = nodes;
     }
 
     /// The image of a pair that touches in the window where it touches in a copy of the window, and how many pieces there

@@ -34,11 +34,10 @@ pub(super) fn end_of(cell: &Cell, piece: &Piece, pairs: &[Pair], at_end: bool) -
     }
 }
 
-/// Finds which free cell follows which, and gathers those of the same features, as `same` tells, to curves.
+/// Finds which cell follows which, all being free, and gathers those of the same features, as `same` tells, to curves.
 pub(super) fn chains(
     graphs: &Graphs<'_>,
     x: &Extent,
-    free: &[bool],
     joints: &[[(u32, bool); 2]],
     same: impl Fn(&Pair, &Pair) -> bool,
 ) -> Vec<Chain> {
@@ -49,7 +48,7 @@ pub(super) fn chains(
     let mut next = vec![NONE; cells.len()];
     let mut previous = vec![NONE; cells.len()];
     for &[a, b] in joints {
-        if !(free[a.0 as usize] && free[b.0 as usize]) || leaves(a) == leaves(b) {
+        if leaves(a) == leaves(b) {
             continue;
         }
         let (from, to) = if leaves(a) { (a.0, b.0) } else { (b.0, a.0) };
@@ -57,7 +56,7 @@ pub(super) fn chains(
         previous[to as usize] = from;
     }
     // What is left over, by place.
-    let all = || (0..cells.len() as u32).filter(|&i| free[i as usize]);
+    let all = || 0..cells.len() as u32;
     let place = |i: u32, leaving: bool| {
         end_of(
             &cells[i as usize],

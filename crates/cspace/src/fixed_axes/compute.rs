@@ -80,10 +80,9 @@ fn displaced(
         pieces,
         cells,
         joints,
-        free,
         swept,
         ..
-    } = window.partition.kept().unrolled(&scene);
+    } = window.partition.unrolled(&scene);
     let (bands, gaps, regions) = components(swept, &scene.y);
     let found = Gaps {
         graphs: Graphs {
@@ -103,7 +102,7 @@ fn displaced(
         firsts[p.first as usize] == firsts[q.first as usize]
             && seconds[p.second as usize] == seconds[q.second as usize]
     };
-    let chains = chains(&found.graphs, &scene.x, &free, &joints, same);
+    let chains = chains(&found.graphs, &scene.x, &joints, same);
     let (patches, branches) = Patches {
         setting: &setting,
         gaps: found,
@@ -133,8 +132,9 @@ fn displaced(
             .map(|p| (p.first, p.second, p.condition.carriers))
             .collect(),
         pieces,
+        // No others are kept.
+        free: vec![true; cells.len()],
         cells,
-        free,
         bands,
         gaps,
         regions,
@@ -143,7 +143,7 @@ fn displaced(
     Ok(FixedAxesSpace::new(data, parts, setting, pairs).with_faults_counted(&window.overlaps))
 }
 
-/// The window, computed.
+/// The window, computed: what bounds free space in it.
 struct Window {
     partition: Partition,
     statistics: AxesStatistics,
@@ -174,15 +174,13 @@ impl Window {
             };
             sweep.run()
         };
-        let mut swept = sweep(&verdicts.free);
-        if swept.contradictions > 0 {
+        let (mut swept, mut tally) = sweep(&verdicts.free);
+        if tally.contradictions > 0 {
             // A chain hangs together that should not, or a crossing is missed: what is tested gap by gap tells.
-            let each = judge.one_by_one(&arrangement.cells);
-            let again = sweep(&each.free);
-            verdicts.tests += swept.tests + each.tests;
-            verdicts.conflicts += swept.conflicts;
-            verdicts.free = each.free;
-            swept = again;
+            verdicts.free = judge.one_by_one(&arrangement.cells);
+            verdicts.tests += tally.tests + arrangement.cells.len();
+            verdicts.conflicts += tally.conflicts;
+            (swept, tally) = sweep(&verdicts.free);
         }
         // Each pair of features once, whatever copies of the window it touches in.
         let mut touching: Vec<(u32, u32)> = (pairs.iter())
@@ -195,8 +193,8 @@ impl Window {
             pairs: fold * touching.len(),
             pieces: fold * pieces.len(),
             crossings: fold * arrangement.crossings,
-            tests: verdicts.tests + swept.tests,
-            conflicts: verdicts.conflicts + swept.conflicts,
+            tests: verdicts.tests + tally.tests,
+            conflicts: verdicts.conflicts + tally.conflicts,
         };
         let partition = Partition {
             crossings: arrangement.crossings,
@@ -204,11 +202,10 @@ impl Window {
             joints: arrangement.joints,
             pairs,
             pieces,
-            free: verdicts.free,
             swept,
         };
         Some(Self {
-            partition,
+            partition: partition.kept(&verdicts.free),
             statistics,
             overlaps: verdicts.overlaps,
         })

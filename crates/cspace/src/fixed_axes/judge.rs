@@ -88,15 +88,9 @@ impl<'a> Judge<'a> {
         verdicts
     }
 
-    /// The verdict on every cell by a test beside it alone, whatever it crosses and follows.
-    pub(super) fn one_by_one(&self, cells: &[Cell]) -> Verdicts {
-        let free: Vec<bool> = cells.par_iter().map(|c| self.tests_free(c)).collect();
-        Verdicts {
-            free,
-            tests: cells.len(),
-            conflicts: 0,
-            overlaps: Vec::new(),
-        }
+    /// Whether every cell bounds free space, by a test beside it alone, whatever it crosses and follows.
+    pub(super) fn one_by_one(&self, cells: &[Cell]) -> Vec<bool> {
+        cells.par_iter().map(|c| self.tests_free(c)).collect()
     }
 
     /// Whether the free side of a cell is free.

@@ -11,7 +11,7 @@ use super::cycle::Cycle;
 use super::equation::coincidences;
 use super::meet::{Tip, aligned, meetings};
 use super::motion::{Motions, Placement};
-use super::piece::{Name, Spot};
+use super::piece::{Name, Node};
 use super::repeats::Image;
 use super::scene::Scene;
 
@@ -21,13 +21,13 @@ impl Scene {
     ///
     /// What belongs to another joint or line of the first part is computed from the one that stands for its orbit, and
     /// moved: so all pairs that meet there have the same numbers, in whatever copy of the window they meet.
-    pub(super) fn spots(&self, ia: u32, ib: u32, mut found: impl FnMut(Spot)) {
+    pub(super) fn nodes(&self, ia: u32, ib: u32, mut found: impl FnMut(Node)) {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         let fold = self.repeats.fold;
         let mut found = |name, root, steps: u32, x: f64, y: f64| {
             let (in_window, copy) = self.repeats.split(&self.x, x);
             let copy = (copy + fold - steps) % fold;
-            found(Spot {
+            found(Node {
                 name,
                 root,
                 x: if fold == 1 {

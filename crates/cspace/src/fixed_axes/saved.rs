@@ -136,62 +136,61 @@ impl SavedAxesSpace {
                 found: self.version,
             });
         }
-        let sound = |ok: bool, what| {
-            if ok {
-                Ok(())
-            } else {
-                Err(SavedAxesError::Damaged { what })
-            }
-        };
         let within = |i: u32, n: usize| (i as usize) < n;
         let range = |r: &core::ops::Range<u32>, n: usize| r.start <= r.end && r.end as usize <= n;
         let optional = |i: Option<u32>, n: usize| i.is_none_or(|i| within(i, n));
         let near = |x: f64| x.abs() <= FARTHEST;
         let ordered = |(lo, hi): (f64, f64)| near(lo) && near(hi) && lo <= hi;
-        let mut pieces = self.pieces.iter();
         let level = |p: &Piece| near(p.start.y()) && near(p.end.y());
-        sound(
-            pieces.all(|p| within(p.pair, self.pairs.len()) && ordered(p.x_range()) && level(p)),
-            "pieces",
-        )?;
-        let mut cells = self.cells.iter();
-        let cells_sound =
-            cells.all(|c| within(c.piece, self.pieces.len()) && ordered((c.from, c.to)));
-        sound(cells_sound && self.free.len() == self.cells.len(), "cells")?;
-        let n = self.cells.len();
-        let mut gaps = self.gaps.iter();
-        sound(
-            gaps.all(|g| {
-                optional(g.lower, n) && optional(g.upper, n) && within(g.region, self.regions.len())
-            }),
-            "gaps",
-        )?;
-        let mut regions = self.regions.iter();
         let placed = |r: &Region| {
-            let numbers = [r.sample, r.x, r.y];
-            numbers.iter().all(|&(a, b)| near(a) && near(b))
+            [r.sample, r.x, r.y]
+                .iter()
+                .all(|&(a, b)| near(a) && near(b))
         };
-        sound(regions.all(placed), "regions")?;
-        let mut bands = self.bands.iter();
-        sound(
-            !self.bands.is_empty()
-                && bands.all(|b| range(&b.gaps, self.gaps.len()) && ordered((b.lo, b.hi))),
-            "bands",
-        )?;
-        let mut branches = self.branches.iter();
-        sound(
-            branches.all(|b| within(b.cell, n) && within(b.patch, self.patches.len())),
-            "branches",
-        )?;
-        let mut patches = self.patches.iter();
-        sound(
-            patches.all(|p| {
-                range(&p.branches, self.branches.len())
-                    && optional(p.previous, self.patches.len())
-                    && optional(p.next, self.patches.len())
-                    && optional(p.region, self.regions.len())
-            }),
-            "patches",
-        )
+        let (pairs, pieces, cells) = (self.pairs.len(), self.pieces.len(), self.cells.len());
+        let (gaps, regions) = (self.gaps.len(), self.regions.len());
+        let (patches, branches) = (self.patches.len(), self.branches.len());
+        let sound = [
+            (
+                "pieces",
+                (self.pieces.iter())
+                    .all(|p| within(p.pair, pairs) && ordered(p.x_range()) && level(p)),
+            ),
+            (
+                "cells",
+                (self.cells.iter()).all(|c| within(c.piece, pieces) && ordered((c.from, c.to)))
+                    && self.free.len() == cells,
+            ),
+            (
+                "gaps",
+                (self.gaps.iter()).all(|g| {
+                    optional(g.lower, cells)
+                        && optional(g.upper, cells)
+                        && within(g.region, regions)
+                }),
+            ),
+            ("regions", self.regions.iter().all(placed)),
+            (
+                "bands",
+                !self.bands.is_empty()
+                    && (self.bands.iter()).all(|b| range(&b.gaps, gaps) && ordered((b.lo, b.hi))),
+            ),
+            (
+                "branches",
+                (self.branches.iter()).all(|b| within(b.cell, cells) && within(b.patch, patches)),
+            ),
+            (
+                "patches",
+                (self.patches.iter()).all(|p| {
+                    range(&p.branches, branches)
+                        && [p.previous, p.next].iter().all(|&i| optional(i, patches))
+                        && optional(p.region, regions)
+                }),
+            ),
+        ];
+        match sound.into_iter().find(|(_, sound)| !sound) {
+            Some((what, _)) => Err(SavedAxesError::Damaged { what }),
+            None => Ok(()),
+        }
     }
 }

@@ -1,9 +1,9 @@
 //! Contact curves as monotone graphs y(x): where they begin and end.
 
-use super::build::{Builder, Cut, SHORT};
+use super::build::{Builder, SHORT, SectionEnd};
 use super::condition::Condition;
 use super::domain::brought_between;
-use super::piece::{End, Name, Pair, Piece, Spot};
+use super::piece::{End, Name, Node, Pair, Piece};
 use super::place::{decide, margin};
 use core::f64::consts::TAU;
 
@@ -20,7 +20,7 @@ struct Around {
 
 impl Builder<'_> {
     /// Adds the contact of a pair whose condition depends on y.
-    pub(super) fn add_graphs(&mut self, rep: &Pair, spots: &[Spot]) {
+    pub(super) fn add_graphs(&mut self, rep: &Pair, nodes: &[Node]) {
         let condition = rep.condition;
         let scene = self.scene;
         let (lo, hi) = self.first_turn();
@@ -45,7 +45,7 @@ impl Builder<'_> {
             let (from, to) = interval(k);
             condition.exists(0.5 * (from + to), root)
         };
-        let mut marks: Vec<(f64, Option<&Spot>)> = Vec::new();
+        let mut marks: Vec<(f64, Option<&Node>)> = Vec::new();
         for i in 0..ends {
             let (from, to) = interval(i);
             if from >= to {
@@ -60,7 +60,7 @@ impl Builder<'_> {
                 let below = i > 0 && !exists(i - 1, root);
                 let above = i + 1 < ends && !exists(i + 1, root);
                 marks.clear();
-                for s in spots {
+                for s in nodes {
                     let reach = (
                         if below { from - BEYOND } else { from },
                         if above { to + BEYOND } else { to },
@@ -70,14 +70,14 @@ impl Builder<'_> {
                     }
                 }
                 marks.sort_by(|(x, s), (y, t)| {
-                    let name = |s: &Option<&Spot>| s.map(|s| (s.name, s.root));
+                    let name = |s: &Option<&Node>| s.map(|s| (s.name, s.root));
                     x.total_cmp(y).then(name(s).cmp(&name(t)))
                 });
                 marks.insert(0, (from, None));
                 marks.push((to, None));
                 // With nothing beside it a short one is tested, too.
                 let alone = marks.len() == 2;
-                let margins = |m: &[(f64, Option<&Spot>)]| {
+                let margins = |m: &[(f64, Option<&Node>)]| {
                     if m[1].0 - m[0].0 < SHORT && !alone {
                         return 0.0;
                     }
@@ -90,9 +90,9 @@ impl Builder<'_> {
                     continue;
                 }
                 let around = around.get_or_insert_with(|| self.around(&condition));
-                let cut = |k: usize| -> Cut {
+                let end_at = |k: usize| -> SectionEnd {
                     if let (x, Some(s)) = marks[k] {
-                        return Cut::at_node(s, x, (s.in_window, s.copy));
+                        return SectionEnd::at_node(s, x, (s.in_window, s.copy));
                     }
                     let last = k > 0;
                     let breaking = if last {
@@ -102,9 +102,9 @@ impl Builder<'_> {
                     };
                     self.open_end(rep, root, marks[k].0, breaking, last)
                 };
-                let kept: Vec<(Cut, Cut)> = (0..verdicts.len())
+                let kept: Vec<(SectionEnd, SectionEnd)> = (0..verdicts.len())
                     .filter(|&k| verdicts[k])
-                    .map(|k| (cut(k), cut(k + 1)))
+                    .map(|k| (end_at(k), end_at(k + 1)))
                     .collect();
                 for (start, end) in kept {
                     let mut from = start;
@@ -113,9 +113,9 @@ impl Builder<'_> {
                         if inside && rises(a.x, a.y) == (root == 0) {
                             let at = scene.repeats.split(&scene.x, a.x);
                             let name = Name::Same(0, a.index);
-                            let to = Cut {
+                            let to = SectionEnd {
                                 root,
-                                ..Cut::between(a.x, at, a.y, name)
+                                ..SectionEnd::between(a.x, at, a.y, name)
                             };
                             self.section(rep, root, &from, &to);
                             from = to;
@@ -151,7 +151,14 @@ impl Builder<'_> {
     }
 
     /// An end of a root's interval at which no feature gives way: a turning, the cut of a circle, or the window's end.
-    fn open_end(&self, rep: &Pair, root: u8, x: f64, breaking: Option<usize>, last: bool) -> Cut {
+    fn open_end(
+        &self,
+        rep: &Pair,
+        root: u8,
+        x: f64,
+        breaking: Option<usize>,
+        last: bool,
+    ) -> SectionEnd {
         let scene = self.scene;
         let condition = &rep.condition;
         let Some(k) = breaking else {
@@ -160,7 +167,7 @@ impl Builder<'_> {
                 return self.seam(rep, root, if last { fold } else { 0 }, last);
             }
             let y = scene.y.reduced(condition.y(x, root));
-            return Cut::between(x, (x, 0), y, Name::Limit);
+            return SectionEnd::between(x, (x, 0), y, Name::Limit);
         };
         let (y0, y1) = (condition.y(x, 0), condition.y(x, 1));
         let y = if y0.is_finite() && y1.is_finite() {
@@ -170,11 +177,11 @@ impl Builder<'_> {
             condition.y(x, root)
         };
         let at = scene.repeats.split(&scene.x, x);
-        Cut::between(x, at, scene.y.reduced(y), Name::Turning(0, k as u32))
+        SectionEnd::between(x, at, scene.y.reduced(y), Name::Turning(0, k as u32))
     }
 
     /// Where a curve leaves a copy of the window, or comes into the next. Both sides have the very same y.
-    fn seam(&self, rep: &Pair, root: u8, number: u32, leaving: bool) -> Cut {
+    fn seam(&self, rep: &Pair, root: u8, number: u32, leaving: bool) -> SectionEnd {
         let scene = self.scene;
         let fold = scene.repeats.fold;
         let window = scene.repeats.window(&scene.x);
@@ -191,19 +198,19 @@ impl Builder<'_> {
         };
         let y = scene.y.reduced(rep.condition.y(x(number % fold), root));
         let name = Name::Seam(rep.first, rep.second);
-        Cut {
+        SectionEnd {
             root,
             x_turn: if window.is_circle() {
                 (number % fold) as i32
             } else {
                 number as i32
             },
-            ..Cut::between(x(number), at, y, name)
+            ..SectionEnd::between(x(number), at, y, name)
         }
     }
 
     /// Adds a section of a curve over the full turn, cut to pieces in copies of the window.
-    fn section(&mut self, rep: &Pair, root: u8, from: &Cut, to: &Cut) {
+    fn section(&mut self, rep: &Pair, root: u8, from: &SectionEnd, to: &SectionEnd) {
         for copy in from.copy..=to.copy {
             let start = if copy == from.copy {
                 *from
@@ -220,7 +227,7 @@ impl Builder<'_> {
     }
 
     /// Adds a section in every turn of both coordinates, cut to the limits.
-    fn instances(&mut self, rep: &Pair, root: u8, copy: u32, from: &Cut, to: &Cut) {
+    fn instances(&mut self, rep: &Pair, root: u8, copy: u32, from: &SectionEnd, to: &SectionEnd) {
         let (x, y) = (self.scene.x, self.scene.y);
         let (before, pair) = self.instance(rep, copy);
         let down = if copy == 0 {
@@ -230,21 +237,21 @@ impl Builder<'_> {
         };
         for turn in 0..x.turns() {
             let shift = TAU * f64::from(turn);
-            let end = |cut: &Cut, raw: f64| -> End {
+            let end = |of: &SectionEnd, raw: f64| -> End {
                 let whole = if y.repeats() {
-                    ((raw - cut.y) / TAU).round() as i32
+                    ((raw - of.y) / TAU).round() as i32
                 } else {
                     0
                 };
                 End {
-                    key: cut.key(pair, turn),
-                    x: cut.at + shift,
-                    base: cut.y,
+                    key: of.key(pair, turn),
+                    x: of.at + shift,
+                    base: of.y,
                     turns: whole,
                 }
             };
             let condition = self.pairs[pair as usize].condition;
-            let raw = |cut: &Cut| condition.y(cut.x - down + shift, root);
+            let raw = |of: &SectionEnd| condition.y(of.x - down + shift, root);
             let piece = Piece {
                 pair,
                 root,
@@ -273,7 +280,7 @@ impl Builder<'_> {
 
 impl Builder<'_> {
     /// Adds the contact of a pair whose condition does not depend on y.
-    pub(super) fn add_verticals(&mut self, rep: &Pair, spots: &[Spot]) {
+    pub(super) fn add_verticals(&mut self, rep: &Pair, nodes: &[Node]) {
         let scene = self.scene;
         let swapped = rep.condition.swapped();
         if swapped.is_vertical() {
@@ -288,15 +295,15 @@ impl Builder<'_> {
                 continue;
             }
             let (at, copy) = scene.repeats.split(&scene.x, x);
-            let mut cuts: Vec<Cut> = spots
+            let mut section_ends: Vec<SectionEnd> = nodes
                 .iter()
                 .filter(|s| {
                     let rises = swapped.gradient(s.y, s.x).1 > 0.0;
                     rises == (root == 0)
                 })
-                .map(|s| Cut::at_node(s, x, (at, copy)))
+                .map(|s| SectionEnd::at_node(s, x, (at, copy)))
                 .collect();
-            cuts.sort_by(|a, b| a.y.total_cmp(&b.y).then(a.name.cmp(&b.name)));
+            section_ends.sort_by(|a, b| a.y.total_cmp(&b.y).then(a.name.cmp(&b.name)));
             let repeats = scene.y.repeats();
             let (lo, hi) = if repeats {
                 (scene.y.lo, scene.y.lo + TAU)
@@ -308,25 +315,32 @@ impl Builder<'_> {
             } else {
                 Name::Limit
             };
-            cuts.insert(0, Cut::between(x, (at, copy), lo, name));
-            cuts.push(Cut::between(x, (at, copy), hi, name));
-            let n = cuts.len() - 1;
+            section_ends.insert(0, SectionEnd::between(x, (at, copy), lo, name));
+            section_ends.push(SectionEnd::between(x, (at, copy), hi, name));
+            let n = section_ends.len() - 1;
             let margins: Vec<f64> = (0..n)
-                .map(|i| margin(scene, rep, x, 0.5 * (cuts[i].y + cuts[i + 1].y)))
+                .map(|i| {
+                    margin(
+                        scene,
+                        rep,
+                        x,
+                        0.5 * (section_ends[i].y + section_ends[i + 1].y),
+                    )
+                })
                 .collect();
-            let verdicts = decide(&margins, |i| cuts[i].ends);
+            let verdicts = decide(&margins, |i| section_ends[i].ends);
             for i in 0..n {
                 if !verdicts[i] {
                     continue;
                 }
                 let (before, pair) = self.instance(rep, copy);
                 for turn in 0..scene.x.turns() {
-                    let end = |cut: &Cut| {
-                        let closing = repeats && cut.y == hi && !cut.ends;
+                    let end = |of: &SectionEnd| {
+                        let closing = repeats && of.y == hi && !of.ends;
                         End {
-                            key: cut.key(pair, turn),
+                            key: of.key(pair, turn),
                             x: at + TAU * f64::from(turn),
-                            base: if closing { lo } else { cut.y },
+                            base: if closing { lo } else { of.y },
                             turns: i32::from(closing),
                         }
                     };
@@ -335,8 +349,8 @@ impl Builder<'_> {
                         root,
                         vertical: true,
                         turns: 0,
-                        start: end(&cuts[i]),
-                        end: end(&cuts[i + 1]),
+                        start: end(&section_ends[i]),
+                        end: end(&section_ends[i + 1]),
                     };
                     self.in_each_turn(piece);
                 }

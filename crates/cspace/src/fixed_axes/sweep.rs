@@ -32,17 +32,23 @@ pub(super) struct Link {
 }
 
 /// What the sweep finds.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Swept {
     pub(super) bands: Vec<Band>,
     pub(super) gaps: Vec<Gap>,
     /// Where each gap is at the left end, in the middle and at the right end of its band.
     pub(super) spans: Vec<[(f64, f64); 3]>,
     pub(super) links: Vec<Link>,
-    pub(super) conflicts: usize,
-    /// Gaps of which a test within tells another thing than the cells beside them.
-    pub(super) contradictions: usize,
+}
+
+/// Counts of tests of overlap within gaps.
+#[derive(Debug, Default)]
+pub(super) struct Tally {
     pub(super) tests: usize,
+    /// Those that tell another thing than the cells beside the gap.
+    pub(super) conflicts: usize,
+    /// Of these the tests that are certain.
+    pub(super) contradictions: usize,
 }
 
 pub(super) struct Sweep<'a> {
@@ -53,30 +59,26 @@ pub(super) struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    pub(super) fn run(&self) -> Swept {
-        let mut result = Swept::default();
-        let mut graphs: Vec<u32> = (0..self.graphs.cells.len() as u32)
-            .filter(|&i| self.free[i as usize] && !self.graphs.piece(i).vertical)
+    pub(super) fn run(&self) -> (Swept, Tally) {
+        let (mut bands, mut gaps) = (Vec::new(), Vec::new());
+        let mut tally = Tally::default();
+        let cell = |i: u32| &self.graphs.cells[i as usize];
+        let mut graphs: Vec<u32> = (self.free_cells())
+            .filter(|&i| !self.graphs.piece(i).vertical)
             .collect();
-        graphs.sort_by(|&a, &b| {
-            let (c, d) = (
-                &self.graphs.cells[a as usize],
-                &self.graphs.cells[b as usize],
-            );
-            c.from.total_cmp(&d.from).then(a.cmp(&b))
-        });
+        graphs.sort_by(|&a, &b| cell(a).from.total_cmp(&cell(b).from).then(a.cmp(&b)));
         let mut active: Vec<u32> = Vec::new();
         let mut next = 0;
         let mut order: Vec<(f64, u32)> = Vec::new();
         for (lo, hi) in self.critical().windows(2).map(|w| (w[0].1, w[1].0)) {
             let middle = 0.5 * (lo + hi);
-            active.retain(|&i| self.graphs.cells[i as usize].to > middle);
+            active.retain(|&i| cell(i).to > middle);
             while let Some(&i) = graphs.get(next) {
-                if self.graphs.cells[i as usize].from >= middle {
+                if cell(i).from >= middle {
                     break;
                 }
                 next += 1;
-                if self.graphs.cells[i as usize].to > middle {
+                if cell(i).to > middle {
                     active.push(i);
                 }
             }
@@ -87,24 +89,33 @@ impl Sweep<'_> {
                     .map(|&i| (self.graphs.y.folded(self.graphs.at(i, middle)), i)),
             );
             order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            let from = result.gaps.len() as u32;
-            self.gaps((lo, hi), &order, &mut result);
-            result.bands.push(Band {
+            let from = gaps.len() as u32;
+            self.add_gaps((lo, hi), &order, &mut gaps, &mut tally);
+            bands.push(Band {
                 lo,
                 hi,
-                gaps: from..result.gaps.len() as u32,
+                gaps: from..gaps.len() as u32,
             });
         }
-        self.spans(&mut result);
-        self.links(&mut result);
-        result
+        let spans = self.spans(&bands, &gaps);
+        let links = self.links(&bands, &spans);
+        let swept = Swept {
+            bands,
+            gaps,
+            spans,
+            links,
+        };
+        (swept, tally)
+    }
+
+    fn free_cells(&self) -> impl Iterator<Item = u32> + '_ {
+        (0u32..).zip(self.free).filter(|c| *c.1).map(|c| c.0)
     }
 
     /// Clusters of critical values: first and last of each.
     fn critical(&self) -> Vec<(f64, f64)> {
         let mut all = vec![self.x.lo, self.x.hi];
-        for i in (0..self.graphs.cells.len() as u32).filter(|&i| self.free[i as usize]) {
-            let (c, p) = (&self.graphs.cells[i as usize], self.graphs.piece(i));
+        for (c, p) in self.free_cells().map(|i| self.graphs.cell(i)) {
             if p.vertical {
                 all.push(p.start.x);
             } else {
@@ -114,8 +125,14 @@ impl Sweep<'_> {
         clusters(all, NARROWEST)
     }
 
-    /// The free gaps at the middle of a band, between cells in order of y.
-    fn gaps(&self, (lo, hi): (f64, f64), order: &[(f64, u32)], result: &mut Swept) {
+    /// Adds the free gaps at the middle of a band, between cells in order of y.
+    fn add_gaps(
+        &self,
+        (lo, hi): (f64, f64),
+        order: &[(f64, u32)],
+        gaps: &mut Vec<Gap>,
+        tally: &mut Tally,
+    ) {
         let middle = 0.5 * (lo + hi);
         let y = self.graphs.y;
         let at = |o: Option<(f64, u32)>, limit: f64| o.map_or(limit, |o| o.0);
@@ -146,16 +163,16 @@ impl Sweep<'_> {
                 // Curves on top of each other, facing the same way.
                 None if lower.is_some() && to - from < TOO_NARROW => false,
                 _ => {
-                    result.tests += 1;
+                    tally.tests += 1;
                     let free = !self.bodies.overlap(middle, from + TRIED_AT * (to - from));
                     let agreed = said == Some(free) || order.is_empty();
-                    result.conflicts += usize::from(!agreed);
-                    result.contradictions += usize::from(!agreed && certain);
+                    tally.conflicts += usize::from(!agreed);
+                    tally.contradictions += usize::from(!agreed && certain);
                     free
                 }
             };
             if free {
-                result.gaps.push(self.gap(middle, lower, upper));
+                gaps.push(self.gap(middle, lower, upper));
             }
         }
     }
@@ -186,15 +203,13 @@ impl Sweep<'_> {
     }
 
     /// Gaps of neighbouring bands that share a stretch, of which no vertical cell between them takes all.
-    fn links(&self, result: &mut Swept) {
+    fn links(&self, bands: &[Band], spans: &[[(f64, f64); 3]]) -> Vec<Link> {
         let mut links = Vec::new();
-        let n = result.bands.len();
-        let mut walls: Vec<(f64, (f64, f64))> = (0..self.graphs.cells.len() as u32)
-            .filter(|&i| self.free[i as usize] && self.graphs.piece(i).vertical)
-            .map(|i| {
-                let c = &self.graphs.cells[i as usize];
-                (self.graphs.piece(i).start.x, (c.from, c.to))
-            })
+        let n = bands.len();
+        let mut walls: Vec<(f64, (f64, f64))> = (self.free_cells())
+            .map(|i| self.graphs.cell(i))
+            .filter(|(_, p)| p.vertical)
+            .map(|(c, p)| (p.start.x, (c.from, c.to)))
             .collect();
         walls.sort_by(|a, b| a.0.total_cmp(&b.0));
         for k in 0..n {
@@ -202,7 +217,7 @@ impl Sweep<'_> {
             if last && !self.x.is_circle() {
                 break;
             }
-            let (left, right) = (&result.bands[k], &result.bands[(k + 1) % n]);
+            let (left, right) = (&bands[k], &bands[(k + 1) % n]);
             let from = walls.partition_point(|w| w.0 < left.hi);
             let to = walls.partition_point(|w| w.0 <= right.lo);
             let between = if last {
@@ -211,9 +226,9 @@ impl Sweep<'_> {
                 [&walls[from..to], &[]]
             };
             for a in left.gaps.clone() {
-                let (p, q) = result.spans[a as usize][2];
+                let (p, q) = spans[a as usize][2];
                 for b in right.gaps.clone() {
-                    let (r, s) = result.spans[b as usize][0];
+                    let (r, s) = spans[b as usize][0];
                     let shifts = if self.graphs.y.is_circle() {
                         ((p - s) / TAU).ceil() as i32..=((q - r) / TAU).floor() as i32
                     } else {
@@ -233,7 +248,7 @@ impl Sweep<'_> {
                 }
             }
         }
-        result.links = links;
+        links
     }
 
     /// Whether walls leave a stretch of y open: what crosses one is blocked, if only on the wall itself.
@@ -267,15 +282,13 @@ impl Sweep<'_> {
     }
 
     /// Where every gap is at the ends and in the middle of its band.
-    fn spans(&self, result: &mut Swept) {
-        for band in &result.bands {
-            let middle = 0.5 * (band.lo + band.hi);
-            for g in band.gaps.clone() {
-                let gap = &result.gaps[g as usize];
-                result
-                    .spans
-                    .push([band.lo, middle, band.hi].map(|x| self.graphs.interval(gap, x)));
-            }
+    fn spans(&self, bands: &[Band], gaps: &[Gap]) -> Vec<[(f64, f64); 3]> {
+        let mut spans = Vec::with_capacity(gaps.len());
+        for band in bands {
+            let places = [band.lo, 0.5 * (band.lo + band.hi), band.hi];
+            let inside = &gaps[band.gaps.start as usize..band.gaps.end as usize];
+            spans.extend((inside.iter()).map(|gap| places.map(|x| self.graphs.interval(gap, x))));
         }
+        spans
     }
 }
