@@ -9,16 +9,12 @@ use super::domain::clusters;
 use super::piece::{End, Key, Name, Node, Pair, Piece};
 use super::reach::{Apart, reaches};
 use super::scene::Scene;
-use super::tolerance::INDEPENDENT;
+use super::tolerance::{INDEPENDENT, SHORT};
 use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::parallel::prelude::*;
 use crate::union_find::UnionFind;
 use core::f64::consts::TAU;
-
-/// A section shorter than this (in x, radians or length) is not tested: near a turning y moves with the square root of x, and
-/// so does its rounding.
-pub(super) const SHORT: f64 = 1e-13;
 
 /// A place on a curve where a section may end.
 #[derive(Debug, Clone, Copy)]
@@ -127,18 +123,13 @@ pub(super) struct Builder<'a> {
 impl Builder<'_> {
     fn add(&mut self, ia: u32, ib: u32) {
         let scene = self.scene;
-        let Some(carriers) = carriers(scene, ia, ib) else {
+        let Some(rep) = pair(scene, ia, ib) else {
             return;
         };
         let turning = scene.motions.first.turns() || scene.motions.second.turns();
         if !turning && !scene.normals_meet(ia, ib) {
             return;
         }
-        let rep = Pair {
-            first: ia,
-            second: ib,
-            condition: Condition::new(carriers, scene.motions),
-        };
         self.instances.clear();
         self.instances.resize(scene.repeats.fold as usize, None);
         let mut nodes = core::mem::take(&mut self.nodes);
@@ -160,13 +151,8 @@ impl Builder<'_> {
             return (before, known);
         }
         let first = self.scene.repeats.image(rep.first, copy);
-        let condition = carriers(self.scene, first, rep.second)
-            .map_or(rep.condition, |c| Condition::new(c, self.scene.motions));
-        self.pairs.push(Pair {
-            first,
-            second: rep.second,
-            condition,
-        });
+        let image = pair(self.scene, first, rep.second);
+        self.pairs.push(image.unwrap_or(Pair { first, ..*rep }));
         let pair = self.pairs.len() as u32 - 1;
         self.instances[copy as usize] = Some((pair, false));
         (before, pair)
@@ -256,16 +242,22 @@ pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
     }
 }
 
-/// The condition of a pair of features, if they can touch.
-pub(super) fn carriers(scene: &Scene, ia: u32, ib: u32) -> Option<Carriers> {
-    let (a, b) = (scene.first_feature(ia), scene.second_feature(ib));
-    let found = by_centres(scene, a, b)?;
-    if a.near.is_none() && b.near.is_none() {
-        return Some(found);
-    }
-    Some(Carriers::Cycles {
-        first: Cycle::of(&scene.first, a),
-        second: Cycle::of(&scene.second, b),
+/// The pair of two features with its condition, if they can touch.
+pub(super) fn pair(scene: &Scene, first: u32, second: u32) -> Option<Pair> {
+    let (a, b) = (scene.first_feature(first), scene.second_feature(second));
+    let by_centres = by_centres(scene, a, b)?;
+    let carriers = if a.near.is_none() && b.near.is_none() {
+        by_centres
+    } else {
+        Carriers::Cycles {
+            first: Cycle::of(&scene.first, a),
+            second: Cycle::of(&scene.second, b),
+        }
+    };
+    Some(Pair {
+        first,
+        second,
+        condition: Condition::new(carriers, scene.motions),
     })
 }
 

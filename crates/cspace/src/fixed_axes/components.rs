@@ -35,13 +35,10 @@ pub(super) fn components(swept: Swept, y: &Extent) -> (Vec<Band>, Vec<Gap>, Vec<
         beside.push((l.to, l.from, -l.x_turns, -l.y_turns));
     }
     beside.sort_unstable();
-    let mut starts = vec![0usize; n + 1];
-    for b in &beside {
-        starts[b.0 as usize + 1] += 1;
-    }
-    for i in 0..n {
-        starts[i + 1] += starts[i];
-    }
+    let beside_of = |gap: u32| {
+        let from = beside.partition_point(|b| b.0 < gap);
+        beside[from..].iter().take_while(move |b| b.0 == gap)
+    };
     let mut band_of = vec![0u32; n];
     for (k, band) in (0u32..).zip(&bands) {
         for g in band.gaps.clone() {
@@ -87,7 +84,7 @@ pub(super) fn components(swept: Swept, y: &Extent) -> (Vec<Band>, Vec<Gap>, Vec<
                 region.y.0 = region.y.0.min(p + dy);
                 region.y.1 = region.y.1.max(q + dy);
             }
-            for &(_, other, dx, dy) in &beside[starts[g as usize]..starts[g as usize + 1]] {
+            for &(_, other, dx, dy) in beside_of(g) {
                 // The neighbour, seen from here, is dx turns of x and dy turns of y farther than where it is drawn.
                 let there = (tx + dx, ty + dy);
                 if gaps[other as usize].region == u32::MAX {

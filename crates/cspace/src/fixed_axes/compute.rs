@@ -5,7 +5,6 @@ use crate::space::SavedPart;
 
 use super::arrange::Arrangement;
 use super::axis::{AxesError, Axis};
-use super::bodies::Bodies;
 use super::build::build;
 use super::chain::chains;
 use super::components::components;
@@ -16,11 +15,11 @@ use super::judge::Judge;
 use super::patches::Patches;
 use super::piece::Pair;
 use super::region::AxesRegion;
-use super::saved::{FORMAT, SAVED_AXES_VERSION, SavedAxesSpace};
+use super::saved::{AxesStatistics, FORMAT, SAVED_AXES_VERSION, SavedAxesSpace};
 use super::scene::Scene;
+use super::setting::Bodies;
 use super::setup::set_up;
 use super::space::FixedAxesSpace;
-use super::statistics::AxesStatistics;
 use super::sweep::Sweep;
 use super::tolerance::{MOST_EDGE_PAIRS, MOST_MEETINGS};
 

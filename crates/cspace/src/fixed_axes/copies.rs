@@ -1,8 +1,7 @@
 //! From the window to the full turn of a part that repeats itself (figure 4 of Sacks 1999, for two degrees of freedom).
 
 use super::arrange::{Cell, Stop};
-use super::build::carriers;
-use super::condition::Condition;
+use super::build;
 use super::gaps::{Band, Gap};
 use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::Scene;
@@ -105,13 +104,7 @@ impl Copy<'_> {
     fn pair(&self, pair: &Pair) -> Pair {
         let repeats = &self.scene.repeats;
         let first = repeats.image(pair.first, repeats.fold - self.number);
-        let condition = carriers(self.scene, first, pair.second)
-            .map_or(pair.condition, |c| Condition::new(c, self.scene.motions));
-        Pair {
-            first,
-            second: pair.second,
-            condition,
-        }
+        build::pair(self.scene, first, pair.second).unwrap_or(Pair { first, ..*pair })
     }
 
     /// The piece; of a graph with y in its middle as the pair in the window has it.

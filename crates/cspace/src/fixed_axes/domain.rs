@@ -88,6 +88,16 @@ impl Extent {
         (lo - reach <= t && t <= hi + reach).then_some(t)
     }
 
+    /// From and to of the first turn; of all, if values do not repeat.
+    pub(super) fn first_turn(&self) -> (f64, f64) {
+        let to = if self.repeats() {
+            self.lo + TAU
+        } else {
+            self.hi
+        };
+        (self.lo, to)
+    }
+
     /// How many turns there are, the last perhaps not a whole one.
     pub(super) fn turns(&self) -> i32 {
         match self.kind {

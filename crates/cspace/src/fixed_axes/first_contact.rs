@@ -69,10 +69,7 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<AxesMotionOutcome, MotionError> {
-        let numbers = [from.0, from.1, rates.0, rates.1, duration];
-        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
+        check(from, rates, duration)?;
         let touches = match self.classify(from.0, from.1) {
             None => return Err(MotionError::StartsOutside),
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),
@@ -115,10 +112,7 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
-        let numbers = [from.0, from.1, rates.0, rates.1, duration];
-        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
+        check(from, rates, duration)?;
         if self.setting.placed(from.0, from.1).is_none() {
             return Err(MotionError::StartsOutside);
         }
@@ -241,5 +235,16 @@ impl FixedAxesSpace {
         self.setting.placed(u, v).is_some_and(|(x, y)| {
             self.in_box(cell, x, y, NEAR) && self.on_own_root(cell, x, y, distance)
         })
+    }
+}
+
+/// Whether a motion is one.
+fn check(from: (f64, f64), rates: (f64, f64), duration: f64) -> Result<(), MotionError> {
+    let numbers = [from.0, from.1, rates.0, rates.1, duration];
+    let finite = numbers.iter().all(|n| (n * n).is_finite());
+    if finite && duration >= 0.0 {
+        Ok(())
+    } else {
+        Err(MotionError::NotFinite)
     }
 }

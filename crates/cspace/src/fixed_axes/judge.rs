@@ -1,12 +1,13 @@
 //! Which cells bound free space: one honest test of overlap for each chain.
 
 use super::arrange::{Arrangement, Cell};
-use super::bodies::Bodies;
 use super::domain::Extent;
 use super::gaps::Graphs;
 use super::piece::Piece;
 use super::place::crossing_of_level;
+use super::setting::Bodies;
 use super::slots::Slots;
+use super::tolerance::COINCIDENT;
 use crate::parallel::prelude::*;
 use core::f64::consts::TAU;
 
@@ -18,9 +19,6 @@ const SLOTS: i64 = 256;
 const STEEP: f64 = 1e3;
 /// So many cells of a chain, the largest, are tested; if they disagree, all are.
 const TRIED: usize = 3;
-/// A place no farther than this from the next curve tells nothing (radians or length): it is about what the first part
-/// is grown by.
-const TOO_NEAR: f64 = 1e-11;
 /// A place at least this far from the next curve is clear of all (radians or length): no rounding puts it into another gap.
 const CLEAR: f64 = 1e-8;
 
@@ -196,7 +194,7 @@ impl<'a> Judge<'a> {
             }
             let d = ahead(q.y(self.graphs.pairs, middle));
             // What lies on top of this piece and faces the same way is no end of the free side.
-            if d > 0.0 && !(d < TOO_NEAR && q.root == p.root) {
+            if d > 0.0 && !(d < COINCIDENT && q.root == p.root) {
                 reach = reach.min(d);
             }
         }
@@ -207,7 +205,7 @@ impl<'a> Judge<'a> {
                 y - self.graphs.y.lo
             });
         }
-        (reach > TOO_NEAR).then_some((middle, y + 0.5 * sign * reach, reach))
+        (reach > COINCIDENT).then_some((middle, y + 0.5 * sign * reach, reach))
     }
 
     /// Left or right to the next curve at this y.
@@ -240,11 +238,11 @@ impl<'a> Judge<'a> {
             } else {
                 (q.root == 0) != (q.start.y() < q.end.y())
             };
-            if d > 0.0 && !(d < TOO_NEAR && q_right == right) {
+            if d > 0.0 && !(d < COINCIDENT && q_right == right) {
                 reach = reach.min(d);
             }
         }
-        (reach > TOO_NEAR).then_some((x + 0.5 * sign * reach, y, reach))
+        (reach > COINCIDENT).then_some((x + 0.5 * sign * reach, y, reach))
     }
 
     /// How far ahead of x, at most `reach`, a piece comes to a level. It is asked for the middle of what is free, so a
@@ -270,7 +268,7 @@ impl<'a> Judge<'a> {
         if above(far) == begins {
             return None;
         }
-        while far - near > 1e-3 * near && far > TOO_NEAR {
+        while far - near > 1e-3 * near && far > COINCIDENT {
             let middle = 0.5 * (near + far);
             if above(middle) == begins {
                 near = middle;

@@ -37,7 +37,7 @@
 //!    configurations have closed forms and names: a joint of one part and a feature of the other, two vertices, two lines.
 //!    Pairs that meet at a node compute it from the same numbers, to the same bit; no coordinates are compared to find who
 //!    meets.
-//! 2. *Pieces* (`build`, `sections`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
+//! 2. *Pieces* (`build`, `sections`, `verticals`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
 //!    dy = 0, closed forms), at ends of the window and at limits into monotone graphs y(x), and vertical segments where y does
 //!    not matter (dwell). Which are contact is told away from their ends, by the features' extents.
 //! 3. *Crossings* (`cross`, `resultant`): of two monotone graphs, decided by their order at the ends of their common interval;
@@ -72,7 +72,6 @@ mod along;
 mod arrange;
 mod axis;
 mod bearing;
-mod bodies;
 mod build;
 mod chain;
 mod classify;
@@ -111,10 +110,10 @@ mod setup;
 mod slots;
 mod solve;
 mod space;
-mod statistics;
 mod straighten;
 mod sweep;
 mod tolerance;
+mod verticals;
 mod visits;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
@@ -122,6 +121,5 @@ pub use first_contact::{AxesContact, AxesMotionOutcome};
 pub use nearest::NearestOnAxes;
 pub use patch::{AxesBranch, AxesPatch, BranchForm};
 pub use region::AxesRegion;
-pub use saved::{SAVED_AXES_VERSION, SavedAxesError, SavedAxesSpace};
+pub use saved::{AxesStatistics, SAVED_AXES_VERSION, SavedAxesError, SavedAxesSpace};
 pub use space::FixedAxesSpace;
-pub use statistics::AxesStatistics;

@@ -146,14 +146,10 @@ impl Scene {
                 });
                 continue;
             }
-            let (start, along, length) = self.first.segment(a);
             let Motions { first, second } = self.motions;
-            let side = (self.first.normal(a.start), start, self.first.angle(a.start));
+            let side = self.first.line(a);
             let (point, beta) = (self.second.point(joint), self.second.angle(joint));
-            let accepts = |seen: Placement| {
-                let at = along.dot(seen.point(point) - start);
-                0.0 < at && at < length
-            };
+            let accepts = self.first.beside(a, point);
             aligned(first, side, second, (point, beta), accepts, |root, x, y| {
                 found(Name::LineJoint(ia, joint), root, 0, x, y);
             });
@@ -179,18 +175,10 @@ impl Scene {
                 continue;
             }
             let Image { of: joint, steps } = self.repeats.joint(joint);
-            let (start, along, length) = self.second.segment(b);
             let Motions { first, second } = self.motions;
-            let side = (
-                self.second.normal(b.start),
-                start,
-                self.second.angle(b.start),
-            );
+            let side = self.second.line(b);
             let (point, alpha) = (self.first.point(joint), self.first.angle(joint));
-            let accepts = |seen: Placement| {
-                let at = along.dot(seen.point(point) - start);
-                0.0 < at && at < length
-            };
+            let accepts = self.second.beside(b, point);
             aligned(
                 second,
                 side,
@@ -215,7 +203,7 @@ impl Scene {
         let Motions { first, second } = self.motions;
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         let (start, along, length) = self.first.segment(a);
-        let side = (self.first.normal(a.start), start, self.first.angle(a.start));
+        let side = self.first.line(a);
         let joint = (self.second.point(b.start), self.second.angle(b.start));
         let accepts = |seen: Placement| {
             let place = |joint| along.dot(seen.point(self.second.point(joint)) - start);

@@ -1,9 +1,9 @@
 //! The frame of the sweep: from the motions u and v to its coordinates x and y, where these run, and the parts in it.
 
+use crate::contact::{Body, overlap};
 use crate::feature::tolerance::CONTACT;
 use crate::feature::{FeatureName, PairFrame};
 
-use super::bodies::Bodies;
 use super::domain::{Extent, ExtentKind};
 use super::motion::{Motion, Motions};
 use super::tolerance::INDEPENDENT;
@@ -44,6 +44,22 @@ impl Map {
     /// Model units per unit of u and of v.
     pub(super) fn units(&self) -> (f64, f64) {
         self.outer(1.0, 1.0)
+    }
+}
+
+/// Both parts, ready to be placed.
+#[derive(Debug)]
+pub(super) struct Bodies {
+    pub(super) first: Body,
+    pub(super) second: Body,
+    pub(super) motions: Motions,
+}
+
+impl Bodies {
+    /// Whether the parts overlap at (x, y). Certain away from contact.
+    pub(super) fn overlap(&self, x: f64, y: f64) -> bool {
+        let (p, theta) = self.motions.relative(x, y);
+        overlap(&self.first, &self.second, p, theta)
     }
 }
 

@@ -9,13 +9,12 @@ use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
 
 use super::axis::{AxesError, Axis, AxisMotion, Role};
-use super::bodies::Bodies;
 use super::displacement::Displacement;
 use super::domain::{Extent, ExtentKind};
 use super::motion::{Motion, Motions};
 use super::repeats::Repeats;
 use super::scene::{Scene, Side};
-use super::setting::{Map, Setting};
+use super::setting::{Bodies, Map, Setting};
 use super::straighten::straightened;
 use super::tolerance::INDEPENDENT;
 

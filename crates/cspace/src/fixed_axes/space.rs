@@ -4,15 +4,13 @@ use crate::geometry::{Configuration, Rotation};
 use crate::part::Part;
 
 use super::axis::Axis;
-use super::build::carriers;
-use super::condition::Condition;
+use super::build::pair;
 use super::gaps::{Gaps, Graphs};
 use super::piece::Pair;
-use super::saved::{SavedAxesError, SavedAxesSpace};
+use super::saved::{AxesStatistics, SavedAxesError, SavedAxesSpace};
 use super::setting::Setting;
 use super::setup::set_up;
 use super::slots::Slots;
-use super::statistics::AxesStatistics;
 
 /// So many slots of x, and of y, in which branches are looked up.
 const SLOTS: i64 = 1024;
@@ -76,16 +74,10 @@ impl FixedAxesSpace {
         let (setting, scene) = set_up((&fixed, &moving), axes, saved.displacement)?;
         let first = scene.first.outline.features.len() as u32;
         let second = scene.second.outline.features.len() as u32;
-        let pair = |&(a, b, _): &(u32, u32, _)| {
-            let there = a < first && b < second;
-            let carriers = there.then(|| carriers(&scene, a, b)).flatten()?;
-            Some(Pair {
-                first: a,
-                second: b,
-                condition: Condition::new(carriers, scene.motions),
-            })
-        };
-        let pairs: Option<Vec<Pair>> = saved.pairs.iter().map(pair).collect();
+        let there = |a: u32, b: u32| a < first && b < second;
+        let pairs: Option<Vec<Pair>> = (saved.pairs.iter())
+            .map(|&(a, b, _)| there(a, b).then(|| pair(&scene, a, b)).flatten())
+            .collect();
         let pairs = pairs.ok_or(SavedAxesError::Damaged { what: "pairs" })?;
         Ok(Self::new(saved, (fixed, moving), setting, pairs))
     }

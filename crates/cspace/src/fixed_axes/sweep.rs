@@ -2,18 +2,15 @@
 
 use core::f64::consts::TAU;
 
-use super::bodies::Bodies;
 use super::domain::{Extent, clusters};
 use super::gaps::{Band, Gap, Graphs};
+use super::setting::Bodies;
+use super::tolerance::COINCIDENT;
 
 /// Critical values nearer than this are one (radians or length).
 const NARROWEST: f64 = crate::feature::tolerance::NARROWEST_BAND;
 /// Gaps of neighbouring bands join where they share more than this (radians or length).
 const SHORTEST: f64 = crate::feature::tolerance::SHORTEST_OVERLAP;
-
-/// A gap narrower than this between curves that face the same way is none (radians or length): it is what rounding leaves
-/// between curves that coincide.
-const TOO_NARROW: f64 = 1e-11;
 
 /// A gap at least as wide, in a band at least as wide, is tested for overlap within (radians or length): so far from all
 /// curves the test is certain.
@@ -136,32 +133,20 @@ impl Sweep<'_> {
         let middle = 0.5 * (lo + hi);
         let y = self.graphs.y;
         let at = |o: Option<(f64, u32)>, limit: f64| o.map_or(limit, |o| o.0);
-        let ends = match (order.first(), order.last()) {
-            (Some(&first), Some(&last)) if y.is_circle() => {
-                vec![(Some(last), Some((first.0 + TAU, first.1)))]
-            }
-            (first, last) => {
-                let mut ends = vec![(None, first.copied())];
-                ends.extend(last.map(|&last| (Some(last), None)));
-                ends
-            }
+        // What is at the ends of the gaps, from the lowest: of a circle the first cell comes once more, a turn on.
+        let cells = order.iter().copied().map(Some);
+        let ends: Vec<Option<(f64, u32)>> = match order.first() {
+            Some(&(at, first)) if y.is_circle() => cells.chain([Some((at + TAU, first))]).collect(),
+            _ => [None].into_iter().chain(cells).chain([None]).collect(),
         };
-        // Of a circle the gap across the cut comes last, of an interval the gap at its lower end first.
-        let (before, after) = ends.split_at(usize::from(!y.is_circle() || order.is_empty()));
-        let between = order.windows(2).map(|w| (Some(w[0]), Some(w[1])));
-        let all = before
-            .iter()
-            .copied()
-            .chain(between)
-            .chain(after.iter().copied());
-        for (lower, upper) in all {
+        for (lower, upper) in ends.windows(2).map(|w| (w[0], w[1])) {
             let (from, to) = (at(lower, y.lo), at(upper, y.hi));
             let certain = to - from >= CHECKED && hi - lo >= CHECKED;
             let said = self.said(lower, upper);
             let free = match said {
                 Some(free) if !certain => free,
                 // Curves on top of each other, facing the same way.
-                None if lower.is_some() && to - from < TOO_NARROW => false,
+                None if lower.is_some() && to - from < COINCIDENT => false,
                 _ => {
                     tally.tests += 1;
                     let free = !self.bodies.overlap(middle, from + TRIED_AT * (to - from));
