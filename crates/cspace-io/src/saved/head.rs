@@ -1,6 +1,6 @@
 //! What tells a saved space from other JSON, before it is looked into.
 
-use cspace::space::{SAVED_VERSION, SavedError};
+use cspace::space::{DataError, SAVED_VERSION};
 use serde::de::IgnoredAny;
 use serde_json::value::RawValue;
 
@@ -26,7 +26,7 @@ pub(super) fn head<'t>(
         (_, Some(f)) if wanted.contains(&f.as_str()) => f,
         (_, Some(found)) => {
             let (found, wanted) = (shown::cut(&found).into_owned(), wanted[0]);
-            return Err(wrong(SavedError::Format { found, wanted }.to_string()));
+            return Err(wrong(DataError::Format { found, wanted }.to_string()));
         }
         (Some(found), None) => {
             return Err(wrong(format!(

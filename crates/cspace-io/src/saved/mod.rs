@@ -11,7 +11,7 @@ mod head;
 
 use std::path::Path;
 
-use cspace::pair::SavedPair;
+use cspace::pair::PairData;
 use cspace::{ContactSpace, FixedAxesSpace, LowerPair, Mechanism, PairSpace};
 use serde_json::value::RawValue;
 
@@ -245,5 +245,5 @@ struct Labelled<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     unit: Option<&'a str>,
     #[serde(flatten)]
-    space: SavedPair,
+    space: PairData,
 }

@@ -8,8 +8,7 @@ use crate::union_find::UnionFind;
 
 use super::cross::crossings;
 use super::domain::{Extent, brought_between};
-use super::piece::{Key, Name};
-use super::piece::{Pair, Piece};
+use super::piece::{Key, Name, Pair, Piece};
 use super::tolerance::MOST_MEETINGS;
 
 /// What is at an end of a cell.

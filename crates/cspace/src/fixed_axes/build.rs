@@ -5,29 +5,20 @@
 
 use super::condition::{Carriers, Condition};
 use super::cycle::Cycle;
-use super::piece::End;
-use super::piece::Key;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
-use super::piece::Spot;
-use super::reach::Apart;
-use super::reach::reaches;
+use super::domain::clusters;
+use super::piece::{End, Key, Name, Node, Pair, Piece};
+use super::reach::{Apart, reaches};
 use super::scene::Scene;
-use super::tolerance::INDEPENDENT;
+use super::tolerance::{INDEPENDENT, SHORT};
 use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::parallel::prelude::*;
 use crate::union_find::UnionFind;
 use core::f64::consts::TAU;
 
-/// A section shorter than this (in x, radians or length) is not tested: near a turning y moves with the square root of x, and
-/// so does its rounding.
-pub(super) const SHORT: f64 = 1e-13;
-
 /// A place on a curve where a section may end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cut {
+pub(super) struct SectionEnd {
     /// Where it is on the curve of the feature that stands for its orbit.
     pub(super) x: f64,
     /// Where its node is in the window, and in which copy of it x is: rounding may put it beyond a turning.
@@ -42,7 +33,30 @@ pub(super) struct Cut {
     pub(super) x_turn: i32,
 }
 
-impl Cut {
+impl SectionEnd {
+    /// Where one of the features gives way, on a curve that is there at x.
+    pub(super) fn at_node(node: &Node, x: f64, (at, copy): (f64, u32)) -> Self {
+        Self {
+            root: node.root,
+            ends: true,
+            ..Self::between(x, (at, copy), node.y, node.name)
+        }
+    }
+
+    /// Where both features go on.
+    pub(super) fn between(x: f64, (at, copy): (f64, u32), y: f64, name: Name) -> Self {
+        Self {
+            x,
+            at,
+            copy,
+            y,
+            name,
+            root: 0,
+            ends: false,
+            x_turn: 0,
+        }
+    }
+
     /// Its key where it belongs to a pair, so many turns of x on.
     pub(super) fn key(&self, pair: u32, turn: i32) -> Key {
         Key {
@@ -73,7 +87,7 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
                 scene,
                 pairs: Vec::new(),
                 pieces: Vec::new(),
-                spots: Vec::new(),
+                nodes: Vec::new(),
                 breaks: Vec::new(),
                 instances: Vec::new(),
             };
@@ -100,7 +114,7 @@ pub(super) struct Builder<'a> {
     pub(super) scene: &'a Scene,
     pub(super) pairs: Vec<Pair>,
     pub(super) pieces: Vec<Piece>,
-    pub(super) spots: Vec<Spot>,
+    pub(super) nodes: Vec<Node>,
     pub(super) breaks: Vec<f64>,
     /// Of the pair that is looked at, its images by copies of the window, and whether pieces came of them.
     instances: Vec<Option<(u32, bool)>>,
@@ -109,29 +123,24 @@ pub(super) struct Builder<'a> {
 impl Builder<'_> {
     fn add(&mut self, ia: u32, ib: u32) {
         let scene = self.scene;
-        let Some(carriers) = carriers(scene, ia, ib) else {
+        let Some(rep) = pair(scene, ia, ib) else {
             return;
         };
         let turning = scene.motions.first.turns() || scene.motions.second.turns();
         if !turning && !scene.normals_meet(ia, ib) {
             return;
         }
-        let rep = Pair {
-            first: ia,
-            second: ib,
-            condition: Condition::new(carriers, scene.motions),
-        };
         self.instances.clear();
         self.instances.resize(scene.repeats.fold as usize, None);
-        let mut spots = core::mem::take(&mut self.spots);
-        spots.clear();
-        scene.spots(ia, ib, |s| spots.push(s));
+        let mut nodes = core::mem::take(&mut self.nodes);
+        nodes.clear();
+        scene.nodes(ia, ib, |s| nodes.push(s));
         if rep.condition.is_vertical() {
-            self.add_verticals(&rep, &spots);
+            self.add_verticals(&rep, &nodes);
         } else {
-            self.add_graphs(&rep, &spots);
+            self.add_graphs(&rep, &nodes);
         }
-        self.spots = spots;
+        self.nodes = nodes;
     }
 
     /// The image of a pair that touches in the window where it touches in a copy of the window, and how many pieces there
@@ -142,13 +151,8 @@ impl Builder<'_> {
             return (before, known);
         }
         let first = self.scene.repeats.image(rep.first, copy);
-        let condition = carriers(self.scene, first, rep.second)
-            .map_or(rep.condition, |c| Condition::new(c, self.scene.motions));
-        self.pairs.push(Pair {
-            first,
-            second: rep.second,
-            condition,
-        });
+        let image = pair(self.scene, first, rep.second);
+        self.pairs.push(image.unwrap_or(Pair { first, ..*rep }));
         let pair = self.pairs.len() as u32 - 1;
         self.instances[copy as usize] = Some((pair, false));
         (before, pair)
@@ -218,20 +222,10 @@ pub(super) fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
 /// Gives all ends that rounding alone keeps from the x of a vertical piece that x, so that they agree on what is left of
 /// it.
 pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
-    let mut xs: Vec<f64> = pieces
-        .iter()
-        .filter(|p| p.vertical)
-        .flat_map(|p| [p.start.x, p.end.x])
-        .collect();
-    xs.sort_by(f64::total_cmp);
+    let verticals = pieces.iter().filter(|p| p.vertical);
+    let xs = verticals.flat_map(|p| [p.start.x, p.end.x]).collect();
     // One value for each cluster.
-    let mut clusters: Vec<(f64, f64)> = Vec::new();
-    for x in xs {
-        match clusters.last_mut() {
-            Some(last) if x - last.1 < INDEPENDENT => last.1 = x,
-            _ => clusters.push((x, x)),
-        }
-    }
+    let clusters = clusters(xs, INDEPENDENT);
     if clusters.is_empty() {
         return;
     }
@@ -248,16 +242,22 @@ pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
     }
 }
 
-/// The condition of a pair of features, if they can touch.
-pub(super) fn carriers(scene: &Scene, ia: u32, ib: u32) -> Option<Carriers> {
-    let (a, b) = (scene.first_feature(ia), scene.second_feature(ib));
-    let found = by_centres(scene, a, b)?;
-    if a.near.is_none() && b.near.is_none() {
-        return Some(found);
-    }
-    Some(Carriers::Cycles {
-        first: Cycle::of(&scene.first, a),
-        second: Cycle::of(&scene.second, b),
+/// The pair of two features with its condition, if they can touch.
+pub(super) fn pair(scene: &Scene, first: u32, second: u32) -> Option<Pair> {
+    let (a, b) = (scene.first_feature(first), scene.second_feature(second));
+    let by_centres = by_centres(scene, a, b)?;
+    let carriers = if a.near.is_none() && b.near.is_none() {
+        by_centres
+    } else {
+        Carriers::Cycles {
+            first: Cycle::of(&scene.first, a),
+            second: Cycle::of(&scene.second, b),
+        }
+    };
+    Some(Pair {
+        first,
+        second,
+        condition: Condition::new(carriers, scene.motions),
     })
 }
 

@@ -2,8 +2,8 @@
 
 use super::arrange::{Cell, Stop};
 use super::domain::Extent;
-use super::piece::Name;
-use super::piece::{Pair, Piece};
+use super::gaps::Graphs;
+use super::piece::{Name, Pair, Piece};
 
 /// Ends that no name joins, but no farther apart than this (radians or length), follow each other: three curves through one
 /// point, or lines that continue each other.
@@ -34,23 +34,21 @@ pub(super) fn end_of(cell: &Cell, piece: &Piece, pairs: &[Pair], at_end: bool) -
     }
 }
 
-/// Finds which free cell follows which, and gathers those of the same features, as `same` tells, to curves.
+/// Finds which cell follows which, all being free, and gathers those of the same features, as `same` tells, to curves.
 pub(super) fn chains(
-    pairs: &[Pair],
-    pieces: &[Piece],
-    cells: &[Cell],
-    free: &[bool],
+    graphs: &Graphs<'_>,
+    x: &Extent,
     joints: &[[(u32, bool); 2]],
-    (x, y): (Extent, Extent),
     same: impl Fn(&Pair, &Pair) -> bool,
 ) -> Vec<Chain> {
     const NONE: u32 = u32::MAX;
-    let piece = |i: u32| &pieces[cells[i as usize].piece as usize];
+    let (cells, pairs) = (graphs.cells, graphs.pairs);
+    let piece = |i: u32| graphs.piece(i);
     let leaves = |(i, at_end): (u32, bool)| goes_up(piece(i)) == at_end;
     let mut next = vec![NONE; cells.len()];
     let mut previous = vec![NONE; cells.len()];
     for &[a, b] in joints {
-        if !(free[a.0 as usize] && free[b.0 as usize]) || leaves(a) == leaves(b) {
+        if leaves(a) == leaves(b) {
             continue;
         }
         let (from, to) = if leaves(a) { (a.0, b.0) } else { (b.0, a.0) };
@@ -58,7 +56,7 @@ pub(super) fn chains(
         previous[to as usize] = from;
     }
     // What is left over, by place.
-    let all = || (0..cells.len() as u32).filter(|&i| free[i as usize]);
+    let all = || 0..cells.len() as u32;
     let place = |i: u32, leaving: bool| {
         end_of(
             &cells[i as usize],
@@ -67,15 +65,15 @@ pub(super) fn chains(
             goes_up(piece(i)) == leaving,
         )
     };
-    let at_limit = |i: u32, leaving: bool| {
+    let stop = |i: u32, leaving: bool| {
         let c = &cells[i as usize];
-        let stop = if goes_up(piece(i)) == leaving {
+        if goes_up(piece(i)) == leaving {
             c.end
         } else {
             c.start
-        };
-        matches!(stop, Stop::Node(key) if key.name == Name::Limit)
+        }
     };
+    let at_limit = |i: u32, leaving: bool| matches!(stop(i, leaving), Stop::Node(key) if key.name == Name::Limit);
     let open: Vec<u32> = all()
         .filter(|&i| previous[i as usize] == NONE && !at_limit(i, false))
         .collect();
@@ -90,14 +88,7 @@ pub(super) fn chains(
             .filter(|&j| previous[j as usize] == NONE)
             .map(|j| {
                 let (s, t) = place(j, false);
-                let folded = |e: &Extent, d: f64| {
-                    if e.is_circle() {
-                        super::domain::wrapped(d)
-                    } else {
-                        d
-                    }
-                };
-                (folded(&x, s - u).hypot(folded(&y, t - v)), j)
+                (x.apart(s, u).hypot(graphs.y.apart(t, v)), j)
             })
             .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if let Some((_, j)) = near.filter(|n| n.0 < SAME_PLACE) {
@@ -108,14 +99,6 @@ pub(super) fn chains(
     let pair = |i: u32| piece(i).pair;
     // A curve starts where the pair of features changes, and where it crosses itself.
     let continues = |from: u32, to: u32| {
-        let stop = |i: u32, leaving: bool| {
-            let c = &cells[i as usize];
-            if goes_up(piece(i)) == leaving {
-                c.end
-            } else {
-                c.start
-            }
-        };
         same(&pairs[pair(from) as usize], &pairs[pair(to) as usize])
             && matches!(stop(from, true), Stop::Node(_))
             && matches!(stop(to, false), Stop::Node(_))

@@ -2,14 +2,9 @@
 
 use crate::query::Classification;
 
-use super::bands::Graphs;
-use super::domain::{ExtentKind, brought_between};
-use super::motion::Motion;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 
-/// Slots of x in which the free boundary's cells are looked up.
-const SLOTS: usize = 1024;
 /// A configuration farther than this from a curve whose function vanishes there, but for the resolution, is looked at itself
 /// (radians or length of the frame): the square root of the rounding, which a place beside a tangency may be off.
 const ASTRAY: f64 = 1e-7;
@@ -20,14 +15,14 @@ impl FixedAxesSpace {
     /// has [conflicts](super::AxesStatistics::conflicts). `None` outside the ranges of motion, which of a
     /// part that does not move is 0 alone, or if the configuration is not finite.
     pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
-        let (x, y) = self.placed(u, v)?;
-        if self.touching(x, y).next().is_some() {
+        let (x, y) = self.setting.placed(u, v)?;
+        if self.is_touching(x, y) {
             return Some(Classification::Contact);
         }
-        let free = if self.statistics.conflicts > 0 {
-            !self.bodies.overlap(x, y)
+        let free = if self.data.statistics.conflicts > 0 {
+            !self.setting.bodies.overlap(x, y)
         } else {
-            self.gap(x, y).is_some()
+            self.gaps().hold(x, y)
         };
         Some(if free {
             Classification::Free
@@ -39,17 +34,25 @@ impl FixedAxesSpace {
     /// The patches that touch at (u, v) within `tolerance` (model length), with their contact functions there; the nearest
     /// first. Empty outside the ranges of motion.
     pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
-        let Some((x, y)) = self.placed(u, v) else {
+        let Some((x, y)) = self.setting.placed(u, v) else {
             return Vec::new();
         };
-        let scale = self.map.frame.scale;
-        let reach = tolerance * scale;
-        let mut found: Vec<(u32, f64)> = self
-            .branches
-            .iter()
+        let reach = tolerance * self.setting.map.frame.scale;
+        self.contacts_among(self.by_x.near_in_order(x, reach.max(NEAR)), (x, y), reach)
+    }
+
+    /// The patches of some branches that touch.
+    fn contacts_among(
+        &self,
+        branches: impl IntoIterator<Item = u32>,
+        (x, y): (f64, f64),
+        reach: f64,
+    ) -> Vec<(u32, f64)> {
+        let branches = branches.into_iter().map(|b| self.data.branches[b as usize]);
+        let mut found: Vec<(u32, f64)> = branches
             .filter_map(|b| {
-                let value = self.touch(b.cell(), x, y, reach.max(NEAR), reach)?;
-                Some((b.patch, value / scale))
+                let value = self.touch(b.cell, x, y, reach.max(NEAR), reach)?;
+                Some((b.patch, value / self.setting.map.frame.scale))
             })
             .collect();
         let nearer = |a: &(u32, f64), b: &(u32, f64)| a.1.abs().total_cmp(&b.1.abs());
@@ -59,115 +62,30 @@ impl FixedAxesSpace {
         found
     }
 
-    /// Coordinates within the extents; none outside the ranges.
-    pub(super) fn placed(&self, u: f64, v: f64) -> Option<(f64, f64)> {
-        let (x, y) = self.map.inner(u, v);
-        if !(x.is_finite() && y.is_finite()) {
-            return None;
-        }
-        let (mut x, mut y) = (x, y);
-        for (t, extent) in [(&mut x, &self.x), (&mut y, &self.y)] {
-            match extent.kind {
-                ExtentKind::Circle => *t = extent.reduced(*t),
-                ExtentKind::TurnLimits | ExtentKind::SlideLimits => {
-                    if !(extent.lo..=extent.hi).contains(t) {
-                        return None;
-                    }
-                }
-                ExtentKind::Open => {}
-            }
-        }
-        // A part that does not move is at 0 and nowhere else.
-        let moved = |t: f64, m: Motion| m == Motion::Still && t != 0.0;
-        if moved(x, self.motions.first) || moved(y, self.motions.second) {
-            return None;
-        }
-        if let Some(share) = self.on_one_line() {
-            y -= x * share;
-            x = 0.0;
-        }
-        Some((x, y))
-    }
-
-    /// Of parts that slide along one line without limits only the difference of y and so many x matters.
-    pub(super) fn on_one_line(&self) -> Option<f64> {
-        let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
-            (self.motions.first, self.motions.second)
-        else {
-            return None;
-        };
-        let open = self.x.kind == ExtentKind::Open && self.y.kind == ExtentKind::Open;
-        (open && d.cross(e).abs() < super::tolerance::INDEPENDENT).then(|| d.dot(e))
-    }
-
-    pub(super) fn graphs(&self) -> Graphs<'_> {
-        Graphs {
-            pairs: &self.pairs,
-            pieces: &self.pieces,
-            cells: &self.cells,
-            y: self.y,
-        }
-    }
-
-    /// The free gap that holds a configuration.
-    pub(super) fn gap(&self, x: f64, y: f64) -> Option<u32> {
-        let bands = &self.bands.bands;
-        let outside = x < self.x.lo || x > self.x.hi || y < self.y.lo || y > self.y.hi;
-        if outside && !self.y.is_circle() {
-            // Beyond the window nothing touches.
-            return Some(u32::MAX);
-        }
-        let k = bands.partition_point(|b| b.hi < x).min(bands.len() - 1);
-        self.gap_in(k, x, y)
-    }
-
-    /// The free gap of a band that holds a configuration.
-    pub(super) fn gap_in(&self, band: usize, x: f64, y: f64) -> Option<u32> {
-        let graphs = self.graphs();
-        self.bands.bands[band].gaps.clone().find(|&g| {
-            let (from, to) = graphs.interval(&self.bands.gaps[g as usize], x);
-            if self.y.is_circle() {
-                let turn = core::f64::consts::TAU;
-                let y = y + turn * ((from - y) / turn).ceil();
-                y <= to
-            } else {
-                (from..=to).contains(&y)
-            }
-        })
-    }
-
-    /// Cells of the free boundary within the resolution of a configuration, with the contact functions' values.
-    pub(super) fn touching(&self, x: f64, y: f64) -> impl Iterator<Item = (u32, f64)> + '_ {
-        let distance = self.contact_distance() * self.map.frame.scale;
-        self.slots[self.slot(x)].iter().filter_map(move |&i| {
-            let value = self.touch(i, x, y, distance, distance)?;
+    /// Whether a configuration is within the resolution of the free boundary.
+    pub(super) fn is_touching(&self, x: f64, y: f64) -> bool {
+        let distance = self.setting.inner_contact_distance();
+        let mut near = self.by_x.near(x, distance);
+        near.any(|branch| {
+            let cell = self.data.branches[branch as usize].cell;
             // A corner that is all but on a pivot is as near to a side everywhere, deep in blocked space too.
-            let strays = self.above_curve(i, x, y).abs() > ASTRAY && self.bodies.overlap(x, y);
-            (!strays).then_some((i, value))
+            self.touch(cell, x, y, distance, distance).is_some()
+                && (self.above_curve(cell, x, y).abs() <= ASTRAY
+                    || !self.setting.bodies.overlap(x, y))
         })
-    }
-
-    /// Where a cell is along x and along y.
-    pub(super) fn cell_box(&self, cell: u32) -> ((f64, f64), (f64, f64)) {
-        let (c, p) = self.cell_and_piece(cell);
-        if p.vertical {
-            return ((p.start.x, p.start.x), (c.from, c.to));
-        }
-        let (a, b) = (p.y(&self.pairs, c.from), p.y(&self.pairs, c.to));
-        ((c.from, c.to), (a.min(b), a.max(b)))
     }
 
     /// Whether a configuration is in a cell's box, or no farther from it than `reach`.
     pub(super) fn in_box(&self, cell: u32, x: f64, y: f64, reach: f64) -> bool {
-        let (x_range, y_range) = self.cell_box(cell);
-        self.x.brought(x, x_range, reach).is_some() && self.y.brought(y, y_range, reach).is_some()
+        let (x_range, y_range) = self.graphs().cell_box(cell);
+        self.setting.x.brought(x, x_range, reach).is_some()
+            && self.setting.y.brought(y, y_range, reach).is_some()
     }
 
     /// The contact function of a cell at a configuration that touches there: the function vanishes, give or take `within`,
     /// and no farther than `reach` from the cell's curve.
     fn touch(&self, cell: u32, x: f64, y: f64, reach: f64, within: f64) -> Option<f64> {
-        let (_, p) = self.cell_and_piece(cell);
-        let value = self.pairs[p.pair as usize].condition.value(x, y);
+        let value = self.graphs().condition(cell).value(x, y);
         let near = value.abs() <= within && self.in_box(cell, x, y, reach);
         (near && self.on_own_root(cell, x, y, within)).then_some(value)
     }
@@ -177,45 +95,94 @@ impl FixedAxesSpace {
     /// At one x the function is a parabola or a cosine of y and has a second root, which may be in the cell's box as well,
     /// deep in blocked space. Between the two it is extreme in the middle.
     pub(super) fn on_own_root(&self, cell: u32, x: f64, y: f64, within: f64) -> bool {
-        let (_, p) = self.cell_and_piece(cell);
         // The shorter way: between the roots that is the side on which the function varies less.
         let middle = y - 0.5 * self.above_curve(cell, x, y);
-        let condition = &self.pairs[p.pair as usize].condition;
+        let condition = self.graphs().condition(cell);
         condition.value(x, middle).abs() <= within.max(condition.value(x, y).abs())
     }
 
     /// How far a configuration is above a cell's curve along y, the shorter way around; 0 of one that is vertical.
     fn above_curve(&self, cell: u32, x: f64, y: f64) -> f64 {
-        let (c, p) = self.cell_and_piece(cell);
+        let graphs = self.graphs();
+        let (c, p) = graphs.cell(cell);
         if p.vertical {
             return 0.0;
         }
         let middle = 0.5 * (c.from + c.to);
-        let x = middle + self.x.apart(x, middle);
-        self.y
-            .apart(y, p.y(&self.pairs, brought_between(x, c.from, c.to)))
+        let x = middle + self.setting.x.apart(x, middle);
+        graphs.y.apart(y, graphs.at(cell, x))
     }
+}
 
-    fn slot(&self, x: f64) -> usize {
-        let share = (x - self.x.lo) / (self.x.hi - self.x.lo);
-        ((share * SLOTS as f64).max(0.0) as usize).min(SLOTS - 1)
-    }
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use crate::fixed_axes::FixedAxesSpace;
+    use crate::fixed_axes::axis::Axis;
+    use crate::geometry::{Point, Vector};
+    use crate::part::{Part, Vertex};
 
-    /// For every slot of x the free cells in it.
-    pub(super) fn near_slots(&self) -> Vec<Vec<u32>> {
-        let mut slots = vec![Vec::new(); SLOTS];
-        for i in (0..self.cells.len() as u32).filter(|&i| self.free[i as usize]) {
-            let c = &self.cells[i as usize];
-            let p = &self.pieces[c.piece as usize];
-            let (lo, hi) = if p.vertical {
-                (p.start.x, p.start.x)
-            } else {
-                (c.from, c.to)
+    /// Pairs of which x and y run over a turn, between limits, and without limits.
+    fn spaces() -> Vec<FixedAxesSpace> {
+        let star = |x: f64, teeth: u32| {
+            let at = |k: u32| {
+                let p = Vector::from_angle(core::f64::consts::PI * f64::from(k) / f64::from(teeth));
+                let p = p * if k.is_multiple_of(2) { 1.0 } else { 0.7 };
+                Vertex::line(x + p.x, p.y)
             };
-            for s in &mut slots[self.slot(lo - NEAR)..=self.slot(hi + NEAR)] {
-                s.push(i);
+            Part::new("star", vec![(0..2 * teeth).map(at).collect()]).unwrap()
+        };
+        let turn = |x: f64| Axis::revolute(Point::new(x, 0.0));
+        let slide = |x: f64, y: f64| Axis::prismatic(Vector::new(x, y));
+        let of = |x: f64, a: Axis, b: Axis| {
+            FixedAxesSpace::compute(&star(0.0, 5), a, &star(x, 4), b).unwrap()
+        };
+        vec![
+            of(1.8, turn(0.1), turn(1.8)),
+            of(1.8, turn(0.1), turn(1.8).within(-1.0, 7.5)),
+            of(1.8, turn(0.1).within(-4.0, 4.0), slide(0.6, 0.8)),
+            of(1.8, slide(0.6, 0.8).within(-1.0, 1.0), turn(1.8)),
+            of(2.5, slide(0.0, 1.0), slide(1.0, 0.0)),
+            of(2.5, slide(1.0, 0.0), slide(1.0, 0.0)),
+            of(1.8, Axis::FIXED, turn(1.7)),
+            of(1.8, turn(0.1), Axis::FIXED),
+        ]
+    }
+
+    /// Asked of all branches, the answers are the same to the last bit.
+    #[test]
+    fn slots_hold_all_that_is_near() {
+        let (mut touching, mut nearest) = (0, 0);
+        for space in spaces() {
+            let all = || 0..space.data.branches.len() as u32;
+            let (x, y) = (space.setting.x, space.setting.y);
+            // Some at the ends of the extents, some between, in no simple ratio to anything.
+            let shares = (1..60).map(|k| (f64::from(k) * 0.754_877_666).fract());
+            let shares = shares.chain([0.0, 1e-13, 1e-10, 1.0 - 1e-10, 1.0]);
+            for (i, share) in shares.enumerate() {
+                let other = (f64::from(i as u32) * 0.569_840_291).fract();
+                for (s, t) in [(share, other), (other, share)] {
+                    let at = (x.lo + s * (x.hi - x.lo), y.lo + t * (y.hi - y.lo));
+                    for tolerance in [1e-9, 0.01, 0.3, 10.0] {
+                        let scale = space.setting.map.frame.scale;
+                        let (u, v) = space.setting.outer(at.0, at.1);
+                        let Some(placed) = space.setting.placed(u, v) else {
+                            continue;
+                        };
+                        let asked = space.contacts(u, v, tolerance);
+                        assert_eq!(
+                            asked,
+                            space.contacts_among(all(), placed, tolerance * scale)
+                        );
+                        touching += asked.len();
+                    }
+                    let (u, v) = space.setting.outer(at.0, at.1);
+                    let asked = space.nearest_contact(u, v);
+                    assert_eq!(asked, space.nearest_among(|_, _| all().collect(), u, v));
+                    nearest += usize::from(asked.is_some());
+                }
             }
         }
-        slots
+        assert!(touching > 1000 && nearest > 100, "{touching} {nearest}");
     }
 }

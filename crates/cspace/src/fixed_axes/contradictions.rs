@@ -1,6 +1,6 @@
 //! Whether a partition hangs together.
 
-use super::domain::{Extent, wrapped};
+use super::domain::Extent;
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
 
@@ -11,16 +11,21 @@ const ONE_PLACE: f64 = 1e-6;
 const AT_LIMIT: f64 = 1e-9;
 
 impl FixedAxesSpace {
-    /// How often the partition contradicts itself: in the tests made for it, in curves that lead nowhere or to another
+    /// The space with a conflict for each time that the partition contradicts itself: in the tests made for it, in curves that lead nowhere or to another
     /// region, in regions whose sample is blocked or that are narrower than the resolution, in gaps that hold one of the
     /// configurations at which the parts were found to overlap, in configurations that are not what the gaps say.
-    pub(super) fn faults(&self, overlaps: &[(f64, f64)]) -> usize {
-        let curves = (0..self.patches.len()).map(|i| self.faults_of(i));
-        let none =
-            |(x, y): (f64, f64)| self.bodies.overlap(x, y) || self.touching(x, y).next().is_some();
-        let regions = self.bands.regions.iter().filter(|r| none(r.sample));
-        let overlooked = (overlaps.iter()).filter(|(x, y)| self.gap(*x, *y).is_some());
-        self.statistics.conflicts
+    pub(super) fn with_faults_counted(mut self, overlaps: &[(f64, f64)]) -> Self {
+        self.data.statistics.conflicts = self.faults(overlaps);
+        self
+    }
+
+    /// How often the partition contradicts itself, with the conflicts of its statistics.
+    fn faults(&self, overlaps: &[(f64, f64)]) -> usize {
+        let curves = (0..self.data.patches.len()).map(|i| self.faults_of(i));
+        let none = |(x, y): (f64, f64)| self.setting.bodies.overlap(x, y) || self.is_touching(x, y);
+        let regions = self.data.regions.iter().filter(|r| none(r.sample));
+        let overlooked = (overlaps.iter()).filter(|(x, y)| self.gaps().hold(*x, *y));
+        self.data.statistics.conflicts
             + curves.sum::<usize>()
             + regions.count()
             + overlooked.count()
@@ -37,44 +42,45 @@ impl FixedAxesSpace {
         (1..=TRIED)
             .map(|k| {
                 let k = f64::from(k);
-                (at(&self.x, k * SPREAD.0), at(&self.y, k * SPREAD.1))
+                (
+                    at(&self.setting.x, k * SPREAD.0),
+                    at(&self.setting.y, k * SPREAD.1),
+                )
             })
             .filter(|&(x, y)| {
-                let untrue = self.bodies.overlap(x, y) == self.gap(x, y).is_some();
-                untrue && self.touching(x, y).next().is_none()
+                let untrue = self.setting.bodies.overlap(x, y) == self.gaps().hold(x, y);
+                untrue && !self.is_touching(x, y)
             })
             .count()
     }
 
     fn faults_of(&self, patch: usize) -> usize {
-        let p = &self.patches[patch];
+        let p = &self.data.patches[patch];
         let [start, end] =
-            [p.branches.start, p.branches.end - 1].map(|b| self.branches[b as usize]);
+            [p.branches.start, p.branches.end - 1].map(|b| self.data.branches[b as usize]);
         let inside = |(u, v): (f64, f64)| {
-            let (x, y) = self.map.inner(u, v);
-            let still = [self.motions.first, self.motions.second].map(|m| m == Motion::Still);
+            let (x, y) = self.setting.map.inner(u, v);
+            let still = [self.setting.motions.first, self.setting.motions.second]
+                .map(|m| m == Motion::Still);
             let limit = |t: f64, e: &Extent, still: bool| {
                 !e.is_circle() && (still || t - e.lo < AT_LIMIT || e.hi - t < AT_LIMIT)
             };
-            !(limit(x, &self.x, still[0]) || limit(y, &self.y, still[1]))
+            !(limit(x, &self.setting.x, still[0]) || limit(y, &self.setting.y, still[1]))
         };
         let finite = [start.start, end.end].map(|(u, v)| u.is_finite() && v.is_finite());
         let mut faults = finite.iter().filter(|f| !**f).count();
         faults += usize::from(p.region.is_none());
         faults += usize::from(p.previous.is_none() && inside(start.start));
-        faults += match p.next.map(|n| &self.patches[n as usize]) {
+        faults += match p.next.map(|n| &self.data.patches[n as usize]) {
             None => usize::from(inside(end.end)),
             Some(next) => {
-                let follows = self.branches[next.branches.start as usize].start;
+                let follows = self.data.branches[next.branches.start as usize].start;
                 let (a, b) = (
-                    self.map.inner(end.end.0, end.end.1),
-                    self.map.inner(follows.0, follows.1),
+                    self.setting.map.inner(end.end.0, end.end.1),
+                    self.setting.map.inner(follows.0, follows.1),
                 );
-                let off = |s: f64, t: f64, e: &Extent| {
-                    let d = s - t;
-                    if e.repeats() { wrapped(d) } else { d }.abs()
-                };
-                let apart = off(a.0, b.0, &self.x).max(off(a.1, b.1, &self.y));
+                let off = |s: f64, t: f64, e: &Extent| e.difference(s, t).abs();
+                let apart = off(a.0, b.0, &self.setting.x).max(off(a.1, b.1, &self.setting.y));
                 usize::from(apart.is_nan() || apart >= ONE_PLACE)
                     + usize::from(next.region != p.region)
             }
@@ -107,7 +113,7 @@ mod tests {
     fn a_partition_that_is_right_has_no_faults() {
         for size in [1.0, 1.5, 2.0] {
             let space = squares(size);
-            assert!(!space.patches.is_empty());
+            assert!(!space.data.patches.is_empty());
             assert_eq!(space.faults(&[]), 0, "{size}");
         }
     }
@@ -116,12 +122,12 @@ mod tests {
     #[test]
     fn faults_are_seen() {
         let mut space = squares(1.0);
-        let free = space.bands.regions[0].sample;
+        let free = space.data.regions[0].sample;
         assert_eq!(space.faults(&[free, free]), 2);
-        space.bodies = squares(2.0).bodies;
+        space.setting.bodies = squares(2.0).setting.bodies;
         assert!(space.untrue() > 3);
         let mut space = squares(1.0);
-        space.patches[0].next = None;
+        space.data.patches[0].next = None;
         assert!(space.faults(&[]) > 0);
     }
 }

@@ -1,19 +1,11 @@
 //! From the window to the full turn of a part that repeats itself (figure 4 of Sacks 1999, for two degrees of freedom).
 
-use super::arrange::Cell;
-use super::arrange::Stop;
-use super::bands::Band;
-use super::bands::Gap;
-use super::bands::Link;
-use super::bands::Swept;
-use super::build::carriers;
-use super::condition::Condition;
-use super::piece::End;
-use super::piece::Key;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
+use super::arrange::{Cell, Stop};
+use super::build;
+use super::gaps::{Band, Gap};
+use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::Scene;
+use super::sweep::{Link, Swept};
 use core::f64::consts::TAU;
 
 impl Partition {
@@ -29,12 +21,11 @@ impl Partition {
             pieces: Vec::with_capacity(copies * self.pieces.len()),
             cells: Vec::with_capacity(copies * self.cells.len()),
             joints: Vec::with_capacity(copies * self.joints.len()),
-            free: self.free.repeat(copies),
             swept: Swept {
+                bands: Vec::with_capacity(copies * self.swept.bands.len()),
+                gaps: Vec::with_capacity(copies * self.swept.gaps.len()),
                 spans: self.swept.spans.repeat(copies),
-                conflicts: self.swept.conflicts,
-                tests: self.swept.tests,
-                ..Swept::default()
+                links: Vec::with_capacity(copies * self.swept.links.len()),
             },
             crossings: copies * self.crossings,
         };
@@ -113,13 +104,7 @@ impl Copy<'_> {
     fn pair(&self, pair: &Pair) -> Pair {
         let repeats = &self.scene.repeats;
         let first = repeats.image(pair.first, repeats.fold - self.number);
-        let condition = carriers(self.scene, first, pair.second)
-            .map_or(pair.condition, |c| Condition::new(c, self.scene.motions));
-        Pair {
-            first,
-            second: pair.second,
-            condition,
-        }
+        build::pair(self.scene, first, pair.second).unwrap_or(Pair { first, ..*pair })
     }
 
     /// The piece; of a graph with y in its middle as the pair in the window has it.
@@ -209,7 +194,6 @@ pub(super) struct Partition {
     pub(super) pieces: Vec<Piece>,
     pub(super) cells: Vec<Cell>,
     pub(super) joints: Vec<[(u32, bool); 2]>,
-    pub(super) free: Vec<bool>,
     pub(super) swept: Swept,
     pub(super) crossings: usize,
 }
@@ -217,15 +201,14 @@ pub(super) struct Partition {
 impl Partition {
     /// The partition without the cells that do not bound free space, and without the pieces and pairs of no other cells:
     /// nothing asks for them.
-    pub(super) fn kept(mut self) -> Self {
+    pub(super) fn kept(mut self, free: &[bool]) -> Self {
         let mut pieces = vec![false; self.pieces.len()];
         let mut pairs = vec![false; self.pairs.len()];
-        for (cell, _) in self.cells.iter().zip(&self.free).filter(|c| *c.1) {
+        for (cell, _) in self.cells.iter().zip(free).filter(|c| *c.1) {
             pieces[cell.piece as usize] = true;
             pairs[self.pieces[cell.piece as usize].pair as usize] = true;
         }
-        let (new_cell, new_piece, new_pair) =
-            (numbers(&self.free), numbers(&pieces), numbers(&pairs));
+        let (new_cell, new_piece, new_pair) = (numbers(free), numbers(&pieces), numbers(&pairs));
         retain(&mut self.pairs, &pairs);
         retain(&mut self.pieces, &pieces);
         for piece in &mut self.pieces {
@@ -235,13 +218,12 @@ impl Partition {
             Stop::Node(key) => Stop::Node(key.renumbered(|pair| new_pair[pair as usize])),
             crossing => crossing,
         };
-        retain(&mut self.cells, &self.free);
+        retain(&mut self.cells, free);
         for cell in &mut self.cells {
             cell.piece = new_piece[cell.piece as usize];
             cell.start = stop(cell.start);
             cell.end = stop(cell.end);
         }
-        let free = &self.free;
         self.joints
             .retain(|j| j.iter().all(|&(c, _)| free[c as usize]));
         for (cell, _) in self.joints.iter_mut().flatten() {
@@ -252,7 +234,6 @@ impl Partition {
                 *cell = new_cell[*cell as usize];
             }
         }
-        self.free = vec![true; self.cells.len()];
         self
     }
 }

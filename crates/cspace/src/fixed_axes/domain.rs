@@ -88,6 +88,16 @@ impl Extent {
         (lo - reach <= t && t <= hi + reach).then_some(t)
     }
 
+    /// From and to of the first turn; of all, if values do not repeat.
+    pub(super) fn first_turn(&self) -> (f64, f64) {
+        let to = if self.repeats() {
+            self.lo + TAU
+        } else {
+            self.hi
+        };
+        (self.lo, to)
+    }
+
     /// How many turns there are, the last perhaps not a whole one.
     pub(super) fn turns(&self) -> i32 {
         match self.kind {
@@ -100,6 +110,19 @@ impl Extent {
 /// A value brought between two others, which rounding may have exchanged.
 pub(super) fn brought_between(t: f64, lo: f64, hi: f64) -> f64 {
     t.max(lo).min(hi)
+}
+
+/// Values that are nearer to the one before than `near`, together: the first and the last of each cluster.
+pub(super) fn clusters(mut values: Vec<f64>, near: f64) -> Vec<(f64, f64)> {
+    values.sort_by(f64::total_cmp);
+    let mut clusters: Vec<(f64, f64)> = Vec::new();
+    for x in values {
+        match clusters.last_mut() {
+            Some(last) if x - last.1 < near => last.1 = x,
+            _ => clusters.push((x, x)),
+        }
+    }
+    clusters
 }
 
 /// The angle brought to (−π, π] by whole turns.

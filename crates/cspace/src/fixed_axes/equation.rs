@@ -205,13 +205,7 @@ pub(super) fn coincidences(
             if square < 0.0 || apart.min(e).min(f) < INDEPENDENT {
                 return;
             }
-            // The point in the triangle with the two pivots: twice its area over the base, and the base's parts.
-            let height = 0.5 * square.sqrt() / apart;
-            let along = 0.5 * (apart + (e - f) * (e + f) / apart);
-            let base = between * (1.0 / apart);
-            for (root, aside) in [(0, height), (1, -height)] {
-                let from_first = base * along + base.left() * aside;
-                let from_second = base * (along - apart) + base.left() * aside;
+            for (root, [from_first, from_second]) in apexes(between, (e - f) * (e + f), square) {
                 // v (1 / |v|²) times the conjugate is the turn, up to rounding.
                 let turn = |a: Vector, b: Vector, square: f64| Rotation {
                     cos: a.dot(b) / square,
@@ -246,6 +240,21 @@ pub(super) fn coincidences(
         }
         (Motion::Still, _) | (_, Motion::Still) => {}
     }
+}
+
+/// The two places of a point that is at given distances from two pivots, each seen from both: `between` leads from the one
+/// pivot to the other, `differ` is what the squares of the distances differ by, and `square` is 16 times the square of the
+/// triangle's area.
+pub(super) fn apexes(between: Vector, differ: f64, square: f64) -> [(u8, [Vector; 2]); 2] {
+    let apart = between.length();
+    // Twice the area over the base, and the base's parts.
+    let height = 0.5 * square.sqrt() / apart;
+    let along = 0.5 * (apart + differ / apart);
+    let base = between * (1.0 / apart);
+    [(0, height), (1, -height)].map(|(root, up)| {
+        let at = |along: f64| base * along + base.left() * up;
+        (root, [at(along), at(along - apart)])
+    })
 }
 
 /// Root, angle and way at which a point that turns is at one that slides.

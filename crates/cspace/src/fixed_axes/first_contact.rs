@@ -1,16 +1,12 @@
 //! The first contact along a motion of constant rates.
 
-use super::condition::Carriers;
-use super::condition::Condition;
-use super::cycle;
-use super::cycle::Cycle;
-use super::domain::ExtentKind;
+use super::along::{Along, Way};
+use super::domain::{Extent, ExtentKind};
 use super::motion::Motion;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
-use crate::query::Classification;
-use crate::query::MotionError;
-use core::f64::consts::TAU;
+use super::visits::Visits;
+use crate::query::{Classification, MotionError};
 
 /// Where a motion on fixed axes first touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,10 +69,7 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<AxesMotionOutcome, MotionError> {
-        let numbers = [from.0, from.1, rates.0, rates.1, duration];
-        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
+        check(from, rates, duration)?;
         let touches = match self.classify(from.0, from.1) {
             None => return Err(MotionError::StartsOutside),
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),
@@ -86,9 +79,9 @@ impl FixedAxesSpace {
         let leaves = self.time_in_ranges(&way).filter(|&t| t < duration);
         let end = leaves.unwrap_or(duration);
         let mut first: Option<(f64, u32)> = None;
-        for b in &self.branches {
+        for b in &self.data.branches {
             let until = first.map_or(end, |f| f.0);
-            if let Some(time) = self.meets(&way, b.cell(), until, touches) {
+            if let Some(time) = self.meets(&way, b.cell, until, touches) {
                 let earlier = first.is_none_or(|f| (time, b.patch) < f);
                 if earlier {
                     first = Some((time, b.patch));
@@ -119,11 +112,8 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
-        let numbers = [from.0, from.1, rates.0, rates.1, duration];
-        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
-        if self.placed(from.0, from.1).is_none() {
+        check(from, rates, duration)?;
+        if self.setting.placed(from.0, from.1).is_none() {
             return Err(MotionError::StartsOutside);
         }
         let way = self.way(from, rates);
@@ -138,9 +128,9 @@ impl FixedAxesSpace {
             dy: -way.dy,
         };
         let mut found = Vec::new();
-        for b in &self.branches {
+        for b in &self.data.branches {
             let mut add = |way: &Way, enters: bool| {
-                self.falls_through(way, b.cell(), end, |time| {
+                self.falls_through(way, b.cell, end, |time| {
                     let time = if enters { time } else { end - time };
                     found.push((time, b.patch, enters));
                     false
@@ -155,10 +145,10 @@ impl FixedAxesSpace {
 
     /// The motion in the coordinates of the sweep.
     fn way(&self, from: (f64, f64), rates: (f64, f64)) -> Way {
-        let (x, y) = self.map.inner(from.0, from.1);
-        let (dx, dy) = self.map.inner(rates.0, rates.1);
+        let (x, y) = self.setting.map.inner(from.0, from.1);
+        let (dx, dy) = self.setting.map.inner(rates.0, rates.1);
         // As configurations are placed.
-        match self.on_one_line() {
+        match self.setting.on_one_line() {
             Some(share) => Way {
                 x: 0.0,
                 y: y - x * share,
@@ -171,7 +161,7 @@ impl FixedAxesSpace {
 
     /// When the motion leaves the ranges, if it does.
     fn time_in_ranges(&self, way: &Way) -> Option<f64> {
-        let of = |extent: &super::domain::Extent, motion: Motion, t: f64, rate: f64| {
+        let of = |extent: &Extent, motion: Motion, t: f64, rate: f64| {
             if motion == Motion::Still && rate != 0.0 {
                 return Some(0.0);
             }
@@ -185,8 +175,8 @@ impl FixedAxesSpace {
                 r => Some(((extent.lo - t) / r).max(0.0)),
             }
         };
-        let a = of(&self.x, self.motions.first, way.x, way.dx);
-        let b = of(&self.y, self.motions.second, way.y, way.dy);
+        let a = of(&self.setting.x, self.setting.motions.first, way.x, way.dx);
+        let b = of(&self.setting.y, self.setting.motions.second, way.y, way.dy);
         match (a, b) {
             (Some(a), Some(b)) => Some(a.min(b)),
             (a, b) => a.or(b),
@@ -196,11 +186,11 @@ impl FixedAxesSpace {
     /// The first time at which the motion goes through a cell into blocked space, up to `until`.
     fn meets(&self, way: &Way, cell: u32, until: f64, starts_touching: bool) -> Option<f64> {
         let along = Along {
-            condition: self.condition_of(cell),
+            condition: self.graphs().condition(cell),
             way,
         };
         let mut found = None;
-        let distance = self.contact_distance() * self.map.frame.scale;
+        let distance = self.setting.inner_contact_distance();
         if starts_touching && self.touches_at(way, cell, 0.0) {
             let (value, slope) = along.distance(0.0);
             if value.abs() <= distance && slope < 0.0 {
@@ -217,14 +207,14 @@ impl FixedAxesSpace {
     /// Calls `take` with every time at which the motion goes through a cell into blocked space, until it returns true.
     fn falls_through(&self, way: &Way, cell: u32, until: f64, mut take: impl FnMut(f64) -> bool) {
         let along = Along {
-            condition: self.condition_of(cell),
+            condition: self.graphs().condition(cell),
             way,
         };
         // Only while the way is in the cell's box.
-        let (x_range, y_range) = self.cell_box(cell);
+        let (x_range, y_range) = self.graphs().cell_box(cell);
         let both = (
-            Visits::new((way.x, way.dx), x_range, self.x.is_circle(), until),
-            Visits::new((way.y, way.dy), y_range, self.y.is_circle(), until),
+            Visits::new((way.x, way.dx), x_range, self.setting.x.is_circle(), until),
+            Visits::new((way.y, way.dy), y_range, self.setting.y.is_circle(), until),
         );
         let (Some(in_x), Some(in_y)) = both else {
             return;
@@ -236,303 +226,25 @@ impl FixedAxesSpace {
         });
     }
 
-    fn condition_of(&self, cell: u32) -> &Condition {
-        let (_, piece) = self.cell_and_piece(cell);
-        &self.pairs[piece.pair as usize].condition
-    }
-
     fn touches_at(&self, way: &Way, cell: u32, time: f64) -> bool {
-        let (u, v) = self.map.outer(way.x + way.dx * time, way.y + way.dy * time);
-        let distance = self.contact_distance() * self.map.frame.scale;
-        self.placed(u, v).is_some_and(|(x, y)| {
+        let (u, v) = self
+            .setting
+            .map
+            .outer(way.x + way.dx * time, way.y + way.dy * time);
+        let distance = self.setting.inner_contact_distance();
+        self.setting.placed(u, v).is_some_and(|(x, y)| {
             self.in_box(cell, x, y, NEAR) && self.on_own_root(cell, x, y, distance)
         })
     }
 }
 
-// Contact conditions along a motion of constant rates.
-
-/// A straight way in the (x, y) plane.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Way {
-    pub(super) x: f64,
-    pub(super) y: f64,
-    pub(super) dx: f64,
-    pub(super) dy: f64,
-}
-
-/// A condition along a way.
-pub(super) struct Along<'a> {
-    pub(super) condition: &'a Condition,
-    pub(super) way: &'a Way,
-}
-
-impl Along<'_> {
-    /// The contact function and its derivative by time.
-    pub(super) fn distance(&self, t: f64) -> (f64, f64) {
-        let (x, y) = (self.way.x + self.way.dx * t, self.way.y + self.way.dy * t);
-        let (by_x, by_y) = self.condition.gradient(x, y);
-        (
-            self.condition.value(x, y),
-            by_x * self.way.dx + by_y * self.way.dy,
-        )
-    }
-
-    /// The smooth condition, its derivative, and a bound on its second derivative over times from `lo` to `hi`.
-    ///
-    /// With w the vector between what touches, w′ its velocity and w″ its acceleration: (|w|² − r²)″ / 2 = |w′|² + w·w″,
-    /// and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a rate ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R how far
-    /// the point is from the pivot; one that slides has no acceleration.
-    fn smooth(&self, lo: f64, hi: f64) -> (f64, f64, f64) {
-        let mid = 0.5 * (lo + hi);
-        let Way { x, y, dx, dy } = *self.way;
-        let (x, y) = (x + dx * mid, y + dy * mid);
-        let motions = self.condition.motions;
-        let (first, second) = (motions.first, motions.second);
-        let rate = |m: Motion, d: f64| if m.turns() { d.abs() } else { 0.0 };
-        let (spin, turn) = (rate(first, dx), rate(second, dy));
-        let half = 0.5 * (hi - lo);
-        match self.condition.carriers {
-            Carriers::Circles {
-                first: p,
-                second: q,
-                radius,
-            } => {
-                let (p, q) = (first.point(x, p), second.point(y, q));
-                let w = q - p;
-                let velocity = second.velocity(q) * dy - first.velocity(p) * dx;
-                let speed =
-                    second.velocity(q).length() * dy.abs() + first.velocity(p).length() * dx.abs();
-                let acceleration = second.velocity(q).length() * dy.abs() * turn
-                    + first.velocity(p).length() * dx.abs() * spin;
-                let reach = w.length() + speed * half;
-                let sign = radius.signum();
-                let bend = 2.0 * (speed * speed + reach * acceleration);
-                let value = (w.length() - radius.abs()) * (w.length() + radius.abs());
-                (sign * value, sign * 2.0 * w.dot(velocity), bend)
-            }
-            Carriers::Cycles {
-                first: a,
-                second: b,
-            } => {
-                // F, which is K d + λ₁ λ₂ d²/2 for the distance d: of its terms that move each by itself, in the way from one to
-                // the other and in two normals.
-                let (a, b) = (a.moved(first, x), b.moved(second, y));
-                let slopes = cycle::slopes(&a, first, &b, second);
-                let arms = (
-                    first.velocity(a.through).length(),
-                    second.velocity(b.through).length(),
-                );
-                let speed = arms.0 * dx.abs() + arms.1 * dy.abs();
-                let acceleration = arms.0 * dx.abs() * spin + arms.1 * dy.abs() * turn;
-                let reach = (b.through - a.through).length() + speed * half;
-                let normal = |c: &Cycle| if c.is_centred() { 0.0 } else { 1.0 };
-                let across = |rate: f64| rate * (rate * reach + 2.0 * speed) + acceleration;
-                let bend = (a.weight * b.weight).abs() * (speed * speed + reach * acceleration)
-                    + b.weight.abs() * normal(&a) * across(spin)
-                    + a.weight.abs() * normal(&b) * across(turn)
-                    + normal(&a) * normal(&b) * (spin + turn) * (spin + turn);
-                let slope = slopes.0 * dx + slopes.1 * dy;
-                (cycle::between(&a, &b), slope, bend)
-            }
-            Carriers::FirstLine { through, point, .. } => {
-                let (value, slope) = self.distance(mid);
-                let (l, q) = (first.point(x, through), second.point(y, point));
-                let arms = (first.velocity(l).length(), second.velocity(q).length());
-                let speed = arms.0 * dx.abs() + arms.1 * dy.abs();
-                let acceleration = arms.0 * dx.abs() * spin + arms.1 * dy.abs() * turn;
-                let reach = (q - l).length() + speed * half;
-                (
-                    value,
-                    slope,
-                    spin * spin * reach + 2.0 * spin * speed + acceleration,
-                )
-            }
-            Carriers::SecondLine { through, point, .. } => {
-                let (value, slope) = self.distance(mid);
-                let (l, p) = (second.point(y, through), first.point(x, point));
-                let arms = (first.velocity(p).length(), second.velocity(l).length());
-                let speed = arms.0 * dx.abs() + arms.1 * dy.abs();
-                let acceleration = arms.0 * dx.abs() * spin + arms.1 * dy.abs() * turn;
-                let reach = (p - l).length() + speed * half;
-                (
-                    value,
-                    slope,
-                    turn * turn * reach + 2.0 * turn * speed + acceleration,
-                )
-            }
-        }
-    }
-
-    /// Calls `take` with every time at which the condition falls through zero, in order, until it returns true. Returns
-    /// whether it did.
-    pub(super) fn falls(&self, lo: f64, hi: f64, take: &mut impl FnMut(f64) -> bool) -> bool {
-        /// Intervals are not halved below this share of their ends: two roots within one are a touch that goes no deeper
-        /// than rounding.
-        const NARROWEST: f64 = 1e-11;
-        let half = 0.5 * (hi - lo);
-        let (value, slope, bend) = self.smooth(lo, hi);
-        if value.abs() > slope.abs() * half + 0.5 * bend * half * half {
-            return false;
-        }
-        let narrow = half <= NARROWEST * (1.0 + hi.abs());
-        if slope.abs() > bend * half || narrow {
-            let (a, b) = (self.smooth(lo, lo).0, self.smooth(hi, hi).0);
-            return a >= 0.0 && b < 0.0 && take(self.root(lo, hi));
-        }
-        let mid = 0.5 * (lo + hi);
-        self.falls(lo, mid, take) || self.falls(mid, hi, take)
-    }
-
-    /// Where the condition changes from positive to negative, by halving.
-    fn root(&self, mut lo: f64, mut hi: f64) -> f64 {
-        for _ in 0..200 {
-            let mid = 0.5 * (lo + hi);
-            if mid <= lo || mid >= hi {
-                break;
-            }
-            if self.smooth(mid, mid).0 >= 0.0 {
-                lo = mid;
-            } else {
-                hi = mid;
-            }
-        }
-        lo
-    }
-}
-
-// When a coordinate that grows at a constant rate is within a range.
-
-/// Intervals of time, all of one length, a period apart.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Visits {
-    /// When the first begins that ends at 0 or later.
-    first: f64,
-    length: f64,
-    /// Infinite if there is one only.
-    period: f64,
-}
-
-impl Visits {
-    /// When t + rate · time is in the range, or no farther than rounding from it, at times from 0 to `until`. `None` if
-    /// never. On a circle values a turn apart are the same.
-    pub(super) fn new(
-        (t, rate): (f64, f64),
-        (lo, hi): (f64, f64),
-        circle: bool,
-        until: f64,
-    ) -> Option<Self> {
-        let near = NEAR + 4.0 * f64::EPSILON * (t.abs() + rate.abs() * until);
-        let (lo, hi) = (lo - near, hi + near);
-        let always = Self {
-            first: 0.0,
-            length: f64::INFINITY,
-            period: f64::INFINITY,
-        };
-        if circle && hi - lo >= TAU {
-            return Some(always);
-        }
-        // How far t is above the lower end, less whole turns.
-        let above = if circle {
-            (t - lo).rem_euclid(TAU)
-        } else {
-            t - lo
-        };
-        let width = hi - lo;
-        if rate == 0.0 {
-            return (0.0..=width).contains(&above).then_some(always);
-        }
-        // What it takes to come to the end at which it comes in: it is there already, or comes to it, perhaps a turn on.
-        let way = if rate > 0.0 { -above } else { above - width };
-        let passed = way + width < 0.0;
-        let way = match (circle, passed) {
-            (true, true) => way + TAU,
-            (false, true) => return None,
-            _ => way,
-        };
-        let visits = Self {
-            first: way / rate.abs(),
-            length: width / rate.abs(),
-            period: if circle {
-                TAU / rate.abs()
-            } else {
-                f64::INFINITY
-            },
-        };
-        (visits.first <= until).then_some(visits)
-    }
-
-    /// Calls `take` with every interval within [0, until] that is in a visit of both, in order, until it returns true.
-    pub(super) fn shared(&self, other: &Self, until: f64, mut take: impl FnMut(f64, f64) -> bool) {
-        let (mut mine, mut theirs) = (self.first, other.first);
-        while mine <= until && theirs <= until {
-            let lo = mine.max(theirs).max(0.0);
-            let (my_end, their_end) = (mine + self.length, theirs + other.length);
-            let hi = my_end.min(their_end).min(until);
-            if lo <= hi && take(lo, hi) {
-                return;
-            }
-            // The one that ends first goes on.
-            let before = (mine, theirs);
-            if my_end <= their_end {
-                mine += self.period;
-            } else {
-                theirs += other.period;
-            }
-            if (mine, theirs) == before {
-                // Turns are shorter than the rounding of time.
-                return;
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod visits_tests {
-    use super::*;
-
-    /// Against the definition, at many times.
-    #[test]
-    fn visits_are_when_the_coordinate_is_in_the_range() {
-        let ranges = [(-1.0, 0.5), (2.0, 2.0), (-3.0, 3.2), (5.0, 6.5), (0.0, 6.4)];
-        let mut inside = 0;
-        for (t, rate) in [
-            (0.3, 0.7),
-            (-4.0, 2.3),
-            (9.0, -1.7),
-            (0.2, 0.0),
-            (2.0, -0.01),
-        ] {
-            for range in ranges {
-                for circle in [false, true] {
-                    let until = 20.0;
-                    let always = Visits::new((0.0, 0.0), (0.0, 0.0), false, until);
-                    let mut found = Vec::new();
-                    if let (Some(a), Some(b)) =
-                        (Visits::new((t, rate), range, circle, until), always)
-                    {
-                        a.shared(&b, until, |lo, hi| {
-                            found.push((lo, hi));
-                            false
-                        });
-                    }
-                    assert!(found.windows(2).all(|w| w[0].1 < w[1].0), "{found:?}");
-                    for k in 0..2000 {
-                        let time = until * f64::from(k) / 2000.0;
-                        let at = t + rate * time;
-                        let at = if circle {
-                            range.0 + (at - range.0).rem_euclid(TAU)
-                        } else {
-                            at
-                        };
-                        let is = (range.0..=range.1).contains(&at);
-                        let said = found.iter().any(|&(lo, hi)| (lo..=hi).contains(&time));
-                        assert_eq!(said, is, "{t} {rate} {range:?} {circle} {time}");
-                        inside += usize::from(is);
-                    }
-                }
-            }
-        }
-        assert!(inside > 10_000, "{inside}");
+/// Whether a motion is one.
+fn check(from: (f64, f64), rates: (f64, f64), duration: f64) -> Result<(), MotionError> {
+    let numbers = [from.0, from.1, rates.0, rates.1, duration];
+    let finite = numbers.iter().all(|n| (n * n).is_finite());
+    if finite && duration >= 0.0 {
+        Ok(())
+    } else {
+        Err(MotionError::NotFinite)
     }
 }

@@ -1,39 +1,33 @@
 //! Which cells bound free space: one honest test of overlap for each chain.
 
-use super::arrange::Arrangement;
-use super::arrange::Cell;
+use super::arrange::{Arrangement, Cell};
 use super::domain::Extent;
-use super::motion::Motions;
-use super::piece::Pair;
+use super::gaps::Graphs;
 use super::piece::Piece;
 use super::place::crossing_of_level;
-use crate::contact::Body;
-use crate::contact::overlap;
+use super::setting::Bodies;
+use super::slots::Slots;
+use super::tolerance::COINCIDENT;
 use crate::parallel::prelude::*;
 use core::f64::consts::TAU;
 
 /// How far the free side is looked at (radians or length).
 const STEP: f64 = 1.0 / 256.0;
 /// Slots of x in which pieces are looked up.
-const SLOTS: usize = 256;
+const SLOTS: i64 = 256;
 /// A cell steeper than this is left sideways.
 const STEEP: f64 = 1e3;
 /// So many cells of a chain, the largest, are tested; if they disagree, all are.
 const TRIED: usize = 3;
-/// A place no farther than this from the next curve tells nothing (radians or length): it is about what the first part
-/// is grown by.
-const TOO_NEAR: f64 = 1e-11;
 /// A place at least this far from the next curve is clear of all (radians or length): no rounding puts it into another gap.
 const CLEAR: f64 = 1e-8;
 
 pub(super) struct Judge<'a> {
-    pub(super) pairs: &'a [Pair],
-    pub(super) pieces: &'a [Piece],
-    pub(super) bodies: &'a Bodies,
-    pub(super) y: Extent,
+    graphs: Graphs<'a>,
+    bodies: &'a Bodies,
     x: Extent,
-    width: f64,
-    slots: Vec<Vec<u32>>,
+    /// Pieces by x.
+    by_x: Slots,
 }
 
 /// The verdict on every cell.
@@ -55,29 +49,13 @@ struct Judged {
 }
 
 impl<'a> Judge<'a> {
-    pub(super) fn new(
-        pairs: &'a [Pair],
-        pieces: &'a [Piece],
-        bodies: &'a Bodies,
-        x: Extent,
-        y: Extent,
-    ) -> Self {
-        let width = (x.hi - x.lo).max(f64::MIN_POSITIVE) / SLOTS as f64;
-        let slot = |at: f64| (((at - x.lo) / width).max(0.0) as usize).min(SLOTS - 1);
-        let mut slots = vec![Vec::new(); SLOTS];
-        for (i, p) in (0u32..).zip(pieces) {
-            for s in &mut slots[slot(p.start.x)..=slot(p.end.x)] {
-                s.push(i);
-            }
-        }
+    pub(super) fn new(graphs: Graphs<'a>, bodies: &'a Bodies, x: Extent) -> Self {
+        let ranges = graphs.pieces.iter().map(Piece::x_range);
         Self {
-            pairs,
-            pieces,
+            graphs,
             bodies,
-            y,
             x,
-            width,
-            slots,
+            by_x: Slots::new(x, SLOTS, ranges),
         }
     }
 
@@ -108,15 +86,9 @@ impl<'a> Judge<'a> {
         verdicts
     }
 
-    /// The verdict on every cell by a test beside it alone, whatever it crosses and follows.
-    pub(super) fn one_by_one(&self, cells: &[Cell]) -> Verdicts {
-        let free: Vec<bool> = cells.par_iter().map(|c| self.tests_free(c)).collect();
-        Verdicts {
-            free,
-            tests: cells.len(),
-            conflicts: 0,
-            overlaps: Vec::new(),
-        }
+    /// Whether every cell bounds free space, by a test beside it alone, whatever it crosses and follows.
+    pub(super) fn one_by_one(&self, cells: &[Cell]) -> Vec<bool> {
+        cells.par_iter().map(|c| self.tests_free(c)).collect()
     }
 
     /// Whether the free side of a cell is free.
@@ -170,41 +142,42 @@ impl<'a> Judge<'a> {
 
     /// How far a cell reaches.
     fn size(&self, c: &Cell) -> f64 {
-        let p = &self.pieces[c.piece as usize];
+        let p = &self.graphs.pieces[c.piece as usize];
         if p.vertical {
             c.to - c.from
         } else {
-            (c.to - c.from).max((p.y(self.pairs, c.to) - p.y(self.pairs, c.from)).abs())
+            (c.to - c.from)
+                .max((p.y(self.graphs.pairs, c.to) - p.y(self.graphs.pairs, c.from)).abs())
         }
     }
 
     /// A configuration beside the middle of a cell, half way to the next curve on its free side, and how far that is.
     fn beside(&self, c: &Cell) -> Option<(f64, f64, f64)> {
-        let p = &self.pieces[c.piece as usize];
+        let p = &self.graphs.pieces[c.piece as usize];
         let middle = 0.5 * (c.from + c.to);
         let free_up = p.root == 0;
         if p.vertical {
             return self.beside_steep(c, p.start.x, middle, free_up);
         }
-        let (at_from, at_to) = (p.y(self.pairs, c.from), p.y(self.pairs, c.to));
-        let y = p.y(self.pairs, middle);
+        let (at_from, at_to) = (p.y(self.graphs.pairs, c.from), p.y(self.graphs.pairs, c.to));
+        let y = p.y(self.graphs.pairs, middle);
         if (at_to - at_from).abs() > STEEP * (c.to - c.from) {
             let level = 0.5 * (at_from + at_to);
-            let x = crossing_of_level(p, self.pairs, level);
+            let x = crossing_of_level(p, self.graphs.pairs, p.x_range(), level);
             let rising = at_to > at_from;
             return self.beside_steep(c, x, level, free_up != rising);
         }
         // Up or down to the next curve at this x.
         let sign = if free_up { 1.0 } else { -1.0 };
         let mut reach = STEP;
-        for &j in self.slot(middle) {
-            let q = &self.pieces[j as usize];
+        for j in self.by_x.near(middle, 0.0) {
+            let q = &self.graphs.pieces[j as usize];
             if j == c.piece || q.vertical || !(q.start.x..=q.end.x).contains(&middle) {
                 continue;
             }
             let ahead = |to: f64| {
                 let d = sign * (to - y);
-                if self.y.is_circle() {
+                if self.graphs.y.is_circle() {
                     d - TAU * (d / TAU).floor()
                 } else {
                     d
@@ -214,23 +187,25 @@ impl<'a> Judge<'a> {
             let (lo, hi) = q.y_range();
             let (near, far) = if free_up { (lo, hi) } else { (hi, lo) };
             let to_near = ahead(near);
-            if to_near > reach && (!self.y.is_circle() || ahead(far) >= to_near && hi - lo < TAU) {
+            if to_near > reach
+                && (!self.graphs.y.is_circle() || ahead(far) >= to_near && hi - lo < TAU)
+            {
                 continue;
             }
-            let d = ahead(q.y(self.pairs, middle));
+            let d = ahead(q.y(self.graphs.pairs, middle));
             // What lies on top of this piece and faces the same way is no end of the free side.
-            if d > 0.0 && !(d < TOO_NEAR && q.root == p.root) {
+            if d > 0.0 && !(d < COINCIDENT && q.root == p.root) {
                 reach = reach.min(d);
             }
         }
-        if !self.y.is_circle() {
+        if !self.graphs.y.is_circle() {
             reach = reach.min(if free_up {
-                self.y.hi - y
+                self.graphs.y.hi - y
             } else {
-                y - self.y.lo
+                y - self.graphs.y.lo
             });
         }
-        (reach > TOO_NEAR).then_some((middle, y + 0.5 * sign * reach, reach))
+        (reach > COINCIDENT).then_some((middle, y + 0.5 * sign * reach, reach))
     }
 
     /// Left or right to the next curve at this y.
@@ -240,37 +215,34 @@ impl<'a> Judge<'a> {
         let end = if right { self.x.hi - x } else { x - self.x.lo };
         let mut reach = STEP.min(end);
         let (a, b) = (x.min(x + sign * STEP), x.max(x + sign * STEP));
-        let slot = |at: f64| (((at - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
-        for s in slot(a)..=slot(b) {
-            for &j in &self.slots[s] {
-                let q = &self.pieces[j as usize];
-                if j == c.piece || q.end.x < a || q.start.x > b {
-                    continue;
-                }
-                let (lo, hi) = q.y_range();
-                let shift = if self.y.is_circle() {
-                    TAU * ((lo - y) / TAU).ceil()
-                } else {
-                    0.0
-                };
-                let level = y + shift;
-                if level < lo || level > hi {
-                    continue;
-                }
-                let Some(d) = self.ahead_at_level(q, level, x, sign, reach) else {
-                    continue;
-                };
-                let q_right = if q.vertical {
-                    q.root == 0
-                } else {
-                    (q.root == 0) != (q.start.y() < q.end.y())
-                };
-                if d > 0.0 && !(d < TOO_NEAR && q_right == right) {
-                    reach = reach.min(d);
-                }
+        for j in self.by_x.between(a, b) {
+            let q = &self.graphs.pieces[j as usize];
+            if j == c.piece || q.end.x < a || q.start.x > b {
+                continue;
+            }
+            let (lo, hi) = q.y_range();
+            let shift = if self.graphs.y.is_circle() {
+                TAU * ((lo - y) / TAU).ceil()
+            } else {
+                0.0
+            };
+            let level = y + shift;
+            if level < lo || level > hi {
+                continue;
+            }
+            let Some(d) = self.ahead_at_level(q, level, x, sign, reach) else {
+                continue;
+            };
+            let q_right = if q.vertical {
+                q.root == 0
+            } else {
+                (q.root == 0) != (q.start.y() < q.end.y())
+            };
+            if d > 0.0 && !(d < COINCIDENT && q_right == right) {
+                reach = reach.min(d);
             }
         }
-        (reach > TOO_NEAR).then_some((x + 0.5 * sign * reach, y, reach))
+        (reach > COINCIDENT).then_some((x + 0.5 * sign * reach, y, reach))
     }
 
     /// How far ahead of x, at most `reach`, a piece comes to a level. It is asked for the middle of what is free, so a
@@ -291,12 +263,12 @@ impl<'a> Judge<'a> {
         if near > far {
             return None;
         }
-        let above = |d: f64| q.y(self.pairs, x + sign * d) > level;
+        let above = |d: f64| q.y(self.graphs.pairs, x + sign * d) > level;
         let begins = above(near);
         if above(far) == begins {
             return None;
         }
-        while far - near > 1e-3 * near && far > TOO_NEAR {
+        while far - near > 1e-3 * near && far > COINCIDENT {
             let middle = 0.5 * (near + far);
             if above(middle) == begins {
                 near = middle;
@@ -305,28 +277,5 @@ impl<'a> Judge<'a> {
             }
         }
         Some(if near > 0.0 { near } else { far })
-    }
-
-    fn slot(&self, x: f64) -> &[u32] {
-        let s = (((x - self.x.lo) / self.width).max(0.0) as usize).min(SLOTS - 1);
-        &self.slots[s]
-    }
-}
-
-// The two bodies, for honest tests of overlap.
-
-/// Both parts, ready to be placed.
-#[derive(Debug)]
-pub(super) struct Bodies {
-    pub(super) first: Body,
-    pub(super) second: Body,
-    pub(super) motions: Motions,
-}
-
-impl Bodies {
-    /// Whether the parts overlap at (x, y). Certain away from contact.
-    pub(super) fn overlap(&self, x: f64, y: f64) -> bool {
-        let (p, theta) = self.motions.relative(x, y);
-        overlap(&self.first, &self.second, p, theta)
     }
 }

@@ -5,12 +5,10 @@
 //! are seen from the pivots at about one, and what their squares differ by is known without the difference.
 
 use super::cycle::Cycle;
-use super::equation::Equation;
-use super::motion::Motion;
+use super::equation::{Equation, apexes};
+use super::motion::{Motion, Placement};
 use super::tolerance::INDEPENDENT;
-use crate::geometry::Point;
-use crate::geometry::Rotation;
-use crate::geometry::Vector;
+use crate::geometry::{Point, Rotation, Vector};
 use core::f64::consts::PI;
 
 /// κ times the way from where it is seen to the centre of the arc, and what its square is more than one.
@@ -71,13 +69,7 @@ pub(super) fn meetings(
             if square < 0.0 {
                 return;
             }
-            // The centre in the triangle with the two pivots: twice its area over the base, and the base's parts.
-            let height = 0.5 * square.sqrt() / apart;
-            let along = 0.5 * (apart + differ / apart);
-            let base = between * (1.0 / apart);
-            for (root, aside) in [(0, height), (1, -height)] {
-                let from_first = base * along + base.left() * aside;
-                let from_second = base * (along - apart) + base.left() * aside;
+            for (root, [from_first, from_second]) in apexes(between, differ, square) {
                 found(
                     root,
                     turn(v.vector, from_first),
@@ -137,27 +129,14 @@ fn slid(
 
 // Configurations at which a joint of one part is on a line of the other, their normals opposite.
 
-/// Where the line's part sees the joint's part: its point q at turn q + shift.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Seen {
-    turn: Rotation,
-    shift: Vector,
-}
-
-impl Seen {
-    pub(super) fn point(&self, q: Point) -> Point {
-        self.turn * q + self.shift
-    }
-}
-
 /// Coordinates (of the line's part, of the joint's part) at which a joint is on a line and their normals oppose, if that is
-/// to be accepted as the parts then see each other.
+/// to be accepted as the line's part then sees the joint's.
 pub(super) fn aligned(
     line_motion: Motion,
     (normal, through, alpha): (Vector, Point, f64),
     joint_motion: Motion,
     (point, beta): (Point, f64),
-    accepts: impl Fn(Seen) -> bool,
+    accepts: impl Fn(Placement) -> bool,
     mut found: impl FnMut(u8, f64, f64),
 ) {
     let theta = alpha + PI - beta;
@@ -180,7 +159,7 @@ pub(super) fn aligned(
                     sin: -t.y,
                 } * between;
                 let shift = (c.to_vector() + there) - turn * d.to_vector();
-                if accepts(Seen { turn, shift }) {
+                if accepts(Placement { turn, shift }) {
                     let t = t.angle();
                     found(root, t, t + theta);
                 }
@@ -194,7 +173,7 @@ pub(super) fn aligned(
                 let s = n.dot(line_motion.point(t, through) - point) / rate;
                 let turn = Rotation::by(theta);
                 let shift = c.to_vector() + turn * (direction * s - c.to_vector());
-                if accepts(Seen { turn, shift }) {
+                if accepts(Placement { turn, shift }) {
                     found(0, t, s);
                 }
             }
@@ -206,7 +185,7 @@ pub(super) fn aligned(
                 let s = normal.dot(at - through) / rate;
                 let turn = Rotation::by(theta);
                 let shift = d.to_vector() - turn * d.to_vector() - direction * s;
-                if accepts(Seen { turn, shift }) {
+                if accepts(Placement { turn, shift }) {
                     found(0, s, theta);
                 }
             }

@@ -55,6 +55,19 @@ impl Motion {
     }
 }
 
+/// Where a part is, or is seen: its point q at turn q + shift.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Placement {
+    pub(super) turn: Rotation,
+    pub(super) shift: Vector,
+}
+
+impl Placement {
+    pub(super) fn point(&self, q: Point) -> Point {
+        self.turn * q + self.shift
+    }
+}
+
 /// The motions of both parts.
 ///
 /// The first has the coordinate x along which the plane is swept, the second the coordinate y.

@@ -4,6 +4,8 @@ use core::f64::consts::TAU;
 
 use super::domain::{Extent, brought_between};
 use super::motion::Motion;
+use super::place::crossing_of_level;
+use super::slots::Slots;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 
@@ -17,9 +19,6 @@ pub struct NearestOnAxes {
     /// How far the part moves: radians of one that turns, length of one that slides.
     pub distance: f64,
 }
-
-/// Halvings of an interval until its ends are neighbours, or nearly.
-const HALVINGS: usize = 80;
 
 impl FixedAxesSpace {
     /// The contact nearest to (u, v), free or blocked, when the moving part alone is moved: u stays. If the moving part does
@@ -42,24 +41,37 @@ impl FixedAxesSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn nearest_contact(&self, u: f64, v: f64) -> Option<NearestOnAxes> {
-        let (x, y) = self.placed(u, v)?;
-        let first_still = self.motions.first == Motion::Still;
-        let second_still = self.motions.second == Motion::Still;
-        let swapped = self.map.swapped;
+        self.nearest_among(|slots, held| slots.near_in_order(held, NEAR), u, v)
+    }
+
+    /// The nearest of the branches that `near` finds at the value that is held.
+    pub(super) fn nearest_among(
+        &self,
+        near: impl FnOnce(&Slots, f64) -> Vec<u32>,
+        u: f64,
+        v: f64,
+    ) -> Option<NearestOnAxes> {
+        let setting = &self.setting;
+        let (x, y) = setting.placed(u, v)?;
+        let first_still = setting.motions.first == Motion::Still;
+        let second_still = setting.motions.second == Motion::Still;
+        let swapped = setting.map.swapped;
         // x is u, unless they are swapped.
         let moves_v = !if swapped { first_still } else { second_still };
-        let one_line = self.on_one_line();
+        let one_line = setting.on_one_line();
         let moves_y = moves_v != swapped;
         // On one line only y less so many x counts: moving x moves that the other way.
         let rate = one_line.filter(|_| !moves_y).map_or(1.0, |share| -share);
         let along_y = moves_y || one_line.is_some();
         let (held, moved) = if along_y { (x, y) } else { (y, x) };
-        let extent = if along_y { &self.y } else { &self.x };
-        let (unit_u, unit_v) = self.map.units();
+        let extent = if along_y { &setting.y } else { &setting.x };
+        let (unit_u, unit_v) = setting.map.units();
         let unit = if moves_v { unit_v } else { unit_u };
+        let slots = if along_y { &self.by_x } else { &self.by_y };
         let mut nearest: Option<NearestOnAxes> = None;
-        for b in &self.branches {
-            let Some(t) = self.beside(b.cell(), held, moved, along_y) else {
+        for branch in near(slots, held) {
+            let b = &self.data.branches[branch as usize];
+            let Some(t) = self.beside(b.cell, held, moved, along_y) else {
                 continue;
             };
             let by = extent.apart(t, moved) / rate * unit;
@@ -77,13 +89,12 @@ impl FixedAxesSpace {
 
     /// The value of the moved coordinate, nearest to the given, at which a cell has the held one.
     fn beside(&self, cell: u32, held: f64, moved: f64, along_y: bool) -> Option<f64> {
-        let (x_range, y_range) = self.cell_box(cell);
-        let (c, p) = self.cell_and_piece(cell);
-        let (across, along) = if along_y {
-            ((x_range, &self.x), (y_range, &self.y))
-        } else {
-            ((y_range, &self.y), (x_range, &self.x))
-        };
+        let graphs = self.graphs();
+        let (x_range, y_range) = graphs.cell_box(cell);
+        let (c, p) = graphs.cell(cell);
+        let of_x = (x_range, &self.setting.x);
+        let of_y = (y_range, &self.setting.y);
+        let (across, along) = if along_y { (of_x, of_y) } else { (of_y, of_x) };
         let (lo, hi) = across.0;
         let s = across.1.brought(held, across.0, NEAR)?;
         let s = brought_between(s, lo, hi);
@@ -97,17 +108,7 @@ impl FixedAxesSpace {
         if p.vertical {
             return Some(p.start.x);
         }
-        let (mut from, mut to) = (c.from, c.to);
-        let rises = p.y(&self.pairs, from) < p.y(&self.pairs, to);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (from + to);
-            if (p.y(&self.pairs, middle) < s) == rises {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        Some(0.5 * (from + to))
+        Some(crossing_of_level(p, &self.pairs, (c.from, c.to), s))
     }
 }
 

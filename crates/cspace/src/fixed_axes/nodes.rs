@@ -9,10 +9,9 @@ use crate::geometry::Rotation;
 
 use super::cycle::Cycle;
 use super::equation::coincidences;
-use super::meet::{Seen, aligned};
-use super::meet::{Tip, meetings};
-use super::motion::Motions;
-use super::piece::{Name, Spot};
+use super::meet::{Tip, aligned, meetings};
+use super::motion::{Motions, Placement};
+use super::piece::{Name, Node};
 use super::repeats::Image;
 use super::scene::Scene;
 
@@ -22,13 +21,13 @@ impl Scene {
     ///
     /// What belongs to another joint or line of the first part is computed from the one that stands for its orbit, and
     /// moved: so all pairs that meet there have the same numbers, in whatever copy of the window they meet.
-    pub(super) fn spots(&self, ia: u32, ib: u32, mut found: impl FnMut(Spot)) {
+    pub(super) fn nodes(&self, ia: u32, ib: u32, mut found: impl FnMut(Node)) {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         let fold = self.repeats.fold;
         let mut found = |name, root, steps: u32, x: f64, y: f64| {
             let (in_window, copy) = self.repeats.split(&self.x, x);
             let copy = (copy + fold - steps) % fold;
-            found(Spot {
+            found(Node {
                 name,
                 root,
                 x: if fold == 1 {
@@ -147,14 +146,10 @@ impl Scene {
                 });
                 continue;
             }
-            let (start, along, length) = self.first.segment(a);
             let Motions { first, second } = self.motions;
-            let side = (self.first.normal(a.start), start, self.first.angle(a.start));
+            let side = self.first.line(a);
             let (point, beta) = (self.second.point(joint), self.second.angle(joint));
-            let accepts = |seen: Seen| {
-                let at = along.dot(seen.point(point) - start);
-                0.0 < at && at < length
-            };
+            let accepts = self.first.beside(a, point);
             aligned(first, side, second, (point, beta), accepts, |root, x, y| {
                 found(Name::LineJoint(ia, joint), root, 0, x, y);
             });
@@ -180,18 +175,10 @@ impl Scene {
                 continue;
             }
             let Image { of: joint, steps } = self.repeats.joint(joint);
-            let (start, along, length) = self.second.segment(b);
             let Motions { first, second } = self.motions;
-            let side = (
-                self.second.normal(b.start),
-                start,
-                self.second.angle(b.start),
-            );
+            let side = self.second.line(b);
             let (point, alpha) = (self.first.point(joint), self.first.angle(joint));
-            let accepts = |seen: Seen| {
-                let at = along.dot(seen.point(point) - start);
-                0.0 < at && at < length
-            };
+            let accepts = self.second.beside(b, point);
             aligned(
                 second,
                 side,
@@ -216,9 +203,9 @@ impl Scene {
         let Motions { first, second } = self.motions;
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         let (start, along, length) = self.first.segment(a);
-        let side = (self.first.normal(a.start), start, self.first.angle(a.start));
+        let side = self.first.line(a);
         let joint = (self.second.point(b.start), self.second.angle(b.start));
-        let accepts = |seen: Seen| {
+        let accepts = |seen: Placement| {
             let place = |joint| along.dot(seen.point(self.second.point(joint)) - start);
             // Opposite normals: travel goes the other way on the second part.
             let (lo, hi) = (place(b.end), place(b.start));

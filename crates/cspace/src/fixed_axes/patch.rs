@@ -49,9 +49,3 @@ pub struct AxesBranch {
     /// The cell of the arrangement.
     pub(super) cell: u32,
 }
-
-impl AxesBranch {
-    pub(super) fn cell(&self) -> u32 {
-        self.cell
-    }
-}

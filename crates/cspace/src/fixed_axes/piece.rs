@@ -164,7 +164,7 @@ impl Key {
 
 /// A node on the curve of a pair; coordinates in the first turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Spot {
+pub(super) struct Node {
     pub(super) name: Name,
     pub(super) root: u8,
     pub(super) x: f64,

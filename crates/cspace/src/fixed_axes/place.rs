@@ -4,20 +4,12 @@ use super::build::Builder;
 use super::condition::Carriers;
 use super::cycle;
 use super::cycle::Cycle;
-use super::domain::ExtentKind;
-use super::domain::brought_between;
-use super::domain::wrapped;
-use super::piece::End;
-use super::piece::Key;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
-use super::scene::Scene;
-use super::scene::Side;
+use super::domain::{ExtentKind, brought_between, wrapped};
+use super::piece::{End, Key, Name, Pair, Piece};
+use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
 use crate::feature::Feature;
-use crate::geometry::Point;
-use crate::geometry::Vector;
+use crate::geometry::{Point, Vector};
 use core::f64::consts::TAU;
 
 impl Builder<'_> {
@@ -92,7 +84,7 @@ impl Builder<'_> {
                     let x = if piece.vertical {
                         piece.start.x
                     } else {
-                        crossing_of_level(&piece, &self.pairs, at)
+                        crossing_of_level(&piece, &self.pairs, piece.x_range(), at)
                     };
                     let end = limit(x, at);
                     let start_outside = (piece.start.y() < at) == (at == y.lo);
@@ -108,9 +100,13 @@ impl Builder<'_> {
     }
 }
 
-/// The x at which a monotone piece has a given y.
-pub(super) fn crossing_of_level(piece: &Piece, pairs: &[Pair], level: f64) -> f64 {
-    let (mut lo, mut hi) = piece.x_range();
+/// The x between two others at which a monotone piece has a given y.
+pub(super) fn crossing_of_level(
+    piece: &Piece,
+    pairs: &[Pair],
+    (mut lo, mut hi): (f64, f64),
+    level: f64,
+) -> f64 {
     let rising = piece.start.y() < piece.end.y();
     loop {
         let middle = 0.5 * (lo + hi);

@@ -3,15 +3,15 @@
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::TrigPolynomial;
 
-use super::condition::Carriers;
-use super::condition::Condition;
+use super::condition::{Carriers, Condition};
 use super::cycle::{self, along};
-use super::motion::Motion;
+use super::motion::{Motion, Placement};
 use super::tolerance::INDEPENDENT;
 
 /// Intervals of x are not halved below this when crossings are isolated (radians or length); two crossings nearer than
 /// that, between which the pieces are a hundred times nearer than rounding, may go unnoticed as a pair.
 const NARROWEST: f64 = 1e-8;
+
 /// Whether two conditions are levels of one function of (x, y), so that their curves never cross.
 pub(super) fn parallel(f: &Condition, g: &Condition) -> bool {
     let same = |a: Point, b: Point| a.distance(b) < INDEPENDENT;
@@ -64,12 +64,12 @@ pub(super) fn isolate(
     hi: f64,
     mark: &mut impl FnMut(f64, f64),
 ) {
-    let resultant = |first: Placed| resultant(&f.at(first), &g.at(first));
+    let resultant = |first: Placement| resultant(&f.at(first), &g.at(first));
     if let Motion::Turn { center } = f.motions.first {
         let polynomial = TrigPolynomial::sampled(|cos: f64, sin: f64| {
             let turn = Rotation { cos, sin };
             let shift = center.to_vector() - turn * center.to_vector();
-            resultant(Placed { turn, shift })
+            resultant(Placement { turn, shift })
         });
         let mut vague = Vec::new();
         polynomial.brackets(lo, hi, NARROWEST, mark, &mut |a, b| vague.push((a, b)));
@@ -87,7 +87,7 @@ pub(super) fn isolate(
             _ => Vector::ZERO,
         };
         let turn = Rotation::IDENTITY;
-        resultant(Placed { turn, shift })
+        resultant(Placement { turn, shift })
     });
     let mut both = Vec::new();
     let mut vague = Vec::new();
@@ -103,19 +103,6 @@ pub(super) fn isolate(
     }
 }
 
-/// The first part at some x: its point q is at turn q + shift.
-#[derive(Debug, Clone, Copy)]
-struct Placed {
-    turn: Rotation,
-    shift: Vector,
-}
-
-impl Placed {
-    fn point(&self, q: Point) -> Point {
-        self.turn * q + self.shift
-    }
-}
-
 /// What a condition asks of y at one x.
 #[derive(Debug, Clone, Copy)]
 enum InY {
@@ -128,7 +115,8 @@ enum InY {
 }
 
 impl Condition {
-    fn at(&self, first: Placed) -> InY {
+    /// What it asks with the first part at its place at some x.
+    fn at(&self, first: Placement) -> InY {
         match (self.carriers, self.motions.second) {
             (
                 Carriers::FirstLine {

@@ -1,13 +1,10 @@
 //! Both parts on their axes, and which of their normals oppose each other.
 
-use super::domain::Extent;
-use super::domain::wrapped;
-use super::motion::Motions;
+use super::domain::{Extent, wrapped};
+use super::motion::{Motions, Placement};
 use super::repeats::Repeats;
-use crate::feature::Feature;
-use crate::feature::Outline;
-use crate::geometry::Point;
-use crate::geometry::Vector;
+use crate::feature::{Feature, Outline};
+use crate::geometry::{Point, Vector};
 use core::f64::consts::PI;
 
 /// Normals that oppose each other to within this do so exactly (radians): the rounding of the configurations at which that is
@@ -110,7 +107,7 @@ fn within(f: &Feature, above_lo: bool, to_lo: f64, below_hi: bool, to_hi: f64, s
 // One part: its outline, and what its joints belong to.
 
 /// Normals nearer than this to an end of an interval of normals are told by that end alone (radians).
-pub(super) const NEAR: f64 = 1e-3;
+const NEAR: f64 = 1e-3;
 
 /// One part with what its joints belong to.
 #[derive(Debug)]
@@ -163,6 +160,25 @@ impl Side {
 
     pub(super) fn angle(&self, joint: u32) -> f64 {
         self.outline.joints[joint as usize].angle
+    }
+
+    /// Normal, start and angle of a line.
+    pub(super) fn line(&self, line: &Feature) -> (Vector, Point, f64) {
+        let start = line.start;
+        (self.normal(start), self.point(start), self.angle(start))
+    }
+
+    /// Whether a point of the other part, as this part sees it, is beside a line and not beyond its ends.
+    pub(super) fn beside(
+        &self,
+        line: &Feature,
+        point: Point,
+    ) -> impl Fn(Placement) -> bool + use<> {
+        let (start, along, length) = self.segment(line);
+        move |seen| {
+            let at = along.dot(seen.point(point) - start);
+            0.0 < at && at < length
+        }
     }
 
     /// Start of a line's, its unit direction of travel, and its length.

@@ -1,17 +1,11 @@
 //! Contact curves as monotone graphs y(x): where they begin and end.
 
-use super::build::Builder;
-use super::build::Cut;
-use super::build::SHORT;
+use super::build::{Builder, SectionEnd};
 use super::condition::Condition;
 use super::domain::brought_between;
-use super::piece::End;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
-use super::piece::Spot;
-use super::place::decide;
-use super::place::margin;
+use super::piece::{End, Name, Node, Pair, Piece};
+use super::place::{decide, margin};
+use super::tolerance::SHORT;
 use core::f64::consts::TAU;
 
 /// How far rounding may put a node beyond a turning (radians or length).
@@ -27,10 +21,10 @@ struct Around {
 
 impl Builder<'_> {
     /// Adds the contact of a pair whose condition depends on y.
-    pub(super) fn add_graphs(&mut self, rep: &Pair, spots: &[Spot]) {
+    pub(super) fn add_graphs(&mut self, rep: &Pair, nodes: &[Node]) {
         let condition = rep.condition;
         let scene = self.scene;
-        let (lo, hi) = self.first_turn();
+        let (lo, hi) = scene.x.first_turn();
         // Where roots come and go.
         let mut breaks = core::mem::take(&mut self.breaks);
         breaks.clear();
@@ -52,7 +46,7 @@ impl Builder<'_> {
             let (from, to) = interval(k);
             condition.exists(0.5 * (from + to), root)
         };
-        let mut marks: Vec<(f64, Option<&Spot>)> = Vec::new();
+        let mut marks: Vec<(f64, Option<&Node>)> = Vec::new();
         for i in 0..ends {
             let (from, to) = interval(i);
             if from >= to {
@@ -67,7 +61,7 @@ impl Builder<'_> {
                 let below = i > 0 && !exists(i - 1, root);
                 let above = i + 1 < ends && !exists(i + 1, root);
                 marks.clear();
-                for s in spots {
+                for s in nodes {
                     let reach = (
                         if below { from - BEYOND } else { from },
                         if above { to + BEYOND } else { to },
@@ -77,14 +71,14 @@ impl Builder<'_> {
                     }
                 }
                 marks.sort_by(|(x, s), (y, t)| {
-                    let name = |s: &Option<&Spot>| s.map(|s| (s.name, s.root));
+                    let name = |s: &Option<&Node>| s.map(|s| (s.name, s.root));
                     x.total_cmp(y).then(name(s).cmp(&name(t)))
                 });
                 marks.insert(0, (from, None));
                 marks.push((to, None));
                 // With nothing beside it a short one is tested, too.
                 let alone = marks.len() == 2;
-                let margins = |m: &[(f64, Option<&Spot>)]| {
+                let margins = |m: &[(f64, Option<&Node>)]| {
                     if m[1].0 - m[0].0 < SHORT && !alone {
                         return 0.0;
                     }
@@ -97,18 +91,9 @@ impl Builder<'_> {
                     continue;
                 }
                 let around = around.get_or_insert_with(|| self.around(&condition));
-                let cut = |k: usize| -> Cut {
+                let end_at = |k: usize| -> SectionEnd {
                     if let (x, Some(s)) = marks[k] {
-                        return Cut {
-                            x,
-                            at: s.in_window,
-                            copy: s.copy,
-                            y: s.y,
-                            name: s.name,
-                            root: s.root,
-                            ends: true,
-                            x_turn: 0,
-                        };
+                        return SectionEnd::at_node(s, x, (s.in_window, s.copy));
                     }
                     let last = k > 0;
                     let breaking = if last {
@@ -118,25 +103,20 @@ impl Builder<'_> {
                     };
                     self.open_end(rep, root, marks[k].0, breaking, last)
                 };
-                let kept: Vec<(Cut, Cut)> = (0..verdicts.len())
+                let kept: Vec<(SectionEnd, SectionEnd)> = (0..verdicts.len())
                     .filter(|&k| verdicts[k])
-                    .map(|k| (cut(k), cut(k + 1)))
+                    .map(|k| (end_at(k), end_at(k + 1)))
                     .collect();
                 for (start, end) in kept {
                     let mut from = start;
                     for a in around.iter() {
                         let inside = start.x < a.x && a.x < end.x;
                         if inside && rises(a.x, a.y) == (root == 0) {
-                            let (at, copy) = scene.repeats.split(&scene.x, a.x);
-                            let to = Cut {
-                                x: a.x,
-                                at,
-                                copy,
-                                y: a.y,
-                                name: Name::Same(0, a.index),
+                            let at = scene.repeats.split(&scene.x, a.x);
+                            let name = Name::Same(0, a.index);
+                            let to = SectionEnd {
                                 root,
-                                ends: false,
-                                x_turn: 0,
+                                ..SectionEnd::between(a.x, at, a.y, name)
                             };
                             self.section(rep, root, &from, &to);
                             from = to;
@@ -172,7 +152,14 @@ impl Builder<'_> {
     }
 
     /// An end of a root's interval at which no feature gives way: a turning, the cut of a circle, or the window's end.
-    fn open_end(&self, rep: &Pair, root: u8, x: f64, breaking: Option<usize>, last: bool) -> Cut {
+    fn open_end(
+        &self,
+        rep: &Pair,
+        root: u8,
+        x: f64,
+        breaking: Option<usize>,
+        last: bool,
+    ) -> SectionEnd {
         let scene = self.scene;
         let condition = &rep.condition;
         let Some(k) = breaking else {
@@ -180,16 +167,8 @@ impl Builder<'_> {
                 let fold = scene.repeats.fold;
                 return self.seam(rep, root, if last { fold } else { 0 }, last);
             }
-            return Cut {
-                x,
-                at: x,
-                copy: 0,
-                y: scene.y.reduced(condition.y(x, root)),
-                name: Name::Limit,
-                root: 0,
-                ends: false,
-                x_turn: 0,
-            };
+            let y = scene.y.reduced(condition.y(x, root));
+            return SectionEnd::between(x, (x, 0), y, Name::Limit);
         };
         let (y0, y1) = (condition.y(x, 0), condition.y(x, 1));
         let y = if y0.is_finite() && y1.is_finite() {
@@ -198,21 +177,12 @@ impl Builder<'_> {
         } else {
             condition.y(x, root)
         };
-        let (at, copy) = scene.repeats.split(&scene.x, x);
-        Cut {
-            x,
-            at,
-            copy,
-            y: scene.y.reduced(y),
-            name: Name::Turning(0, k as u32),
-            root: 0,
-            ends: false,
-            x_turn: 0,
-        }
+        let at = scene.repeats.split(&scene.x, x);
+        SectionEnd::between(x, at, scene.y.reduced(y), Name::Turning(0, k as u32))
     }
 
     /// Where a curve leaves a copy of the window, or comes into the next. Both sides have the very same y.
-    fn seam(&self, rep: &Pair, root: u8, number: u32, leaving: bool) -> Cut {
+    fn seam(&self, rep: &Pair, root: u8, number: u32, leaving: bool) -> SectionEnd {
         let scene = self.scene;
         let fold = scene.repeats.fold;
         let window = scene.repeats.window(&scene.x);
@@ -222,28 +192,26 @@ impl Builder<'_> {
             TAU
         };
         let x = |n: u32| scene.x.lo + period * f64::from(n);
-        Cut {
-            x: x(number),
-            at: if leaving {
-                window.lo + period
-            } else {
-                window.lo
-            },
-            copy: if leaving { number - 1 } else { number },
-            y: scene.y.reduced(rep.condition.y(x(number % fold), root)),
-            name: Name::Seam(rep.first, rep.second),
+        let at = if leaving {
+            (window.lo + period, number - 1)
+        } else {
+            (window.lo, number)
+        };
+        let y = scene.y.reduced(rep.condition.y(x(number % fold), root));
+        let name = Name::Seam(rep.first, rep.second);
+        SectionEnd {
             root,
-            ends: false,
             x_turn: if window.is_circle() {
                 (number % fold) as i32
             } else {
                 number as i32
             },
+            ..SectionEnd::between(x(number), at, y, name)
         }
     }
 
     /// Adds a section of a curve over the full turn, cut to pieces in copies of the window.
-    fn section(&mut self, rep: &Pair, root: u8, from: &Cut, to: &Cut) {
+    fn section(&mut self, rep: &Pair, root: u8, from: &SectionEnd, to: &SectionEnd) {
         for copy in from.copy..=to.copy {
             let start = if copy == from.copy {
                 *from
@@ -260,7 +228,7 @@ impl Builder<'_> {
     }
 
     /// Adds a section in every turn of both coordinates, cut to the limits.
-    fn instances(&mut self, rep: &Pair, root: u8, copy: u32, from: &Cut, to: &Cut) {
+    fn instances(&mut self, rep: &Pair, root: u8, copy: u32, from: &SectionEnd, to: &SectionEnd) {
         let (x, y) = (self.scene.x, self.scene.y);
         let (before, pair) = self.instance(rep, copy);
         let down = if copy == 0 {
@@ -270,21 +238,21 @@ impl Builder<'_> {
         };
         for turn in 0..x.turns() {
             let shift = TAU * f64::from(turn);
-            let end = |cut: &Cut, raw: f64| -> End {
+            let end = |of: &SectionEnd, raw: f64| -> End {
                 let whole = if y.repeats() {
-                    ((raw - cut.y) / TAU).round() as i32
+                    ((raw - of.y) / TAU).round() as i32
                 } else {
                     0
                 };
                 End {
-                    key: cut.key(pair, turn),
-                    x: cut.at + shift,
-                    base: cut.y,
+                    key: of.key(pair, turn),
+                    x: of.at + shift,
+                    base: of.y,
                     turns: whole,
                 }
             };
             let condition = self.pairs[pair as usize].condition;
-            let raw = |cut: &Cut| condition.y(cut.x - down + shift, root);
+            let raw = |of: &SectionEnd| condition.y(of.x - down + shift, root);
             let piece = Piece {
                 pair,
                 root,
@@ -296,110 +264,5 @@ impl Builder<'_> {
             self.in_each_turn(piece);
         }
         self.keep_instance(before, copy);
-    }
-
-    /// The first turn of x, or all of it.
-    fn first_turn(&self) -> (f64, f64) {
-        let x = self.scene.x;
-        if x.repeats() {
-            (x.lo, x.lo + TAU)
-        } else {
-            (x.lo, x.hi)
-        }
-    }
-}
-
-// Contact that does not depend on y, such as a tooth against a stop: vertical pieces.
-
-impl Builder<'_> {
-    /// Adds the contact of a pair whose condition does not depend on y.
-    pub(super) fn add_verticals(&mut self, rep: &Pair, spots: &[Spot]) {
-        let scene = self.scene;
-        let swapped = rep.condition.swapped();
-        if swapped.is_vertical() {
-            return;
-        }
-        for root in [0u8, 1] {
-            if !swapped.exists(0.0, root) {
-                continue;
-            }
-            let x = scene.x.reduced(swapped.y(0.0, root));
-            if !(scene.x.lo..=scene.x.hi).contains(&x) && !scene.x.repeats() {
-                continue;
-            }
-            let (at, copy) = scene.repeats.split(&scene.x, x);
-            let mut cuts: Vec<Cut> = spots
-                .iter()
-                .filter(|s| {
-                    let rises = swapped.gradient(s.y, s.x).1 > 0.0;
-                    rises == (root == 0)
-                })
-                .map(|s| Cut {
-                    x,
-                    at,
-                    copy,
-                    y: s.y,
-                    name: s.name,
-                    root: s.root,
-                    ends: true,
-                    x_turn: 0,
-                })
-                .collect();
-            cuts.sort_by(|a, b| a.y.total_cmp(&b.y).then(a.name.cmp(&b.name)));
-            let repeats = scene.y.repeats();
-            let (lo, hi) = if repeats {
-                (scene.y.lo, scene.y.lo + TAU)
-            } else {
-                (scene.y.lo, scene.y.hi)
-            };
-            let end = |y: f64| Cut {
-                x,
-                at,
-                copy,
-                y,
-                name: if repeats {
-                    Name::Same(0, 2 + u32::from(root))
-                } else {
-                    Name::Limit
-                },
-                root: 0,
-                ends: false,
-                x_turn: 0,
-            };
-            cuts.insert(0, end(lo));
-            cuts.push(end(hi));
-            let n = cuts.len() - 1;
-            let margins: Vec<f64> = (0..n)
-                .map(|i| margin(scene, rep, x, 0.5 * (cuts[i].y + cuts[i + 1].y)))
-                .collect();
-            let verdicts = decide(&margins, |i| cuts[i].ends);
-            for i in 0..n {
-                if !verdicts[i] {
-                    continue;
-                }
-                let (before, pair) = self.instance(rep, copy);
-                for turn in 0..scene.x.turns() {
-                    let end = |cut: &Cut| {
-                        let closing = repeats && cut.y == hi && !cut.ends;
-                        End {
-                            key: cut.key(pair, turn),
-                            x: at + TAU * f64::from(turn),
-                            base: if closing { lo } else { cut.y },
-                            turns: i32::from(closing),
-                        }
-                    };
-                    let piece = Piece {
-                        pair,
-                        root,
-                        vertical: true,
-                        turns: 0,
-                        start: end(&cuts[i]),
-                        end: end(&cuts[i + 1]),
-                    };
-                    self.in_each_turn(piece);
-                }
-                self.keep_instance(before, copy);
-            }
-        }
     }
 }

@@ -3,21 +3,19 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::contact::{Body, Permutation};
-use crate::feature::as_drawn;
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
-use crate::feature::{Feature, FeatureName, Outline, PairFrame};
+use crate::feature::{Feature, Outline, PairFrame, as_drawn};
 use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
 
-use super::adjust::Aside;
-use super::adjust::straightened;
 use super::axis::{AxesError, Axis, AxisMotion, Role};
+use super::displacement::Displacement;
 use super::domain::{Extent, ExtentKind};
-use super::judge::Bodies;
 use super::motion::{Motion, Motions};
 use super::repeats::Repeats;
-use super::scene::Scene;
-use super::scene::Side;
+use super::scene::{Scene, Side};
+use super::setting::{Bodies, Map, Setting};
+use super::straighten::straightened;
 use super::tolerance::INDEPENDENT;
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
@@ -26,183 +24,142 @@ const FARTHEST: f64 = 32.0;
 /// The least angle between two slides of which no range ends the other (radians and sine): at less they meet more than a million
 /// sizes away, where rounding is more than the resolution.
 const LEAST_ANGLE: f64 = 1.0 / (1u64 << 20) as f64;
-/// Pivots nearer to each other than this (pair's frame) are taken for one: as far as [`Aside`] moves parts.
+/// Pivots nearer to each other than this (pair's frame) are taken for one: as far as a [`Displacement`] moves parts.
 const SAME_PIVOT: f64 = 1e-8;
 /// Slides that are parallel but for less than this (radians) are parallel: their sides are told apart no better.
 const SAME_DIRECTION: f64 = 1e-10;
 /// The longest range of a turning part, in turns.
 const MOST_TURNS: u32 = 1000;
 
-/// From u and v to x and y and back.
-///
-/// x is the coordinate along which the plane is swept: one of a part that turns, if there is one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Map {
-    pub(super) frame: PairFrame,
-    pub(super) swapped: bool,
-    /// Model units per unit of x and y.
-    x_unit: f64,
-    y_unit: f64,
-}
-
-impl Map {
-    pub(super) fn inner(&self, u: f64, v: f64) -> (f64, f64) {
-        let (x, y) = if self.swapped { (v, u) } else { (u, v) };
-        (x / self.x_unit, y / self.y_unit)
+/// Both parts in the frame of the pair, the one whose coordinate is swept first: what is needed for questions, and what is
+/// needed to compute the partition alone.
+pub(super) fn set_up(
+    (fixed, moving): (&Part, &Part),
+    (fixed_axis, moving_axis): (Axis, Axis),
+    displacement: Displacement,
+) -> Result<(Setting, Scene), AxesError> {
+    let straight = (straightened(fixed), straightened(moving));
+    let fixed = straight.0.as_ref().map_or(fixed, |s| &s.0);
+    let moving = straight.1.as_ref().map_or(moving, |s| &s.0);
+    let frame = PairFrame::new(fixed, moving);
+    let mut motions = Motions {
+        first: motion(&fixed_axis, Role::Fixed, &frame)?,
+        second: motion(&moving_axis, Role::Moving, &frame)?,
+    };
+    let joined = motions.join_pivots(SAME_PIVOT);
+    let mut symmetric = (
+        Symmetric::find(fixed, &fixed_axis),
+        Symmetric::find(moving, &moving_axis),
+    );
+    let rank = |m: &Motion, s: &Option<Symmetric>| match m {
+        Motion::Turn { .. } => 2 + s.as_ref().map_or(0, |s| s.redrawn.fold),
+        Motion::Slide { .. } => 1,
+        Motion::Still => 0,
+    };
+    let swapped = rank(&motions.second, &symmetric.1) > rank(&motions.first, &symmetric.0);
+    let mut parts = (fixed, moving);
+    let mut axes = (fixed_axis, moving_axis);
+    if swapped {
+        parts = (parts.1, parts.0);
+        axes = (axes.1, axes.0);
+        symmetric = (symmetric.1, symmetric.0);
+        motions = motions.swapped();
     }
-
-    pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
-        let (x, y) = (x * self.x_unit, y * self.y_unit);
-        if self.swapped { (y, x) } else { (x, y) }
-    }
-
-    /// Model units per unit of u and of v.
-    pub(super) fn units(&self) -> (f64, f64) {
-        self.outer(1.0, 1.0)
-    }
-}
-
-/// Both parts in the frame of the pair, the one whose coordinate is swept first.
-pub(super) struct Setting {
-    pub(super) map: Map,
-    pub(super) scene: Scene,
-    pub(super) bodies: Bodies,
-    /// What the features of the first and of the second part are called.
-    pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
-    /// How far the parts as computed are from the parts as drawn, in the model's unit of length.
-    pub(super) deviation: f64,
-    /// How far off its place a contact may be because sharp corners are grown by more than sides, in the model's unit.
-    pub(super) grown: f64,
-}
-
-impl Setting {
-    pub(super) fn new(
-        fixed: &Part,
-        fixed_axis: Axis,
-        moving: &Part,
-        moving_axis: Axis,
-        aside: Aside,
-    ) -> Result<Self, AxesError> {
-        let straight = (straightened(fixed), straightened(moving));
-        let fixed = straight.0.as_ref().map_or(fixed, |s| &s.0);
-        let moving = straight.1.as_ref().map_or(moving, |s| &s.0);
-        let frame = PairFrame::new(fixed, moving);
-        let mut motions = Motions {
-            first: motion(&fixed_axis, Role::Fixed, &frame)?,
-            second: motion(&moving_axis, Role::Moving, &frame)?,
-        };
-        let joined = motions.join_pivots(SAME_PIVOT);
-        let mut symmetric = (
-            Symmetric::find(fixed, &fixed_axis),
-            Symmetric::find(moving, &moving_axis),
-        );
-        let rank = |m: &Motion, s: &Option<Symmetric>| match m {
-            Motion::Turn { .. } => 2 + s.as_ref().map_or(0, |s| s.redrawn.fold),
-            Motion::Slide { .. } => 1,
-            Motion::Still => 0,
-        };
-        let swapped = rank(&motions.second, &symmetric.1) > rank(&motions.first, &symmetric.0);
-        let mut parts = (fixed, moving);
-        let mut axes = (fixed_axis, moving_axis);
-        if swapped {
-            parts = (parts.1, parts.0);
-            axes = (axes.1, axes.0);
-            symmetric = (symmetric.1, symmetric.0);
-            motions = motions.swapped();
-        }
-        let unlimited = axes.0.range.is_none() && axes.1.range.is_none();
-        let angle = motions.between_slides().filter(|_| unlimited);
-        if let Some(angle) = angle.filter(|a| (INDEPENDENT..LEAST_ANGLE).contains(a)) {
-            return Err(AxesError::NearlyParallel {
-                angle,
-                least: LEAST_ANGLE,
-            });
-        }
-        let tilt = motions.join_slides(SAME_DIRECTION);
-        if !aside.is_none() {
-            // Its outline is not about its pivot any more.
-            symmetric.0 = None;
-            // Of slides along one line without limits only the difference matters, and is to go on doing so.
-            let apart = angle.is_none_or(|a| a >= INDEPENDENT);
-            motions.first = aside.tilted(motions.first, false);
-            motions.second = aside.tilted(motions.second, apart);
-        }
-        let unit = |m: &Motion| if m.turns() { 1.0 } else { 1.0 / frame.scale };
-        let map = Map {
-            frame,
-            swapped,
-            x_unit: unit(&motions.first),
-            y_unit: unit(&motions.second),
-        };
-        // The fixed part is the one that is grown more.
-        let drawn = |part: &Part, center: Point, fixed| {
-            let growth = if fixed { GROWTH } else { MOVING_GROWTH };
-            let outline = Outline::new(part, center, frame.scale, growth);
-            let body = Body::new(&outline, part, center, frame.scale);
-            (outline, body)
-        };
-        let shifts = aside.shifts();
-        let about = |shift: Vector| frame.fixed_center + shift * (-1.0 / frame.scale);
-        let turned = aside.turned(parts.1, frame.fixed_center);
-        let second = turned.as_ref().unwrap_or(parts.1);
-        let (second, second_body) = drawn(second, about(shifts.1), swapped);
-        let repeating = symmetric.0.and_then(|s| {
-            let center = s.center_in(&frame);
-            let (outline, body) = drawn(&s.redrawn.part, center, !swapped);
-            let repeats = s.repeats(&outline)?;
-            Some((outline, body, repeats, Some(s)))
+    let unlimited = axes.0.range.is_none() && axes.1.range.is_none();
+    let angle = motions.between_slides().filter(|_| unlimited);
+    if let Some(angle) = angle.filter(|a| (INDEPENDENT..LEAST_ANGLE).contains(a)) {
+        return Err(AxesError::NearlyParallel {
+            angle,
+            least: LEAST_ANGLE,
         });
-        let (first, first_body, repeats, symmetric) = repeating.unwrap_or_else(|| {
-            let (outline, body) = drawn(parts.0, about(shifts.0), !swapped);
-            let repeats = Repeats::none(&outline);
-            (outline, body, repeats, None)
-        });
-        let farthest = |axis: &Axis, unit: f64| {
-            let far = |(lo, hi): (f64, f64)| lo.abs().max(hi.abs()) / unit;
-            axis.range.map(far)
-        };
-        let ranges = (farthest(&axes.0, map.x_unit), farthest(&axes.1, map.y_unit));
-        let reach = reach(&first, &second, &motions, ranges);
-        let x = extent(&axes.0, &motions.first, map.x_unit, reach);
-        let y = extent(&axes.1, &motions.second, map.y_unit, reach);
-        let slide = |m: &Motion, e: &Extent| match m {
-            Motion::Slide { .. } => e.lo.abs().max(e.hi.abs()),
-            _ => 0.0,
-        };
-        let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
-        let grown = frame.outer_length(frame.grown((fixed, GROWTH), (moving, MOVING_GROWTH)));
-        let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
-        let bent = of_straight(straight.0) + of_straight(straight.1);
-        let deviation = bent
-            + frame.outer_length(joined + tilt * slides)
-            + symmetric.as_ref().map_or(0.0, |s| s.deviation)
-            + frame.outer_length(aside.deviation(slides));
-        let redrawn = symmetric.map(|s| s.redrawn);
-        let name = |f: &Feature| as_drawn(&redrawn, f.name);
-        Ok(Self {
-            map,
-            deviation,
-            grown,
-            names: (
-                first.features.iter().map(name).collect(),
-                second.features.iter().map(|f| f.name).collect(),
-            ),
-            scene: Scene {
-                x,
-                y,
-                first: Side::new(first),
-                second: Side::new(second),
-                motions,
-                repeats,
-            },
-            bodies: Bodies {
-                first: first_body,
-                second: second_body,
-                motions,
-            },
-        })
     }
+    let tilt = motions.join_slides(SAME_DIRECTION);
+    if !displacement.is_none() {
+        // Its outline is not about its pivot any more.
+        symmetric.0 = None;
+        // Of slides along one line without limits only the difference matters, and is to go on doing so.
+        let apart = angle.is_none_or(|a| a >= INDEPENDENT);
+        motions.first = displacement.tilted(motions.first, false);
+        motions.second = displacement.tilted(motions.second, apart);
+    }
+    let unit = |m: &Motion| if m.turns() { 1.0 } else { 1.0 / frame.scale };
+    let map = Map {
+        frame,
+        swapped,
+        x_unit: unit(&motions.first),
+        y_unit: unit(&motions.second),
+    };
+    // The fixed part is the one that is grown more.
+    let drawn = |part: &Part, center: Point, fixed| {
+        let growth = if fixed { GROWTH } else { MOVING_GROWTH };
+        let outline = Outline::new(part, center, frame.scale, growth);
+        let body = Body::new(&outline, part, center, frame.scale);
+        (outline, body)
+    };
+    let shifts = displacement.shifts();
+    let about = |shift: Vector| frame.fixed_center + shift * (-1.0 / frame.scale);
+    let turned = displacement.turned(parts.1, frame.fixed_center);
+    let second = turned.as_ref().unwrap_or(parts.1);
+    let (second, second_body) = drawn(second, about(shifts.1), swapped);
+    let repeating = symmetric.0.and_then(|s| {
+        let center = s.center_in(&frame);
+        let (outline, body) = drawn(&s.redrawn.part, center, !swapped);
+        let repeats = s.repeats(&outline)?;
+        Some((outline, body, repeats, Some(s)))
+    });
+    let (first, first_body, repeats, symmetric) = repeating.unwrap_or_else(|| {
+        let (outline, body) = drawn(parts.0, about(shifts.0), !swapped);
+        let repeats = Repeats::none(&outline);
+        (outline, body, repeats, None)
+    });
+    let farthest = |axis: &Axis, unit: f64| {
+        let far = |(lo, hi): (f64, f64)| lo.abs().max(hi.abs()) / unit;
+        axis.range.map(far)
+    };
+    let ranges = (farthest(&axes.0, map.x_unit), farthest(&axes.1, map.y_unit));
+    let reach = reach(&first, &second, &motions, ranges);
+    let x = extent(&axes.0, &motions.first, map.x_unit, reach);
+    let y = extent(&axes.1, &motions.second, map.y_unit, reach);
+    let slide = |m: &Motion, e: &Extent| match m {
+        Motion::Slide { .. } => e.lo.abs().max(e.hi.abs()),
+        _ => 0.0,
+    };
+    let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
+    let grown = frame.outer_length(frame.grown((fixed, GROWTH), (moving, MOVING_GROWTH)));
+    let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
+    let bent = of_straight(straight.0) + of_straight(straight.1);
+    let deviation = bent
+        + frame.outer_length(joined + tilt * slides)
+        + symmetric.as_ref().map_or(0.0, |s| s.deviation)
+        + frame.outer_length(displacement.deviation(slides));
+    let redrawn = symmetric.map(|s| s.redrawn);
+    let name = |f: &Feature| as_drawn(&redrawn, f.name);
+    let setting = Setting {
+        map,
+        motions,
+        x,
+        y,
+        deviation,
+        grown,
+        names: (
+            first.features.iter().map(name).collect(),
+            second.features.iter().map(|f| f.name).collect(),
+        ),
+        bodies: Bodies {
+            first: first_body,
+            second: second_body,
+            motions,
+        },
+    };
+    let scene = Scene {
+        x,
+        y,
+        first: Side::new(first),
+        second: Side::new(second),
+        motions,
+        repeats,
+    };
+    Ok((setting, scene))
 }
 
 /// A part that is symmetric about the point it turns about without limits.

@@ -2,8 +2,7 @@
 
 use crate::geometry::Vector;
 
-use super::condition::Carriers;
-use super::condition::Condition;
+use super::condition::{Carriers, Condition};
 use super::cycle::{self, Cycle};
 use super::equation::Equation;
 use super::motion::{Motion, Motions};

@@ -19,3 +19,11 @@ pub(super) const INDEPENDENT: f64 = SAME_CARRIER;
 /// How far a contact within the resolution may lie outside a cell's box: rounding of a root, and of crossings (radians or
 /// length of the frame).
 pub(super) const NEAR: f64 = 1e-9;
+
+/// A section shorter than this (in x, radians or length) is not tested: near a turning y moves with the square root of x, and
+/// so does its rounding.
+pub(super) const SHORT: f64 = 1e-13;
+
+/// Curves nearer to each other than this that face the same way are one, and what lies between them tells nothing (radians or
+/// length of the frame): about what the first part is grown by.
+pub(super) const COINCIDENT: f64 = 1e-11;

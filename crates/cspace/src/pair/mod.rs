@@ -16,7 +16,7 @@ mod lower;
 mod patch;
 mod query;
 mod relation;
-mod saved;
+mod data;
 mod space;
 
 pub use along::{SmoothMotion, SmoothOutcome};
@@ -27,5 +27,5 @@ pub use locate::Location;
 pub use lower::{Joint, LowerPair, PermanentContact, PermanentKind};
 pub use patch::{ByDrawing, ByVertex, FeatureContact, PairPatch};
 pub use relation::{Coordinates, PairClass, Relation};
-pub use saved::{SavedLower, SavedPair};
+pub use data::{LowerData, PairData};
 pub use space::{PairError, PairSpace};

@@ -14,7 +14,7 @@ use super::patch::{Boundary, Patch};
 /// Why data data are no contact space.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum SavedError {
+pub enum DataError {
     /// Not a contact space at all.
     #[error("the format is {found:?}, not {wanted:?}")]
     Format {
@@ -56,15 +56,15 @@ pub(crate) fn check_head(
     format: &str,
     wanted: &'static str,
     version: u32,
-) -> Result<(), SavedError> {
+) -> Result<(), DataError> {
     if format != wanted {
-        return Err(SavedError::Format {
+        return Err(DataError::Format {
             found: format.to_owned(),
             wanted,
         });
     }
     if version != SAVED_VERSION {
-        return Err(SavedError::Version { found: version });
+        return Err(DataError::Version { found: version });
     }
     Ok(())
 }
@@ -76,10 +76,10 @@ const LARGEST_LENGTH: f64 = 1e6;
 const SLACK: f64 = 1e-6;
 
 /// That the data are of this format, refer to what is there, and fit the parts.
-pub(super) fn check(data: &SpaceData) -> Result<(), SavedError> {
+pub(super) fn check(data: &SpaceData) -> Result<(), DataError> {
     check_head(&data.format, FORMAT, data.version)?;
     check_references(data)?;
-    check_frame(data).map_err(|why| SavedError::Whole {
+    check_frame(data).map_err(|why| DataError::Whole {
         what: "the frame",
         why,
     })?;
@@ -91,8 +91,8 @@ pub(super) fn check(data: &SpaceData) -> Result<(), SavedError> {
 }
 
 /// That everything referred to is there, and that every number is one that a computation can have given.
-fn check_references(data: &SpaceData) -> Result<(), SavedError> {
-    check_whole(data).map_err(|(what, why)| SavedError::Whole { what, why })?;
+fn check_references(data: &SpaceData) -> Result<(), DataError> {
+    check_whole(data).map_err(|(what, why)| DataError::Whole { what, why })?;
     each("patch", &data.patches, |p| check_patch(data, p))?;
     let patches = data.patches.len();
     let is_patch = |i: u32| (i as usize) < patches;
@@ -124,9 +124,9 @@ fn check_references(data: &SpaceData) -> Result<(), SavedError> {
     })
 }
 
-fn each<T>(what: &'static str, list: &[T], check: impl Fn(&T) -> Check) -> Result<(), SavedError> {
+fn each<T>(what: &'static str, list: &[T], check: impl Fn(&T) -> Check) -> Result<(), DataError> {
     list.iter().enumerate().try_for_each(|(index, item)| {
-        check(item).map_err(|why| SavedError::Damaged { what, index, why })
+        check(item).map_err(|why| DataError::Damaged { what, index, why })
     })
 }
 

@@ -9,7 +9,7 @@ use crate::part::Part;
 use crate::slice::CurveGeometry;
 
 use super::band::{Band, bands};
-use super::check::{SavedError, check};
+use super::check::{DataError, check};
 use super::data::{FeatureCounts, FreeRegion, SideLink, SpaceData, VerticalLink};
 use super::doubts::Doubts;
 use super::options::Window;
@@ -35,7 +35,7 @@ impl ContactSpace {
     ///
     /// # Errors
     /// If the data are of another format or version, refer to what is not there, or do not fit the parts.
-    pub fn from_data(data: SpaceData) -> Result<Self, SavedError> {
+    pub fn from_data(data: SpaceData) -> Result<Self, DataError> {
         check(&data)?;
         let growths = growths(&data.fixed, &data.moving);
         let walk = Walk::new(data.patches.len(), &data.side_links, &data.vertical_links);

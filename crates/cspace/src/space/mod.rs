@@ -15,7 +15,7 @@ mod walk;
 
 pub use band::Band;
 pub(crate) use band::bands;
-pub use check::SavedError;
+pub use check::DataError;
 pub(crate) use check::check_head;
 pub(crate) use data::FORMAT;
 pub use data::{FeatureCounts, FreeRegion, SAVED_VERSION, SideLink, SpaceData, VerticalLink};

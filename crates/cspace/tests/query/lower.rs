@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use cspace::pair::{Joint, PairMotion, PermanentKind, SavedLower};
+use cspace::pair::{Joint, LowerData, PairMotion, PermanentKind};
 use cspace::{
     Axis, Classification, Configuration, Coordinates, FixedAxesSpace, Location, LowerPair, Options,
     PairClass, PairError, PairSpace, Part, PatchId, Point, QueryError, Relation, Rotation, Vector,
@@ -260,7 +260,7 @@ fn saved_pairs_are_read_as_the_same() {
         for limits in [None, Some((-0.5, 1.0 / 3.0))] {
             let pair = pair(joint, limits);
             let text = serde_json::to_string(&pair.to_saved()).unwrap();
-            let saved: SavedLower = serde_json::from_str(&text).unwrap();
+            let saved: LowerData = serde_json::from_str(&text).unwrap();
             assert_eq!(saved, pair.to_saved());
             let again = LowerPair::from_saved(saved).unwrap();
             assert_eq!(again.to_saved(), pair.to_saved());
@@ -277,7 +277,7 @@ fn saved_pairs_are_read_as_the_same() {
 #[test]
 fn damaged_data_are_refused() {
     let good = pair(joints()[1], Some((0.0, 1.0))).to_saved();
-    let refused = |change: &dyn Fn(&mut SavedLower)| {
+    let refused = |change: &dyn Fn(&mut LowerData)| {
         let mut bad = good.clone();
         change(&mut bad);
         LowerPair::from_saved(bad).unwrap_err().to_string()
@@ -304,6 +304,6 @@ fn damaged_data_are_refused() {
     }
     let mut json = serde_json::to_value(&good).unwrap();
     json["fixed"]["loops"] = serde_json::json!([]);
-    let error = serde_json::from_value::<SavedLower>(json).unwrap_err();
+    let error = serde_json::from_value::<LowerData>(json).unwrap_err();
     assert!(error.to_string().contains("loop"), "{error}");
 }

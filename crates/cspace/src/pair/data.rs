@@ -1,8 +1,8 @@
 //! Configuration spaces of pairs of any class as plain data.
 
-use crate::fixed_axes::SavedAxesSpace;
+use crate::fixed_axes::AxesData;
 use crate::part::Part;
-use crate::space::{SAVED_VERSION, SavedError, SpaceData, check_head};
+use crate::space::{SAVED_VERSION, DataError, SpaceData, check_head};
 
 use super::lower::{Joint, LowerPair, PermanentContact};
 use super::space::PairSpace;
@@ -12,7 +12,7 @@ const FORMAT: &str = "lower-pair";
 /// A lower pair as plain data.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct SavedLower {
+pub struct LowerData {
     /// Always `lower-pair`.
     pub format: String,
     /// Version of the format.
@@ -29,36 +29,36 @@ pub struct SavedLower {
     pub contacts: Vec<PermanentContact>,
 }
 
-/// A configuration space as plain data, told apart by its `format`.
+/// All of a configuration space as plain data, told apart by its `format`.
 ///
 /// The schemas in the folder `docs` of the project's repository describe every field and its unit.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(untagged))]
-pub enum SavedPair {
+pub enum PairData<'a> {
     /// Of a general or symmetric pair; its format is `contact-space`.
-    Planar(Box<SpaceData>),
+    Planar(&'a SpaceData),
     /// Of a pair with fixed axes; its format is `fixed-axes-space`.
-    FixedAxes(Box<SavedAxesSpace>),
+    FixedAxes(&'a AxesData),
     /// Of a lower pair; its format is `lower-pair`.
-    Lower(Box<SavedLower>),
+    Lower(Box<LowerData>),
 }
 
 impl PairSpace {
     /// The space as plain data.
-    pub fn to_saved(&self) -> SavedPair {
+    pub fn data(&self) -> PairData<'_> {
         match self {
-            Self::Planar(space) => SavedPair::Planar(Box::new(space.data().clone())),
-            Self::FixedAxes(space) => SavedPair::FixedAxes(Box::new(space.to_saved())),
-            Self::Lower(pair) => SavedPair::Lower(Box::new(pair.to_saved())),
+            Self::Planar(space) => PairData::Planar(space.data()),
+            Self::FixedAxes(space) => PairData::FixedAxes(space.data()),
+            Self::Lower(pair) => PairData::Lower(Box::new(pair.data())),
         }
     }
 }
 
 impl LowerPair {
     /// The pair as plain data.
-    pub fn to_saved(&self) -> SavedLower {
-        SavedLower {
+    pub fn data(&self) -> LowerData {
+        LowerData {
             format: FORMAT.to_owned(),
             version: SAVED_VERSION,
             fixed: self.fixed().clone(),
@@ -73,10 +73,10 @@ impl LowerPair {
     ///
     /// # Errors
     /// If the format or its version is another, a part is none, or a number is not finite or out of order.
-    pub fn from_saved(saved: SavedLower) -> Result<Self, SavedError> {
-        check_head(&saved.format, FORMAT, saved.version)?;
-        let whole = |what, why| Err(SavedError::Whole { what, why });
-        let sound = match saved.joint {
+    pub fn from_data(data: LowerData) -> Result<Self, DataError> {
+        check_head(&data.format, FORMAT, data.version)?;
+        let whole = |what, why| Err(DataError::Whole { what, why });
+        let sound = match data.joint {
             Joint::Revolute { at } => at.is_finite(),
             Joint::Prismatic { direction, at } => {
                 let unit = direction.unit();
@@ -97,10 +97,10 @@ impl LowerPair {
             return whole("the limits", "they are not finite, or in the wrong order");
         }
         Ok(Self::new(
-            &saved.fixed,
-            &saved.moving,
-            saved.joint,
-            saved.limits,
+            &data.fixed,
+            &data.moving,
+            data.joint,
+            data.limits,
         ))
     }
 }

@@ -1,0 +1,210 @@
+//! The configuration space computed: set up, cut to cells, judged, swept, copied, and gathered to patches.
+
+use crate::part::Part;
+
+use super::arrange::Arrangement;
+use super::axis::{AxesError, Axis};
+use super::build::build;
+use super::chain::chains;
+use super::components::components;
+use super::copies::Partition;
+use super::displacement::Displacement;
+use super::gaps::{Gaps, Graphs};
+use super::judge::Judge;
+use super::patches::Patches;
+use super::piece::Pair;
+use super::region::AxesRegion;
+use super::data::{AxesStatistics, FORMAT, SAVED_AXES_VERSION, AxesData};
+use super::scene::Scene;
+use super::setting::Bodies;
+use super::setup::set_up;
+use super::space::FixedAxesSpace;
+use super::sweep::Sweep;
+use super::tolerance::{MOST_EDGE_PAIRS, MOST_MEETINGS};
+
+impl FixedAxesSpace {
+    /// Computes the configuration space of a pair.
+    ///
+    /// Both parts are drawn in the assembly's frame at zero motion.
+    ///
+    /// # Errors
+    /// If an axis has no direction, an empty range, numbers that are not finite, or a pivot far away; if the parts have too
+    /// many edges.
+    pub fn compute(
+        fixed: &Part,
+        fixed_axis: Axis,
+        moving: &Part,
+        moving_axis: Axis,
+    ) -> Result<Self, AxesError> {
+        let edges = (fixed.edges().count(), moving.edges().count());
+        if edges.0.saturating_mul(edges.1) > MOST_EDGE_PAIRS {
+            return Err(AxesError::TooLarge {
+                fixed: edges.0,
+                moving: edges.1,
+                limit: MOST_EDGE_PAIRS,
+            });
+        }
+        let at = |d| displaced((fixed, moving), (fixed_axis, moving_axis), d);
+        let mut best = at(Displacement::NONE)?;
+        for displacement in Displacement::others() {
+            if best.statistics().conflicts == 0 {
+                break;
+            }
+            let other = at(displacement)?;
+            if other.statistics().conflicts < best.statistics().conflicts {
+                best = other;
+            }
+        }
+        Ok(best)
+    }
+}
+
+/// The space of the parts displaced from where they are drawn, with every fault counted as a conflict.
+fn displaced(
+    (fixed, moving): (&Part, &Part),
+    axes: (Axis, Axis),
+    displacement: Displacement,
+) -> Result<FixedAxesSpace, AxesError> {
+    let (setting, scene) = set_up((fixed, moving), axes, displacement)?;
+    let Some(window) = Window::new(&scene, &setting.bodies) else {
+        return Err(AxesError::TooManyCrossings {
+            fixed: fixed.edges().count(),
+            moving: moving.edges().count(),
+            limit: MOST_MEETINGS,
+        });
+    };
+    let Partition {
+        pairs,
+        pieces,
+        cells,
+        joints,
+        swept,
+        ..
+    } = window.partition.unrolled(&scene);
+    let (bands, gaps, regions) = components(swept, &scene.y);
+    let found = Gaps {
+        graphs: Graphs {
+            pairs: &pairs,
+            pieces: &pieces,
+            cells: &cells,
+            y: scene.y,
+        },
+        bands: &bands,
+        gaps: &gaps,
+        x: scene.x,
+    };
+    // A pair of features has an entry for each copy of the window in which it touches, and a circle that was divided
+    // to make a part symmetric has several features of one name.
+    let (firsts, seconds) = &setting.names;
+    let same = |p: &Pair, q: &Pair| {
+        firsts[p.first as usize] == firsts[q.first as usize]
+            && seconds[p.second as usize] == seconds[q.second as usize]
+    };
+    let chains = chains(&found.graphs, &scene.x, &joints, same);
+    let (patches, branches) = Patches {
+        setting: &setting,
+        gaps: found,
+    }
+    .of(chains);
+    let data = AxesData {
+        format: FORMAT.to_owned(),
+        version: SAVED_AXES_VERSION,
+        fixed: fixed.clone(),
+        moving: moving.clone(),
+        fixed_axis: axes.0,
+        moving_axis: axes.1,
+        patches,
+        branches,
+        free_regions: (regions.iter())
+            .map(|r| AxesRegion::new(r, &setting))
+            .collect(),
+        statistics: window.statistics,
+        displacement,
+        map: setting.map,
+        motions: setting.motions,
+        x: setting.x,
+        y: setting.y,
+        first_names: firsts.clone(),
+        second_names: seconds.clone(),
+        pairs: (pairs.iter())
+            .map(|p| (p.first, p.second, p.condition.carriers))
+            .collect(),
+        pieces,
+        // No others are kept.
+        free: vec![true; cells.len()],
+        cells,
+        bands,
+        gaps,
+        regions,
+    };
+    Ok(FixedAxesSpace::new(data, setting, pairs).with_faults_counted(&window.overlaps))
+}
+
+/// The window, computed: what bounds free space in it.
+struct Window {
+    partition: Partition,
+    statistics: AxesStatistics,
+    /// Configurations beside cells, clear of all curves, at which the parts overlap.
+    overlaps: Vec<(f64, f64)>,
+}
+
+impl Window {
+    /// `None` if more curves may cross than there is room for.
+    fn new(scene: &Scene, bodies: &Bodies) -> Option<Self> {
+        let x = scene.repeats.window(&scene.x);
+        let (pairs, pieces) = build(scene);
+        let arrangement = Arrangement::new(&pairs, &pieces, &scene.y)?;
+        let graphs = Graphs {
+            pairs: &pairs,
+            pieces: &pieces,
+            cells: &arrangement.cells,
+            y: scene.y,
+        };
+        let judge = Judge::new(graphs, bodies, x);
+        let mut verdicts = judge.verdicts(&arrangement);
+        let sweep = |free: &[bool]| {
+            let sweep = Sweep {
+                graphs,
+                free,
+                bodies,
+                x,
+            };
+            sweep.run()
+        };
+        let (mut swept, mut tally) = sweep(&verdicts.free);
+        if tally.contradictions > 0 {
+            // A chain hangs together that should not, or a crossing is missed: what is tested gap by gap tells.
+            verdicts.free = judge.one_by_one(&arrangement.cells);
+            verdicts.tests += tally.tests + arrangement.cells.len();
+            verdicts.conflicts += tally.conflicts;
+            (swept, tally) = sweep(&verdicts.free);
+        }
+        // Each pair of features once, whatever copies of the window it touches in.
+        let mut touching: Vec<(u32, u32)> = (pairs.iter())
+            .map(|p| (scene.repeats.feature(p.first).of, p.second))
+            .collect();
+        touching.sort_unstable();
+        touching.dedup();
+        let fold = scene.repeats.fold as usize;
+        let statistics = AxesStatistics {
+            pairs: fold * touching.len(),
+            pieces: fold * pieces.len(),
+            crossings: fold * arrangement.crossings,
+            tests: verdicts.tests + tally.tests,
+            conflicts: verdicts.conflicts + tally.conflicts,
+        };
+        let partition = Partition {
+            crossings: arrangement.crossings,
+            cells: arrangement.cells,
+            joints: arrangement.joints,
+            pairs,
+            pieces,
+            swept,
+        };
+        Some(Self {
+            partition: partition.kept(&verdicts.free),
+            statistics,
+            overlaps: verdicts.overlaps,
+        })
+    }
+}

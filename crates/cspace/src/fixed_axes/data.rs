@@ -1,0 +1,210 @@
+//! A fixed-axes space as plain data, and whether these hang together.
+
+use crate::feature::FeatureName;
+use crate::part::Part;
+
+use super::arrange::Cell;
+use super::axis::{AxesError, Axis};
+use super::components::Region;
+use super::condition::Carriers;
+use super::displacement::Displacement;
+use super::domain::Extent;
+use super::gaps::{Band, Gap};
+use super::motion::Motions;
+use super::patch::{AxesBranch, AxesPatch};
+use super::piece::Piece;
+use super::region::AxesRegion;
+use super::setting::Map;
+
+/// The version of the format that this library writes, and the only one it reads.
+pub const SAVED_AXES_VERSION: u32 = 1;
+
+pub(super) const FORMAT: &str = "fixed-axes-space";
+
+/// A [`FixedAxesSpace`](super::FixedAxesSpace) as plain data, to be written in any format `serde` knows and read again: what
+/// the space holds itself.
+///
+/// Everything from `map` to the names of features, and the carriers of the pairs, follows from the parts and their axes. It is
+/// written for other readers, and is not read back.
+///
+/// ```
+/// use cspace::{Axis, FixedAxesSpace, Part, Point, Vector, Vertex};
+/// let disc = |x: f64| vec![Vertex::new(x + 1.0, 0.0, 1.0), Vertex::new(x - 1.0, 0.0, 1.0)];
+/// let (a, b) = (Part::new("a", vec![disc(0.5)])?, Part::new("b", vec![disc(4.0)])?);
+/// let turning = Axis::revolute(Point::new(0.0, 0.0));
+/// let space = FixedAxesSpace::compute(&a, turning, &b, Axis::prismatic(Vector::new(1.0, 0.0)))?;
+/// let again = FixedAxesSpace::from_saved(space.to_saved())?;
+/// assert_eq!(again.patches(), space.patches());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(not(feature = "serde"), allow(dead_code))]
+pub struct AxesData {
+    /// Always `fixed-axes-space`.
+    pub format: String,
+    /// The version of the format.
+    pub version: u32,
+    /// The part called fixed, whose motion is u.
+    pub fixed: Part,
+    /// The moving part, whose motion is v.
+    pub moving: Part,
+    /// The fixed part's axis.
+    pub fixed_axis: Axis,
+    /// The moving part's axis.
+    pub moving_axis: Axis,
+    /// The contact curves.
+    pub patches: Vec<AxesPatch>,
+    /// Their branches.
+    pub branches: Vec<AxesBranch>,
+    /// Connected components of free space.
+    pub free_regions: Vec<AxesRegion>,
+    /// Counts of the computation.
+    pub statistics: AxesStatistics,
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            rename = "aside",
+            default,
+            skip_serializing_if = "Displacement::is_none"
+        )
+    )]
+    pub(super) displacement: Displacement,
+    pub(super) map: Map,
+    pub(super) motions: Motions,
+    pub(super) x: Extent,
+    pub(super) y: Extent,
+    pub(super) first_names: Vec<FeatureName>,
+    pub(super) second_names: Vec<FeatureName>,
+    pub(super) pairs: Vec<(u32, u32, Carriers)>,
+    pub(super) pieces: Vec<Piece>,
+    pub(super) cells: Vec<Cell>,
+    pub(super) free: Vec<bool>,
+    pub(super) bands: Vec<Band>,
+    pub(super) gaps: Vec<Gap>,
+    pub(super) regions: Vec<Region>,
+}
+
+/// Counts of a computation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct AxesStatistics {
+    /// Pairs of features that touch somewhere.
+    pub pairs: usize,
+    /// Monotone pieces of their contact curves.
+    pub pieces: usize,
+    /// Crossings of pieces.
+    pub crossings: usize,
+    /// Tests of overlap. A part that is symmetric about its pivot is tested in one period only.
+    pub tests: usize,
+    /// Places at which tests and structure told different things, or the structure contradicts itself, that no attempt was
+    /// without; 0 unless something lies closer than the resolution. If there are any, configurations are classified by
+    /// intersecting the placed parts, and regions and patches are not to be relied upon.
+    pub conflicts: usize,
+}
+
+/// Why saved data are not a fixed-axes space.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AxesDataError {
+    /// Not such a space at all.
+    #[error("the format is {found:?}, not {FORMAT:?}")]
+    Format {
+        /// What it says.
+        found: String,
+    },
+    /// An axis is none.
+    #[error(transparent)]
+    Axes(#[from] AxesError),
+    /// Written by another version.
+    #[error(
+        "the format's version is {found}, this program reads version {SAVED_AXES_VERSION}; compute the space again"
+    )]
+    Version {
+        /// The version found.
+        found: u32,
+    },
+    /// The data refer to what is not there, or numbers are out of order.
+    #[error(
+        "the saved space is damaged: its {what} refer to what is not there, or are out of order; compute the space again"
+    )]
+    Damaged {
+        /// What is wrong.
+        what: &'static str,
+    },
+}
+
+/// Motions are lengths of the pair's frame, in which the parts have size 1, or radians: they are far below this.
+const FARTHEST: f64 = 1e12;
+
+impl AxesData {
+    /// Whether everything that is referred to is there.
+    pub(super) fn check(&self) -> Result<(), AxesDataError> {
+        if self.format != FORMAT {
+            return Err(AxesDataError::Format {
+                found: self.format.clone(),
+            });
+        }
+        if self.version != SAVED_AXES_VERSION {
+            return Err(AxesDataError::Version {
+                found: self.version,
+            });
+        }
+        let within = |i: u32, n: usize| (i as usize) < n;
+        let range = |r: &core::ops::Range<u32>, n: usize| r.start <= r.end && r.end as usize <= n;
+        let optional = |i: Option<u32>, n: usize| i.is_none_or(|i| within(i, n));
+        let near = |x: f64| x.abs() <= FARTHEST;
+        let ordered = |(lo, hi): (f64, f64)| near(lo) && near(hi) && lo <= hi;
+        let level = |p: &Piece| near(p.start.y()) && near(p.end.y());
+        let placed = |r: &Region| {
+            [r.sample, r.x, r.y]
+                .iter()
+                .all(|&(a, b)| near(a) && near(b))
+        };
+        let (pairs, pieces, cells) = (self.pairs.len(), self.pieces.len(), self.cells.len());
+        let (gaps, regions) = (self.gaps.len(), self.regions.len());
+        let (patches, branches) = (self.patches.len(), self.branches.len());
+        let sound = [
+            (
+                "pieces",
+                (self.pieces.iter())
+                    .all(|p| within(p.pair, pairs) && ordered(p.x_range()) && level(p)),
+            ),
+            (
+                "cells",
+                (self.cells.iter()).all(|c| within(c.piece, pieces) && ordered((c.from, c.to)))
+                    && self.free.len() == cells,
+            ),
+            (
+                "gaps",
+                (self.gaps.iter()).all(|g| {
+                    optional(g.lower, cells)
+                        && optional(g.upper, cells)
+                        && within(g.region, regions)
+                }),
+            ),
+            ("regions", self.regions.iter().all(placed)),
+            (
+                "bands",
+                !self.bands.is_empty()
+                    && (self.bands.iter()).all(|b| range(&b.gaps, gaps) && ordered((b.lo, b.hi))),
+            ),
+            (
+                "branches",
+                (self.branches.iter()).all(|b| within(b.cell, cells) && within(b.patch, patches)),
+            ),
+            (
+                "patches",
+                (self.patches.iter()).all(|p| {
+                    range(&p.branches, branches)
+                        && [p.previous, p.next].iter().all(|&i| optional(i, patches))
+                        && optional(p.region, regions)
+                }),
+            ),
+        ];
+        match sound.into_iter().find(|(_, sound)| !sound) {
+            Some((what, _)) => Err(AxesDataError::Damaged { what }),
+            None => Ok(()),
+        }
+    }
+}
