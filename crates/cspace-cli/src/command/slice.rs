@@ -68,7 +68,7 @@ fn plane(args: &SliceArgs, pair: &Chosen<'_>, is_picture: bool) -> Result<(), Fa
         svg_axes::plane(&pair.title(), space).into_bytes()
     } else {
         match args.common.result.format {
-            Format::Json => super::json(&space.to_saved())?,
+            Format::Json => super::json(space.data())?,
             Format::Text => {
                 let mut text = String::new();
                 describe_plane(&mut text, pair, space).map_err(Failure::work)?;

@@ -78,10 +78,10 @@ impl SavedFile {
         let text = without_mark(text);
         let (format, head) = head(text, file, &[CONTACT_SPACE, FIXED_AXES, LOWER_PAIR])?;
         let space = match format.as_str() {
-            FIXED_AXES => FixedAxesSpace::from_saved(data(text, file)?)
+            FIXED_AXES => FixedAxesSpace::from_data(data(text, file)?)
                 .map(|space| PairSpace::FixedAxes(Box::new(space)))
                 .map_err(|e| wrong(&e.to_string(), file))?,
-            LOWER_PAIR => LowerPair::from_saved(data(text, file)?)
+            LOWER_PAIR => LowerPair::from_data(data(text, file)?)
                 .map(|pair| PairSpace::Lower(Box::new(pair)))
                 .map_err(|e| wrong(&e.to_string(), file))?,
             _ => PairSpace::Planar(Box::new(contact_space(text, file)?)),
@@ -231,7 +231,7 @@ pub fn with_labels(space: &PairSpace, name: Option<&str>, unit: Option<&str>) ->
     let labelled = Labelled {
         name,
         unit,
-        space: space.to_saved(),
+        space: space.data(),
     };
     let mut text = serde_json::to_string_pretty(&labelled).unwrap_or_default();
     text.push('\n');
@@ -245,5 +245,5 @@ struct Labelled<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     unit: Option<&'a str>,
     #[serde(flatten)]
-    space: PairData,
+    space: PairData<'a>,
 }

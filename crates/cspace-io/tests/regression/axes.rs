@@ -110,9 +110,9 @@ impl OnAxes {
 
     fn assert_whole(&self) {
         let space = &self.space;
-        let saved = serde_json::to_string(&space.to_saved()).unwrap();
+        let saved = serde_json::to_string(space.data()).unwrap();
         let read = serde_json::from_str(&saved).unwrap();
-        let read = FixedAxesSpace::from_saved(read).unwrap();
+        let read = FixedAxesSpace::from_data(read).unwrap();
         assert_eq!(read.resolution(), space.resolution());
         for (i, region) in (0..).zip(space.regions()) {
             let (u, v) = region.sample;

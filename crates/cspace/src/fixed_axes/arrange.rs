@@ -7,7 +7,7 @@ use crate::parallel::prelude::*;
 use crate::union_find::UnionFind;
 
 use super::cross::crossings;
-use super::domain::{Extent, brought_between};
+use super::motion::{Extent, brought_between};
 use super::piece::{Key, Name, Pair, Piece};
 use super::tolerance::MOST_MEETINGS;
 

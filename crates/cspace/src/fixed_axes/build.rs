@@ -5,7 +5,7 @@
 
 use super::condition::{Carriers, Condition};
 use super::cycle::Cycle;
-use super::domain::clusters;
+use super::motion::clusters;
 use super::piece::{End, Key, Name, Node, Pair, Piece};
 use super::reach::{Apart, reaches};
 use super::scene::Scene;

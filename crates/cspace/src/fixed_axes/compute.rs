@@ -5,21 +5,21 @@ use crate::part::Part;
 use super::arrange::Arrangement;
 use super::axis::{AxesError, Axis};
 use super::build::build;
-use super::chain::chains;
-use super::components::components;
 use super::copies::Partition;
+use super::data::{AxesData, AxesStatistics, FORMAT, SAVED_AXES_VERSION};
 use super::displacement::Displacement;
-use super::gaps::{Gaps, Graphs};
 use super::judge::Judge;
 use super::patches::Patches;
+use super::patches::chains;
 use super::piece::Pair;
 use super::region::AxesRegion;
-use super::data::{AxesStatistics, FORMAT, SAVED_AXES_VERSION, AxesData};
+use super::region::components;
 use super::scene::Scene;
-use super::setting::Bodies;
+use super::setup::Bodies;
 use super::setup::set_up;
 use super::space::FixedAxesSpace;
 use super::sweep::Sweep;
+use super::sweep::{Gaps, Graphs};
 use super::tolerance::{MOST_EDGE_PAIRS, MOST_MEETINGS};
 
 impl FixedAxesSpace {

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Point, Vector};
 
-use super::bearing::Bearing;
+use super::cycle::Bearing;
 use super::cycle::{self, Cycle};
 use super::motion::{Motion, Motions};
 use super::tolerance::INDEPENDENT;

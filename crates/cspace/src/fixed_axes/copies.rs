@@ -2,9 +2,9 @@
 
 use super::arrange::{Cell, Stop};
 use super::build;
-use super::gaps::{Band, Gap};
 use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::Scene;
+use super::sweep::{Band, Gap};
 use super::sweep::{Link, Swept};
 use core::f64::consts::TAU;
 

@@ -5,16 +5,16 @@ use crate::part::Part;
 
 use super::arrange::Cell;
 use super::axis::{AxesError, Axis};
-use super::components::Region;
 use super::condition::Carriers;
 use super::displacement::Displacement;
-use super::domain::Extent;
-use super::gaps::{Band, Gap};
+use super::motion::Extent;
 use super::motion::Motions;
-use super::patch::{AxesBranch, AxesPatch};
+use super::patches::{AxesBranch, AxesPatch};
 use super::piece::Piece;
 use super::region::AxesRegion;
-use super::setting::Map;
+use super::region::Region;
+use super::setup::Map;
+use super::sweep::{Band, Gap};
 
 /// The version of the format that this library writes, and the only one it reads.
 pub const SAVED_AXES_VERSION: u32 = 1;
@@ -33,7 +33,7 @@ pub(super) const FORMAT: &str = "fixed-axes-space";
 /// let (a, b) = (Part::new("a", vec![disc(0.5)])?, Part::new("b", vec![disc(4.0)])?);
 /// let turning = Axis::revolute(Point::new(0.0, 0.0));
 /// let space = FixedAxesSpace::compute(&a, turning, &b, Axis::prismatic(Vector::new(1.0, 0.0)))?;
-/// let again = FixedAxesSpace::from_saved(space.to_saved())?;
+/// let again = FixedAxesSpace::from_data(space.data().clone())?;
 /// assert_eq!(again.patches(), space.patches());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

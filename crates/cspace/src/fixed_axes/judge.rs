@@ -1,12 +1,12 @@
 //! Which cells bound free space: one honest test of overlap for each chain.
 
 use super::arrange::{Arrangement, Cell};
-use super::domain::Extent;
-use super::gaps::Graphs;
+use super::motion::Extent;
+use super::nearest::Slots;
 use super::piece::Piece;
 use super::place::crossing_of_level;
-use super::setting::Bodies;
-use super::slots::Slots;
+use super::setup::Bodies;
+use super::sweep::Graphs;
 use super::tolerance::COINCIDENT;
 use crate::parallel::prelude::*;
 use core::f64::consts::TAU;

@@ -31,32 +31,32 @@
 //!
 //! The plane is swept along x, the coordinate of a part that turns if there is one (u or v); y is the other.
 //!
-//! 0. *Setting* (`setup`, `setting`, `repeats`): frame, motions, outlines. A part that turns without limits about its own centre of
+//! 0. *Setting* (`setup`, `scene`, `repeats`): frame, motions, outlines. A part that turns without limits about its own centre of
 //!    symmetry is swept over one period of its motion, the *window*; of every orbit of its features one is looked at.
-//! 1. *Nodes* (`nodes`, `meet`): a contact curve ends where one of its features gives way to its neighbour. These
+//! 1. *Nodes* (`nodes`): a contact curve ends where one of its features gives way to its neighbour. These
 //!    configurations have closed forms and names: a joint of one part and a feature of the other, two vertices, two lines.
 //!    Pairs that meet at a node compute it from the same numbers, to the same bit; no coordinates are compared to find who
 //!    meets.
-//! 2. *Pieces* (`build`, `sections`, `verticals`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
+//! 2. *Pieces* (`build`, `sections`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
 //!    dy = 0, closed forms), at ends of the window and at limits into monotone graphs y(x), and vertical segments where y does
 //!    not matter (dwell). Which are contact is told away from their ends, by the features' extents.
-//! 3. *Crossings* (`cross`, `resultant`): of two monotone graphs, decided by their order at the ends of their common interval;
+//! 3. *Crossings* (`cross`): of two monotone graphs, decided by their order at the ends of their common interval;
 //!    where that leaves it open, the resultant of both conditions isolates all roots, none is found by sampling.
 //! 4. *Cells* (`arrange`): pieces between crossings. Cells that follow each other around the outside hang together in a chain.
 //! 5. *Verdicts* (`judge`): a chain bounds free space as a whole or not at all; honest tests of overlap beside its largest
 //!    cells tell. A chain that is known to be blocked and yet tests free, or whose tests differ, is decided cell by cell and
 //!    counted as a conflict.
-//! 6. *Bands and regions* (`sweep`, `gaps`, `components`): between critical values of x the free gaps of y are bounded by an ordered
+//! 6. *Bands and regions* (`sweep`, `region`): between critical values of x the free gaps of y are bounded by an ordered
 //!    list of cells. Gaps join across critical values by overlap; turns are counted on the way, so a region knows what it
 //!    reaches around. Every gap wide enough to be certain of is tested for overlap; if a test contradicts the cells beside it,
 //!    all cells are decided one by one, and it counts as a conflict.
 //! 7. *Copies* (`copies`): what bounds free space in the window is copied to all periods, with the images of the
 //!    features.
-//! 8. *Patches* (`chain`, `patches`): free cells of one pair of features, in order of travel, with their neighbours.
+//! 8. *Patches* (`patches`): free cells of one pair of features, in order of travel, with their neighbours.
 //!
-//! `compute` runs these steps. The result is data (`saved`), and what follows from them at once (`space`); a saved space is read
-//! back by the same constructor. Where the partition contradicts itself (`contradictions`), the steps are run again with the parts
-//! displaced by less than the resolution (`displacement`).
+//! `compute` runs these steps. The result is data (`data`), and what follows from them at once (`space`); a saved space is read
+//! back by the same constructor. Where the partition contradicts itself, the steps are run again with the parts displaced by less than the
+//! resolution (`displacement`).
 //!
 //! The sweep in the end does not need the chains to be right everywhere: a gap is free where the cells below and above it
 //! both say so. That is why it was preferred to faces made of loops, which a torus makes awkward anyway.
@@ -68,58 +68,40 @@
 //! chain. Pieces that coincide and face the same way count as one. Sections too short to have a place are contracted; ends that
 //! rounding keeps from a vertical piece are put on it; normals that oppose each other exactly are ordered by one rule.
 
-mod along;
 mod arrange;
 mod axis;
-mod bearing;
 mod build;
-mod chain;
 mod classify;
-mod components;
 mod compute;
 mod condition;
-mod contradictions;
 mod copies;
 mod cross;
-mod curves;
 mod cycle;
+mod data;
 mod displacement;
-mod domain;
 mod equation;
 mod first_contact;
-mod gaps;
 mod judge;
-mod meet;
 mod motion;
 mod nearest;
 mod nodes;
-mod patch;
 mod patches;
 mod piece;
 mod place;
-mod plane;
 mod reach;
 mod region;
 mod repeats;
-mod resultant;
-mod data;
 mod scene;
 mod sections;
-mod setting;
 mod setup;
-mod slots;
-mod solve;
 mod space;
-mod straighten;
 mod sweep;
 mod tolerance;
-mod verticals;
-mod visits;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
+pub use data::{AxesData, AxesDataError, AxesStatistics, SAVED_AXES_VERSION};
 pub use first_contact::{AxesContact, AxesMotionOutcome};
 pub use nearest::NearestOnAxes;
-pub use patch::{AxesBranch, AxesPatch, BranchForm};
+pub use patches::{AxesBranch, AxesPatch, BranchForm};
 pub use region::AxesRegion;
-pub use data::{AxesStatistics, SAVED_AXES_VERSION, AxesDataError, AxesData};
 pub use space::FixedAxesSpace;

@@ -4,7 +4,7 @@ use super::build::Builder;
 use super::condition::Carriers;
 use super::cycle;
 use super::cycle::Cycle;
-use super::domain::{ExtentKind, brought_between, wrapped};
+use super::motion::{ExtentKind, brought_between, wrapped};
 use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;

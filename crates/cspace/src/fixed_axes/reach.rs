@@ -5,8 +5,8 @@ use core::f64::consts::{PI, TAU};
 use crate::feature::{Feature, Near};
 use crate::geometry::{Point, Vector};
 
-use super::domain::wrapped;
 use super::motion::Motion;
+use super::motion::wrapped;
 use super::scene::Scene;
 
 /// Where a feature can come, and how its normals lean.

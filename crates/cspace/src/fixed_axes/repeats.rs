@@ -9,7 +9,7 @@ use core::f64::consts::TAU;
 use crate::contact::Permutation;
 use crate::feature::{Feature, Outline};
 
-use super::domain::{Extent, ExtentKind};
+use super::motion::{Extent, ExtentKind};
 
 /// A feature or joint as the image of the one that stands for its orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

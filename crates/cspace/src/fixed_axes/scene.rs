@@ -1,6 +1,6 @@
 //! Both parts on their axes, and which of their normals oppose each other.
 
-use super::domain::{Extent, wrapped};
+use super::motion::{Extent, wrapped};
 use super::motion::{Motions, Placement};
 use super::repeats::Repeats;
 use crate::feature::{Feature, Outline};

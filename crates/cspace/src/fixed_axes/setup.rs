@@ -1,22 +1,39 @@
 //! What follows from the parts and their axes alone: frame, motions, outlines, and where the coordinates run.
 
-use core::f64::consts::{FRAC_PI_2, TAU};
-
-use crate::contact::{Body, Permutation};
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
-use crate::feature::{Feature, Outline, PairFrame, as_drawn};
-use crate::geometry::{Point, Vector};
-use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized};
-
-use super::axis::{AxesError, Axis, AxisMotion, Role};
+use super::axis::AxesError;
+use super::axis::Axis;
+use super::axis::AxisMotion;
+use super::axis::Role;
 use super::displacement::Displacement;
-use super::domain::{Extent, ExtentKind};
-use super::motion::{Motion, Motions};
+use super::motion::Extent;
+use super::motion::ExtentKind;
+use super::motion::Motion;
+use super::motion::Motions;
 use super::repeats::Repeats;
-use super::scene::{Scene, Side};
-use super::setting::{Bodies, Map, Setting};
-use super::straighten::straightened;
+use super::scene::Scene;
+use super::scene::Side;
 use super::tolerance::INDEPENDENT;
+use crate::contact::Body;
+use crate::contact::Permutation;
+use crate::contact::overlap;
+use crate::feature::Feature;
+use crate::feature::FeatureName;
+use crate::feature::Outline;
+use crate::feature::PairFrame;
+use crate::feature::as_drawn;
+use crate::feature::tolerance::CONTACT;
+use crate::feature::tolerance::GROWTH;
+use crate::feature::tolerance::MOVING_GROWTH;
+use crate::geometry::Point;
+use crate::geometry::Vector;
+use crate::part::Corresponding;
+use crate::part::Loop;
+use crate::part::Part;
+use crate::part::SYMMETRIC;
+use crate::part::Symmetrized;
+use crate::part::Vertex;
+use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::TAU;
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
 /// grown by.
@@ -320,5 +337,186 @@ fn extent(axis: &Axis, motion: &Motion, unit: f64, reach: f64) -> Extent {
             hi: FRAC_PI_2,
             kind: ExtentKind::Open,
         },
+    }
+}
+
+// The frame of the sweep: from the motions u and v to its coordinates x and y, where these run, and the parts in it.
+
+/// From u and v to x and y and back.
+///
+/// x is the coordinate along which the plane is swept: one of a part that turns, if there is one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Map {
+    pub(super) frame: PairFrame,
+    pub(super) swapped: bool,
+    /// Model units per unit of x and y.
+    pub(super) x_unit: f64,
+    pub(super) y_unit: f64,
+}
+
+impl Map {
+    pub(super) fn inner(&self, u: f64, v: f64) -> (f64, f64) {
+        let (x, y) = self.exchanged(u, v);
+        (x / self.x_unit, y / self.y_unit)
+    }
+
+    pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
+        let (x, y) = (x * self.x_unit, y * self.y_unit);
+        self.exchanged(x, y)
+    }
+
+    /// Something of x and of y as that of u and of v.
+    pub(super) fn exchanged<T>(&self, of_x: T, of_y: T) -> (T, T) {
+        if self.swapped {
+            (of_y, of_x)
+        } else {
+            (of_x, of_y)
+        }
+    }
+
+    /// Model units per unit of u and of v.
+    pub(super) fn units(&self) -> (f64, f64) {
+        self.outer(1.0, 1.0)
+    }
+}
+
+/// Both parts, ready to be placed.
+#[derive(Debug)]
+pub(super) struct Bodies {
+    pub(super) first: Body,
+    pub(super) second: Body,
+    pub(super) motions: Motions,
+}
+
+impl Bodies {
+    /// Whether the parts overlap at (x, y). Certain away from contact.
+    pub(super) fn overlap(&self, x: f64, y: f64) -> bool {
+        let (p, theta) = self.motions.relative(x, y);
+        overlap(&self.first, &self.second, p, theta)
+    }
+}
+
+/// What follows from the parts and their axes alone and is needed for questions.
+#[derive(Debug)]
+pub(super) struct Setting {
+    pub(super) map: Map,
+    pub(super) motions: Motions,
+    pub(super) x: Extent,
+    pub(super) y: Extent,
+    pub(super) bodies: Bodies,
+    /// What the features of the first and of the second part are called.
+    pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
+    /// How far the parts as computed are from the parts as drawn, in the model's unit of length.
+    pub(super) deviation: f64,
+    /// How far off its place a contact may be because sharp corners are grown by more than sides, in the model's unit.
+    pub(super) grown: f64,
+}
+
+impl Setting {
+    /// Configurations at which a contact function is less than this are in contact (model length): the resolution, but for
+    /// what corners are grown by.
+    pub(super) fn contact_distance(&self) -> f64 {
+        self.map.frame.outer_length(CONTACT) + self.deviation
+    }
+
+    /// The same in the frame of the pair.
+    pub(super) fn inner_contact_distance(&self) -> f64 {
+        self.contact_distance() * self.map.frame.scale
+    }
+
+    /// u and v of a point on a curve: 0 of a part that does not move, of which the arrangement has a strip.
+    pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
+        let at = |t: f64, m: Motion| if m == Motion::Still { 0.0 } else { t };
+        self.map
+            .outer(at(x, self.motions.first), at(y, self.motions.second))
+    }
+
+    /// Coordinates within the extents; none outside the ranges.
+    pub(super) fn placed(&self, u: f64, v: f64) -> Option<(f64, f64)> {
+        let (mut x, mut y) = self.map.inner(u, v);
+        if !(x.is_finite() && y.is_finite()) {
+            return None;
+        }
+        for (t, extent) in [(&mut x, &self.x), (&mut y, &self.y)] {
+            match extent.kind {
+                ExtentKind::Circle => *t = extent.reduced(*t),
+                ExtentKind::TurnLimits | ExtentKind::SlideLimits => {
+                    if !(extent.lo..=extent.hi).contains(t) {
+                        return None;
+                    }
+                }
+                ExtentKind::Open => {}
+            }
+        }
+        // A part that does not move is at 0 and nowhere else.
+        let moved = |t: f64, m: Motion| m == Motion::Still && t != 0.0;
+        if moved(x, self.motions.first) || moved(y, self.motions.second) {
+            return None;
+        }
+        if let Some(share) = self.on_one_line() {
+            y -= x * share;
+            x = 0.0;
+        }
+        Some((x, y))
+    }
+
+    /// Of parts that slide along one line without limits only the difference of y and so many x matters.
+    pub(super) fn on_one_line(&self) -> Option<f64> {
+        let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
+            (self.motions.first, self.motions.second)
+        else {
+            return None;
+        };
+        let open = self.x.kind == ExtentKind::Open && self.y.kind == ExtentKind::Open;
+        (open && d.cross(e).abs() < INDEPENDENT).then(|| d.dot(e))
+    }
+}
+
+// Arcs that are all but straight, taken for their chords.
+//
+// Where a line touches an arc of radius r, or a large arc another, the place is told by the angle between them, and so known
+// to some ε r, which is more than the arc is off its chord, b c / 2 for the bulge b and the chord c with r = c / 4b, if b² is
+// less than some ε.
+
+/// Arcs with bulges below this, sweeps of less than 2·10⁻⁷ rad, are taken for lines: √(9 ε).
+const STRAIGHT: f64 = 4.5e-8;
+
+/// The part with such arcs straight, and how far that is from the part as drawn, in the model's unit of length. `None` if
+/// there are no such arcs, or if nothing but them kept its loops apart.
+pub(super) fn straightened(part: &Part) -> Option<(Part, f64)> {
+    let is_straight = |bulge: f64| bulge != 0.0 && bulge.abs() < STRAIGHT;
+    let deviation = (part.edges())
+        .filter(|e| is_straight(e.bulge))
+        .map(|e| 0.5 * e.bulge.abs() * e.start.distance(e.end))
+        .reduce(f64::max)?;
+    let vertex = |v: &Vertex| {
+        let bulge = if is_straight(v.bulge) { 0.0 } else { v.bulge };
+        Vertex::new(v.x, v.y, bulge)
+    };
+    let loops = part.loops().iter();
+    let loops = loops.map(|l| l.vertices().iter().map(vertex).collect());
+    let straight = Part::new(part.name(), loops.collect()).ok()?;
+    Some((straight, deviation))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod straighten_tests {
+    use super::*;
+
+    #[test]
+    fn only_arcs_that_rounding_makes_straight_are() {
+        let part = |bulge: f64| {
+            let corners = [(0.0, 0.0, bulge), (2.0, 0.0, 0.0), (1.0, 2.0, 0.0)];
+            let corners = corners.map(|(x, y, b)| Vertex::new(x, y, b));
+            Part::new("part", vec![corners.to_vec()]).unwrap()
+        };
+        assert!(straightened(&part(0.0)).is_none());
+        assert!(straightened(&part(-1e-7)).is_none());
+        let (straight, deviation) = straightened(&part(-1e-8)).unwrap();
+        assert_eq!(straight, part(0.0));
+        // The height of the arc above its chord.
+        assert!((deviation - 1e-8).abs() < 1e-20);
     }
 }

@@ -5,12 +5,12 @@ use crate::part::Part;
 
 use super::axis::Axis;
 use super::build::pair;
-use super::gaps::{Gaps, Graphs};
+use super::data::{AxesData, AxesDataError, AxesStatistics};
+use super::nearest::Slots;
 use super::piece::Pair;
-use super::data::{AxesStatistics, AxesDataError, AxesData};
-use super::setting::Setting;
+use super::setup::Setting;
 use super::setup::set_up;
-use super::slots::Slots;
+use super::sweep::{Gaps, Graphs};
 
 /// So many slots of x, and of y, in which branches are looked up.
 const SLOTS: i64 = 1024;

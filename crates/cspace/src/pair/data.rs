@@ -2,7 +2,7 @@
 
 use crate::fixed_axes::AxesData;
 use crate::part::Part;
-use crate::space::{SAVED_VERSION, DataError, SpaceData, check_head};
+use crate::space::{DataError, SAVED_VERSION, SpaceData, check_head};
 
 use super::lower::{Joint, LowerPair, PermanentContact};
 use super::space::PairSpace;
@@ -90,7 +90,7 @@ impl LowerPair {
                 "it has a number that is not finite, or no direction",
             );
         }
-        if saved
+        if data
             .limits
             .is_some_and(|(lo, hi)| !(lo.is_finite() && hi.is_finite() && lo <= hi))
         {

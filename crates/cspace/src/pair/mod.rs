@@ -9,6 +9,7 @@
 
 mod along;
 mod answers;
+mod data;
 mod graph;
 mod ids;
 mod locate;
@@ -16,16 +17,15 @@ mod lower;
 mod patch;
 mod query;
 mod relation;
-mod data;
 mod space;
 
 pub use along::{SmoothMotion, SmoothOutcome};
 pub use answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
+pub use data::{LowerData, PairData};
 pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::{FeatureId, LinkId, PatchId, RegionId};
 pub use locate::Location;
 pub use lower::{Joint, LowerPair, PermanentContact, PermanentKind};
 pub use patch::{ByDrawing, ByVertex, FeatureContact, PairPatch};
 pub use relation::{Coordinates, PairClass, Relation};
-pub use data::{LowerData, PairData};
 pub use space::{PairError, PairSpace};

@@ -275,16 +275,16 @@ fn regions_reach_around_where_parts_can_turn_for_ever() {
 fn saved_spaces_answer_the_same() {
     let m = mechanisms().into_iter().next().unwrap();
     let space = compute(&m);
-    let again = FixedAxesSpace::from_saved(space.to_saved()).unwrap();
+    let again = FixedAxesSpace::from_data(space.data().clone()).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     for _ in 0..200 {
         let (u, v) = (rng.random_range(0.0..TAU), rng.random_range(0.0..TAU));
         assert_eq!(space.classify(u, v), again.classify(u, v));
         assert_eq!(space.contacts(u, v, 0.1), again.contacts(u, v, 0.1));
     }
-    let mut other = space.to_saved();
+    let mut other = space.data().clone();
     other.version += 1;
-    assert!(FixedAxesSpace::from_saved(other).is_err());
+    assert!(FixedAxesSpace::from_data(other).is_err());
 }
 
 /// The result does not depend on the number of threads.
@@ -296,7 +296,7 @@ fn threads_do_not_matter() {
                 .num_threads(threads)
                 .build()
                 .unwrap();
-            pool.install(|| format!("{:?}", compute(m).to_saved()))
+            pool.install(|| format!("{:?}", compute(m).data()))
         };
         assert_eq!(with(1), with(5), "{}", m.name);
     }

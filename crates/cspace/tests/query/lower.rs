@@ -259,11 +259,11 @@ fn saved_pairs_are_read_as_the_same() {
     for joint in joints() {
         for limits in [None, Some((-0.5, 1.0 / 3.0))] {
             let pair = pair(joint, limits);
-            let text = serde_json::to_string(&pair.to_saved()).unwrap();
+            let text = serde_json::to_string(&pair.data()).unwrap();
             let saved: LowerData = serde_json::from_str(&text).unwrap();
-            assert_eq!(saved, pair.to_saved());
-            let again = LowerPair::from_saved(saved).unwrap();
-            assert_eq!(again.to_saved(), pair.to_saved());
+            assert_eq!(saved, pair.data());
+            let again = LowerPair::from_data(saved).unwrap();
+            assert_eq!(again.data(), pair.data());
             assert_eq!(again.contacts(), pair.contacts());
             assert_eq!(again.fixed(), pair.fixed());
             for t in [-0.4, 0.0, 0.3, 0.5, FRAC_PI_2] {
@@ -276,11 +276,11 @@ fn saved_pairs_are_read_as_the_same() {
 
 #[test]
 fn damaged_data_are_refused() {
-    let good = pair(joints()[1], Some((0.0, 1.0))).to_saved();
+    let good = pair(joints()[1], Some((0.0, 1.0))).data();
     let refused = |change: &dyn Fn(&mut LowerData)| {
         let mut bad = good.clone();
         change(&mut bad);
-        LowerPair::from_saved(bad).unwrap_err().to_string()
+        LowerPair::from_data(bad).unwrap_err().to_string()
     };
     assert!(refused(&|s| s.format = "contact-space".into()).contains("contact-space"));
     assert!(refused(&|s| s.version += 1).contains("version"));
