@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use crate::boxes::Places;
 use crate::contact::Bodies;
 use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
 use crate::feature::{Outline, PairFrame};
@@ -77,6 +78,8 @@ pub struct ContactSpace {
     pub(crate) grown: f64,
     /// The parts as they are tested for overlap, once a question needs them.
     pub(crate) bodies: Arc<OnceLock<Bodies>>,
+    /// Where the patches are, once it is asked often what is near.
+    pub(crate) places: Arc<Places>,
 }
 
 /// Lines, arcs and vertices that are not smooth joints.

@@ -245,6 +245,7 @@ impl ContactSpace {
             doubts: Doubts::known(saved.doubtful_orientations, saved.window),
             grown,
             bodies: Arc::default(),
+            places: Arc::default(),
         })
     }
 }

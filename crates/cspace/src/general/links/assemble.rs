@@ -104,6 +104,7 @@ impl Assembler<'_> {
                 .frame
                 .grown((fixed, geometry.growths.0), (moving, geometry.growths.1)),
             bodies: Arc::default(),
+            places: Arc::default(),
         };
         space.computed_bands = lifts.computed_bands(&chains.chains, space.bands().len()) as u32;
         let copying = if steps.slabs == 1 {
