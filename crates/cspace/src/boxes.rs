@@ -1,26 +1,105 @@
 //! A tree of boxes: which of many things come near a place, without a look at each of them.
 //!
-//! Things are halved by the middles of their boxes, along the longer side of what holds those middles, until few are left.
+//! Things are halved by the middles of their boxes, along the longest side of what holds those middles, until few are left.
 //! The tree takes memory in proportion to the number of things, whatever their sizes.
 
-use crate::geometry::Point;
+use core::cmp::Reverse;
+use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use std::collections::BinaryHeap;
+use std::sync::OnceLock;
+
 use crate::part::Bounds;
 
 /// So many things are looked at one by one faster than they are divided.
 const FEW: usize = 8;
 
+/// A box of the plane, or one over an interval of orientations.
+pub(crate) trait Volume: Copy {
+    /// The box that holds nothing.
+    const EMPTY: Self;
+    /// The smallest box that holds this one and another.
+    fn with(self, other: Self) -> Self;
+    /// Its middle; what is missing to three coordinates is 0.
+    fn middle(&self) -> [f64; 3];
+}
+
+impl Volume for Bounds {
+    const EMPTY: Self = Self::EMPTY;
+
+    fn with(self, other: Self) -> Self {
+        self.union(other)
+    }
+
+    fn middle(&self) -> [f64; 3] {
+        let p = self.center();
+        [p.x, p.y, 0.0]
+    }
+}
+
+/// A box of positions over an interval of orientations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Swath {
+    pub(crate) bounds: Bounds,
+    /// First orientation, radians.
+    pub(crate) lo: f64,
+    /// Last orientation, radians.
+    pub(crate) hi: f64,
+}
+
+impl Volume for Swath {
+    const EMPTY: Self = Self {
+        bounds: Bounds::EMPTY,
+        lo: f64::INFINITY,
+        hi: f64::NEG_INFINITY,
+    };
+
+    fn with(self, other: Self) -> Self {
+        Self {
+            bounds: self.bounds.union(other.bounds),
+            lo: self.lo.min(other.lo),
+            hi: self.hi.max(other.hi),
+        }
+    }
+
+    fn middle(&self) -> [f64; 3] {
+        /// A radian counts as so many lengths: one orientation is asked for, and positions near and far.
+        const RADIAN: f64 = 16.0;
+        let p = self.bounds.center();
+        [p.x, p.y, 0.5 * RADIAN * (self.lo + self.hi)]
+    }
+}
+
 /// Things with boxes, by their numbers.
 #[derive(Debug)]
-pub(crate) struct Boxes {
+pub(crate) struct Boxes<B = Bounds> {
     /// In the order of a walk that comes to a node before what it holds.
-    nodes: Vec<Node>,
+    nodes: Vec<Node<B>>,
     /// The things with their boxes; those of a leaf stand together.
-    things: Vec<(u32, Bounds)>,
+    things: Vec<(u32, B)>,
+}
+
+/// A tree that is made when it has been asked for so often that it is worth while.
+#[derive(Debug, Default)]
+pub(crate) struct Places {
+    asked: AtomicU32,
+    boxes: OnceLock<Boxes<Swath>>,
+}
+
+impl Places {
+    /// The tree, unless this is one of the first questions.
+    pub(crate) fn after(
+        &self,
+        first: u32,
+        make: impl FnOnce() -> Boxes<Swath>,
+    ) -> Option<&Boxes<Swath>> {
+        let early = self.boxes.get().is_none() && self.asked.fetch_add(1, Relaxed) < first;
+        (!early).then(|| self.boxes.get_or_init(make))
+    }
 }
 
 #[derive(Debug)]
-struct Node {
-    bounds: Bounds,
+struct Node<B> {
+    bounds: B,
     /// The things of a leaf: so many from the first. Other nodes have none of their own.
     first: usize,
     count: usize,
@@ -28,10 +107,14 @@ struct Node {
     after: usize,
 }
 
-impl Boxes {
+impl<B: Volume> Boxes<B> {
     /// Of boxes that are numbered from 0.
-    pub(crate) fn new(bounds: impl Iterator<Item = Bounds>) -> Self {
-        let mut things: Vec<(u32, Bounds)> = (0..).zip(bounds).collect();
+    pub(crate) fn new(bounds: impl Iterator<Item = B>) -> Self {
+        Self::numbered((0..).zip(bounds).collect())
+    }
+
+    /// Of boxes that have numbers; several may have the same.
+    pub(crate) fn numbered(mut things: Vec<(u32, B)>) -> Self {
         let mut nodes = Vec::new();
         divide(&mut things, 0, &mut nodes);
         Self { nodes, things }
@@ -42,7 +125,7 @@ impl Boxes {
     /// A box must reach if one inside it does.
     pub(crate) fn any(
         &self,
-        reaches: impl Fn(&Bounds) -> bool,
+        reaches: impl Fn(&B) -> bool,
         mut hit: impl FnMut(u32) -> bool,
     ) -> bool {
         let mut at = 0;
@@ -59,14 +142,54 @@ impl Boxes {
         }
         false
     }
+
+    /// Visits the things whose boxes are not farther than a limit, which each visit may lower by what it returns: nodes of
+    /// the tree in order of their distance, and of a leaf every thing within the limit.
+    ///
+    /// Distances are not negative, and those of boxes no less than of a box that holds them; `None` leaves a box out.
+    pub(crate) fn visit_near(
+        &self,
+        distance: impl Fn(&B) -> Option<f64>,
+        mut limit: f64,
+        mut visit: impl FnMut(u32) -> f64,
+    ) {
+        // Numbers that are not negative are in the order of their bits.
+        let mut waiting = BinaryHeap::new();
+        let wait = |waiting: &mut BinaryHeap<_>, at: usize| {
+            if let Some(d) = self.nodes.get(at).and_then(|n| distance(&n.bounds)) {
+                waiting.push(Reverse((d.to_bits(), at)));
+            }
+        };
+        wait(&mut waiting, 0);
+        while let Some(Reverse((bits, at))) = waiting.pop() {
+            if f64::from_bits(bits) > limit {
+                return;
+            }
+            let node = &self.nodes[at];
+            for (i, b) in &self.things[node.first..node.first + node.count] {
+                if distance(b).is_some_and(|d| d <= limit) {
+                    limit = visit(*i);
+                }
+            }
+            // A node that is no leaf holds two: the one that follows, and the one after that.
+            if node.after > at + 1 {
+                wait(&mut waiting, at + 1);
+                wait(&mut waiting, self.nodes[at + 1].after);
+            }
+        }
+    }
 }
 
 /// Adds the tree of some things, of which the first stands at `first` among all.
-fn divide(things: &mut [(u32, Bounds)], first: usize, nodes: &mut Vec<Node>) {
-    let (mut bounds, mut middles) = (Bounds::EMPTY, Bounds::EMPTY);
+fn divide<B: Volume>(things: &mut [(u32, B)], first: usize, nodes: &mut Vec<Node<B>>) {
+    let mut bounds = B::EMPTY;
+    let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for (_, b) in things.iter() {
-        bounds = bounds.union(*b);
-        middles = middles.union(Bounds::of(b.center(), b.center()));
+        bounds = bounds.with(*b);
+        for (k, m) in b.middle().into_iter().enumerate() {
+            least[k] = least[k].min(m);
+            most[k] = most[k].max(m);
+        }
     }
     let (here, count) = (nodes.len(), things.len());
     let leaf = count <= FEW;
@@ -77,11 +200,13 @@ fn divide(things: &mut [(u32, Bounds)], first: usize, nodes: &mut Vec<Node>) {
         after: 0,
     });
     if !leaf {
-        let wide = middles.max.x - middles.min.x > middles.max.y - middles.min.y;
-        let key = |p: Point| if wide { p.x } else { p.y };
+        let [x, y, z] = core::array::from_fn(|k| most[k] - least[k]);
+        let flat = if x > y { 0 } else { 1 };
+        let axis = if z > x.max(y) { 2 } else { flat };
         let half = count / 2;
         things.select_nth_unstable_by(half, |(i, a), (j, b)| {
-            key(a.center()).total_cmp(&key(b.center())).then(i.cmp(j))
+            let (a, b) = (a.middle()[axis], b.middle()[axis]);
+            a.total_cmp(&b).then(i.cmp(j))
         });
         let (low, high) = things.split_at_mut(half);
         divide(low, first, nodes);
@@ -96,6 +221,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
+    use crate::geometry::Point;
 
     /// The tree finds what a look at every box finds, for any number of boxes.
     #[test]
@@ -131,6 +257,60 @@ mod tests {
                     .collect();
                 assert_eq!(found, expected, "{count}");
                 assert_eq!(boxes.any(reaches, |_| true), !expected.is_empty());
+            }
+        }
+    }
+
+    /// The nearest, and all within a limit, by boxes over intervals, as a look at each has them.
+    #[test]
+    fn visits_what_is_near() {
+        let mut rng = ChaCha8Rng::seed_from_u64(12);
+        for count in [0, 1, FEW, FEW + 1, 1000] {
+            let mut number = |reach: f64| rng.random_range(-reach..reach);
+            let all: Vec<(u32, Swath)> = (0..count as u32)
+                .map(|i| {
+                    let p = Point::new(number(1.0), number(1.0));
+                    let q = Point::new(p.x + number(0.1), p.y + number(0.1));
+                    let (lo, length) = (number(1.0), number(0.5).abs());
+                    let swath = Swath {
+                        bounds: Bounds::of(p, q),
+                        lo,
+                        hi: lo + length,
+                    };
+                    (i, swath)
+                })
+                .collect();
+            let boxes = Boxes::numbered(all.clone());
+            for _ in 0..50 {
+                let (p, t) = (Point::new(number(1.5), number(1.5)), number(1.0));
+                let away = |s: &Swath| {
+                    let holds = s.lo <= t && t <= s.hi;
+                    holds.then(|| s.bounds.distance(p))
+                };
+                let mut expected: Vec<(f64, u32)> = (all.iter())
+                    .filter_map(|(i, s)| Some((away(s)?, *i)))
+                    .collect();
+                expected.sort_by(|a, b| a.0.total_cmp(&b.0));
+                let nearest = expected.first().map_or(f64::INFINITY, |e| e.0);
+                let (mut found, mut visits) = (f64::INFINITY, 0);
+                boxes.visit_near(away, f64::INFINITY, |i| {
+                    visits += 1;
+                    found = away(&all[i as usize].1).map_or(found, |d| found.min(d));
+                    found
+                });
+                assert_eq!(found, nearest);
+                assert!(visits <= expected.len().min(8 * FEW), "{visits}");
+                let limit = 0.4;
+                let mut within = Vec::new();
+                boxes.visit_near(away, limit, |i| {
+                    within.push(i);
+                    limit
+                });
+                within.sort_unstable();
+                expected.retain(|e| e.0 <= limit);
+                let mut expected: Vec<u32> = expected.iter().map(|e| e.1).collect();
+                expected.sort_unstable();
+                assert_eq!(within, expected);
             }
         }
     }

@@ -28,6 +28,14 @@ impl PairSpace {
         class.ok_or(QueryError::Outside)
     }
 
+    /// Refuses a configuration for which nothing was computed.
+    fn check(&self, at: Coordinates) -> Result<(), QueryError> {
+        match (self, at) {
+            (Self::Planar(space), Coordinates::Planar(c)) if space.covers(c) => Ok(()),
+            _ => self.classify(at).map(|_| ()),
+        }
+    }
+
     /// The patches in contact at a configuration, up to `tolerance` (model length) off, with how far; the nearest first.
     ///
     /// # Errors
@@ -37,7 +45,7 @@ impl PairSpace {
         at: Coordinates,
         tolerance: f64,
     ) -> Result<Vec<(PatchId, f64)>, QueryError> {
-        self.classify(at)?;
+        self.check(at)?;
         let found: Vec<(u32, f64)> = match (self, at) {
             (Self::Lower(pair), Coordinates::Planar(c)) => {
                 let off = |f: &crate::ContactFunction| f.value(c.position(), c.theta).abs();
@@ -64,7 +72,7 @@ impl PairSpace {
     ///
     /// [`FixedAxesSpace::nearest_contact`]: crate::FixedAxesSpace::nearest_contact
     pub fn nearest_contact(&self, at: Coordinates) -> Result<Option<PairNearest>, QueryError> {
-        self.classify(at)?;
+        self.check(at)?;
         Ok(match (self, at) {
             (Self::Lower(_), _) => return Err(QueryError::Permanent),
             (Self::FixedAxes(space), Coordinates::Axes { u, v }) => {

@@ -64,6 +64,14 @@ impl Bounds {
         self.min.x <= p.x && p.x <= self.max.x && self.min.y <= p.y && p.y <= self.max.y
     }
 
+    /// How far a point is from the box; 0 inside.
+    #[inline]
+    pub(crate) fn distance(self, p: Point) -> f64 {
+        let beyond = |lo: f64, t: f64, hi: f64| (lo - t).max(t - hi).max(0.0);
+        let across = beyond(self.min.x, p.x, self.max.x);
+        across.hypot(beyond(self.min.y, p.y, self.max.y))
+    }
+
     /// Whether the gap between two boxes is more than `gap` along some axis.
     #[inline]
     pub fn is_apart(self, other: Self, gap: f64) -> bool {

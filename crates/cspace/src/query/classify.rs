@@ -68,15 +68,18 @@ impl ContactSpace {
         }
     }
 
+    /// Whether a configuration is finite and within the window.
+    pub(crate) fn covers(&self, c: Configuration) -> bool {
+        let window = self.window();
+        let within = window.full_turn || (window.lo..=window.hi).contains(&c.theta);
+        c.position().is_finite() && c.theta.is_finite() && within
+    }
+
     /// What a configuration is, and the region that the curve bounds by which that is told.
     fn located(&self, c: Configuration) -> Option<(Classification, u32)> {
         /// Of a position from which a ray meets nothing.
         const UNBOUNDED: u32 = 0;
-        let window = self.window();
-        if !(c.position().is_finite() && c.theta.is_finite()) {
-            return None;
-        }
-        if !window.full_turn && !(window.lo..=window.hi).contains(&c.theta) {
+        if !self.covers(c) {
             return None;
         }
         let slice = self.slice(c.theta);

@@ -1,5 +1,7 @@
 //! What touches, and what is nearest to touching.
 
+use core::cmp;
+
 use crate::geometry::Configuration;
 use crate::space::ContactSpace;
 
@@ -33,39 +35,35 @@ impl ContactSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn contacts(&self, c: Configuration, tolerance: f64) -> Vec<(u32, f64)> {
-        let mut found: Vec<(u32, f64)> = self
-            .slice(c.theta)
-            .curves
-            .iter()
-            .filter_map(|curve| {
-                let distance = curve.geometry.nearest(c.position()).distance(c.position());
-                curve
-                    .patch
-                    .filter(|_| distance <= tolerance)
-                    .map(|p| (p, distance))
-            })
-            .collect();
+        let mut found = Vec::new();
+        self.visit_near(c, tolerance, |patch, _, distance| {
+            if distance <= tolerance {
+                found.push((patch, distance));
+            }
+            tolerance
+        });
         found.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        found.dedup();
         found
     }
 
     /// The nearest contact at the configuration's orientation; `None` if nothing touches at that orientation.
     pub fn nearest_contact(&self, c: Configuration) -> Option<NearestContact> {
-        self.slice(c.theta)
-            .curves
-            .iter()
-            .filter_map(|curve| {
-                let p = curve.geometry.nearest(c.position());
-                Some(NearestContact {
-                    patch: curve.patch?,
-                    configuration: Configuration::new(p.x, p.y, c.theta),
-                    distance: p.distance(c.position()),
-                })
-            })
-            .min_by(|a, b| {
-                a.distance
-                    .total_cmp(&b.distance)
-                    .then(a.patch.cmp(&b.patch))
-            })
+        let mut nearest: Option<NearestContact> = None;
+        self.visit_near(c, f64::INFINITY, |patch, p, distance| {
+            let found = NearestContact {
+                patch,
+                configuration: Configuration::new(p.x, p.y, c.theta),
+                distance,
+            };
+            let order = |a: &NearestContact, b: &NearestContact| {
+                let nearer = a.distance.total_cmp(&b.distance);
+                nearer.then(a.patch.cmp(&b.patch))
+            };
+            let least = nearest.map_or(found, |n| cmp::min_by(found, n, order));
+            nearest = Some(least);
+            least.distance
+        });
+        nearest
     }
 }

@@ -6,6 +6,7 @@ mod classifier;
 mod classify;
 mod contacts;
 mod grid;
+mod index;
 mod motion;
 mod path;
 mod raster;

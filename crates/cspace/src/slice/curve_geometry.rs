@@ -1,11 +1,11 @@
 //! Pieces of the boundary of free space: segments and arcs, as the user sees them.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::contact::{Curve, CurveShape};
 use crate::feature::PairFrame;
 use crate::geometry::{Point, Vector};
-use crate::part::Edge;
+use crate::part::{Bounds, Edge};
 
 /// A directed segment or circular arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,6 +101,25 @@ impl CurveGeometry {
                 let foot = flat(start, end, bulge).foot(p);
                 foot.unwrap_or_else(|| nearer(p, start, end))
             }
+        }
+    }
+
+    /// A box that holds the curve, but for rounding.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let ends = Bounds::of(self.point(0.0), self.point(1.0));
+        match *self {
+            Self::Segment { .. } => ends,
+            Self::Arc {
+                center,
+                radius,
+                start_angle,
+                sweep,
+            } => (0..4)
+                .map(|k| FRAC_PI_2 * f64::from(k))
+                .filter(|&angle| is_on_arc(start_angle, sweep, angle))
+                .map(|angle| center + Vector::from_angle(angle) * radius)
+                .fold(ends, |bounds, far| bounds.union(Bounds::of(far, far))),
+            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).bounds(),
         }
     }
 

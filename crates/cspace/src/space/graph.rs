@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use crate::boxes::Places;
 use crate::contact::{Bodies, growths};
 use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
 use crate::geometry::Configuration;
@@ -28,6 +29,8 @@ pub struct ContactSpace {
     grown: f64,
     /// The parts as they are tested for overlap, once a question needs them.
     bodies: Arc<OnceLock<Bodies>>,
+    /// Where the patches are, once it is asked often what is near.
+    pub(crate) places: Arc<Places>,
 }
 
 impl ContactSpace {
@@ -49,6 +52,7 @@ impl ContactSpace {
             walk,
             grown,
             bodies: Arc::default(),
+            places: Arc::default(),
             data,
         }
     }

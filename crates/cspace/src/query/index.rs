@@ -1,0 +1,141 @@
+//! Which patches come near a configuration, without a look at each of them.
+//!
+//! The orientations of a patch are halved until its curves move little in each interval. A box holds them all there: they are
+//! enclosed, not sampled (`swept.rs`), but for what rounding does to their ends. A tree of the boxes leads to those that hold the
+//! orientation and are near the position; their patches are evaluated as a slice has them. So the answers are those of a look
+//! at all patches. The first questions are answered by such a look, until it is worth while to make the tree.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::boxes::{Boxes, Swath};
+use crate::contact::ContactFunction;
+use crate::feature::tolerance::WIDEST_SAGITTA;
+use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::parallel::prelude::*;
+use crate::part::Bounds;
+use crate::space::{ContactSpace, Patch};
+
+use super::ray::END_ERROR;
+use super::swept::Swept;
+
+/// Curves may move so far from the middle of an interval, and be so much longer (length of the pair's frame).
+const LOOSE: f64 = 4.0 * WIDEST_SAGITTA;
+/// The orientations of a patch are halved at most so often.
+const HALVINGS: u32 = 6;
+/// Critical orientations are known better than this (radians): farther from where it begins and ends the ends of a patch do not
+/// pass each other.
+const SEAM: f64 = 1.0 / (1u32 << 16) as f64;
+/// So many questions are answered by a look at every patch: that takes about as long as to make the tree.
+const SCANS: u32 = 512;
+/// Farther than anything that is computed (length of the pair's frame).
+const EVERYWHERE: f64 = 1e100;
+/// More than the relative rounding error of a distance.
+const RELATIVE: f64 = 1e-12;
+/// More than the rounding of an orientation that is turned, in units of the largest of what is added.
+const TURNED: f64 = 8.0 * f64::EPSILON;
+
+impl ContactSpace {
+    /// Calls `visit` with every patch that exists at a configuration's orientation and whose curve there comes within a
+    /// distance of its position: the patch, the nearest point and its distance. A visit may lower that distance by what it
+    /// returns. Some that are farther are visited too, and some twice; the first questions visit all.
+    pub(super) fn visit_near(
+        &self,
+        c: Configuration,
+        within: f64,
+        mut visit: impl FnMut(u32, Point, f64) -> f64,
+    ) {
+        let settled = self.settled(c.theta);
+        let home = home(settled);
+        let slack = TURNED * settled.abs();
+        let p = self.data.frame.inner_from_outer(c);
+        let margin = END_ERROR + 2.0 * self.data.frame.rounding();
+        let distance = |swath: &Swath| {
+            let holds = |t: f64| swath.lo - slack <= t && t <= swath.hi + slack;
+            if ![home - TAU, home, home + TAU].into_iter().any(holds) {
+                return None;
+            }
+            let inner = swath.bounds.distance(p) * (1.0 - RELATIVE) - margin;
+            Some(self.data.frame.outer_length(inner.max(0.0)))
+        };
+        let mut limit = within;
+        let mut look = |i: u32| {
+            let patch = &self.data.patches[i as usize];
+            if let Some(t) = self.alive(patch, settled) {
+                let q = self.curve_as_at(patch, t, c.theta).nearest(c.position());
+                limit = visit(i, q, q.distance(c.position()));
+            }
+            limit
+        };
+        match self.places.after(SCANS, || boxes(self)) {
+            Some(boxes) => boxes.visit_near(distance, within, look),
+            None => (0..self.data.patches.len() as u32).for_each(|i| {
+                look(i);
+            }),
+        }
+    }
+}
+
+/// An orientation brought to [−π, π) by whole turns.
+fn home(theta: f64) -> f64 {
+    theta - TAU * ((theta + PI) / TAU).floor()
+}
+
+fn boxes(space: &ContactSpace) -> Boxes<Swath> {
+    let of_each: Vec<Vec<Swath>> = (space.data.patches.par_iter()).map(swaths).collect();
+    let numbered = (0u32..).zip(of_each).flat_map(|(i, swaths)| {
+        let numbered = move |swath| (i, swath);
+        swaths.into_iter().map(numbered)
+    });
+    Boxes::numbered(numbered.collect())
+}
+
+/// The boxes of a patch. Next to the orientations at which it begins and ends all of the carriers is in them.
+fn swaths(patch: &Patch) -> Vec<Swath> {
+    let (lo, hi) = (patch.lo, patch.hi);
+    if hi - lo <= 2.0 * SEAM {
+        return vec![of_carrier(patch, lo, hi)];
+    }
+    let (first, last) = (lo + SEAM, hi - SEAM);
+    let mut swaths = vec![of_carrier(patch, lo, first), of_carrier(patch, last, hi)];
+    halve(patch, first, last, HALVINGS, &mut swaths);
+    swaths
+}
+
+/// Adds the boxes of a patch between two of its orientations.
+fn halve(patch: &Patch, lo: f64, hi: f64, left: u32, swaths: &mut Vec<Swath>) {
+    let mid = 0.5 * (lo + hi);
+    let swept = Swept::new(patch, mid, 0.5 * (hi - lo));
+    if left > 0 && swept.spread.max(swept.slack) > LOOSE {
+        halve(patch, lo, mid, left - 1, swaths);
+        halve(patch, mid, hi, left - 1, swaths);
+    } else {
+        swaths.push(swath(swept.shape.bounds(), swept.spread, lo, hi));
+    }
+}
+
+/// The box of all of a circle; of a line there is none.
+fn of_carrier(patch: &Patch, lo: f64, hi: f64) -> Swath {
+    let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    let (center, reach) = match patch.function {
+        ContactFunction::Circle { center, radius } => {
+            let reach = radius.abs() + center.w.length() * half;
+            (center.at(Rotation::by(mid)), reach)
+        }
+        _ => (Point::ORIGIN, EVERYWHERE),
+    };
+    swath(Bounds::of(center, center), reach, lo, hi)
+}
+
+/// A box made wider, over orientations brought home.
+fn swath(bounds: Bounds, by: f64, lo: f64, hi: f64) -> Swath {
+    let (by, from) = (Vector::new(by, by), home(lo));
+    let slack = TURNED * (lo.abs() + TAU);
+    Swath {
+        bounds: Bounds {
+            min: bounds.min - by,
+            max: bounds.max + by,
+        },
+        lo: from - slack,
+        hi: from + (hi - lo) + slack,
+    }
+}
