@@ -28,6 +28,12 @@ pub(crate) enum Command {
     /// Tell for each configuration on standard input whether it is free, blocked or in contact
     #[command(after_long_help = CLASSIFY)]
     Classify(ClassifyArgs),
+    /// Tell what touches or nearly touches at a configuration
+    #[command(after_long_help = CONTACTS)]
+    Contacts(ContactsArgs),
+    /// Move from a configuration by a displacement, to the first contact
+    #[command(after_long_help = MOVE)]
+    Move(MoveArgs),
     /// Write a contact space to a file, in the format its extension names
     #[command(after_long_help = EXPORT)]
     Export(ExportArgs),
@@ -132,6 +138,34 @@ pub(crate) struct ClassifyArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct ContactsArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+    /// The configuration: x,y,theta, or u,v of a pair on fixed axes
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) at: String,
+    /// How far apart features may be, in the model's unit [default: a hundredth of the smaller part's size]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
+    pub(crate) within: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MoveArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+    /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) from: String,
+    /// The displacement, in the same coordinates, at constant rates
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    pub(crate) by: String,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) common: Common,
@@ -204,6 +238,13 @@ pub(crate) struct ManArgs {
     /// The subcommand; without one, the page of `cspace` itself
     #[arg(value_name = "COMMAND")]
     pub(crate) command: Option<String>,
+}
+
+fn distance(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|t| t.is_finite() && *t >= 0.0)
+        .ok_or_else(|| "give a length, 0 or more".to_owned())
 }
 
 fn scale(text: &str) -> Result<f64, String> {
@@ -291,6 +332,23 @@ the input may not have:
   contact   within the resolution of the boundary between the two
 
 FILE may be a saved contact space, so that many lists are classified without computing it again.";
+
+const CONTACTS: &str = "\
+Examples:
+  cspace contacts models/peg_hole.toml --at 0,0,0
+  cspace contacts models/cam_tappet.toml --at 30deg,0 --within 2
+
+Of each pair of features: how far they are apart along their normal (less than 0 where they overlap), the
+points that are nearest to each other and the outward normal of the fixed part, in the fixed part's frame.";
+
+const MOVE: &str = "\
+Examples:
+  cspace move models/peg_hole.toml --from 0,60,0 --by 0,-80,0
+  cspace move models/geneva.toml --from 0,0 --by 0,1turn --format json
+
+The result is free (nothing touches all the way), contact (with the share of the way and what touches),
+blocked (the parts overlap where the motion begins) or leaves (the window of orientations, or the range
+of a part's motion). Angles run on and are not taken modulo a turn.";
 
 const EXPORT: &str = "\
 Examples:

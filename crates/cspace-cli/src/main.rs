@@ -58,6 +58,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Compute(args) => command::compute::run(&args),
         Command::Slice(args) => command::slice::run(&args),
         Command::Classify(args) => command::classify::run(&args),
+        Command::Contacts(args) => command::contacts::run(&args),
+        Command::Move(args) => command::motion::run(&args),
         Command::Export(args) => command::export::run(&args),
         Command::Evaluate(args) => command::evaluate::run(&args),
         Command::Completions(args) => command::completions::run(&args),

@@ -3,10 +3,12 @@
 pub(crate) mod classify;
 pub(crate) mod completions;
 pub(crate) mod compute;
+pub(crate) mod contacts;
 pub(crate) mod evaluate;
 pub(crate) mod export;
 pub(crate) mod info;
 pub(crate) mod man;
+pub(crate) mod motion;
 pub(crate) mod slice;
 
 use serde::Serialize;

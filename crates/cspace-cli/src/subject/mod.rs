@@ -2,6 +2,7 @@
 
 mod chosen;
 mod named;
+mod place;
 mod space;
 
 use std::path::{Path, PathBuf};
@@ -15,6 +16,7 @@ use crate::output::{self, STANDARD};
 use crate::progress::catch_interrupts;
 
 use named::named_pair;
+pub(crate) use place::{FeaturePair, features, touching};
 
 /// The file a command was given.
 pub(crate) enum Subject {

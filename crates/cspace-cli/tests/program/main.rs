@@ -8,3 +8,4 @@ mod evaluate;
 mod helpers;
 #[cfg(unix)]
 mod hostile;
+mod questions;

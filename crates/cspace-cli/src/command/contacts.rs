@@ -1,0 +1,133 @@
+//! `cspace contacts`.
+
+use std::fmt::Write;
+
+use cspace::{Coordinates, Location, PairSpace, QueryError};
+use serde::Serialize;
+
+use crate::args::{ContactsArgs, Format};
+use crate::failure::Failure;
+use crate::output;
+use crate::subject::{Chosen, FeaturePair, Subject, features};
+use crate::wording::length;
+
+/// What is within this share of the smaller part's size is told, if the user does not say.
+const NEARBY: f64 = 0.01;
+
+/// What touches, or nearly.
+#[derive(Serialize)]
+struct Answer {
+    at: Coordinates,
+    class: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    region: Option<u32>,
+    /// The least distance of the parts, if they do not overlap.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clearance: Option<f64>,
+    within: f64,
+    contacts: Vec<Contact>,
+}
+
+#[derive(Serialize)]
+struct Contact {
+    /// Features of the fixed and of the moving part.
+    features: [String; 2],
+    /// How far the features are apart, along their normal.
+    distance: f64,
+    /// Nearest points, in the fixed part's frame.
+    on_fixed: [f64; 2],
+    on_moving: [f64; 2],
+    /// The outward unit normal of the fixed part.
+    normal: [f64; 2],
+    #[serde(skip)]
+    pair: FeaturePair,
+}
+
+pub(crate) fn run(args: &ContactsArgs) -> Result<(), Failure> {
+    let common = &args.common;
+    let subject = Subject::open(common)?;
+    let pair = subject.one_pair(common, args.window.theta)?;
+    let at = pair.coordinates("--at", &args.at)?;
+    let size = pair.fixed().size().min(pair.moving().size());
+    let within = args.within.unwrap_or(NEARBY * size);
+    let space = pair.space()?;
+    let answer = answer(&space, at, within).map_err(|e| pair.unanswered("--at", &e))?;
+    let bytes = match common.result.format {
+        Format::Json => super::json(&answer)?,
+        Format::Text => {
+            let mut text = String::new();
+            describe(&mut text, &pair, &answer).map_err(Failure::work)?;
+            text.into_bytes()
+        }
+    };
+    output::write(common.result.output.as_deref(), &bytes)
+}
+
+fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, QueryError> {
+    let (class, region) = match space.locate(at)? {
+        Location::Free(region) => ("free", Some(region.0)),
+        Location::Contact => ("contact", None),
+        Location::Blocked => ("blocked", None),
+        Location::Outside => return Err(QueryError::Outside),
+    };
+    let mut contacts: Vec<Contact> = Vec::new();
+    for (patch, _) in space.contacts(at, within)? {
+        let pair = features(space, patch)?;
+        if contacts.iter().any(|c| c.pair == pair) {
+            continue;
+        }
+        let contact = space.patch(patch)?.contact()?;
+        let touching = contact.touching(at)?;
+        let (p, q, n) = (touching.on_fixed, touching.on_moving, touching.normal);
+        contacts.push(Contact {
+            features: [pair.0.to_string(), pair.1.to_string()],
+            distance: contact.value(at)?,
+            on_fixed: [p.x, p.y],
+            on_moving: [q.x, q.y],
+            normal: [n.x, n.y],
+            pair,
+        });
+    }
+    contacts.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));
+    Ok(Answer {
+        at,
+        class,
+        region,
+        clearance: space.clearance(at).ok(),
+        within,
+        contacts,
+    })
+}
+
+fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::Result {
+    let unit = pair.unit();
+    write!(text, "{}: {}", pair.place(answer.at), answer.class)?;
+    match (answer.region, answer.clearance) {
+        (Some(region), Some(clearance)) => writeln!(
+            text,
+            ", in region {region}, {}{unit} apart",
+            length(clearance)
+        )?,
+        _ => writeln!(text)?,
+    }
+    if answer.contacts.is_empty() {
+        let within = length(answer.within);
+        return writeln!(text, "  no contact within {within}{unit}: see --within");
+    }
+    for c in &answer.contacts {
+        let point = |p: [f64; 2]| format!("({}, {})", length(p[0]), length(p[1]));
+        writeln!(
+            text,
+            "  {:>12}{unit}  {} of {} at {}, {} of {} at {}, normal {}",
+            length(c.distance),
+            c.features[0],
+            pair.fixed().name(),
+            point(c.on_fixed),
+            c.features[1],
+            pair.moving().name(),
+            point(c.on_moving),
+            point(c.normal)
+        )?;
+    }
+    Ok(())
+}

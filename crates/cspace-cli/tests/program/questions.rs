@@ -1,0 +1,173 @@
+//! `move` and `contacts`, against arithmetic done by hand and against `classify`.
+
+use serde_json::Value;
+
+use crate::helpers::{cspace, json, mechanism, model, printed};
+
+/// A square ring, 6 wide outside and 4 inside, and a block of 2.
+fn ring() -> tempfile::NamedTempFile {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let text = "unit = \"mm\"\n[[part]]\nname = \"ring\"\n\
+        loops = [[[-3, -3], [3, -3], [3, 3], [-3, 3]], [[-2, -2], [2, -2], [2, 2], [-2, 2]]]\n\
+        [[part]]\nname = \"block\"\nloops = [[[-1, -1], [1, -1], [1, 1], [-1, 1]]]\n";
+    std::fs::write(file.path(), text).unwrap();
+    file
+}
+
+fn number(value: &Value, path: &str) -> f64 {
+    value.pointer(path).and_then(Value::as_f64).expect(path)
+}
+
+#[test]
+fn a_block_moves_to_the_wall() {
+    let file = ring();
+    let path = file.path().to_str().unwrap();
+    // From x = 0.25 there is 0.75 to go of 3.
+    let answer = json(&["move", path, "--from", "0.25,0.1,0", "--by", "3,0,0"]);
+    assert_eq!(answer["result"], "contact");
+    assert!((number(&answer, "/fraction") - 0.25).abs() < 1e-9);
+    assert!((number(&answer, "/at/x") - 1.0).abs() < 1e-9);
+    // Its right side, line 1, lies on the ring's inner right side, and both of its right corners touch it.
+    let touching = answer["touching"].as_array().unwrap();
+    assert!(
+        touching.iter().all(|t| t[0] == "line 1 of loop 1"),
+        "{touching:?}"
+    );
+    let moving: Vec<&str> = touching.iter().map(|t| t[1].as_str().unwrap()).collect();
+    assert!(
+        moving.contains(&"vertex 1 of loop 0") && moving.contains(&"vertex 2 of loop 0"),
+        "{moving:?}"
+    );
+    let free = json(&["move", path, "--from", "0,0,0", "--by", "0.5,0,90deg"]);
+    assert!((free["result"] == "free") && number(&free, "/fraction") == 1.0);
+    assert!((number(&free, "/at/theta") - core::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    let blocked = json(&["move", path, "--from", "1.5,0,0", "--by", "1,0,0"]);
+    assert_eq!(
+        (&blocked["result"], number(&blocked, "/fraction")),
+        (&Value::from("blocked"), 0.0)
+    );
+    // The window ends at 0.3 rad: half way.
+    let leaves = json(&[
+        "move",
+        path,
+        "--from",
+        "0,0,0.1",
+        "--by",
+        "0,0,0.4",
+        "--theta=-0.2,0.3",
+    ]);
+    assert_eq!(leaves["result"], "leaves");
+    assert!((number(&leaves, "/fraction") - 0.5).abs() < 1e-9);
+    let text = printed(&["move", path, "--from", "0.25,0.1,0", "--by", "3,0,0"]);
+    assert!(
+        text.contains("contact after 25.000000 % of the way"),
+        "{text}"
+    );
+}
+
+/// On both sides of every contact that is told, `classify` says free and blocked.
+#[test]
+fn contacts_are_where_classify_changes() {
+    for (name, from, by) in [
+        ("ratchet_pawl", "150,20,0.3", "-200,-15,0.2"),
+        ("knee", "500,50,0.1", "-600,-20,0.4"),
+        ("snap_fastener", "0,80,0.05", "1,-120,-0.1"),
+        ("geneva", "0,0", "0.2,200deg"),
+        ("cam_tappet", "0,5", "2,-30"),
+    ] {
+        let file = model(name);
+        let answer = json(&["move", &file, "--from", from, "--by", by]);
+        let at = answer["fraction"].as_f64().unwrap();
+        assert_eq!(answer["result"], "contact", "{name}: {answer}");
+        assert!(!answer["touching"].as_array().unwrap().is_empty());
+        let parse = |text: &str| -> Vec<f64> {
+            let number = |t: &str| match t.strip_suffix("deg") {
+                Some(t) => t.parse::<f64>().unwrap().to_radians(),
+                None => t.parse().unwrap(),
+            };
+            text.split(',').map(number).collect()
+        };
+        let (c, d) = (parse(from), parse(by));
+        let row = |t: f64| {
+            let numbers: Vec<String> = (c.iter().zip(&d))
+                .map(|(c, d)| (c + t * d).to_string())
+                .collect();
+            numbers.join(",")
+        };
+        let names = if c.len() == 3 { "x,y,theta" } else { "u,v" };
+        let rows: Vec<String> = (0..=20)
+            .map(|i| row(at * f64::from(i) / 20.0 * (1.0 - 1e-7)))
+            .chain([row(at + 1e-7)])
+            .collect();
+        let input = format!("{names}\n{}\n", rows.join("\n"));
+        let output = cspace(&["classify", &file])
+            .write_stdin(input)
+            .output()
+            .unwrap();
+        let told = String::from_utf8(output.stdout).unwrap();
+        let classes: Vec<&str> = told
+            .lines()
+            .skip(1)
+            .map(|l| l.rsplit(',').next().unwrap())
+            .collect();
+        let (last, before) = classes.split_last().unwrap();
+        assert!(before.iter().all(|c| *c == "free"), "{name}: {told}");
+        assert_eq!(*last, "blocked", "{name}: {told}");
+    }
+}
+
+#[test]
+fn contacts_have_distances_points_and_normals() {
+    let file = ring();
+    let path = file.path().to_str().unwrap();
+    // The block 0.2 from the inner right side, 0.9 from the upper and 1.1 from the lower.
+    let answer = json(&["contacts", path, "--at", "0.8,0.1,0", "--within", "0.5"]);
+    assert_eq!(
+        (&answer["class"], &answer["region"]),
+        (&Value::from("free"), &Value::from(1))
+    );
+    assert!((number(&answer, "/clearance") - 0.2).abs() < 1e-12);
+    let contacts = answer["contacts"].as_array().unwrap();
+    assert!(!contacts.is_empty());
+    for c in contacts {
+        assert_eq!(c["features"][0], "line 1 of loop 1");
+        assert!((number(c, "/distance") - 0.2).abs() < 1e-9);
+        assert!((number(c, "/on_fixed/0") - 2.0).abs() < 1e-9);
+        assert!((number(c, "/on_moving/0") - 1.8).abs() < 1e-9);
+        assert!((number(c, "/normal/0") + 1.0).abs() < 1e-9 && number(c, "/normal/1").abs() < 1e-9);
+    }
+    let text = printed(&["contacts", path, "--at", "0,0,0"]);
+    assert!(text.contains("no contact within"), "{text}");
+}
+
+#[test]
+fn what_cannot_be_asked_is_refused() {
+    for (args, words) in [
+        (
+            vec!["move", "--from", "0,0", "--by", "0,0,1"],
+            "takes 3 numbers",
+        ),
+        (vec!["move", "--from", "0,0,x", "--by", "0,0,1"], "theta"),
+        (vec!["contacts", "--at", "1,inf,0"], "inf"),
+        (vec!["contacts", "--at", "0,0,3", "--theta=-1,1"], "outside"),
+    ] {
+        let file = model("peg_hole");
+        let args = [&args[..], &[&file]].concat();
+        let output = cspace(&args).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert!(error.contains(words) && error.contains("help:"), "{error}");
+    }
+    let output = cspace(&[
+        "move",
+        &mechanism(),
+        "--pair",
+        "frame,link",
+        "--from",
+        "0,0,0",
+        "--by",
+        "1,0,0",
+    ]);
+    let output = { output }.output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+}
