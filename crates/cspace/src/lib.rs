@@ -40,8 +40,8 @@ pub use geometry::{Configuration, Point, Rotation, Vector};
 pub use number::{Dual, Scalar, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
-    LowerPair, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
-    QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
+    LowerPair, Metric, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
+    Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
     ArcSize, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError, PartSymmetry,

@@ -89,6 +89,7 @@ mod nodes;
 mod patch;
 mod piece;
 mod place;
+mod project;
 mod reach;
 mod region;
 mod repeats;

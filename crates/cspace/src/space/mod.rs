@@ -14,6 +14,7 @@ pub(crate) use graph::Walk;
 pub use graph::{Band, ContactSpace, FeatureCounts, FreeRegion, SideLink, VerticalLink};
 pub(crate) use options::WINDOW_SLACK;
 pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage, Window};
+pub(crate) use patch::point_on;
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub(crate) use saved::check_head;
 pub use saved::{SAVED_VERSION, SavedError, SavedFrame, SavedPart, SavedSpace};
