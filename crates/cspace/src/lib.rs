@@ -124,8 +124,8 @@ pub use mechanism::{JointEntry, Mechanism, MechanismError, PairEntry, PartEntry}
 pub use number::{Dual, Scalar, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
-    LowerPair, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
-    QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
+    LowerPair, Metric, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
+    Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
     ArcSize, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError, PartSymmetry,

@@ -88,6 +88,7 @@ mod nodes;
 mod patches;
 mod piece;
 mod place;
+mod project;
 mod reach;
 mod region;
 mod repeats;

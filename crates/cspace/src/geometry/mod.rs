@@ -8,7 +8,7 @@ mod rotation;
 pub use configuration::Configuration;
 pub use point::{Point, Vector};
 pub use rotation::Rotation;
-pub(crate) use rotation::{unwrap_near, wrap};
+pub(crate) use rotation::{images, unwrap_near, wrap};
 
 #[cfg(test)]
 mod tests;

@@ -55,6 +55,13 @@ impl Mul<Point> for Rotation {
     }
 }
 
+/// An angle turned by whole turns to wherever it is within half a turn of an interval of angles; all radians.
+pub(crate) fn images(angle: f64, (lo, hi): (f64, f64)) -> impl Iterator<Item = f64> {
+    let first = lo - PI + (angle - (lo - PI)).rem_euclid(TAU);
+    let count = ((hi + PI - first) / TAU).floor() as u32;
+    (0..=count).map(move |k| first + TAU * f64::from(k))
+}
+
 /// Brings an angle to (−π, π].
 #[inline]
 pub(crate) fn wrap(angle: f64) -> f64 {

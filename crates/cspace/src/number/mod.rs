@@ -2,7 +2,9 @@
 
 mod ball;
 mod dd;
+mod expansion;
 mod jet;
+mod least;
 pub(crate) mod plane;
 mod polynomial;
 mod scalar;
@@ -11,7 +13,9 @@ mod trig;
 
 pub(crate) use ball::Ball;
 pub(crate) use dd::Dd;
+pub(crate) use expansion::Expansion;
 pub(crate) use jet::Jet;
+pub(crate) use least::{Bounded, least};
 pub(crate) use polynomial::TrigPolynomial;
 pub use scalar::{Dual, Scalar, SecondOrder};
 pub(crate) use series::Series;

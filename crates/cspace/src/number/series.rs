@@ -6,22 +6,29 @@ use super::Real;
 
 /// A value and its first two derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Series {
-    pub(crate) value: f64,
-    pub(crate) slope: f64,
-    pub(crate) bend: f64,
+pub(crate) struct Series<T = f64> {
+    pub(crate) value: T,
+    pub(crate) slope: T,
+    pub(crate) bend: T,
+}
+
+impl<T: Real> Series<T> {
+    /// Cosine and sine of θ.
+    pub(crate) fn turn(cos: T, sin: T) -> (Self, Self) {
+        let series = |value, slope, bend| Self { value, slope, bend };
+        (series(cos, -sin, -cos), series(sin, cos, -sin))
+    }
 }
 
 impl Series {
     /// Cosine and sine of θ.
     pub(crate) fn cos_sin(theta: f64) -> (Self, Self) {
         let (sin, cos) = theta.sin_cos();
-        let series = |value, slope, bend| Self { value, slope, bend };
-        (series(cos, -sin, -cos), series(sin, cos, -sin))
+        Self::turn(cos, sin)
     }
 }
 
-impl Add for Series {
+impl<T: Real> Add for Series<T> {
     type Output = Self;
     fn add(self, o: Self) -> Self {
         Self {
@@ -32,14 +39,14 @@ impl Add for Series {
     }
 }
 
-impl Sub for Series {
+impl<T: Real> Sub for Series<T> {
     type Output = Self;
     fn sub(self, o: Self) -> Self {
         self + -o
     }
 }
 
-impl Neg for Series {
+impl<T: Real> Neg for Series<T> {
     type Output = Self;
     fn neg(self) -> Self {
         Self {
@@ -50,42 +57,47 @@ impl Neg for Series {
     }
 }
 
-impl Mul for Series {
+impl<T: Real> Mul for Series<T> {
     type Output = Self;
     fn mul(self, o: Self) -> Self {
+        let twice = T::constant(2.0);
         Self {
             value: self.value * o.value,
             slope: self.slope * o.value + self.value * o.slope,
-            bend: self.bend * o.value + 2.0 * self.slope * o.slope + self.value * o.bend,
+            bend: self.bend * o.value + twice * self.slope * o.slope + self.value * o.bend,
         }
     }
 }
 
-impl Real for Series {
+impl<T: Real> Real for Series<T> {
     fn constant(value: f64) -> Self {
+        let zero = T::constant(0.0);
         Self {
-            value,
-            slope: 0.0,
-            bend: 0.0,
+            value: T::constant(value),
+            slope: zero,
+            bend: zero,
         }
     }
 
     fn over(self, divisor: Self) -> Self {
-        let value = self.value / divisor.value;
-        let slope = (self.slope - value * divisor.slope) / divisor.value;
-        let bend = (self.bend - 2.0 * slope * divisor.slope - value * divisor.bend) / divisor.value;
+        let twice = T::constant(2.0);
+        let value = self.value.over(divisor.value);
+        let slope = (self.slope - value * divisor.slope).over(divisor.value);
+        let bend = self.bend - twice * slope * divisor.slope - value * divisor.bend;
+        let bend = bend.over(divisor.value);
         Self { value, slope, bend }
     }
 
     fn root(self) -> Self {
-        let value = self.value.max(0.0).sqrt();
-        let slope = 0.5 * self.slope / value;
-        let bend = (0.5 * self.bend - slope * slope) / value;
+        let half = T::constant(0.5);
+        let value = self.value.root();
+        let slope = (half * self.slope).over(value);
+        let bend = (half * self.bend - slope * slope).over(value);
         Self { value, slope, bend }
     }
 
     fn rough(self) -> f64 {
-        self.value
+        self.value.rough()
     }
 }
 
@@ -141,7 +153,7 @@ mod tests {
 
     #[test]
     fn what_is_negative_has_no_root_but_that_of_zero() {
-        assert_eq!(Series::constant(-4.0).root().value, 0.0);
+        assert_eq!(<Series>::constant(-4.0).root().value, 0.0);
         assert_eq!((-4.0_f64).root(), 0.0);
     }
 }

@@ -108,6 +108,11 @@ pub enum QueryError {
         /// The class.
         class: PairClass,
     },
+    /// A metric's length per radian is not positive and finite, or its square is not.
+    #[error(
+        "the length per radian of a metric must be positive and finite, and so must be its square"
+    )]
+    Metric,
     /// The parts overlap there.
     #[error("the parts overlap at the configuration")]
     Blocked,

@@ -9,6 +9,7 @@ mod grid;
 mod index;
 mod motion;
 mod path;
+mod project;
 mod raster;
 mod ray;
 mod slot;

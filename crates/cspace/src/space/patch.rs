@@ -258,7 +258,7 @@ impl Boundary {
 }
 
 /// The point of a carrier at a place given as by [`place_on`].
-fn point_on<T: Real>(f: &Carrier<T>, v: (T, T)) -> (T, T) {
+pub(crate) fn point_on<T: Real>(f: &Carrier<T>, v: (T, T)) -> (T, T) {
     match *f {
         Carrier::Line { normal, through } => {
             (through.0 - normal.1 * v.0, through.1 + normal.0 * v.0)

@@ -5,8 +5,8 @@ use core::fmt::Debug;
 use cspace::pair::{Neighbours, PairContact, PairMotion, PairNearest};
 use cspace::part::{ArcSize, Direction};
 use cspace::{
-    Axis, Classification, Configuration, Coordinates, Edge, FirstContact, MotionOutcome,
-    NearestContact, Part, PatchId, Point, Relation, Vector,
+    Axis, Classification, Configuration, Coordinates, Edge, FirstContact, Metric, MotionOutcome,
+    NearestContact, Part, PatchId, Point, Projection, Relation, Vector,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -40,6 +40,13 @@ fn answers_come_back() {
     }));
     again(PairNearest {
         patch,
+        at,
+        distance: 0.125,
+    });
+    again(Metric {
+        length_per_radian: 2.5,
+    });
+    again(Projection {
         at,
         distance: 0.125,
     });

@@ -9,3 +9,4 @@ mod lower;
 mod motion;
 mod nearest;
 mod pairs;
+mod project;

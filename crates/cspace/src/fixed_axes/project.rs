@@ -1,0 +1,275 @@
+//! The configuration of a contact curve that is nearest to a given one, where turning by a radian counts as a length.
+//!
+//! Along a branch x and y are monotone functions of each other, so a part of it between two places is in the box of these. The
+//! square of the distance from (x₀, y₀) has half the gradient d = (wₓ² (x − x₀), w_y² (y − y₀)), and along the curve f = 0 it
+//! grows or falls as S = d × ∇f tells: over a box in which S has no zero, none but the ends of the part count. What is
+//! left is halved (`number/least.rs`).
+
+use crate::geometry::{Point, Vector, images};
+use crate::number::plane::{Xy, dot, left, minus, plus, times, turned};
+use crate::number::{Ball, Bounded, Real, least};
+
+use super::condition::{Carriers, Condition};
+use super::cycle::Cycle;
+use super::motion::{Extent, Motion, brought_between};
+use super::piece::Piece;
+use super::space::FixedAxesSpace;
+use super::tolerance::NEAR;
+
+/// A place (x, y), and its distance from what is projected (length of the pair's frame).
+type Found = ((f64, f64), f64);
+
+impl FixedAxesSpace {
+    /// The configuration of a patch that is nearest to (u, v), and its distance in the model's unit of length, turning by a
+    /// radian being as far as `length_per_radian`. Coordinates of parts that turn without limits are taken modulo a turn:
+    /// the answer's are those images that are nearest to the ones given.
+    ///
+    /// `None` if there is no such patch, or a part that does not move is not at 0.
+    pub(crate) fn project(
+        &self,
+        (u, v): (f64, f64),
+        patch: usize,
+        length_per_radian: f64,
+    ) -> Option<((f64, f64), f64)> {
+        let (x, y) = self.setting.map.inner(u, v);
+        let scale = self.setting.map.frame.scale;
+        let weight = |motion: Motion, t: f64| match motion {
+            Motion::Turn { .. } => Some(length_per_radian * scale),
+            Motion::Slide { .. } => Some(1.0),
+            Motion::Still => (t == 0.0).then_some(0.0),
+        };
+        let weights = (
+            weight(self.setting.motions.first, x)?,
+            weight(self.setting.motions.second, y)?,
+        );
+        let mut best: Found = ((x, y), f64::INFINITY);
+        for branch in self.data.patches.get(patch)?.branches.clone() {
+            let cell = self.data.branches[branch as usize].cell;
+            if let Some(share) = self.setting.on_one_line() {
+                let found = self.foot_on_line(cell, share, (x, y));
+                best = if found.1 < best.1 { found } else { best };
+                continue;
+            }
+            let (x_range, y_range) = self.graphs().cell_box(cell);
+            for s in seen(&self.setting.x, x, x_range) {
+                for t in seen(&self.setting.y, y, y_range) {
+                    if let Some(((a, b), distance)) = self.nearest_on(cell, (s, t), weights, best.1)
+                    {
+                        best = ((a + (x - s), b + (y - t)), distance);
+                    }
+                }
+            }
+        }
+        let (a, b) = best.0;
+        Some((self.setting.outer(a, b), best.1 / scale))
+    }
+
+    /// The nearest place of a cell, if it is nearer than what is known.
+    fn nearest_on(
+        &self,
+        cell: u32,
+        from: (f64, f64),
+        weights: (f64, f64),
+        known: f64,
+    ) -> Option<Found> {
+        let (c, piece) = self.graphs().cell(cell);
+        let search = Search {
+            space: self,
+            piece,
+            from,
+            weights,
+        };
+        if piece.vertical {
+            let at = (piece.start.x, brought_between(from.1, c.from, c.to));
+            let distance = search.distance(at);
+            return (distance < known).then_some((at, distance));
+        }
+        let (t, distance) = least(&search, (c.from, c.to), known)?;
+        Some(((t, search.y(t)), distance))
+    }
+
+    /// The foot on a cell of parts that slide along one line without limits: the line y = c + `share` x, all along.
+    fn foot_on_line(&self, cell: u32, share: f64, (x, y): (f64, f64)) -> Found {
+        let (c, piece) = self.graphs().cell(cell);
+        let above = y - share * x - (piece.y(&self.pairs, c.from) - share * c.from);
+        let by = above / (1.0 + share * share);
+        let foot = (x + share * by, y - by);
+        (foot, (share * by).hypot(by))
+    }
+}
+
+/// The values that a coordinate has within half a turn of a range: itself alone, if the ends of its extent are not one place.
+fn seen(extent: &Extent, t: f64, range: (f64, f64)) -> Vec<f64> {
+    if extent.is_circle() {
+        images(t, range).collect()
+    } else {
+        vec![t]
+    }
+}
+
+/// A graph y(x), seen from a place.
+struct Search<'a> {
+    space: &'a FixedAxesSpace,
+    piece: &'a Piece,
+    from: (f64, f64),
+    /// What a unit of x and of y counts (length of the pair's frame).
+    weights: (f64, f64),
+}
+
+impl Search<'_> {
+    fn y(&self, x: f64) -> f64 {
+        self.piece.y(&self.space.pairs, x)
+    }
+
+    fn distance(&self, (x, y): (f64, f64)) -> f64 {
+        (self.weights.0 * (x - self.from.0)).hypot(self.weights.1 * (y - self.from.1))
+    }
+}
+
+impl Bounded for Search<'_> {
+    fn at(&self, x: f64) -> f64 {
+        self.distance((x, self.y(x)))
+    }
+
+    fn below(&self, lo: f64, hi: f64) -> f64 {
+        let mid = 0.5 * (lo + hi);
+        let (start, middle, end) = (self.y(lo), self.y(mid), self.y(hi));
+        let (low, high) = (start.min(end) - NEAR, start.max(end) + NEAR);
+        let (x, y) = (Ball::between(lo, hi), Ball::between(low, high));
+        let condition = &self.space.pairs[self.piece.pair as usize].condition;
+        let (by_x, by_y) = gradient(condition, x, y);
+        let pull = |t: Ball, from: f64, weight: f64| {
+            (t - Ball::constant(from)) * Ball::constant(weight) * Ball::constant(weight)
+        };
+        let (across, up) = (
+            pull(x, self.from.0, self.weights.0),
+            pull(y, self.from.1, self.weights.1),
+        );
+        let rate = across * by_y - up * by_x;
+        if rate.sign() != 0 {
+            return f64::INFINITY;
+        }
+        let direct = self.distance((
+            brought_between(self.from.0, lo, hi),
+            brought_between(self.from.1, low, high),
+        ));
+        // The square changes by 2 S / f_y along x, and by 2 S / f_x along y.
+        let least = |by: Ball| (by.mid.abs() - by.radius).max(0.0);
+        let tall = (middle - low).max(high - middle);
+        let way = (0.5 * (hi - lo) / least(by_y)).min(tall / least(by_x));
+        let change = 2.0 * (rate.mid.abs() + rate.radius) * way;
+        let square = self.distance((mid, middle)).powi(2) - change;
+        direct.max(square.max(0.0).sqrt())
+    }
+}
+
+/// A multiple of the derivatives of a contact condition by x and y, over all x and y of two intervals.
+///
+/// The formulas are those of [`Condition::gradient`], without what makes normals unit vectors.
+fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
+    let first = Moved::new(condition.motions.first, x);
+    let second = Moved::new(condition.motions.second, y);
+    match condition.carriers {
+        Carriers::FirstLine { normal, point, .. } => {
+            let (n, q) = (first.vector(normal), second.point(point));
+            (-dot(n, first.velocity(q)), dot(n, second.velocity(q)))
+        }
+        Carriers::SecondLine { normal, point, .. } => {
+            let (n, p) = (second.vector(normal), first.point(point));
+            (dot(n, first.velocity(p)), -dot(n, second.velocity(p)))
+        }
+        Carriers::Circles {
+            first: p,
+            second: q,
+            ..
+        } => {
+            let (p, q) = (first.point(p), second.point(q));
+            let n = minus(q, p);
+            (-dot(n, first.velocity(p)), dot(n, second.velocity(q)))
+        }
+        Carriers::Cycles {
+            first: a,
+            second: b,
+        } => {
+            let slope = |p: &(Cycle, Moved), q: &(Cycle, Moved)| match q.1.motion {
+                Motion::Still => Ball::constant(0.0),
+                Motion::Turn { center } => -dot(arm(p, center), left(arm(q, center))),
+                Motion::Slide { direction } => dot(constant(direction), centres(p, q)),
+            };
+            let (a, b) = ((a, first), (b, second));
+            (slope(&b, &a), slope(&a, &b))
+        }
+    }
+}
+
+/// The arm of a moved cycle, seen from a pivot.
+fn arm((cycle, moved): &(Cycle, Moved), pivot: Point) -> Xy<Ball> {
+    let way = minus(moved.point(cycle.through), constant(pivot.to_vector()));
+    minus(
+        times(way, Ball::constant(cycle.weight)),
+        moved.vector(cycle.normal),
+    )
+}
+
+/// From the centre of a moved cycle to that of another, times both weights.
+fn centres(a: &(Cycle, Moved), b: &(Cycle, Moved)) -> Xy<Ball> {
+    let weight = |c: &(Cycle, Moved)| Ball::constant(c.0.weight);
+    let normal = |c: &(Cycle, Moved)| c.1.vector(c.0.normal);
+    let way = minus(b.1.point(b.0.through), a.1.point(a.0.through));
+    let way = times(way, weight(a) * weight(b));
+    minus(
+        plus(way, times(normal(a), weight(b))),
+        times(normal(b), weight(a)),
+    )
+}
+
+fn constant(v: Vector) -> Xy<Ball> {
+    (Ball::constant(v.x), Ball::constant(v.y))
+}
+
+/// A part that has moved by any of an interval.
+#[derive(Clone, Copy)]
+struct Moved {
+    motion: Motion,
+    by: Ball,
+    cos: Ball,
+    sin: Ball,
+}
+
+impl Moved {
+    fn new(motion: Motion, by: Ball) -> Self {
+        let (cos, sin) = by.cos_sin();
+        Self {
+            motion,
+            by,
+            cos,
+            sin,
+        }
+    }
+
+    fn vector(&self, v: Vector) -> Xy<Ball> {
+        match self.motion {
+            Motion::Turn { .. } => turned(constant(v), self.cos, self.sin),
+            _ => constant(v),
+        }
+    }
+
+    fn point(&self, p: Point) -> Xy<Ball> {
+        match self.motion {
+            Motion::Still => constant(p.to_vector()),
+            Motion::Turn { center } => plus(constant(center.to_vector()), self.vector(p - center)),
+            Motion::Slide { direction } => {
+                plus(constant(p.to_vector()), times(constant(direction), self.by))
+            }
+        }
+    }
+
+    /// The velocity of the point of the part that is now at a place.
+    fn velocity(&self, p: Xy<Ball>) -> Xy<Ball> {
+        match self.motion {
+            Motion::Still => constant(Vector::ZERO),
+            Motion::Turn { center } => left(minus(p, constant(center.to_vector()))),
+            Motion::Slide { direction } => constant(direction),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The least value of a function of one number, found by branch and bound.
+
+use core::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// A least value is found to this (the function's unit, about 7.3e-12): as well as contacts are known.
+const ACCURACY: f64 = 1.0 / (1u64 << 37) as f64;
+/// And to this share of itself: more than the rounding of large values.
+const SHARE: f64 = 1e-12;
+
+/// A function that is not negative, with bounds over intervals.
+pub(crate) trait Bounded {
+    /// Its value.
+    fn at(&self, t: f64) -> f64;
+
+    /// A number below which no value in the interval is, unless one at its ends is as low; infinite if none is lower than
+    /// those at the ends.
+    fn below(&self, lo: f64, hi: f64) -> f64;
+}
+
+/// The least value over an interval and where it is; `None` if it is not below what is `known` already.
+///
+/// The interval is halved, always the part that may have the lowest value, until none can have a value that is lower than the
+/// least seen by [`ACCURACY`] and [`SHARE`] of it.
+pub(crate) fn least(f: &impl Bounded, (lo, hi): (f64, f64), known: f64) -> Option<(f64, f64)> {
+    let mut best = (lo, known);
+    let look = |t: f64, best: &mut (f64, f64)| {
+        let value = f.at(t);
+        if value < best.1 {
+            *best = (t, value);
+        }
+    };
+    look(lo, &mut best);
+    look(hi, &mut best);
+    // Numbers that are not negative are in the order of their bits.
+    let mut parts = vec![(lo, hi)];
+    let mut waiting = BinaryHeap::from([Reverse((0, 0))]);
+    while let Some(Reverse((bits, number))) = waiting.pop() {
+        let enough = best.1 * (1.0 - SHARE) - ACCURACY;
+        if f64::from_bits(bits) >= enough {
+            break;
+        }
+        let (lo, hi): (f64, f64) = parts[number];
+        let mid = 0.5 * (lo + hi);
+        if mid <= lo || mid >= hi {
+            continue;
+        }
+        look(mid, &mut best);
+        for part in [(lo, mid), (mid, hi)] {
+            let below = f.below(part.0, part.1).max(0.0);
+            if below < best.1 {
+                waiting.push(Reverse((below.to_bits(), parts.len())));
+                parts.push(part);
+            }
+        }
+    }
+    (best.1 < known).then_some(best)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::super::{Ball, Jet, Real};
+    use super::*;
+
+    /// 2 + cos 5t + cos(a t), which has several minima.
+    struct Waves(f64);
+
+    impl Waves {
+        fn over(&self, t: Ball) -> Jet {
+            let wave = |rate: f64| {
+                let (cos, sin) = (t * Ball::constant(rate)).cos_sin();
+                Jet {
+                    value: cos,
+                    slope: -sin * Ball::constant(rate),
+                }
+            };
+            Jet::constant(2.0) + wave(5.0) + wave(self.0)
+        }
+    }
+
+    impl Bounded for Waves {
+        fn at(&self, t: f64) -> f64 {
+            2.0 + (5.0 * t).cos() + (self.0 * t).cos()
+        }
+
+        fn below(&self, lo: f64, hi: f64) -> f64 {
+            let over = self.over(Ball::between(lo, hi));
+            if over.slope.sign() != 0 {
+                return f64::INFINITY;
+            }
+            over.value.mid - over.value.radius
+        }
+    }
+
+    #[test]
+    fn no_sample_is_lower() {
+        for rate in [0.3, 1.7, 4.0, 4.9] {
+            let f = Waves(rate);
+            let (lo, hi) = (-0.7, 9.1);
+            let (t, value) = least(&f, (lo, hi), f64::INFINITY).unwrap();
+            assert!((lo..=hi).contains(&t) && f.at(t) == value);
+            let n = 20_000;
+            let sampled = (0..=n)
+                .map(|i| f.at(lo + (hi - lo) * f64::from(i) / f64::from(n)))
+                .fold(f64::INFINITY, f64::min);
+            assert!(value <= sampled + ACCURACY + 2.0 * SHARE, "{rate}");
+            assert!(value > sampled - 1e-4, "{rate}");
+            assert_eq!(least(&f, (lo, hi), value), None);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! The configuration of a patch that is nearest to a given one.
+
+use super::answers::QueryError;
+use super::ids::PatchId;
+use super::relation::Coordinates;
+use super::space::PairSpace;
+
+/// How far configurations are from each other.
+///
+/// | class | distance² |
+/// |---|---|
+/// | general, symmetric | Δx² + Δy² + (ρ Δθ)² |
+/// | fixed axes | (aᵤ Δu)² + (aᵥ Δv)², with a = ρ for a part that turns and a = 1 for one that slides |
+///
+/// Angles are in radians; ρ is a length, say how far the outline of the moving part is from what it turns about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Metric {
+    /// ρ: the length that a radian counts, in the model's unit. Positive.
+    pub length_per_radian: f64,
+}
+
+/// The nearest configuration of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Projection {
+    /// The configuration in contact.
+    pub at: Coordinates,
+    /// Its distance by the metric, in the model's unit of length.
+    pub distance: f64,
+}
+
+impl PairSpace {
+    /// The configuration of a patch that is nearest to a given one by a [`Metric`].
+    ///
+    /// The given configuration may be free, blocked, or outside the window or the ranges of motion. Orientations, and coordinates
+    /// of parts on fixed axes that turn without limits, are taken modulo a turn: the answer has the image that is nearest to
+    /// the one given, or of a space with a window that in the window.
+    ///
+    /// No configuration of the patch is nearer by more than 2⁻³⁷ ≈ 7·10⁻¹² of the pair's size and 10⁻¹² of the distance. That is
+    /// certain, not sampled: over intervals of orientation, or of a coordinate, the distance and its derivative are enclosed,
+    /// and intervals are halved until none can have anything nearer. Where an end of the patch is itself known less well,
+    /// because two contacts are all but tangent there, so is the answer.
+    ///
+    /// # Errors
+    /// If there is no such patch, the metric is not positive and finite, the configuration is in the coordinates of another
+    /// class or not finite, or a part that does not move is not at 0. Of a lower pair, which is in contact for ever.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Metric, Options, PairSpace, Part, PatchId, Relation};
+    /// let (table, coin) = (Part::circle("table", [0.0, 0.0], 2.0)?, Part::circle("coin", [0.5, 0.0], 1.0)?);
+    /// let space = PairSpace::compute(&table, &coin, Relation::Planar, &Options::default())?;
+    /// // The coin, which is drawn half a unit off its origin, above the table.
+    /// let at = Coordinates::Planar(Configuration::new(0.0, 5.0, 0.0));
+    /// let metric = Metric { length_per_radian: 0.1 };
+    /// let projections = (0..space.patch_count() as u32).map(|i| space.project(at, PatchId(i), metric));
+    /// let all: Vec<_> = projections.collect::<Result<_, _>>()?;
+    /// let nearest = all.iter().map(|p| p.distance).fold(f64::INFINITY, f64::min);
+    /// // To move down without turning is farther than to turn its centre down a little on the way.
+    /// let straight = space.nearest_contact(at)?.ok_or("there is one")?.distance;
+    /// assert!(nearest < straight && straight - nearest < 0.6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn project(
+        &self,
+        at: Coordinates,
+        onto: PatchId,
+        metric: Metric,
+    ) -> Result<Projection, QueryError> {
+        self.patch(onto)?;
+        let rho = metric.length_per_radian;
+        let has_square = |n: f64| (n * n).is_finite();
+        if !(rho > 0.0 && (rho * rho).is_normal()) {
+            return Err(QueryError::Metric);
+        }
+        let (at, distance) = match (self, at) {
+            (Self::Lower(_), _) => return Err(QueryError::Permanent),
+            (Self::FixedAxes(space), Coordinates::Axes { u, v }) => {
+                if ![u, v].into_iter().all(has_square) {
+                    return Err(QueryError::Outside);
+                }
+                let found = space.project((u, v), onto.index(), rho);
+                let ((u, v), distance) = found.ok_or(QueryError::Outside)?;
+                (Coordinates::Axes { u, v }, distance)
+            }
+            (Self::Planar(space), Coordinates::Planar(c)) => {
+                if ![c.x, c.y, c.theta].into_iter().all(has_square) {
+                    return Err(QueryError::Outside);
+                }
+                let patch = &space.patches()[onto.index()];
+                let (c, distance) = space.project(c, patch, rho);
+                (Coordinates::Planar(c), distance)
+            }
+            _ => return Err(self.wrong(at)),
+        };
+        Ok(Projection { at, distance })
+    }
+}

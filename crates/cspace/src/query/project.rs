@@ -1,0 +1,217 @@
+//! The configuration of a patch that is nearest to a given one, where turning by a radian counts as a length.
+//!
+//! At an orientation θ the point of a contact curve nearest to a position is the foot of the perpendicular on its carrier,
+//! or one of its ends. So the least of |q − p|² + ρ² (θ − θ₀)² over a patch is the least of three functions of θ. Over an
+//! interval each is enclosed with two derivatives: where the first has no zero, none but the ends of the interval count, and
+//! where the foot is beyond an end of the curve, the foot does not. What is left is halved (`number/least.rs`), and at last
+//! Newton's method finds the zero of the derivative.
+
+use core::f64::consts::PI;
+
+use crate::contact::{Carrier, ContactFunction, Spiral, place_on};
+use crate::geometry::{Configuration, Point, images};
+use crate::number::plane::{Xy, cross, dot, left, length, minus, negative};
+use crate::number::{Ball, Bounded, Expansion, Real, Series, least};
+use crate::space::{Boundary, ContactSpace, Patch, point_on};
+
+/// Intervals up to this (radians) are not halved on account of an end that rounding hides: where two carriers are all but one.
+const HIDDEN: f64 = 1.0 / (1u32 << 20) as f64;
+/// An end is hidden if it is known in the middle of an interval no better than this many times as well as over all of it.
+const NO_BETTER: f64 = 4.0;
+/// Steps of Newton's method: each doubles the digits that are right, of which there are some five at first.
+const STEPS: usize = 6;
+
+impl ContactSpace {
+    /// The configuration of a patch that is nearest to another, and its distance in the model's unit of length, turning by a
+    /// radian being as far as `length_per_radian`.
+    ///
+    /// Orientations are taken modulo a turn. The answer's is that image which is nearest to the one given; of a space with a
+    /// window, that in the window.
+    pub(crate) fn project(
+        &self,
+        from: Configuration,
+        patch: &Patch,
+        length_per_radian: f64,
+    ) -> (Configuration, f64) {
+        let frame = &self.data.frame;
+        let at = Point::ORIGIN + (from.position() - frame.fixed_center) * frame.scale;
+        let seat = Spiral::new(at, frame.moving_center.to_vector() * frame.scale);
+        let mut best = (from, f64::INFINITY);
+        for theta in images(from.theta, (patch.lo, patch.hi)) {
+            let search = Search {
+                space: self,
+                patch,
+                from,
+                theta,
+                weight: length_per_radian * frame.scale,
+                seat,
+                own: seen_from(&patch.function, &seat),
+            };
+            let (lo, hi) = (patch.lo.max(theta - PI), patch.hi.min(theta + PI));
+            if let Some(found) = least(&search, (lo, hi), best.1) {
+                let (t, distance) = search.polished(found, lo, hi);
+                let q = search.nearest(t);
+                let full_turn = self.data.window.full_turn;
+                let shown = if full_turn {
+                    t + (from.theta - theta)
+                } else {
+                    t
+                };
+                best = (Configuration::new(q.x, q.y, shown), distance);
+            }
+        }
+        (best.0, frame.outer_length(best.1))
+    }
+}
+
+/// A patch, seen from one image of a configuration.
+struct Search<'a> {
+    space: &'a ContactSpace,
+    patch: &'a Patch,
+    from: Configuration,
+    /// The image of its orientation, radians.
+    theta: f64,
+    /// What a radian counts (length of the pair's frame).
+    weight: f64,
+    /// Where the position is in the pair's frame, which moves with the orientation.
+    seat: Spiral,
+    /// The patch's contact function, seen from there.
+    own: ContactFunction,
+}
+
+/// A contact function whose positions are relative to a point that moves with the orientation.
+fn seen_from(function: &ContactFunction, seat: &Spiral) -> ContactFunction {
+    let mut seen = *function;
+    match &mut seen {
+        ContactFunction::FixedLine { through, .. }
+        | ContactFunction::MovingLine { through, .. }
+        | ContactFunction::FlatCircle { through, .. } => *through = through.about(seat),
+        ContactFunction::Circle { center, .. } => *center = center.about(seat),
+    }
+    seen
+}
+
+impl Search<'_> {
+    /// The nearest point of the curve at an orientation of the patch, as a position.
+    fn nearest(&self, t: f64) -> Point {
+        let curve = self.space.curve(self.patch, t);
+        curve.nearest(self.from.position())
+    }
+
+    /// The way from the position to an end of the curve.
+    fn way<T: Real>(&self, end: &Boundary, (cos, sin): (T, T)) -> Xy<T> {
+        match end {
+            Boundary::End { spiral } => spiral.about(&self.seat).place(cos, sin),
+            Boundary::Crossing { with, root } => {
+                let f = self.patch.function.carrier(cos, sin);
+                let place = place_on(&f, &with.carrier(cos, sin), *root, false);
+                point_on(&self.own.carrier(cos, sin), place)
+            }
+        }
+    }
+
+    fn ways<T: Real>(&self, turn: (T, T)) -> [Xy<T>; 2] {
+        [&self.patch.left, &self.patch.right].map(|end| self.way(end, turn))
+    }
+
+    /// How far the position is off the carrier.
+    fn off<T: Real>(&self, (cos, sin): (T, T)) -> T {
+        let real = T::constant;
+        let carrier = self.own.carrier(cos, sin);
+        match carrier {
+            Carrier::Line { normal, through } => dot(normal, through),
+            Carrier::Circle { center, radius } => length(center) - real(radius.rough().abs()),
+            Carrier::FlatArc(arc) => {
+                let level = carrier.equation((real(0.0), real(0.0))).c;
+                let bend = real(1.0) + real(2.0 * arc.curvature) * level;
+                (real(2.0) * level).over(real(1.0) + bend.root())
+            }
+        }
+    }
+
+    /// Whether the foot is beyond an end of the curve for certain, given the ways to its ends.
+    fn is_beside(&self, turn: (Ball, Ball), [start, end]: [Xy<Ball>; 2]) -> bool {
+        let carrier = self.own.carrier(turn.0, turn.1);
+        if let Carrier::Circle { center, radius } = carrier {
+            let (a, b) = (minus(start, center), minus(end, center));
+            let (a, b) = if radius.mid > 0.0 { (a, b) } else { (b, a) };
+            let at = negative(center);
+            let (before, after) = (cross(a, at).sign() < 0, cross(at, b).sign() < 0);
+            // A point is beside more than half a circle only if it is so at both ends.
+            return if cross(a, b).sign() > 0 {
+                before || after
+            } else {
+                before && after
+            };
+        }
+        let along = |way: Xy<Ball>| dot(way, left(carrier.equation(way).a)).sign();
+        along(start) > 0 || along(end) < 0
+    }
+
+    /// The squares of the distances to the foot and to both ends, given how far the position is off the carrier, the ways to
+    /// the ends, and the orientation less that of the configuration.
+    fn squares<T: Real>(&self, off: T, [start, end]: [Xy<T>; 2], turned: T) -> [T; 3] {
+        let turned = turned * T::constant(self.weight);
+        [off * off, dot(start, start), dot(end, end)].map(|d| d + turned * turned)
+    }
+
+    /// The least of what is found nearby where the derivative is zero, to rounding.
+    fn polished(&self, found: (f64, f64), lo: f64, hi: f64) -> (f64, f64) {
+        /// Distances that differ by less than this share of them are the same: they are so over many orientations.
+        const SAME: f64 = 4.0 * f64::EPSILON;
+        let mut best = found;
+        for branch in 0..3 {
+            let mut t = found.0;
+            for _ in 0..STEPS {
+                let turned = Series {
+                    value: t - self.theta,
+                    slope: 1.0,
+                    bend: 0.0,
+                };
+                let turn = Series::cos_sin(t);
+                let g = self.squares(self.off(turn), self.ways(turn), turned)[branch];
+                if !(g.bend > 0.0 && g.slope.is_finite()) {
+                    break;
+                }
+                t = (t - g.slope / g.bend).clamp(lo, hi);
+            }
+            let value = self.at(t);
+            if value <= best.1 * (1.0 + SAME) {
+                best = (t, value);
+            }
+        }
+        best
+    }
+}
+
+impl Bounded for Search<'_> {
+    fn at(&self, t: f64) -> f64 {
+        let away = self.nearest(t).distance(self.from.position()) * self.space.data.frame.scale;
+        away.hypot(self.weight * (t - self.theta))
+    }
+
+    fn below(&self, lo: f64, hi: f64) -> f64 {
+        let (turned, turn) = Expansion::angle(lo, hi, self.theta);
+        let ways = self.ways(turn);
+        let squares = self.squares(self.off(turn), ways, turned);
+        // Over the interval no better than in the middle.
+        let hidden = |[x, y]: [Expansion; 2]| {
+            let better = |e: Expansion| e.over.value.radius > NO_BETTER * e.at.value.radius;
+            hi - lo <= HIDDEN && !(better(x) || better(y))
+        };
+        let [start, end] = ways;
+        let over = |e: Expansion| e.over.value;
+        let skipped = [
+            self.is_beside(
+                (over(turn.0), over(turn.1)),
+                ways.map(|w| (over(w.0), over(w.1))),
+            ),
+            hidden(start.into()),
+            hidden(end.into()),
+        ];
+        (squares.into_iter().zip(skipped))
+            .filter(|(_, skipped)| !skipped)
+            .map(|(square, _)| square.least().max(0.0).sqrt())
+            .fold(f64::INFINITY, f64::min)
+    }
+}
