@@ -6,6 +6,7 @@ pub(crate) mod compute;
 pub(crate) mod evaluate;
 pub(crate) mod export;
 pub(crate) mod info;
+pub(crate) mod new;
 pub(crate) mod slice;
 
 use serde::Serialize;
