@@ -36,7 +36,7 @@ pub(crate) enum Command {
     #[command(after_long_help = EVALUATE)]
     Evaluate(EvaluateArgs),
     /// Write a model to begin with: latch, cam, gears, geneva, ratchet or peg
-    #[command(after_long_help = NEW)]
+    #[command(after_long_help = NEW, subcommand_value_name = "MODEL", subcommand_help_heading = "Models", disable_help_subcommand = true)]
     New(NewArgs),
     /// Print a script that completes this command in a shell
     #[command(after_long_help = COMPLETIONS)]
@@ -339,9 +339,9 @@ Examples:
   cspace new peg --diameter 10 --clearance 0.1 --depth 20 --chamfer 1 -o peg.toml
   cspace new gears --gear 30 --pinion 18 --pressure-angle 20deg
 
-The model is TOML with comments, drawn from the dimensions; `cspace new peg --help` lists those of the
-peg with their defaults. Lengths are in mm, or in any other unit: change `unit` in the file. The
-comment at the top says what the parts do at which configuration, and has commands that ask.
+The model is TOML with comments, drawn from the dimensions; `cspace new peg --help` lists those of
+the peg with their defaults. Lengths are in mm, or in any other unit: change `unit` in the file.
+The comment at the top says what the parts do at which configuration, and has commands that ask.
 docs/model.md tells how a model is written.";
 
 const COMPLETIONS: &str = "\

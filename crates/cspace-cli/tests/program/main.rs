@@ -3,7 +3,10 @@
 
 mod classes;
 mod command;
+#[cfg(unix)]
+mod docs;
 mod evaluate;
 mod helpers;
 #[cfg(unix)]
 mod hostile;
+mod new;

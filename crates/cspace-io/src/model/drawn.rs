@@ -133,15 +133,18 @@ impl Sketch {
         if self.bulge != 0.0 {
             pen = pen.arc_to(self.start, self.bulge);
         }
-        let (vertices, numbers): (Vec<_>, Vec<_>) = pen
-            .close_numbered()
-            .map_err(|e| self.refused(&e))?
-            .into_iter()
-            .unzip();
-        let entry = |drawn: usize| self.entries.get(drawn).copied().unwrap_or_default();
+        let drawn = pen.close_numbered().map_err(|e| self.refused(&e))?;
+        let mut before = None;
+        let entries = drawn.iter().map(|&(_, number)| {
+            // A fillet makes two vertices of one: its own entry stands for the second.
+            let is_second = before.replace(number) == Some(number);
+            let fillet = self.fillets.get(number).copied().flatten();
+            let entry = self.entries.get(number).copied();
+            fillet.filter(|_| is_second).or(entry).unwrap_or_default()
+        });
         Ok(DrawnLoop {
-            vertices,
-            entries: Some(numbers.into_iter().map(entry).collect()),
+            entries: Some(entries.collect()),
+            vertices: drawn.iter().map(|(v, _)| *v).collect(),
         })
     }
 
