@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::angle;
+use crate::template::Template;
 
 /// Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 #[derive(Debug, Parser)]
@@ -40,6 +41,9 @@ pub(crate) enum Command {
     /// Measure the pairs of the paper's Figure 5 by the general algorithm and by this one
     #[command(after_long_help = EVALUATE)]
     Evaluate(EvaluateArgs),
+    /// Write a model to begin with: latch, cam, gears, geneva, ratchet or peg
+    #[command(after_long_help = NEW, subcommand_value_name = "MODEL", subcommand_help_heading = "Models", disable_help_subcommand = true)]
+    New(NewArgs),
     /// Print a script that completes this command in a shell
     #[command(after_long_help = COMPLETIONS)]
     Completions(CompletionsArgs),
@@ -227,6 +231,16 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    #[command(subcommand)]
+    pub(crate) template: Template,
+
+    /// Write the model to this file, NAME.toml, instead of standard output; whole or not at all
+    #[arg(short, long, value_name = "OUT", global = true)]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct CompletionsArgs {
     /// The shell
     #[arg(value_enum)]
@@ -407,6 +421,17 @@ Example:
   cspace man > ~/.local/share/man/man1/cspace.1
   cspace man compute > ~/.local/share/man/man1/cspace-compute.1
   man cspace-compute";
+
+const NEW: &str = "\
+Examples:
+  cspace new latch -o latch.toml
+  cspace new peg --diameter 10 --clearance 0.1 --depth 20 --chamfer 1 -o peg.toml
+  cspace new gears --gear 30 --pinion 18 --pressure-angle 20deg
+
+The model is TOML with comments, drawn from the dimensions; `cspace new peg --help` lists those of
+the peg with their defaults. Lengths are in mm, or in any other unit: change `unit` in the file.
+The comment at the top says what the parts do at which configuration, and has commands that ask.
+docs/model.md tells how a model is written.";
 
 const COMPLETIONS: &str = "\
 Example:

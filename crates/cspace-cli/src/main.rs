@@ -7,6 +7,7 @@ mod failure;
 mod output;
 mod progress;
 mod subject;
+mod template;
 mod wording;
 
 use std::ffi::OsString;
@@ -62,6 +63,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Move(args) => command::motion::run(&args),
         Command::Export(args) => command::export::run(&args),
         Command::Evaluate(args) => command::evaluate::run(&args),
+        Command::New(args) => command::new::run(&args),
         Command::Completions(args) => command::completions::run(&args),
         Command::Man(args) => command::man::run(&args),
     }

@@ -9,6 +9,7 @@ pub(crate) mod export;
 pub(crate) mod info;
 pub(crate) mod man;
 pub(crate) mod motion;
+pub(crate) mod new;
 pub(crate) mod slice;
 
 use serde::Serialize;

@@ -4,8 +4,11 @@
 mod answers;
 mod classes;
 mod command;
+#[cfg(unix)]
+mod docs;
 mod evaluate;
 mod helpers;
 #[cfg(unix)]
 mod hostile;
+mod new;
 mod questions;

@@ -3,9 +3,12 @@
 //! A file is read in three steps, each of which reports what it finds wrong as a [`ModelError`]: bytes become text,
 //! text becomes a tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism).
 
+mod drawn;
+mod entry;
 mod error;
 mod locate;
 mod node;
+mod outline;
 mod parts;
 mod place;
 mod read;

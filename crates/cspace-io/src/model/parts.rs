@@ -2,13 +2,14 @@
 
 use std::collections::HashMap;
 
-use cspace::{Axis, MechanismError, Part, PartEntry, PartError, Point, Vector, Vertex};
+use cspace::{Axis, MechanismError, PartEntry, Point, Vector};
 
 use super::error::ModelError;
 use super::node::Node;
+use super::outline::read_outline;
 use super::place::Place;
 use super::suggest::nearest;
-use super::table::{Result, Table, number};
+use super::table::{Result, Table};
 use crate::shown::quoted;
 
 /// How outlines are written.
@@ -61,11 +62,7 @@ fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
     let nodes = table
         .list("loops", &help)?
         .ok_or_else(|| table.missing("loops", LOOPS))?;
-    let loops_place = place.key("loops");
-    let loops = (nodes.iter().enumerate())
-        .map(|(i, l)| read_loop(&loops_place, i, l))
-        .collect::<Result<Vec<_>>>()?;
-    let part = Part::new(name, loops).map_err(|e| no_part(&loops_place, &e))?;
+    let part = read_outline(name, &place.key("loops"), nodes)?;
     let axis = match table.get("motion") {
         Some(m) => read_motion(place.key("motion").further("motion"), m)?,
         None => None,
@@ -123,104 +120,6 @@ fn refuse_drawings(table: &Table<'_>) -> Result<()> {
             .with_help("remove `layer`"));
     }
     Ok(())
-}
-
-/// What is wrong with loops, at the loop and vertex where it is.
-fn no_part(loops: &Place, error: &PartError) -> ModelError {
-    let place = match place_in_loops(error) {
-        (None, _) => loops.clone(),
-        (Some(l), None) => loops.item(l),
-        (Some(l), Some(v)) => loops.item(l).item(v),
-    };
-    // Every message about a part ends in what to do, after its last colon.
-    let text = error.to_string();
-    match text.rsplit_once(": ") {
-        Some((what, help)) => ModelError::new(&place, what).with_help(help),
-        None => ModelError::new(&place, text),
-    }
-}
-
-/// The loop and vertex an error is about.
-fn place_in_loops(error: &PartError) -> (Option<usize>, Option<usize>) {
-    match *error {
-        PartError::TooFewVertices { loop_index, .. } => (Some(loop_index), None),
-        PartError::RepeatedLoop { other_loop, .. } => (Some(other_loop), None),
-        PartError::BadCoordinate {
-            loop_index,
-            vertex_index,
-        }
-        | PartError::CoordinateTooLarge {
-            loop_index,
-            vertex_index,
-        }
-        | PartError::BadBulge {
-            loop_index,
-            vertex_index,
-            ..
-        }
-        | PartError::CoincidentVertices {
-            loop_index,
-            vertex_index,
-            ..
-        }
-        | PartError::Spike {
-            loop_index,
-            vertex_index,
-        } => (Some(loop_index), Some(vertex_index)),
-        PartError::Crossing {
-            loop_index,
-            edge_index,
-            ..
-        }
-        | PartError::Touching {
-            loop_index,
-            edge_index,
-            ..
-        } => (Some(loop_index), Some(edge_index)),
-        _ => (None, None),
-    }
-}
-
-fn read_loop(loops: &Place, index: usize, node: &Node) -> Result<Vec<Vertex>> {
-    let place = || loops.item(index).further(&format!("loop {index}"));
-    let Node::List(vertices) = node else {
-        let message = format!("{} where a list of vertices is expected", node.describe());
-        return Err(ModelError::new(&place(), message)
-            .with_help("a loop is a list of vertices: [[x, y, bulge], [x, y], ...]"));
-    };
-    (vertices.iter().enumerate())
-        .map(|(i, v)| {
-            read_vertex(v).map_err(|message| {
-                let place = place().item(i).further(&format!("vertex {i}"));
-                ModelError::new(&place, message).with_help(vertex_help(vertices))
-            })
-        })
-        .collect()
-}
-
-/// A loop that is written where the list of loops belongs is a slip easily made.
-fn vertex_help(vertices: &[Node]) -> &'static str {
-    if vertices.iter().all(|v| number(v).is_some()) {
-        "a vertex is [x, y] or [x, y, bulge], a loop a list of vertices, and `loops` a list of loops: is a pair of brackets missing?"
-    } else {
-        "a vertex is [x, y] or [x, y, bulge]"
-    }
-}
-
-fn read_vertex(node: &Node) -> core::result::Result<Vertex, String> {
-    let numbers = match node {
-        Node::List(numbers) if (2..=3).contains(&numbers.len()) => numbers,
-        _ => return Err(format!("{} where a vertex is expected", node.describe())),
-    };
-    let mut read = [0.0; 3];
-    for (to, from) in read.iter_mut().zip(numbers) {
-        *to = number(from)
-            .ok_or_else(|| format!("{} where a number is expected", from.describe()))?;
-    }
-    if let Some(bad) = read.iter().find(|x| !x.is_finite()) {
-        return Err(format!("{bad} is no finite number"));
-    }
-    Ok(Vertex::new(read[0], read[1], read[2]))
 }
 
 /// The axis of a motion; none of a part that moves freely.
@@ -285,77 +184,4 @@ pub(super) fn direction(table: &Table<'_>) -> Result<Vector> {
             .with_help("give a vector of ordinary length, such as direction = [1, 0]"));
     }
     Ok(direction)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{PartError, Place, Point, no_part};
-
-    #[test]
-    fn every_error_of_a_part_says_what_to_do() {
-        let (loop_index, vertex_index, edge_index) = (1, 2, 2);
-        let (other_loop, other_edge, at) = (0, 3, Point::new(0.5, 0.25));
-        let errors = [
-            PartError::Empty,
-            PartError::TooManyVertices { count: 9 },
-            PartError::TooFewVertices {
-                loop_index,
-                count: 2,
-            },
-            PartError::BadCoordinate {
-                loop_index,
-                vertex_index,
-            },
-            PartError::CoordinateTooLarge {
-                loop_index,
-                vertex_index,
-            },
-            PartError::BadBulge {
-                loop_index,
-                vertex_index,
-                bulge: f64::NAN,
-            },
-            PartError::TooSmall { size: 1e-300 },
-            PartError::TooFar {
-                size: 1.0,
-                distance: 1e20,
-            },
-            PartError::CoincidentVertices {
-                loop_index,
-                vertex_index,
-                next_index: 3,
-            },
-            PartError::Spike {
-                loop_index,
-                vertex_index,
-            },
-            PartError::Crossing {
-                loop_index,
-                edge_index,
-                other_loop,
-                other_edge,
-                at,
-            },
-            PartError::Touching {
-                loop_index,
-                edge_index,
-                other_loop,
-                other_edge,
-                at,
-            },
-            PartError::RepeatedLoop {
-                loop_index,
-                other_loop,
-            },
-        ];
-        const VERBS: [&str; 7] = [
-            "give ", "replace ", "choose ", "move ", "remove ", "draw ", "split ",
-        ];
-        for e in errors {
-            let error = no_part(&Place::default().key("loops"), &e);
-            let help = error.help().unwrap_or_default();
-            assert!(VERBS.iter().any(|v| help.starts_with(v)), "{e}");
-            assert_eq!(format!("{}: {help}", error.message()), e.to_string());
-        }
-    }
 }

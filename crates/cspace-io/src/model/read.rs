@@ -22,8 +22,8 @@ const LARGEST_JSON: u64 = 64 << 20;
 /// The most parts of a model: a file that lists no pairs stands for every two.
 const MOST_PARTS: usize = 1000;
 
-/// Keys of the file itself.
-const KEYS: [&str; 5] = ["name", "unit", "part", "joint", "pair"];
+/// Keys of the file itself. `$schema` is for editors, which complete and check the file by the schema it names.
+const KEYS: [&str; 6] = ["name", "unit", "part", "joint", "pair", "$schema"];
 
 /// How many bytes are read of a model of this name.
 fn largest(path: &Path) -> u64 {
@@ -182,6 +182,7 @@ fn from_tree(tree: &Node) -> Result<Mechanism> {
         return Err(ModelError::new(&table.place.key("part"), message)
             .with_help("split the model into several files"));
     }
+    table.text("$schema")?;
     let parts = read_parts(&table.place.key("part"), parts)?;
     let joints = table
         .list("joint", "write each joint as [[joint]], in two brackets")?

@@ -98,6 +98,32 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// A finite number.
+    pub(super) fn number(&self, key: &str) -> Result<Option<f64>> {
+        let Some(node) = self.get(key) else {
+            return Ok(None);
+        };
+        match number(node).filter(|x| x.is_finite()) {
+            Some(x) => Ok(Some(x)),
+            None => {
+                let help = format!("give it as {key} = 2.5");
+                Err(self.wrong(key, node, "a finite number", &help))
+            }
+        }
+    }
+
+    /// True or false; false where it is not given.
+    pub(super) fn flag(&self, key: &str) -> Result<bool> {
+        match self.get(key) {
+            None => Ok(false),
+            Some(&Node::Bool(b)) => Ok(b),
+            Some(other) => {
+                let help = format!("give it as {key} = true, without quotes, or leave it out");
+                Err(self.wrong(key, other, "`true` or `false`", &help))
+            }
+        }
+    }
+
     /// Two finite numbers.
     pub(super) fn point(&self, key: &str) -> Result<Option<(f64, f64)>> {
         let Some(node) = self.get(key) else {

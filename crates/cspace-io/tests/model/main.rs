@@ -1,7 +1,9 @@
 //! Models as they are read.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod arcs;
 mod errors;
 mod paper;
 mod round_trip;
+mod schema;
 mod slips;

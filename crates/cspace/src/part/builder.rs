@@ -173,7 +173,25 @@ impl OutlineBuilder {
     ///
     /// # Errors
     /// The first vertex or edge that cannot be drawn, why, and what to do.
-    pub fn close(mut self) -> Result<Vec<Vertex>, OutlineError> {
+    pub fn close(self) -> Result<Vec<Vertex>, OutlineError> {
+        Ok(self.close_numbered()?.into_iter().map(|(v, _)| v).collect())
+    }
+
+    /// The loop, as [`close`](Self::close) gives it, and with each vertex the number of the drawn vertex it comes from: a
+    /// fillet makes two of one.
+    ///
+    /// # Errors
+    /// Those of [`close`](Self::close).
+    ///
+    /// ```
+    /// use cspace::part::OutlineBuilder;
+    /// let start = OutlineBuilder::start([0.0, 0.0]);
+    /// let outline = start.line_to([4.0, 0.0]).fillet(1.0).line_to([4.0, 3.0]).close_numbered()?;
+    /// let numbers: Vec<usize> = outline.iter().map(|(_, drawn)| *drawn).collect();
+    /// assert_eq!(numbers, [0, 1, 1, 2]);
+    /// # Ok::<(), cspace::part::OutlineError>(())
+    /// ```
+    pub fn close_numbered(mut self) -> Result<Vec<(Vertex, usize)>, OutlineError> {
         if let Some(error) = self.error {
             return Err(error);
         }
@@ -261,8 +279,11 @@ impl Drawn {
     }
 }
 
-/// The vertices of a loop, given its edges, once corners are rounded. An edge that a fillet takes is none.
-fn rounded(mut edges: Vec<Option<Edge>>, vertices: &[Drawn]) -> Result<Vec<Vertex>, OutlineError> {
+/// The vertices of a loop and their numbers as drawn, given its edges, once corners are rounded. An edge that a fillet takes is none.
+fn rounded(
+    mut edges: Vec<Option<Edge>>,
+    vertices: &[Drawn],
+) -> Result<Vec<(Vertex, usize)>, OutlineError> {
     let mut arcs: Vec<Option<Edge>> = vec![None; vertices.len()];
     for (vertex_index, vertex) in vertices.iter().enumerate() {
         let Some(radius) = vertex.fillet else {
@@ -284,6 +305,6 @@ fn rounded(mut edges: Vec<Option<Edge>>, vertices: &[Drawn]) -> Result<Vec<Verte
     let both = arcs.into_iter().zip(edges);
     let all = both.flat_map(|(arc, edge)| [arc, edge]).flatten();
     Ok(all
-        .map(|e| Vertex::new(e.start.x, e.start.y, e.bulge))
+        .map(|e| (Vertex::new(e.start.x, e.start.y, e.bulge), e.index))
         .collect())
 }

@@ -1,0 +1,121 @@
+//! A bolt in a catch.
+
+use clap::Args;
+
+use super::page::{Page, Turn, about, length, number};
+use crate::failure::Failure;
+
+#[derive(Debug, Args)]
+pub(crate) struct Latch {
+    /// Diameter of the bolt's round head
+    #[arg(long, value_name = "D", default_value_t = 10.0, value_parser = length)]
+    head: f64,
+    /// How thick the head is above its round
+    #[arg(long, value_name = "L", default_value_t = 1.0, value_parser = length)]
+    rim: f64,
+    /// Width of the bolt's stem
+    #[arg(long, value_name = "L", default_value_t = 4.0, value_parser = length)]
+    stem: f64,
+    /// Width of the catch's mouth
+    #[arg(long, value_name = "L", default_value_t = 6.0, value_parser = length)]
+    mouth: f64,
+    /// Thickness of the catch's lips
+    #[arg(long, value_name = "L", default_value_t = 4.0, value_parser = length)]
+    lip: f64,
+    /// How far the bolt moves along its stem, from the bottom of the pocket to the lips
+    #[arg(long, value_name = "L", default_value_t = 2.0, value_parser = length)]
+    play: f64,
+    /// Room of the pocket on either side of the head, or of the mouth where that is wider
+    #[arg(long, value_name = "L", default_value_t = 1.0, value_parser = length)]
+    side: f64,
+}
+
+impl Latch {
+    pub(super) fn text(&self) -> Result<String, Failure> {
+        let Self {
+            head,
+            rim,
+            stem,
+            mouth,
+            lip,
+            play,
+            side,
+        } = *self;
+        if stem >= mouth {
+            return Err(Failure::input(format_args!(
+                "the stem, {stem} wide, does not go through the mouth, {mouth} wide"
+            ))
+            .help("give a --stem less than --mouth"));
+        }
+        if stem >= head {
+            return Err(Failure::input(format_args!(
+                "the stem, {stem} wide, is no narrower than the head, {head} wide"
+            ))
+            .help("give a --stem less than --head"));
+        }
+        let pocket = 0.5 * head.max(mouth) + side;
+        let shoulder = -lip - 0.5 * play;
+        let round = shoulder - rim;
+        let bottom = -lip - play - rim - 0.5 * head;
+        let (wall, foot) = (pocket + lip, bottom - lip);
+        let upright = if head > mouth {
+            format!(
+                "The head is wider than the mouth by {}: upright it does not come out. Whether it can be tilted\nout, `cspace compute` tells: two regions of free space, one of them caged, say no.",
+                about(head - mouth, 6)
+            )
+        } else {
+            "The head is no wider than the mouth: the bolt comes out. To see it held, give a --head\nwider than --mouth.".to_owned()
+        };
+        let comment = format!(
+            "\
+A bolt with a round head of diameter {h} in a catch whose mouth is {m} wide.
+
+{upright}
+
+Drawn with the head half way between the bottom of the pocket and the lips: from (x, y, theta) =
+(0, 0, 0) the bolt goes up or down by {p}, then its head is at the lips or on the bottom.
+
+Written by: cspace new latch --head {h} --rim {r} --stem {s} --mouth {m} --lip {l} --play {pl} --side {si}
+Ask it:     cspace compute FILE
+            printf 'x,y,theta\\n0,0,0\\n0,{p},0\\n0,{pl},0\\n' | cspace classify FILE",
+            h = number(head),
+            m = number(mouth),
+            p = about(0.5 * play, 6),
+            r = number(rim),
+            s = number(stem),
+            l = number(lip),
+            pl = number(play),
+            si = number(side),
+        );
+        let mut page = Page::new(&comment, "bolt in a catch", wall.max(-foot));
+        page.part("The first part of a pair is fixed.", "catch", "");
+        page.begin_loop("section");
+        page.vertex((-wall, foot), "foot");
+        page.vertex((wall, foot), "");
+        page.vertex((wall, 0.0), "face");
+        page.vertex((0.5 * mouth, 0.0), "mouth");
+        page.vertex((0.5 * mouth, -lip), "lip");
+        page.vertex((pocket, -lip), "pocket");
+        page.vertex((pocket, bottom), "bottom");
+        page.vertex((-pocket, bottom), "pocket");
+        page.vertex((-pocket, -lip), "lip");
+        page.vertex((-0.5 * mouth, -lip), "mouth");
+        page.vertex((-0.5 * mouth, 0.0), "face");
+        page.vertex((-wall, 0.0), "");
+        page.end_loop();
+        page.end_part();
+        page.part("The second part moves.", "bolt", "");
+        page.begin_loop("outline");
+        page.vertex((-0.5 * head, round), "head");
+        page.arc_of_radius((0.5 * head, round), 0.5 * head, Turn::Left, "a half circle");
+        page.vertex((0.5 * head, shoulder), "shoulder");
+        page.vertex((0.5 * stem, shoulder), "stem");
+        page.vertex((0.5 * stem, 2.0 * lip), "end");
+        page.vertex((-0.5 * stem, 2.0 * lip), "stem");
+        page.vertex((-0.5 * stem, shoulder), "shoulder");
+        page.vertex((-0.5 * head, shoulder), "");
+        page.end_loop();
+        page.end_part();
+        page.finish()
+    }
+}

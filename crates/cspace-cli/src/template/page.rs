@@ -1,0 +1,188 @@
+//! The text of a model while it is written.
+
+use crate::failure::Failure;
+
+/// A coordinate nearer to 0 than this share of the model's size is the rounding of a sine or a difference.
+const NOTHING: f64 = 1e-13;
+
+/// The shortest and longest length of a template, in the unit of the model. Between them no dimension vanishes beside
+/// another, and numbers are written without exponents.
+const LENGTHS: (f64, f64) = (1e-3, 1e6);
+
+/// A model as text, part by part.
+pub(super) struct Page {
+    text: String,
+    size: f64,
+}
+
+impl Page {
+    /// Begins with a comment and the name; `size` is about that of the whole.
+    pub(super) fn new(comment: &str, name: &str, size: f64) -> Self {
+        let mut page = Self {
+            text: String::new(),
+            size,
+        };
+        page.comment(comment);
+        page.text += &format!("\nname = \"{name}\"\nunit = \"mm\"\n");
+        page
+    }
+
+    fn comment(&mut self, comment: &str) {
+        for line in comment.lines() {
+            self.text += format!("# {line}").trim_end();
+            self.text.push('\n');
+        }
+    }
+
+    /// Begins a part; `motion` is what stands behind `motion =`, empty for a part that moves freely.
+    pub(super) fn part(&mut self, comment: &str, name: &str, motion: &str) {
+        self.text.push('\n');
+        self.comment(comment);
+        self.text += &format!("[[part]]\nname = \"{name}\"\n");
+        if !motion.is_empty() {
+            self.text += &format!("motion = {motion}\n");
+        }
+        self.text += "loops = [\n";
+    }
+
+    pub(super) fn end_part(&mut self) {
+        self.text += "]\n";
+    }
+
+    pub(super) fn begin_loop(&mut self, what: &str) {
+        self.text += &format!("  [ # {what}\n");
+    }
+
+    pub(super) fn end_loop(&mut self) {
+        self.text += "  ],\n";
+    }
+
+    /// A vertex that a line leads to.
+    pub(super) fn vertex(&mut self, at: (f64, f64), note: &str) {
+        let entry = self.point(at);
+        self.entry(&entry, note);
+    }
+
+    pub(super) fn fillet(&mut self, radius: f64, note: &str) {
+        let entry = format!("{{ fillet = {} }}", number(radius));
+        self.entry(&entry, note);
+    }
+
+    /// An arc of at most half a turn.
+    pub(super) fn arc_of_radius(&mut self, to: (f64, f64), radius: f64, turn: Turn, note: &str) {
+        let entry = format!(
+            "{{ arc_to = {}, radius = {}, direction = \"{}\" }}",
+            self.point(to),
+            number(radius),
+            turn.name()
+        );
+        self.entry(&entry, note);
+    }
+
+    pub(super) fn arc_about(&mut self, to: (f64, f64), center: (f64, f64), turn: Turn, note: &str) {
+        let entry = format!(
+            "{{ arc_to = {}, center = {}, direction = \"{}\" }}",
+            self.point(to),
+            self.point(center),
+            turn.name()
+        );
+        self.entry(&entry, note);
+    }
+
+    pub(super) fn arc_through(&mut self, to: (f64, f64), through: (f64, f64), note: &str) {
+        let entry = format!(
+            "{{ arc_to = {}, through = {} }}",
+            self.point(to),
+            self.point(through)
+        );
+        self.entry(&entry, note);
+    }
+
+    /// A circle, which is a loop of its own.
+    pub(super) fn circle(&mut self, radius: f64, at: (f64, f64), note: &str) {
+        let at = self.point(at);
+        let radius = number(radius);
+        self.text += &format!("  {{ circle = {radius}, at = {at} }}, # {note}\n");
+    }
+
+    fn entry(&mut self, entry: &str, note: &str) {
+        let before = if note.is_empty() { "" } else { " # " };
+        self.text += &format!("    {entry},{before}{note}\n");
+    }
+
+    /// A point as models have it.
+    pub(super) fn point(&self, (x, y): (f64, f64)) -> String {
+        let clean = |x: f64| {
+            if x.abs() < NOTHING * self.size {
+                0.0
+            } else {
+                x
+            }
+        };
+        format!("[{}, {}]", number(clean(x)), number(clean(y)))
+    }
+
+    /// The model, once it is known that it can be read.
+    pub(super) fn finish(self) -> Result<String, Failure> {
+        match cspace_io::model::from_toml(&self.text, "the model") {
+            Ok(_) => Ok(self.text),
+            Err(error) => Err(Failure::input(format_args!(
+                "these dimensions do not go together: {error}"
+            ))
+            .help("change them towards the defaults, which --help lists")),
+        }
+    }
+}
+
+/// Which way an arc turns.
+#[derive(Clone, Copy)]
+pub(super) enum Turn {
+    Left,
+    Right,
+}
+
+impl Turn {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Left => "ccw",
+            Self::Right => "cw",
+        }
+    }
+}
+
+/// A number without the digits that computing it has left at its end: 14 of them are kept.
+pub(super) fn number(x: f64) -> String {
+    let rounded = format!("{x:.13e}").parse().unwrap_or(x);
+    format!("{rounded}")
+}
+
+/// To so many decimals, for comments.
+pub(super) fn about(x: f64, decimals: usize) -> String {
+    let text = format!("{x:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// The point at a radius and an angle in degrees.
+pub(super) fn polar(radius: f64, degrees: f64) -> (f64, f64) {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    (radius * cos, radius * sin)
+}
+
+/// A length on the command line.
+pub(super) fn length(text: &str) -> Result<f64, String> {
+    let (least, most) = LENGTHS;
+    (text.trim().parse::<f64>().ok())
+        .filter(|x| (least..=most).contains(x))
+        .ok_or_else(|| format!("give a length of more than 0, from {least} to {most}"))
+}
+
+/// A length, or 0 for none.
+pub(super) fn length_or_none(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(0.0) => Ok(0.0),
+        _ => length(text).map_err(|e| format!("{e}, or 0 for none")),
+    }
+}

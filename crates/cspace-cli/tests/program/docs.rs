@@ -1,0 +1,97 @@
+//! The pages that teach: every command line in them is run, and prints what the page says.
+//!
+//! A block of `toml NAME` is the file of that name, a block of `console` has command lines behind `$ ` and what each prints.
+//! `CSPACE_DOCS=write cargo test -p cspace-cli docs::` writes what is printed into the pages.
+
+use std::path::Path;
+use std::process::Command;
+
+/// A page with what the commands print now, and how many there are.
+fn run_page(text: &str, folder: &Path) -> (String, usize) {
+    let program = assert_cmd::cargo::cargo_bin("cspace");
+    let path = format!(
+        "{}:{}",
+        program.parent().unwrap().display(),
+        std::env::var("PATH").unwrap_or_default()
+    );
+    let print = |command: &str| {
+        let output = Command::new("sh")
+            .args(["-c", &format!("{{ {command}\n}} 2>&1")])
+            .env("PATH", &path)
+            .current_dir(folder)
+            .output()
+            .unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let (mut page, mut count) = (String::new(), 0);
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        page += &format!("{line}\n");
+        let Some(info) = line.trim_start().strip_prefix("```") else {
+            assert!(!line.starts_with("$ "), "a command outside a block: {line}");
+            continue;
+        };
+        let body: Vec<&str> = lines.by_ref().take_while(|l| l.trim() != "```").collect();
+        match info.split_whitespace().collect::<Vec<_>>()[..] {
+            ["console"] => {
+                assert!(body[0].starts_with("$ "), "{}", body[0]);
+                for command in body.iter().filter_map(|l| l.strip_prefix("$ ")) {
+                    page += &format!("$ {command}\n{}", print(command));
+                    count += 1;
+                }
+            }
+            ref other => {
+                if let ["toml", name] = other[..] {
+                    std::fs::write(folder.join(name), body.join("\n") + "\n").unwrap();
+                }
+                assert!(!body.iter().any(|l| l.starts_with("cspace ")), "{body:?}");
+                page.extend(body.iter().map(|l| format!("{l}\n")));
+            }
+        }
+        let indent = &line[..line.len() - line.trim_start().len()];
+        page += &format!("{indent}```\n");
+    }
+    (page, count)
+}
+
+/// Seconds are not the same twice.
+fn without_seconds(page: &str) -> String {
+    let line = |l: &str| match l.starts_with("  time  ") {
+        true => "  time\n".to_owned(),
+        false => format!("{l}\n"),
+    };
+    page.lines().map(line).collect()
+}
+
+#[track_caller]
+fn is_true(name: &str, least: usize) {
+    let file = format!("{}/../../docs/{name}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&file).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let (page, count) = run_page(&text, folder.path());
+    assert!(count >= least, "{count} commands in {name}");
+    if std::env::var("CSPACE_DOCS").is_ok_and(|v| v == "write") {
+        std::fs::write(file, page).unwrap();
+        return;
+    }
+    let (expected, found) = (without_seconds(&text), without_seconds(&page));
+    for (n, (expected, found)) in expected.lines().zip(found.lines()).enumerate() {
+        assert_eq!(
+            found,
+            expected,
+            "{name}:{}: see the top of this test's file",
+            n + 1
+        );
+    }
+    assert_eq!(found.lines().count(), expected.lines().count(), "{name}");
+}
+
+#[test]
+fn how_a_model_is_written() {
+    is_true("model.md", 8);
+}
+
+#[test]
+fn three_first_models() {
+    is_true("first-models.md", 14);
+}

@@ -1,0 +1,253 @@
+//! A loop from its entries.
+
+use cspace::part::{OutlineBuilder, OutlineError, circle_loop};
+use cspace::{Point, Vertex};
+
+use super::entry::{ENTRIES, Entry, read_entry, read_vertex};
+use super::error::ModelError;
+use super::node::Node;
+use super::place::Place;
+use super::table::{Result, Table};
+
+/// The vertices of a loop.
+pub(super) struct DrawnLoop {
+    pub(super) vertices: Vec<Vertex>,
+    /// For every vertex the entry it comes from; none where that is its own number.
+    entries: Option<Vec<usize>>,
+}
+
+impl DrawnLoop {
+    /// The entry that a vertex, or the edge that leaves it, comes from.
+    pub(super) fn entry(&self, vertex: usize) -> usize {
+        let entries = self.entries.as_ref();
+        entries
+            .and_then(|e| e.get(vertex).copied())
+            .unwrap_or(vertex)
+    }
+}
+
+pub(super) fn read_loop(loops: &Place, index: usize, node: &Node) -> Result<DrawnLoop> {
+    let place = || loops.item(index).further(&format!("loop {index}"));
+    match node {
+        Node::List(nodes) if nodes.iter().any(|n| matches!(n, Node::Table(_))) => {
+            Sketch::new(place()).draw(nodes)
+        }
+        Node::List(nodes) => read_vertices(place, nodes),
+        Node::Table(_) => read_circle(place(), node),
+        _ => {
+            let message = format!("{} where a list of vertices is expected", node.describe());
+            Err(ModelError::new(&place(), message)
+                .with_help("a loop is a list of vertices, [[x, y, bulge], [x, y], ...], or { circle = r, at = [x, y] }"))
+        }
+    }
+}
+
+/// A loop of vertices alone, of which there may be a million.
+fn read_vertices(place: impl Fn() -> Place, nodes: &[Node]) -> Result<DrawnLoop> {
+    let mut vertices = Vec::with_capacity(nodes.len());
+    for (i, node) in nodes.iter().enumerate() {
+        match read_vertex(node) {
+            Ok(vertex) => vertices.push(vertex),
+            Err(_) => {
+                let place = place().item(i).further(&format!("vertex {i}"));
+                read_entry(place, node, nodes)?;
+            }
+        }
+    }
+    Ok(DrawnLoop {
+        vertices,
+        entries: None,
+    })
+}
+
+fn read_circle(place: Place, node: &Node) -> Result<DrawnLoop> {
+    const HELP: &str = "a circle is { circle = r, at = [x, y] }";
+    let table = Table::new(node, place, &["circle", "at"], HELP).map_err(|e| match e.help() {
+        Some(help) if help.starts_with("did you mean") => e,
+        _ => e.with_help(
+            "a loop in braces is a circle, { circle = r, at = [x, y] }; arcs and fillets are entries of a loop in brackets: is a pair of brackets missing?",
+        ),
+    })?;
+    let radius = table
+        .number("circle")?
+        .ok_or_else(|| table.missing("circle", "circle = 2.5, the radius"))?;
+    let (x, y) = table
+        .point("at")?
+        .ok_or_else(|| table.missing("at", "at = [0, 0], the centre"))?;
+    let vertices = circle_loop(Point::new(x, y), radius).map_err(|_| {
+        let error = table.error("circle", format!("the radius is {radius:?}"));
+        error.with_help("give a positive number")
+    })?;
+    Ok(DrawnLoop {
+        vertices,
+        entries: None,
+    })
+}
+
+/// A loop while it is drawn.
+struct Sketch {
+    place: Place,
+    /// None before the first vertex.
+    pen: Option<OutlineBuilder>,
+    /// Where the first vertex is.
+    start: Point,
+    /// The bulge of the edge that leaves the last vertex.
+    bulge: f64,
+    /// For every vertex drawn the entry it comes from.
+    entries: Vec<usize>,
+    /// For every vertex drawn the entry that rounds it, if there is one.
+    fillets: Vec<Option<usize>>,
+    /// How each entry is called.
+    names: Vec<&'static str>,
+}
+
+impl Sketch {
+    fn new(place: Place) -> Self {
+        Self {
+            place,
+            pen: None,
+            start: Point::ORIGIN,
+            bulge: 0.0,
+            entries: Vec::new(),
+            fillets: Vec::new(),
+            names: Vec::new(),
+        }
+    }
+
+    fn draw(mut self, nodes: &[Node]) -> Result<DrawnLoop> {
+        let name = |n: &Node| {
+            if matches!(n, Node::Table(_)) {
+                "entry"
+            } else {
+                "vertex"
+            }
+        };
+        self.names = nodes.iter().map(name).collect();
+        for (i, node) in nodes.iter().enumerate() {
+            let entry = read_entry(self.at(i), node, nodes)?;
+            self.pen = Some(self.add(i, &entry)?);
+        }
+        let Some(mut pen) = self.pen.take() else {
+            return Err(ModelError::new(&self.place, "an empty list").with_help(ENTRIES));
+        };
+        if self.bulge != 0.0 {
+            pen = pen.arc_to(self.start, self.bulge);
+        }
+        let drawn = pen.close_numbered().map_err(|e| self.refused(&e))?;
+        let mut before = None;
+        let entries = drawn.iter().map(|&(_, number)| {
+            // A fillet makes two vertices of one: its own entry stands for the second.
+            let is_second = before.replace(number) == Some(number);
+            let fillet = self.fillets.get(number).copied().flatten();
+            let entry = self.entries.get(number).copied();
+            fillet.filter(|_| is_second).or(entry).unwrap_or_default()
+        });
+        Ok(DrawnLoop {
+            entries: Some(entries.collect()),
+            vertices: drawn.iter().map(|(v, _)| *v).collect(),
+        })
+    }
+
+    /// The pen once an entry is drawn.
+    fn add(&mut self, i: usize, entry: &Entry) -> Result<OutlineBuilder> {
+        let (to, arc, fillet) = match entry {
+            Entry::Vertex(v) => (v.point(), None, None),
+            Entry::To { to, arc, fillet } => (*to, arc.as_ref(), *fillet),
+            Entry::Fillet(radius) => {
+                let Some(pen) = self.pen.take() else {
+                    let message = "a fillet, but no vertex before it";
+                    return Err(ModelError::new(&self.at(i), message)
+                        .with_help("put { fillet = r } after the vertex that it rounds, or write { at = [x, y], fillet = r }"));
+                };
+                return Ok(self.fillet(i, pen, *radius));
+            }
+        };
+        let bulge = core::mem::take(&mut self.bulge);
+        let pen = match (self.pen.take(), arc) {
+            (None, Some(_)) => {
+                let message = "the loop begins with an arc, which has no vertex to start from";
+                return Err(ModelError::new(&self.at(i), message).with_help(
+                    "begin with a vertex [x, y]; an arc may end there to close the loop",
+                ));
+            }
+            (None, None) => {
+                self.start = to;
+                OutlineBuilder::start(to)
+            }
+            (Some(_), Some(_)) if bulge != 0.0 => {
+                let before = self.entries.last().copied().unwrap_or_default();
+                let message = format!(
+                    "the arc is given twice, here and by the bulge of vertex {before}, which it leaves"
+                );
+                return Err(ModelError::new(&self.at(i), message)
+                    .with_help(format!("write vertex {before} as [x, y], without a bulge")));
+            }
+            (Some(pen), Some(arc)) => arc.draw(pen, to),
+            (Some(pen), None) => pen.arc_to(to, bulge),
+        };
+        self.entries.push(i);
+        self.fillets.push(None);
+        if let Entry::Vertex(v) = entry {
+            self.bulge = v.bulge;
+        }
+        Ok(match fillet {
+            Some(radius) => self.fillet(i, pen, radius),
+            None => pen,
+        })
+    }
+
+    fn fillet(&mut self, i: usize, pen: OutlineBuilder, radius: f64) -> OutlineBuilder {
+        if let Some(entry) = self.fillets.last_mut() {
+            *entry = Some(i);
+        }
+        pen.fillet(radius)
+    }
+
+    fn at(&self, entry: usize) -> Place {
+        let name = self.names.get(entry).copied().unwrap_or("entry");
+        self.place.item(entry).further(&format!("{name} {entry}"))
+    }
+
+    /// What cannot be drawn, at the entry that asks for it.
+    fn refused(&self, error: &OutlineError) -> ModelError {
+        let entry = |vertex: usize| {
+            let last = self.entries.last().copied().unwrap_or_default();
+            self.at(self.entries.get(vertex).copied().unwrap_or(last))
+        };
+        let (place, text) = match error {
+            OutlineError::Arc {
+                vertex_index,
+                error,
+            } => (entry(vertex_index + 1), error.to_string()),
+            OutlineError::Fillet {
+                vertex_index,
+                error,
+            } => (self.rounded(*vertex_index), error.to_string()),
+            OutlineError::TwoFillets { vertex_index } => (
+                self.rounded(*vertex_index),
+                "the corner has two fillets: remove one of them".to_owned(),
+            ),
+            OutlineError::NoEdge { vertex_index } => (
+                entry(vertex_index + 1),
+                "it is at the same place as the vertex before it: remove one of them, or draw a full circle as { circle = r, at = [x, y] }".to_owned(),
+            ),
+            other => (self.place.clone(), other.to_string()),
+        };
+        // Every message about an outline ends in what to do, after its last colon.
+        match text.rsplit_once(": ") {
+            Some((what, help)) => ModelError::new(&place, what).with_help(help),
+            None => ModelError::new(&place, text),
+        }
+    }
+
+    /// The entry that rounds a vertex.
+    fn rounded(&self, vertex: usize) -> Place {
+        let of = |fillet: Option<&Option<usize>>| fillet.copied().flatten();
+        // An edge that closes the loop ends at the first vertex, and a fillet after it is that vertex's.
+        let entry = of(self.fillets.get(vertex)).or_else(|| of(self.fillets.last()));
+        match entry {
+            Some(entry) => self.at(entry),
+            None => self.place.clone(),
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! The outline of a part from the loops of a file.
+
+use cspace::{Part, PartError};
+
+use super::drawn::{DrawnLoop, read_loop};
+use super::error::ModelError;
+use super::node::Node;
+use super::place::Place;
+use super::table::Result;
+
+/// The part of a name whose loops are these values.
+pub(super) fn read_outline(name: &str, place: &Place, nodes: &[Node]) -> Result<Part> {
+    let mut loops = (nodes.iter().enumerate())
+        .map(|(i, l)| read_loop(place, i, l))
+        .collect::<Result<Vec<_>>>()?;
+    let vertices = loops
+        .iter_mut()
+        .map(|l| core::mem::take(&mut l.vertices))
+        .collect();
+    Part::new(name, vertices).map_err(|e| no_part(place, &in_entries(e, &loops)))
+}
+
+/// The error, with vertices and edges counted as the entries of the file are.
+fn in_entries(mut error: PartError, loops: &[DrawnLoop]) -> PartError {
+    let entry = |l: usize, v: &mut usize| {
+        if let Some(of) = loops.get(l) {
+            *v = of.entry(*v);
+        }
+    };
+    match &mut error {
+        PartError::CoincidentVertices {
+            loop_index,
+            vertex_index,
+            next_index,
+        } => {
+            entry(*loop_index, vertex_index);
+            entry(*loop_index, next_index);
+        }
+        PartError::BadCoordinate {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::CoordinateTooLarge {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::BadBulge {
+            loop_index,
+            vertex_index,
+            ..
+        }
+        | PartError::Spike {
+            loop_index,
+            vertex_index,
+        } => entry(*loop_index, vertex_index),
+        PartError::Crossing {
+            loop_index,
+            edge_index,
+            other_loop,
+            other_edge,
+            ..
+        }
+        | PartError::Touching {
+            loop_index,
+            edge_index,
+            other_loop,
+            other_edge,
+            ..
+        } => {
+            entry(*loop_index, edge_index);
+            entry(*other_loop, other_edge);
+        }
+        _ => {}
+    }
+    error
+}
+
+/// What is wrong with loops, at the loop and vertex where it is.
+fn no_part(loops: &Place, error: &PartError) -> ModelError {
+    let place = match place_in_loops(error) {
+        (None, _) => loops.clone(),
+        (Some(l), None) => loops.item(l),
+        (Some(l), Some(v)) => loops.item(l).item(v),
+    };
+    // Every message about a part ends in what to do, after its last colon.
+    let text = error.to_string();
+    match text.rsplit_once(": ") {
+        Some((what, help)) => ModelError::new(&place, what).with_help(help),
+        None => ModelError::new(&place, text),
+    }
+}
+
+/// The loop and vertex an error is about.
+fn place_in_loops(error: &PartError) -> (Option<usize>, Option<usize>) {
+    match *error {
+        PartError::TooFewVertices { loop_index, .. } => (Some(loop_index), None),
+        PartError::RepeatedLoop { other_loop, .. } => (Some(other_loop), None),
+        PartError::BadCoordinate {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::CoordinateTooLarge {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::BadBulge {
+            loop_index,
+            vertex_index,
+            ..
+        }
+        | PartError::CoincidentVertices {
+            loop_index,
+            vertex_index,
+            ..
+        }
+        | PartError::Spike {
+            loop_index,
+            vertex_index,
+        } => (Some(loop_index), Some(vertex_index)),
+        PartError::Crossing {
+            loop_index,
+            edge_index,
+            ..
+        }
+        | PartError::Touching {
+            loop_index,
+            edge_index,
+            ..
+        } => (Some(loop_index), Some(edge_index)),
+        _ => (None, None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PartError, Place, no_part};
+    use cspace::Point;
+
+    #[test]
+    fn every_error_of_a_part_says_what_to_do() {
+        let (loop_index, vertex_index, edge_index) = (1, 2, 2);
+        let (other_loop, other_edge, at) = (0, 3, Point::new(0.5, 0.25));
+        let errors = [
+            PartError::Empty,
+            PartError::TooManyVertices { count: 9 },
+            PartError::TooFewVertices {
+                loop_index,
+                count: 2,
+            },
+            PartError::BadCoordinate {
+                loop_index,
+                vertex_index,
+            },
+            PartError::CoordinateTooLarge {
+                loop_index,
+                vertex_index,
+            },
+            PartError::BadBulge {
+                loop_index,
+                vertex_index,
+                bulge: f64::NAN,
+            },
+            PartError::TooSmall { size: 1e-300 },
+            PartError::TooFar {
+                size: 1.0,
+                distance: 1e20,
+            },
+            PartError::CoincidentVertices {
+                loop_index,
+                vertex_index,
+                next_index: 3,
+            },
+            PartError::Spike {
+                loop_index,
+                vertex_index,
+            },
+            PartError::Crossing {
+                loop_index,
+                edge_index,
+                other_loop,
+                other_edge,
+                at,
+            },
+            PartError::Touching {
+                loop_index,
+                edge_index,
+                other_loop,
+                other_edge,
+                at,
+            },
+            PartError::RepeatedLoop {
+                loop_index,
+                other_loop,
+            },
+        ];
+        const VERBS: [&str; 7] = [
+            "give ", "replace ", "choose ", "move ", "remove ", "draw ", "split ",
+        ];
+        for e in errors {
+            let error = no_part(&Place::default().key("loops"), &e);
+            let help = error.help().unwrap_or_default();
+            assert!(VERBS.iter().any(|v| help.starts_with(v)), "{e}");
+            assert_eq!(format!("{}: {help}", error.message()), e.to_string());
+        }
+    }
+}

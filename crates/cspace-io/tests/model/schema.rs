@@ -1,0 +1,228 @@
+//! The published schema of models, held against what the reader takes and refuses.
+
+use std::path::{Path, PathBuf};
+
+use cspace_io::model;
+use jsonschema::Validator;
+use serde_json::{Value, json};
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+fn validator() -> Validator {
+    let text = std::fs::read_to_string(format!("{ROOT}/docs/model.schema.json")).unwrap();
+    let schema: Value = serde_json::from_str(&text).unwrap();
+    jsonschema::draft7::meta::validate(&schema).unwrap();
+    jsonschema::draft7::new(&schema).unwrap()
+}
+
+fn models(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(models(&path));
+        } else if path.extension().is_some_and(|e| e == "toml") {
+            found.push(path);
+        }
+    }
+    found
+}
+
+#[test]
+fn the_shipped_models_are_valid() {
+    let validator = validator();
+    let folders = ["models", "tests/regression", "dev/baseline/models"];
+    let all: Vec<PathBuf> = (folders.iter())
+        .flat_map(|f| models(&Path::new(ROOT).join(f)))
+        .collect();
+    assert!(all.len() > 100, "{}", all.len());
+    for path in all {
+        let text = std::fs::read_to_string(&path).unwrap();
+        // Regression cases have their expectations, which are no model's, in comments or files of their own.
+        if model::from_toml(&text, "m.toml").is_err() {
+            continue;
+        }
+        let value: Value = toml::from_str(&text).unwrap();
+        let errors: Vec<String> = validator
+            .iter_errors(&value)
+            .map(|e| e.to_string())
+            .collect();
+        assert!(errors.is_empty(), "{path:?}: {}", errors[0]);
+    }
+}
+
+/// A model with everything a model may have.
+fn whole() -> Value {
+    json!({
+        "$schema": "model.schema.json",
+        "name": "all of it",
+        "unit": "mm",
+        "part": [
+            {"name": "plate", "motion": {"type": "fixed"}, "loops": [
+                [[-20, -20], [20, -20], {"fillet": 2}, {"at": [20, 20], "fillet": 3}, [-20, 20]],
+                {"circle": 2.5, "at": [0, 0]},
+            ]},
+            {"name": "cam", "symmetry": 1,
+             "motion": {"type": "revolute", "center": [0, 0], "range": ["-10deg", 0.5]},
+             "loops": [[[0, 0, 0.25], [4, 0], {"arc_to": [0, 4], "radius": 4, "direction": "ccw", "large": false}]]},
+            {"name": "slider", "motion": {"type": "prismatic", "direction": [0, 1], "range": [-3, 4.5]},
+             "loops": [[[0, 0], {"arc_to": [4, 0], "through": [2, 1], "fillet": 0.1}, [9, -9]]]},
+            {"name": "link", "motion": {"type": "planar"},
+             "loops": [[[4, 0], {"arc_to": [0, 4], "center": [0, 0]}, {"fillet": 0.5}, [0, 0]]]},
+        ],
+        "joint": [
+            {"type": "revolute", "parts": ["plate", "cam"], "at": [0, 0]},
+            {"type": "prismatic", "parts": ["plate", "slider"], "direction": [0, 1], "at": [1, 2]},
+            {"type": "rigid", "parts": ["slider", "link"]},
+        ],
+        "pair": [
+            {"fixed": "plate", "moving": "link", "theta": ["-0.5 turn", " 90 ° "]},
+            {"fixed": "cam", "moving": "link"},
+        ],
+    })
+}
+
+#[track_caller]
+fn agree(validator: &Validator, value: &Value, is_good: bool, what: &str) {
+    assert_eq!(
+        validator.is_valid(value),
+        is_good,
+        "schema, {what}: {value}"
+    );
+    let read = model::from_json(&value.to_string(), "m.json");
+    assert_eq!(read.is_ok(), is_good, "reader, {what}: {read:?}");
+}
+
+/// Whatever is changed, the schema and the reader agree that it is wrong.
+#[test]
+fn broken_models_are_not() {
+    let validator = validator();
+    agree(&validator, &whole(), true, "whole");
+    let loops = |entries: Value| json!([entries]);
+    for (at, value) in [
+        ("/name", json!(3)),
+        ("/name", json!("a\nb")),
+        ("/unit", json!(["mm"])),
+        ("/$schema", json!(1)),
+        ("/nmae", json!("x")),
+        ("/part", json!([])),
+        ("/part", json!({})),
+        ("/part/0/name", json!(" ")),
+        ("/part/0/name", json!("a\u{1b}b")),
+        ("/part/0/colour", json!("red")),
+        ("/part/0/loops", json!([])),
+        ("/part/0/loops", json!([[0, 0], [1, 0], [1, 1]])),
+        ("/part/0/loops/1", json!({"circle": -1, "at": [0, 0]})),
+        ("/part/0/loops/1", json!({"circle": 1})),
+        (
+            "/part/0/loops/1",
+            json!({"circle": 1, "at": [0, 0], "radius": 2}),
+        ),
+        ("/part/0/symmetry", json!(0)),
+        ("/part/0/symmetry", json!("2")),
+        ("/part/0/motion", json!({"type": "fixt"})),
+        ("/part/0/motion", json!({"type": "fixed", "center": [0, 0]})),
+        ("/part/1/motion", json!({"type": "revolute"})),
+        ("/part/1/motion/range", json!(["10 grad", 1])),
+        ("/part/1/motion/range", json!([0])),
+        ("/part/1/motion/range", json!([0, 2e6])),
+        (
+            "/part/2/motion",
+            json!({"type": "prismatic", "range": [0, 1]}),
+        ),
+        ("/part/2/motion/range", json!(["0deg", "1deg"])),
+        ("/part/1/loops", loops(json!([[0, 0], [4, 0], [0]]))),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], [0, 4, 1, 1]])),
+        ),
+        ("/part/1/loops", loops(json!([[0, 0], [4, "0"], [0, 4]]))),
+        ("/part/1/loops", loops(json!([[0, 0], [4, 0], {}]))),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"fillet": 0}, [0, 4]])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"filet": 1}, [0, 4]])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"arc_to": [0, 4]}])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"arc_to": [0, 4], "radius": -4}])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"arc_to": [0], "radius": 4}])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"arc_to": [0, 4], "radius": 4, "center": [0, 0]}])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"arc_to": [0, 4], "radius": 4, "direction": "left"}])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"arc_to": [0, 4], "radius": 4, "large": 1}])),
+        ),
+        (
+            "/part/1/loops",
+            loops(
+                json!([[0, 0], [4, 0], {"arc_to": [0, 4], "through": [3, 3], "direction": "cw"}]),
+            ),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"radius": 4}])),
+        ),
+        (
+            "/part/1/loops",
+            loops(json!([[0, 0], [4, 0], {"at": [0, 4], "radius": 4}])),
+        ),
+        ("/joint/0/type", json!("hinge")),
+        ("/joint/0/parts", json!(["plate"])),
+        ("/joint/0/parts", json!(["plate", "plate"])),
+        ("/joint/0/direction", json!([0, 1])),
+        ("/joint/2/at", json!([0, 1])),
+        ("/joint/1/at", json!([0])),
+        ("/pair/0/theta", json!(["0", "1"])),
+        ("/pair/0/theta", json!(0.5)),
+        ("/pair/0/fixed", json!(0)),
+        ("/pair/0/friction_", json!(0.1)),
+    ] {
+        let mut broken = whole();
+        let (parent, key) = at.rsplit_once('/').unwrap();
+        match broken.pointer_mut(parent).unwrap() {
+            Value::Object(map) => {
+                map.insert(key.to_owned(), value);
+            }
+            Value::Array(list) => list[key.parse::<usize>().unwrap()] = value,
+            _ => panic!("{at}"),
+        }
+        agree(&validator, &broken, false, at);
+    }
+    for at in [
+        "/part",
+        "/part/0/name",
+        "/part/0/loops",
+        "/part/1/motion/center",
+        "/part/2/motion/direction",
+        "/joint/0/at",
+        "/joint/1/direction",
+        "/joint/2/parts",
+        "/joint/2/type",
+        "/pair/1/fixed",
+        "/pair/1/moving",
+    ] {
+        let mut broken = whole();
+        let (parent, key) = at.rsplit_once('/').unwrap();
+        let parent = broken.pointer_mut(parent).unwrap();
+        parent.as_object_mut().unwrap().remove(key).unwrap();
+        agree(&validator, &broken, false, at);
+    }
+}
