@@ -237,8 +237,8 @@ fn axes_regions(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) ->
         writeln!(
             text,
             "    region {i}     {ranges}, e.g. {}, {}",
-            u.value(r.sample.0 - u.turns_before(if together(r) { r.sample.0 } else { r.u.0 })),
-            v.value(r.sample.1 - v.turns_before(if together(r) { r.sample.1 } else { r.v.0 }))
+            u.example(r.sample.0, r.u, r.around_u),
+            v.example(r.sample.1, r.v, r.around_v)
         )?;
     }
     more(text, regions.len())
@@ -282,6 +282,11 @@ impl<'a> Coordinate<'a> {
         } else {
             0.0
         }
+    }
+
+    /// A value of a region: within its range as that is told, or in [−π, π) where it turns for ever.
+    fn example(&self, t: f64, range: (f64, f64), around: bool) -> String {
+        self.value(t - self.turns_before(if around { t } else { range.0 }))
     }
 
     /// A value with its unit.
