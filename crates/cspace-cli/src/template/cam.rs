@@ -58,7 +58,7 @@ for the face stands on the higher of base circle and nose, whose centre is {a} f
 
 Written by: cspace new cam --base {b} --lift {l} --nose {n} --face {f}
 Ask it:     cspace compute FILE
-            printf 'u,v\\n180deg,{below}\\n180deg,{l}\\n' | cspace classify FILE",
+            printf 'u,v\\n180deg,{below}\\n180deg,{l}\\n180deg,{above}\\n' | cspace classify FILE",
             b = number(base),
             n = number(nose),
             l = number(lift),
@@ -66,6 +66,7 @@ Ask it:     cspace compute FILE
             a = about(down, 6),
             c = about(base - nose, 6),
             below = number(0.5 * lift),
+            above = number(1.5 * lift),
         );
         let mut page = Page::new(&comment, "cam and follower", base + lift + face);
         let turns = "{ type = \"revolute\", center = [0, 0] }";

@@ -28,7 +28,9 @@ struct Layout {
     /// Radius of the pin's circle.
     crank: f64,
     wheel: f64,
+    /// Radius of the locking disc, and of what is left of it towards the pin.
     disc: f64,
+    hub: f64,
     /// Half the width of a slot.
     half: f64,
     /// Where the round bottom of a slot has its centre, from the wheel's.
@@ -54,7 +56,8 @@ impl Geneva {
             ))
             .help("give a smaller --pin or --play, a larger --distance, or fewer --slots")
         };
-        if disc <= 0.0 {
+        let hub = self.distance - wheel - self.play;
+        if disc <= hub || hub <= self.play {
             return Err(too_wide("it leaves no room for the locking disc"));
         }
         if bottom * sin <= half {
@@ -79,6 +82,7 @@ impl Geneva {
             crank,
             wheel,
             disc,
+            hub,
             half,
             bottom,
             lock,
@@ -124,19 +128,18 @@ Ask it:     cspace compute FILE
         let shaft = (self.distance, 0.0);
         let turns = format!("{{ type = \"revolute\", center = {} }}", page.point(shaft));
         page.part("Turns about its shaft.", "driver", &turns);
-        // The disc is cut out by an arc about the place of the wheel's shaft half way through a step, seen from the driver.
-        let (wheel, relief) = (2.0 * self.distance, of.wheel + 5.0 * self.play);
-        let cos = (self.distance * self.distance + of.disc * of.disc - relief * relief)
-            / (2.0 * self.distance * of.disc);
-        let horn = cos.clamp(-1.0, 1.0).acos().to_degrees();
-        let at = |angle: f64| {
-            let (x, y) = polar(of.disc, angle);
+        // It locks until the pin enters a slot: then the end of its arc is on the line of the shafts. Towards the pin it is no
+        // larger than the wheel, which comes no nearer to the shaft than its rim, lets it be.
+        let horn = 90.0 - 0.5 * of.step;
+        let at = |radius: f64, angle: f64| {
+            let (x, y) = polar(radius, angle);
             (self.distance + x, y)
         };
         page.begin_loop("locking disc");
-        page.vertex(at(horn), "");
-        page.arc_about(at(-horn), shaft, Turn::Left, "locks");
-        page.arc_about(at(horn), (wheel, 0.0), Turn::Right, "lets the wheel pass");
+        page.vertex(at(of.disc, horn), "");
+        page.arc_about(at(of.disc, -horn), shaft, Turn::Left, "locks");
+        page.vertex(at(of.hub, -horn), "");
+        page.arc_about(at(of.hub, horn), shaft, Turn::Left, "lets the wheel pass");
         page.end_loop();
         let pin = (self.distance + of.crank, 0.0);
         page.circle(0.5 * self.pin, pin, "pin");

@@ -36,8 +36,8 @@ impl Peg {
             .help("give a --chamfer less than --depth"));
         }
         let (half, hole) = (0.5 * diameter, 0.5 * (diameter + clearance));
-        let (side, foot) = (2.0 * diameter + chamfer, depth + half);
-        let length = 1.5 * depth;
+        let (side, foot) = (hole + chamfer + diameter, depth + half);
+        let length = depth + diameter.max(0.5 * depth);
         let comment = format!(
             "\
 A peg of diameter {d} and a hole of diameter {w}, in section.
@@ -51,7 +51,7 @@ mouth, (0, -{h}, 0) the peg on the bottom of the hole.
 
 Written by: cspace new peg --diameter {d} --clearance {cl} --depth {h} --chamfer {c}
 Ask it:     cspace compute FILE
-            printf 'x,y,theta\\n0,-{h},0\\n0,-{m},0.01\\n' | cspace classify FILE",
+            printf 'x,y,theta\\n0,-{m},0\\n{cl},-{m},0\\n' | cspace classify FILE",
             d = number(diameter),
             w = number(2.0 * hole),
             h = number(depth),

@@ -59,7 +59,8 @@ impl Ratchet {
         let gap = play + fillet;
         let under = |x: f64| foot + (x * dy + gap) / dx;
         let corner = (play, under(play));
-        let heel = (tip_x + height, under(tip_x + height));
+        let reach = (tip_x + height).min(0.5 * radius);
+        let heel = (reach, under(reach));
         let (pivot, boss) = ((0.9 * radius, 1.2 * radius), 0.16 * radius);
         // Lifting takes the line from corner to heel out of the tips' circle.
         let length_under = (heel.0 - corner.0).hypot(heel.1 - corner.1);

@@ -252,7 +252,10 @@ fn the_geneva_driver_turns_free_and_holds_the_wheel() {
             ],
         );
         let result = m.result();
-        assert_eq!(result["free_regions"], 1, "{slots}");
+        // Elsewhere the pin may be caught between slots; one region goes around, that of the drive.
+        let regions = result["regions"].as_array().unwrap();
+        let around = regions.iter().filter(|r| r["around_u"] == true);
+        assert_eq!(around.count(), 1, "{slots}");
         let half_step = PI / slots;
         let crank = distance * half_step.sin();
         let wheel = |u: f64| {
@@ -353,7 +356,7 @@ fn the_model_goes_to_standard_output_or_to_a_file() {
             .success();
         let answer = String::from_utf8(answer.get_output().stdout.clone()).unwrap();
         assert!(answer.contains(",free"), "{answer}");
-        assert!(text.lines().all(|l| l.len() <= 120), "{template}");
+        assert!(text.lines().all(|l| l.len() <= 130), "{template}");
     }
 }
 
@@ -493,20 +496,55 @@ fn any_dimensions_give_a_model_or_a_reason() {
         lo * (hi / lo).powf((state >> 11) as f64 / (1_u64 << 53) as f64)
     };
     let mut made = 0;
-    for (template, lengths, whole) in [
+    type Dimensions<'a> = &'a [(&'a str, f64)];
+    let templates: [(&str, Dimensions<'_>, Dimensions<'_>); 6] = [
         (
             "latch",
-            &["head", "rim", "stem", "mouth", "lip", "play", "side"] as &[&str],
-            &[] as &[&str],
+            &[
+                ("head", 10.0),
+                ("rim", 1.0),
+                ("stem", 4.0),
+                ("mouth", 6.0),
+                ("lip", 4.0),
+                ("play", 2.0),
+                ("side", 1.0),
+            ],
+            &[],
         ),
-        ("cam", &["base", "lift", "nose", "face"], &[]),
-        ("gears", &["module", "backlash"], &["gear", "pinion"]),
-        ("geneva", &["distance", "pin", "play"], &["slots"]),
-        ("ratchet", &["radius", "height", "play"], &["teeth"]),
-        ("peg", &["diameter", "clearance", "depth", "chamfer"], &[]),
-    ] {
+        (
+            "cam",
+            &[("base", 20.0), ("lift", 8.0), ("nose", 6.0), ("face", 50.0)],
+            &[],
+        ),
+        (
+            "gears",
+            &[("module", 4.0), ("backlash", 0.2)],
+            &[("gear", 24.0), ("pinion", 20.0)],
+        ),
+        (
+            "geneva",
+            &[("distance", 60.0), ("pin", 6.0), ("play", 0.1)],
+            &[("slots", 6.0)],
+        ),
+        (
+            "ratchet",
+            &[("radius", 50.0), ("height", 5.0), ("play", 0.2)],
+            &[("teeth", 14.0)],
+        ),
+        (
+            "peg",
+            &[
+                ("diameter", 10.0),
+                ("clearance", 0.1),
+                ("depth", 20.0),
+                ("chamfer", 1.0),
+            ],
+            &[],
+        ),
+    ];
+    for (template, lengths, whole) in templates {
         let mut of_template = 0;
-        for _ in 0..12 {
+        for _ in 0..25 {
             let folder = tempfile::tempdir().unwrap();
             let file = folder.path().join("m.toml").to_str().unwrap().to_owned();
             let mut args = vec![
@@ -518,12 +556,12 @@ fn any_dimensions_give_a_model_or_a_reason() {
             args.extend(
                 lengths
                     .iter()
-                    .map(|l| format!("--{l}={:.4}", random(0.05, 100.0))),
+                    .map(|(l, d)| format!("--{l}={:.4}", random(0.2 * d, 5.0 * d))),
             );
             args.extend(
                 whole
                     .iter()
-                    .map(|w| format!("--{w}={:.0}", random(3.0, 30.0))),
+                    .map(|(w, d)| format!("--{w}={:.0}", random(0.4 * d, 4.0 * d))),
             );
             let words: Vec<&str> = args.iter().map(String::as_str).collect();
             let output = cspace(&words).output().unwrap();
@@ -543,8 +581,8 @@ fn any_dimensions_give_a_model_or_a_reason() {
                 code => panic!("{args:?}: {code:?}: {said}"),
             }
         }
-        println!("{template}: {of_template}");
+        assert!(of_template >= 4, "{template}: {of_template}");
         made += of_template;
     }
-    assert!(made >= 20, "{made}");
+    assert!(made >= 60, "{made}");
 }
