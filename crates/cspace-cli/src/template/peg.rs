@@ -51,7 +51,7 @@ mouth, (0, -{h}, 0) the peg on the bottom of the hole.
 
 Written by: cspace new peg --diameter {d} --clearance {cl} --depth {h} --chamfer {c}
 Ask it:     cspace compute FILE
-            printf 'x,y,theta\\n0,-{h},0\\n0,-{m},0\\n' | cspace classify FILE",
+            printf 'x,y,theta\\n0,-{m},0\\n{cl},-{m},0\\n' | cspace classify FILE",
             d = number(diameter),
             w = number(2.0 * hole),
             h = number(depth),

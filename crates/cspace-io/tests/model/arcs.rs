@@ -432,3 +432,70 @@ fn errors_of_the_whole_outline_name_entries() {
     let says = "loop 0, edge 2 crosses loop 0, edge 4 near (8.0, 4.0)";
     assert_eq!(error.message(), says);
 }
+
+/// Whatever is written: a part whose arcs are what was asked for, or an error that says where and what to do.
+#[test]
+fn any_entries_give_a_part_or_an_error() {
+    use rand::{Rng, SeedableRng, rngs::StdRng};
+    let mut random = StdRng::seed_from_u64(7);
+    let (mut read, mut arcs) = (0, 0);
+    for _ in 0..4000 {
+        let count = random.random_range(2..7);
+        let mut entries = Vec::new();
+        let (mut radii, mut radii_are_given) = (vec![0.1, 8.0], true);
+        for i in 0..count {
+            // Around a circle, so that many do not cross.
+            let at = |r: &mut StdRng| {
+                let angle = 2.0 * PI * (i as f64 + r.random_range(0.0..0.6)) / f64::from(count);
+                (8.0 * angle.cos(), 8.0 * angle.sin())
+            };
+            let (x, y) = at(&mut random);
+            let r: f64 = random.random_range(-0.5..12.0);
+            radii.extend([r, r / 9.0]);
+            let kind = random.random_range(0..12);
+            radii_are_given &= ![0, 4].contains(&kind);
+            entries.push(match kind {
+                0 => format!("[{x}, {y}, {}]", r / 12.0),
+                1 => format!("{{ arc_to = [{x}, {y}], radius = {r} }}"),
+                2 => format!(
+                    "{{ arc_to = [{x}, {y}], radius = {r}, direction = \"cw\", fillet = 0.1 }}"
+                ),
+                3 => format!("{{ arc_to = [{x}, {y}], radius = {r}, large = true }}"),
+                4 => format!(
+                    "{{ arc_to = [{x}, {y}], through = [{}, {}] }}",
+                    1.1 * y,
+                    -1.1 * x
+                ),
+                5 => format!("{{ arc_to = [{x}, {y}], center = [0, 0] }}"),
+                6 => format!("{{ at = [{x}, {y}], fillet = {} }}", r / 9.0),
+                7 => format!("[{x}, {y}], {{ fillet = {} }}", r / 9.0),
+                _ => format!("[{x}, {y}]"),
+            });
+        }
+        let text = toml(&format!("[[\n{}\n]]", entries.join(",\n")));
+        match model::from_toml(&text, "m.toml") {
+            Ok(model) => {
+                read += 1;
+                // Where all radii are given, every arc has one of them, whatever fillets leave of it.
+                for edge in model.parts[0].part.edges() {
+                    if edge.bulge != 0.0 && radii_are_given {
+                        arcs += 1;
+                        let is = |r: &f64| (edge.radius() - r).abs() < 1e-8 * r;
+                        assert!(radii.iter().any(is), "{}: {text}", edge.radius());
+                    }
+                }
+                let again = model::from_toml(&model::to_toml(&model), "m.toml").unwrap();
+                assert_eq!(again.parts, model.parts);
+            }
+            Err(error) => {
+                assert!(error.line() >= Some(3), "{error}\n{text}");
+                assert!(error.place().starts_with("part 0 \"p\""), "{error}");
+                assert!(
+                    !error.help().unwrap_or_default().is_empty(),
+                    "{error}\n{text}"
+                );
+            }
+        }
+    }
+    assert!(read > 400 && arcs > 400, "{read} {arcs}");
+}

@@ -2,10 +2,10 @@
 
 use super::arrange::{Arrangement, Cell};
 use super::motion::Extent;
-use super::nearest::Slots;
 use super::piece::Piece;
 use super::place::crossing_of_level;
 use super::setup::Bodies;
+use super::slots::Slots;
 use super::sweep::Graphs;
 use super::tolerance::COINCIDENT;
 use crate::parallel::prelude::*;

@@ -6,10 +6,10 @@ use crate::part::Part;
 use super::axis::Axis;
 use super::build::pair;
 use super::data::{AxesData, AxesDataError, AxesStatistics};
-use super::nearest::Slots;
 use super::piece::Pair;
 use super::setup::Setting;
 use super::setup::set_up;
+use super::slots::Slots;
 use super::sweep::{Gaps, Graphs};
 
 /// So many slots of x, and of y, in which branches are looked up.

@@ -7,7 +7,7 @@ use crate::contact::{Bodies, growths};
 use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
 use crate::geometry::Configuration;
 use crate::part::Part;
-use crate::slice::CurveGeometry;
+use crate::slice::{CurveGeometry, Slice};
 
 use super::band::{Band, bands};
 use super::check::{DataError, check};
@@ -60,6 +60,14 @@ impl ContactSpace {
     /// All that was computed, as plain data.
     pub fn data(&self) -> &SpaceData {
         &self.data
+    }
+
+    /// The slice at an orientation, in closed form: every patch that exists there contributes one curve.
+    ///
+    /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
+    /// a [doubtful orientation](Self::doubtful_orientations) says so; that of [`Slice::compute`] may be certain there.
+    pub fn slice(&self, theta: f64) -> Slice {
+        self.surface().slice(theta)
     }
 
     /// What slices are read off.

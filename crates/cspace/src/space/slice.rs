@@ -9,20 +9,9 @@ use crate::slice::{CurveGeometry, Slice, SliceCurve};
 
 use super::data::SideLink;
 use super::doubts::Doubts;
-use super::graph::ContactSpace;
 use super::options::Window;
 use super::patch::Patch;
 use super::walk::Walk;
-
-impl ContactSpace {
-    /// The slice at an orientation, in closed form: every patch that exists there contributes one curve.
-    ///
-    /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
-    /// a [doubtful orientation](Self::doubtful_orientations) says so; that of [`Slice::compute`] may be certain there.
-    pub fn slice(&self, theta: f64) -> Slice {
-        self.surface().slice(theta)
-    }
-}
 
 /// The boundary of free space: what slices are read off.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +35,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The slice at an orientation; see [`ContactSpace::slice`].
+    /// The slice at an orientation; see [`ContactSpace::slice`](crate::ContactSpace::slice).
     pub(crate) fn slice(&self, theta: f64) -> Slice {
         let mut curves = Vec::new();
         let mut number = vec![u32::MAX; self.patches.len()];
