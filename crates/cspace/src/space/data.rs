@@ -22,8 +22,8 @@ pub(crate) const FORMAT: &str = "contact-space";
 ///
 /// ```
 /// use cspace::{ContactSpace, Options, Part};
-/// let table = Part::rectangle("table", 4.0, 4.0)?;
-/// let block = Part::rectangle("block", 2.0, 2.0)?;
+/// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+/// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0)?;
 /// let space = ContactSpace::compute(&table, &block, &Options::default())?;
 /// let mut data = space.data().clone();
 /// assert_eq!(ContactSpace::from_data(data.clone())?.data(), space.data());
