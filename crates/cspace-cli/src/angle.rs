@@ -25,6 +25,18 @@ pub(crate) fn parse(text: &str) -> Result<f64, String> {
     Ok(angle)
 }
 
+/// Two angles, or two lengths, from text such as `-10deg,10deg` or `0,25`, the smaller first.
+pub(crate) fn parse_range(text: &str) -> Result<(f64, f64), String> {
+    let (lo, hi) = (text.split_once(','))
+        .ok_or("give two numbers with a comma between, such as -10deg,10deg")?;
+    let (lo, hi) = (parse(lo)?, parse(hi)?);
+    if lo < hi {
+        Ok((lo, hi))
+    } else {
+        Err("the first number must be the smaller one".to_owned())
+    }
+}
+
 /// A window of orientations from text such as `-10deg,10deg`.
 pub(crate) fn parse_window(text: &str) -> Result<(f64, f64), String> {
     let Some((lo, hi)) = text.split_once(',') else {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::angle;
+use crate::picture::PictureArgs;
 use crate::template::Template;
 
 /// Exact configuration spaces of planar parts bounded by line segments and circular arcs.
@@ -35,6 +36,9 @@ pub(crate) enum Command {
     /// Move from a configuration by a displacement, to the first contact
     #[command(after_long_help = MOVE)]
     Move(MoveArgs),
+    /// Draw the parts of a model, or a pair at a configuration, as a picture
+    #[command(after_long_help = DRAW)]
+    Draw(DrawArgs),
     /// Write a contact space to a file, in the format its extension names
     #[command(after_long_help = EXPORT)]
     Export(ExportArgs),
@@ -131,6 +135,11 @@ pub(crate) struct SliceArgs {
     /// has none
     #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
     pub(crate) theta: Option<f64>,
+    /// Pictures: the position x,y at which the parts are shown beside the slice [default: as drawn, or the nearest contact]
+    #[arg(long, value_name = "X,Y", value_parser = position, allow_hyphen_values = true)]
+    pub(crate) at: Option<(f64, f64)>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 #[derive(Debug, Args)]
@@ -153,6 +162,17 @@ pub(crate) struct ContactsArgs {
     /// How far apart features may be, in the model's unit [default: a hundredth of the smaller part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) within: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DrawArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    /// The configuration of the pair: x,y,theta, or u,v on fixed axes; what touches there is marked [default: as drawn]
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) at: Option<String>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 #[derive(Debug, Args)]
@@ -185,9 +205,11 @@ pub(crate) struct ExportArgs {
     /// Meshes: write numbers as text where the format can have either
     #[arg(long)]
     pub(crate) ascii: bool,
-    /// Pictures: the largest number of slices [default: 12]
+    /// Pictures: the number of slices, at even steps of orientation [default: 12]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
     pub(crate) slices: Option<u32>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 #[derive(Debug, Args)]
@@ -252,6 +274,13 @@ pub(crate) struct ManArgs {
     /// The subcommand; without one, the page of `cspace` itself
     #[arg(value_name = "COMMAND")]
     pub(crate) command: Option<String>,
+}
+
+fn position(text: &str) -> Result<(f64, f64), String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    (text.split_once(','))
+        .and_then(|(x, y)| Some((number(x)?, number(y)?)))
+        .ok_or_else(|| "give two numbers with a comma between, such as 10,-2.5".into())
 }
 
 fn distance(text: &str) -> Result<f64, String> {
@@ -329,7 +358,20 @@ Each loop is one closed piece of the boundary of free space: blocked space on th
 space on the right. Features are named by the loop and vertex of the part as given, counted from 0.
 At a critical orientation the slice just above it is shown. A pair with fixed axes has no orientation
 to choose: the plane of its two motions (u, v) is shown.
-With -o OUT.svg a picture is written; any other OUT gets the text or JSON.";
+With -o OUT.svg, .png or .pdf a picture is written, with the parts beside it to scale at the position
+--at; any other OUT gets the text or JSON.";
+
+const DRAW: &str = "\
+Examples:
+  cspace draw models/ratchet_mechanism.toml -o mechanism.svg
+  cspace draw models/ratchet_pawl.toml --labels all -o pawl.pdf
+  cspace draw models/gears_on_shafts.toml --at 5deg,-3deg --size 1600x1200 -o gears.png
+
+All parts are drawn as they are in the file; with --pair or --at, the two parts of the pair at the
+configuration, and the features that touch there are marked by a point and the normal of the fixed
+part. A cross with a long and a short arm is the x and y axis of a part's frame, a ring the pivot of a
+part that turns, a double arrow the direction of one that slides. With --labels all vertices are
+numbered as in the file, loop and index from 0. Without -o the picture is SVG on standard output.";
 
 const CLASSIFY: &str = "\
 Example:
@@ -377,8 +419,9 @@ Formats, by the extension of OUT:
   .json   the whole configuration space; every command reads it in place of a model. The schemas are
           docs/contact-space.schema.json, docs/fixed-axes-space.schema.json and
           docs/lower-pair.schema.json. The model's `name` and `unit` are written with it
-  .svg    slices at even steps of orientation: free space white, blocked space grey; of a pair with
-          fixed axes the plane of its two motions
+  .svg, .png, .pdf
+          pictures of slices at even steps of orientation, free regions numbered, blocked space grey;
+          of a pair with fixed axes of the plane of its two motions
   .ply    the contact surface as triangles: vertices (x, y, theta) on the exact surface, in double
           precision; triangles are counter-clockwise seen from free space and carry their `patch`
   .obj    the same as text, the triangles of a patch in a group, such as patch_7

@@ -5,6 +5,7 @@ mod args;
 mod command;
 mod failure;
 mod output;
+mod picture;
 mod progress;
 mod subject;
 mod template;
@@ -60,6 +61,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Slice(args) => command::slice::run(&args),
         Command::Classify(args) => command::classify::run(&args),
         Command::Contacts(args) => command::contacts::run(&args),
+        Command::Draw(args) => command::draw::run(&args),
         Command::Move(args) => command::motion::run(&args),
         Command::Export(args) => command::export::run(&args),
         Command::Evaluate(args) => command::evaluate::run(&args),

@@ -3,26 +3,29 @@
 use std::io::Write;
 use std::path::Path;
 
-use cspace::{ContactSpace, PairClass, PairSpace, Slice};
+use core::f64::consts::TAU;
+
+use cspace::{PairClass, PairSpace, Slice, Window};
+use cspace_draw::{PictureFormat, Scene, SlicesPicture, plane, slices};
 use cspace_io::shown;
 use cspace_io::write::glb::{GlbError, glb};
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_io::write::obj::obj;
 use cspace_io::write::ply::{Encoding, ply};
 use cspace_io::write::stl::stl;
-use cspace_io::write::{svg, svg_axes};
 
 use crate::args::ExportArgs;
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::Subject;
+use crate::picture::{self, Plane};
+use crate::subject::{Chosen, Subject};
 use crate::wording::count;
 
 /// What can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Json,
-    Svg,
+    Picture(PictureFormat),
     Ply,
     Obj,
     Stl,
@@ -38,7 +41,7 @@ impl Kind {
 /// Slices of a picture, if the user does not say.
 const SLICES: u32 = 12;
 
-const EXTENSIONS: &str = ".json, .svg, .ply, .obj, .stl or .glb";
+const EXTENSIONS: &str = ".json, .svg, .png, .pdf, .ply, .obj, .stl or .glb";
 
 pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -53,16 +56,9 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let mut said = None;
     let bytes = match kind {
         Kind::Json => pair.as_file()?.into_bytes(),
-        Kind::Svg if pair.class() == PairClass::FixedAxes && !pair.is_planar() => {
-            let title = pair.title();
-            match &*pair.space()? {
-                PairSpace::FixedAxes(space) => svg_axes::plane(&title, space).into_bytes(),
-                _ => return Err(pair.no_orientation("a picture")),
-            }
-        }
-        Kind::Svg => {
-            let space = pair.contact_space("a picture")?;
-            pictures(pair.title(), &space, args.slices.unwrap_or(SLICES)).into_bytes()
+        Kind::Picture(format) => {
+            let scene = picture(args, &pair)?;
+            return picture::write(Some(path), format, &scene);
         }
         Kind::Ply | Kind::Obj | Kind::Stl | Kind::Glb => {
             let options = MeshOptions {
@@ -106,6 +102,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
 /// Options that say nothing about what is written are a slip.
 fn refuse_unused(args: &ExportArgs, kind: Kind, path: &Path) -> Result<(), Failure> {
     let is_mesh = kind.is_mesh();
+    let is_picture = matches!(kind, Kind::Picture(_));
     let unused = [
         (
             "--tolerance",
@@ -122,9 +119,10 @@ fn refuse_unused(args: &ExportArgs, kind: Kind, path: &Path) -> Result<(), Failu
             args.ascii && !matches!(kind, Kind::Ply | Kind::Stl),
             ".ply and .stl",
         ),
+        ("--slices", args.slices.is_some() && !is_picture, "pictures"),
         (
-            "--slices",
-            args.slices.is_some() && kind != Kind::Svg,
+            args.picture.given().unwrap_or_default(),
+            args.picture.given().is_some() && !is_picture,
             "pictures",
         ),
     ];
@@ -145,12 +143,14 @@ fn single(path: &Path, error: &GlbError) -> Failure {
 }
 
 fn kind(path: &Path) -> Result<Kind, Failure> {
+    if let Some(format) = picture::format(Some(path)) {
+        return Ok(Kind::Picture(format));
+    }
     let extension = path
         .extension()
         .map(|e| e.to_string_lossy().to_ascii_lowercase());
     match extension.as_deref() {
         Some("json") => Ok(Kind::Json),
-        Some("svg") => Ok(Kind::Svg),
         Some("ply") => Ok(Kind::Ply),
         Some("obj") => Ok(Kind::Obj),
         Some("stl") => Ok(Kind::Stl),
@@ -163,21 +163,50 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
     }
 }
 
-/// Slices at even steps, in the middle of the bands they fall into.
-fn pictures(title: String, space: &ContactSpace, limit: u32) -> String {
-    let bands = space.bands();
-    let n = bands.len().min(limit as usize);
-    let slices: Vec<Slice> = (0..n)
-        .map(|i| {
-            let band = bands[(2 * i + 1) * bands.len() / (2 * n)];
-            space.slice(0.5 * (band.lo + band.hi))
+/// Slices at even steps of orientation, or the plane of two motions.
+fn picture(args: &ExportArgs, pair: &Chosen<'_>) -> Result<Scene, Failure> {
+    let options = |plane| (args.picture).options(plane, pair.title(), pair.unit_label());
+    if pair.class() == PairClass::FixedAxes && !pair.is_planar() {
+        if args.slices.is_some() {
+            return Err(
+                Failure::input("--slices: a pair with fixed axes has one plane")
+                    .help("leave --slices out, or use --general with the model"),
+            );
+        }
+        let options = options(Plane::Motions)?;
+        return match &*pair.space()? {
+            PairSpace::FixedAxes(space) => Ok(plane(space, &options)),
+            _ => Err(pair.no_orientation("a picture")),
+        };
+    }
+    let options = options(Plane::Positions)?;
+    let space = pair.contact_space("a picture")?;
+    let orientations = even(space.window(), args.slices.unwrap_or(SLICES));
+    let drawn: Vec<Slice> = orientations.iter().map(|&t| space.slice(t)).collect();
+    let shown = SlicesPicture {
+        space: &space,
+        slices: &drawn,
+        parts: None,
+    };
+    Ok(slices(&shown, &options))
+}
+
+/// Orientations at even steps: of a full turn multiples of a share of it, 0 among them; of a window from its first to its
+/// last, or its middle alone.
+fn even(window: Window, count: u32) -> Vec<f64> {
+    let n = i64::from(count);
+    let share = |k: i64, of: i64| k as f64 / of as f64;
+    (0..n)
+        .map(|k| {
+            if window.full_turn {
+                TAU * share(k - n / 2, n)
+            } else if n == 1 {
+                0.5 * (window.lo + window.hi)
+            } else {
+                window.lo + (window.hi - window.lo) * share(k, n - 1)
+            }
         })
-        .collect();
-    svg::slices(&svg::Page {
-        title,
-        size: space.fixed().size().max(space.moving().size()),
-        slices: &slices,
-    })
+        .collect()
 }
 
 /// What a reader of the mesh should know.

@@ -4,6 +4,7 @@ pub(crate) mod classify;
 pub(crate) mod completions;
 pub(crate) mod compute;
 pub(crate) mod contacts;
+pub(crate) mod draw;
 pub(crate) mod evaluate;
 pub(crate) mod export;
 pub(crate) mod info;

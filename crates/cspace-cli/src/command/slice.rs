@@ -2,52 +2,98 @@
 
 use std::fmt::{self, Write};
 
-use cspace::{CurveGeometry, FixedAxesSpace, PairClass, PairSpace, Slice};
-use cspace_io::write::{svg, svg_axes};
+use cspace::{
+    Classification, Configuration, ContactSpace, Coordinates, CurveGeometry, FixedAxesSpace,
+    PairClass, PairSpace, Point, Slice,
+};
+use cspace_draw::{PictureFormat, SlicesPicture, slices};
 
+use super::draw::at_configuration;
 use crate::args::{Format, SliceArgs};
 use crate::failure::Failure;
 use crate::output;
+use crate::picture::{self, Plane};
 use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count, length};
 
 pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
+    let output = common.result.output.as_deref();
+    let format = picture::format(output);
+    if format.is_none() {
+        args.picture.refuse()?;
+        if args.at.is_some() {
+            return Err(Failure::input("--at is about pictures").help(
+                "let the name after -o end in .svg, .png or .pdf; `cspace classify` tells whether a position is free",
+            ));
+        }
+    }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, None)?;
-    let is_picture = (common.result.output.as_deref())
-        .and_then(|o| o.extension())
-        .is_some_and(|e| e.eq_ignore_ascii_case("svg"));
     if !pair.is_planar() {
-        return plane(args, &pair, is_picture);
+        return plane(args, &pair, format);
     }
     let Some(theta) = args.theta else {
         return Err(Failure::input("slice needs an orientation")
             .help("give --theta T, in radians or such as 18deg"));
     };
+    if let Some(format) = format {
+        return picture(args, &pair, theta, format);
+    }
     let slice = pair.slice(theta)?;
-    let bytes = if is_picture {
-        svg::slices(&svg::Page {
-            title: pair.title(),
-            size: pair.fixed().size().max(pair.moving().size()),
-            slices: std::slice::from_ref(&slice),
-        })
-        .into_bytes()
-    } else {
-        match common.result.format {
-            Format::Json => super::json(&slice)?,
-            Format::Text => {
-                let mut text = String::new();
-                describe(&mut text, &pair, &slice).map_err(Failure::work)?;
-                text.into_bytes()
-            }
+    let bytes = match common.result.format {
+        Format::Json => super::json(&slice)?,
+        Format::Text => {
+            let mut text = String::new();
+            describe(&mut text, &pair, &slice).map_err(Failure::work)?;
+            text.into_bytes()
         }
     };
-    output::write(common.result.output.as_deref(), &bytes)
+    output::write(output, &bytes)
+}
+
+/// The slice, its regions numbered as `compute` lists them, and the parts beside it.
+fn picture(
+    args: &SliceArgs,
+    pair: &Chosen<'_>,
+    theta: f64,
+    format: PictureFormat,
+) -> Result<(), Failure> {
+    // Refuses what is outside of the window before anything is computed.
+    pair.check_orientation(theta)?;
+    let options = (args.picture).options(Plane::Positions, pair.title(), pair.unit_label())?;
+    let space = pair.contact_space("a slice")?;
+    let (x, y) = args.at.unwrap_or_else(|| beside(&space, theta));
+    let at = Coordinates::Planar(Configuration::new(x, y, theta));
+    let parts = at_configuration(pair, at);
+    let scene = slices(
+        &SlicesPicture {
+            space: &space,
+            slices: &[space.slice(theta)],
+            parts: Some((parts, Point::new(x, y))),
+        },
+        &options,
+    );
+    picture::write(args.common.result.output.as_deref(), format, &scene)
+}
+
+/// Where the parts are shown if the user does not say: as drawn, but turned, or in the nearest contact if they overlap there.
+fn beside(space: &ContactSpace, theta: f64) -> (f64, f64) {
+    let drawn = Configuration::new(0.0, 0.0, theta);
+    let nearest = match space.classify(drawn) {
+        Some(Classification::Blocked) => space.nearest_contact(drawn),
+        _ => None,
+    };
+    let at = nearest.map_or(drawn, |n| n.configuration);
+    (at.x, at.y)
 }
 
 /// A pair with fixed axes has one plane, that of its motions.
-fn plane(args: &SliceArgs, pair: &Chosen<'_>, is_picture: bool) -> Result<(), Failure> {
+fn plane(
+    args: &SliceArgs,
+    pair: &Chosen<'_>,
+    format: Option<PictureFormat>,
+) -> Result<(), Failure> {
     if args.theta.is_some() {
         let class = pair.class();
         return Err(Failure::input(format_args!(
@@ -60,23 +106,30 @@ fn plane(args: &SliceArgs, pair: &Chosen<'_>, is_picture: bool) -> Result<(), Fa
             "use --general with the model, which computes it in x, y and theta"
         }));
     }
+    if args.at.is_some() {
+        return Err(
+            Failure::input("--at: the plane of two motions is shown without parts")
+                .help("`cspace draw --at u,v` shows the parts"),
+        );
+    }
     let space = pair.space()?;
     let PairSpace::FixedAxes(space) = &*space else {
         return Err(pair.no_orientation("a slice"));
     };
-    let bytes = if is_picture {
-        svg_axes::plane(&pair.title(), space).into_bytes()
-    } else {
-        match args.common.result.format {
-            Format::Json => super::json(space.data())?,
-            Format::Text => {
-                let mut text = String::new();
-                describe_plane(&mut text, pair, space).map_err(Failure::work)?;
-                text.into_bytes()
-            }
+    let output = args.common.result.output.as_deref();
+    if let Some(format) = format {
+        let options = (args.picture).options(Plane::Motions, pair.title(), pair.unit_label())?;
+        return picture::write(output, format, &cspace_draw::plane(space, &options));
+    }
+    let bytes = match args.common.result.format {
+        Format::Json => super::json(space.data())?,
+        Format::Text => {
+            let mut text = String::new();
+            describe_plane(&mut text, pair, space).map_err(Failure::work)?;
+            text.into_bytes()
         }
     };
-    output::write(args.common.result.output.as_deref(), &bytes)
+    output::write(output, &bytes)
 }
 
 fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) -> fmt::Result {

@@ -57,7 +57,7 @@ impl Chosen<'_> {
         let model = (self.model_name()).map_or(String::new(), |name| format!("{name}: "));
         let unit = (self.subject.unit()).map_or(String::new(), |u| format!(", lengths in {u}"));
         format!(
-            "{model}{} in {}{unit}",
+            "{model}{} relative to {}{unit}",
             self.moving().name(),
             self.fixed().name()
         )

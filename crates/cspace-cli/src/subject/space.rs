@@ -15,6 +15,22 @@ use crate::progress::Bar;
 impl Chosen<'_> {
     /// The slice of a planar pair at one orientation; of a model that slice alone is computed.
     pub(crate) fn slice(&self, theta: f64) -> Result<Slice, Failure> {
+        self.check_orientation(theta)?;
+        Ok(match self.subject {
+            Subject::Saved(file) => match &file.space {
+                PairSpace::Planar(space) => space.slice(theta),
+                _ => return Err(self.no_orientation("a slice")),
+            },
+            Subject::Model { .. } => {
+                ContactSpace::check_size(self.fixed(), self.moving())
+                    .map_err(|e| self.failure(&e.into()))?;
+                Slice::compute(self.fixed(), self.moving(), theta)
+            }
+        })
+    }
+
+    /// Refuses an orientation outside of the window.
+    pub(crate) fn check_orientation(&self, theta: f64) -> Result<(), Failure> {
         if let Some((lo, hi)) = self.window() {
             let turned = theta + TAU * ((lo - theta) / TAU).ceil();
             if turned > hi {
@@ -28,17 +44,7 @@ impl Chosen<'_> {
                 .help("choose an orientation inside"));
             }
         }
-        Ok(match self.subject {
-            Subject::Saved(file) => match &file.space {
-                PairSpace::Planar(space) => space.slice(theta),
-                _ => return Err(self.no_orientation("a slice")),
-            },
-            Subject::Model { .. } => {
-                ContactSpace::check_size(self.fixed(), self.moving())
-                    .map_err(|e| self.failure(&e.into()))?;
-                Slice::compute(self.fixed(), self.moving(), theta)
-            }
-        })
+        Ok(())
     }
 
     /// That something is made of orientations, and the pair has none.

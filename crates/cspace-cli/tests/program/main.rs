@@ -6,6 +6,7 @@ mod classes;
 mod command;
 #[cfg(unix)]
 mod docs;
+mod draw;
 mod evaluate;
 mod helpers;
 #[cfg(unix)]

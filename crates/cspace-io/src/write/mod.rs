@@ -1,9 +1,7 @@
-//! Writers for contact spaces and slices.
+//! Writers for contact surfaces.
 
 pub mod glb;
 pub mod mesh;
 pub mod obj;
 pub mod ply;
 pub mod stl;
-pub mod svg;
-pub mod svg_axes;

@@ -39,7 +39,9 @@ fn answers(space: &FixedAxesSpace, rng: &mut ChaCha8Rng) -> Vec<String> {
     let mut said = vec![
         format!("{:?}", space.regions()),
         format!("{:?} {:?}", space.patches(), space.branches()),
-        format!("{:?}", space.free_areas(3)),
+        (space.free_gaps())
+            .map(|g| format!("{} {:?}", g.region(), [0.1, 0.5, 0.9].map(|s| g.ends(s))))
+            .collect(),
     ];
     for _ in 0..20 {
         let at = (within(u, rng), within(v, rng));

@@ -1,6 +1,6 @@
 //! Axes as the user gives them.
 
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Configuration, Point, Rotation, Vector};
 
 /// How a part can move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,6 +53,29 @@ impl Axis {
         Self {
             motion: AxisMotion::Prismatic { direction },
             range: None,
+        }
+    }
+
+    /// Where the part is after a motion by `t`, radians or the model's unit of length: takes the part's points to the frame in
+    /// which the axis is given. A turn takes q to c + `R_t` (q − c), a slide to q + t d / |d|.
+    ///
+    /// ```
+    /// use cspace::{Axis, Point};
+    /// let axis = Axis::revolute(Point::new(1.0, 0.0));
+    /// let at = axis.configuration(core::f64::consts::FRAC_PI_2).fixed_from_moving(Point::new(2.0, 0.0));
+    /// assert!(at.distance(Point::new(1.0, 1.0)) < 1e-15);
+    /// ```
+    pub fn configuration(&self, t: f64) -> Configuration {
+        match self.motion {
+            AxisMotion::Fixed => Configuration::default(),
+            AxisMotion::Revolute { center } => {
+                let turned = Rotation::by(t) * center.to_vector();
+                Configuration::new(center.x - turned.x, center.y - turned.y, t)
+            }
+            AxisMotion::Prismatic { direction } => {
+                let by = direction.unit() * t;
+                Configuration::new(by.x, by.y, 0.0)
+            }
         }
     }
 

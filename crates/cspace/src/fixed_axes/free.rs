@@ -4,7 +4,7 @@ use super::motion::Extent;
 use super::region::AxesRegion;
 use super::setup::Setting;
 use super::space::FixedAxesSpace;
-use core::f64::consts::TAU;
+use super::sweep::{Band, Gap};
 
 impl FixedAxesSpace {
     /// The connected components of free space.
@@ -49,38 +49,56 @@ impl FixedAxesSpace {
         [(lo.0, hi.0), (lo.1, hi.1)]
     }
 
-    /// Free space as polygons of points (u, v), for pictures: every side is a contact curve sampled at `points` places, or
-    /// straight. On a circle a polygon may reach beyond the extent; it then comes once more, a turn lower. Along the coordinate
-    /// of a part that does not move it is as wide as the extent and stands for the coordinate 0.
-    pub fn free_areas(&self, points: usize) -> Vec<Vec<(f64, f64)>> {
-        let graphs = self.graphs();
-        let points = points.max(1);
-        let mut areas = Vec::new();
-        for band in &self.data.bands {
-            for gap in &self.data.gaps[band.gaps.start as usize..band.gaps.end as usize] {
-                let x = |k: usize| band.lo + (band.hi - band.lo) * k as f64 / points as f64;
-                let ends: Vec<(f64, (f64, f64))> = (0..=points)
-                    .map(|k| (x(k), graphs.interval(gap, x(k))))
-                    .collect();
-                let highest = ends.iter().map(|e| e.1.1).fold(f64::NEG_INFINITY, f64::max);
-                let copies = if self.setting.y.is_circle() && highest > self.setting.y.hi {
-                    2
-                } else {
-                    1
-                };
-                for copy in 0..copies {
-                    let down = TAU * f64::from(copy);
-                    let lower = ends.iter().map(|&(x, (lo, _))| (x, lo - down));
-                    let upper = ends.iter().rev().map(|&(x, (_, hi))| (x, hi - down));
-                    areas.push(
-                        lower
-                            .chain(upper)
-                            .map(|(x, y)| self.setting.map.outer(x, y))
-                            .collect(),
-                    );
-                }
-            }
-        }
-        areas
+    /// Free space cut at the critical values of one coordinate: between two of them it consists of gaps between contact curves.
+    /// They come in order of that coordinate. On a circle a gap may reach beyond the extent by less than a turn.
+    ///
+    /// ```
+    /// use cspace::{Axis, FixedAxesSpace, Part, Vector};
+    /// let slide = Axis::prismatic(Vector::new(1.0, 0.0)).within(-10.0, 10.0);
+    /// let wall = Part::rectangle("wall", (0.0, 0.0), 2.0, 2.0)?;
+    /// let slider = Part::rectangle("slider", (5.0, 0.0), 2.0, 2.0)?;
+    /// let space = FixedAxesSpace::compute(&wall, Axis::FIXED, &slider, slide)?;
+    /// let mut gaps: Vec<(f64, f64)> = Vec::new();
+    /// for gap in space.free_gaps() {
+    ///     let [from, to] = gap.ends(0.5);
+    ///     gaps.push((from.1.min(to.1), from.1.max(to.1)));
+    /// }
+    /// gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
+    /// // It slides from the limit to the wall's far side, and from the near one to the other limit.
+    /// assert!((gaps[0].1 + 7.0).abs() < 1e-9 && (gaps[1].0 + 3.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn free_gaps(&self) -> impl Iterator<Item = FreeGap<'_>> {
+        self.data.bands.iter().flat_map(move |band| {
+            let gaps = &self.data.gaps[band.gaps.start as usize..band.gaps.end as usize];
+            gaps.iter().map(move |gap| FreeGap {
+                space: self,
+                band,
+                gap,
+            })
+        })
+    }
+}
+
+/// A piece of free space between two contact curves or limits, over an interval of one coordinate.
+#[derive(Debug, Clone, Copy)]
+pub struct FreeGap<'a> {
+    space: &'a FixedAxesSpace,
+    band: &'a Band,
+    gap: &'a Gap,
+}
+
+impl FreeGap<'_> {
+    /// The region it belongs to, an index into [`FixedAxesSpace::regions`].
+    pub fn region(&self) -> u32 {
+        self.gap.region
+    }
+
+    /// The two configurations (u, v) at its ends at a fraction of its interval, 0 to 1: they differ in one coordinate, and
+    /// between them all is free. Along the coordinate of a part that does not move they stand for the coordinate 0.
+    pub fn ends(&self, fraction: f64) -> [(f64, f64); 2] {
+        let x = self.band.lo + (self.band.hi - self.band.lo) * fraction;
+        let (from, to) = self.space.graphs().interval(self.gap, x);
+        [from, to].map(|y| self.space.setting.map.outer(x, y))
     }
 }

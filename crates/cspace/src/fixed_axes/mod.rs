@@ -105,6 +105,7 @@ mod tolerance;
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use data::{AxesData, AxesDataError, AxesStatistics, SAVED_AXES_VERSION};
 pub use first_contact::{AxesContact, AxesMotionOutcome};
+pub use free::FreeGap;
 pub use nearest::NearestOnAxes;
 pub use patches::{AxesBranch, AxesPatch, BranchForm};
 pub use region::AxesRegion;

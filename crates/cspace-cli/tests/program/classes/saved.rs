@@ -33,7 +33,7 @@ fn slices_and_pictures_of_fixed_axes_show_the_plane_of_the_motions() {
         picture.starts_with("<svg") || picture.starts_with("<?xml"),
         "{picture}"
     );
-    assert!(picture.contains(">ratchet mechanism: link in driver, lengths in mm<"));
+    assert!(picture.contains(">ratchet mechanism: link relative to driver, lengths in mm<"));
     assert_eq!(picture, by("export", "b.svg"));
 }
 

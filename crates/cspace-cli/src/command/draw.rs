@@ -1,0 +1,150 @@
+//! `cspace draw`.
+
+use cspace::{
+    Axis, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation, Vector,
+};
+use cspace_draw::{ContactMark, PartsPicture, PictureFormat, PlacedPart, parts};
+
+use crate::args::DrawArgs;
+use crate::failure::Failure;
+use crate::picture::{self, Plane};
+use crate::subject::{Chosen, Subject, features};
+use crate::wording::length;
+
+pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
+    let common = &args.common;
+    let output = common.result.output.as_deref();
+    let format = match (output, picture::format(output)) {
+        (_, Some(format)) => format,
+        // Standard output takes the format that is text.
+        (Some(path), None) if path.as_os_str() == "-" => PictureFormat::Svg,
+        (None, None) => PictureFormat::Svg,
+        (Some(path), None) => {
+            return Err(Failure::input(format_args!(
+                "{}: the extension does not tell what to write",
+                path.display()
+            ))
+            .help("let the name end in .svg, .png or .pdf"));
+        }
+    };
+    let subject = Subject::open(common)?;
+    subject.warn();
+    let one = common.pair.is_some() || args.at.is_some();
+    let pair;
+    let (drawn, title) = match &subject {
+        Subject::Model { model, .. } if !one => (assembly(model), model.name.clone()),
+        _ => {
+            pair = subject.one_pair(common, None)?;
+            let at = match &args.at {
+                Some(text) => pair.coordinates("--at", text)?,
+                None if pair.is_on_axes() => Coordinates::Axes { u: 0.0, v: 0.0 },
+                None => Coordinates::Planar(Configuration::default()),
+            };
+            let mut drawn = at_configuration(&pair, at);
+            mark_contacts(&mut drawn, &pair, at)?;
+            (drawn, pair.title())
+        }
+    };
+    let options = args
+        .picture
+        .options(Plane::Positions, title, subject.unit())?;
+    picture::write(output, format, &parts(&drawn, &options))
+}
+
+/// All parts as they are drawn.
+fn assembly(model: &cspace::Mechanism) -> PartsPicture<'_> {
+    PartsPicture {
+        parts: (model.parts.iter().enumerate())
+            .map(|(number, entry)| PlacedPart {
+                part: &entry.part,
+                assembly_from_part: Configuration::default(),
+                axis: entry.axis,
+                number,
+            })
+            .collect(),
+        joints: model.joints.clone(),
+        ..PartsPicture::default()
+    }
+}
+
+/// The two parts of a pair at a configuration.
+pub(super) fn at_configuration<'a>(pair: &'a Chosen<'_>, at: Coordinates) -> PartsPicture<'a> {
+    let axes = pair.axes().filter(|_| pair.is_on_axes());
+    let [fixed, moving] = placed(axes, at);
+    let entry = |part, assembly_from_part, axis, number| PlacedPart {
+        part,
+        assembly_from_part,
+        axis,
+        number,
+    };
+    let axis = |of: fn((Axis, Axis)) -> Axis| axes.map(of);
+    // A part that another is drawn relative to stands still.
+    let still = axis(|a| a.0).or(Some(Axis::FIXED));
+    PartsPicture {
+        parts: vec![
+            entry(pair.fixed(), fixed, still, 0),
+            entry(pair.moving(), moving, axis(|a| a.1), 1),
+        ],
+        ..PartsPicture::default()
+    }
+}
+
+/// Where the fixed and the moving part are in the assembly, or in the fixed part's frame.
+fn placed(axes: Option<(Axis, Axis)>, at: Coordinates) -> [Configuration; 2] {
+    match (axes, at) {
+        (Some((fixed, moving)), Coordinates::Axes { u, v }) => {
+            [fixed.configuration(u), moving.configuration(v)]
+        }
+        (_, Coordinates::Planar(c)) => [Configuration::default(), c],
+        _ => [Configuration::default(); 2],
+    }
+}
+
+/// Says where the configuration is, and marks what touches there.
+fn mark_contacts(
+    drawn: &mut PartsPicture<'_>,
+    pair: &Chosen<'_>,
+    at: Coordinates,
+) -> Result<(), Failure> {
+    let space = pair.space()?;
+    let unanswered = |e: QueryError| pair.unanswered("--at", &e);
+    let is = match space.locate(at) {
+        Ok(Location::Free(region)) => {
+            let apart = space.clearance(at).map_err(unanswered)?;
+            format!(
+                "free, in region {region}, {}{} apart",
+                length(apart),
+                pair.unit()
+            )
+        }
+        Ok(Location::Contact) => "in contact".to_owned(),
+        Ok(Location::Blocked) => "blocked: the parts overlap".to_owned(),
+        Ok(Location::Outside) => return Err(unanswered(QueryError::Outside)),
+        Err(_) => "joined".to_owned(),
+    };
+    drawn.remarks.push(format!("{}: {is}", pair.place(at)));
+    if matches!(*space, PairSpace::Lower(_)) {
+        return Ok(());
+    }
+    let assembly_from_fixed = drawn.parts[0].assembly_from_part;
+    let mut named = Vec::new();
+    for (patch, _) in space.contacts(at, space.resolution()).map_err(unanswered)? {
+        let touch = features(&space, patch).map_err(unanswered)?;
+        if named.contains(&touch) {
+            continue;
+        }
+        let contact = space
+            .patch(patch)
+            .and_then(|p| p.contact())
+            .map_err(unanswered)?;
+        let touching = contact.touching(at).map_err(unanswered)?;
+        named.push(touch);
+        let (p, n): (Point, Vector) = (touching.on_fixed, touching.normal);
+        drawn.contacts.push(ContactMark {
+            at: assembly_from_fixed.fixed_from_moving(p),
+            normal: Rotation::by(assembly_from_fixed.theta) * n,
+            label: pair.touch(touch),
+        });
+    }
+    Ok(())
+}

@@ -1,0 +1,215 @@
+//! `cspace draw`, and pictures of `slice` and `export`.
+
+use std::path::Path;
+
+use crate::helpers::{fails, model, printed};
+
+/// Every model that is shipped.
+fn models() -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models");
+    let files = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|f| f.unwrap().path());
+    let mut models: Vec<String> = files
+        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
+        .map(|p| p.to_str().unwrap().to_owned())
+        .collect();
+    models.sort();
+    assert!(models.len() > 10);
+    models
+}
+
+/// Writes a picture and gives it back, after a look at what it begins with.
+#[track_caller]
+fn picture(name: &str, args: &[&str]) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join(name);
+    let all: Vec<&str> = args
+        .iter()
+        .copied()
+        .chain(["-o", out.to_str().unwrap()])
+        .collect();
+    assert_eq!(printed(&all), "");
+    let bytes = std::fs::read(out).unwrap();
+    let begins: &[u8] = match name.rsplit('.').next().unwrap() {
+        "svg" => b"<svg",
+        "png" => b"\x89PNG",
+        _ => b"%PDF",
+    };
+    assert!(bytes.starts_with(begins), "{args:?}");
+    bytes
+}
+
+fn svg(args: &[&str]) -> String {
+    String::from_utf8(picture("a.svg", args)).unwrap()
+}
+
+#[test]
+fn parts_of_every_model_are_drawn() {
+    for file in models() {
+        for name in ["a.svg", "a.PNG", "a.pdf"] {
+            picture(&name.to_lowercase(), &["draw", &file]);
+        }
+        let text = printed(&["draw", &file]);
+        assert!(text.starts_with("<svg") && text.len() < 300_000, "{file}");
+        assert_eq!(text, svg(&["draw", &file]));
+    }
+}
+
+/// A peg of 2 by 4 beside a block with its right side at x = 3: at x = 4 it touches, and the mark is on x = 3.
+#[test]
+fn contacts_are_marked_where_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("m.toml");
+    let text = "unit = \"mm\"\n[[part]]\nname = \"block\"\nloops = [[[-3, -3], [3, -3], [3, 3], [-3, 3]]]\n\
+        [[part]]\nname = \"peg\"\nloops = [[[-1, -2], [1, -2], [1, 2], [-1, 2]]]\n";
+    std::fs::write(&file, text).unwrap();
+    let file = file.to_str().unwrap();
+    let touching = svg(&[
+        "draw",
+        file,
+        "--at",
+        "4,0,0",
+        "--x=-4,6",
+        "--y=-5,5",
+        "--size",
+        "1000x1000",
+    ]);
+    assert!(touching.contains("line 1 of loop 0 of block touches vertex 3 of loop 0 of peg"));
+    assert!(touching.contains("in contact"));
+    // Where x = 3 is: the frame's tick numbers tell the scale.
+    let tick = |number: &str| {
+        let at = touching.find(&format!(">{number}</text>")).unwrap();
+        let tag = &touching[touching[..at].rfind("<text").unwrap()..at];
+        let x = tag.split(" x=\"").nth(1).unwrap();
+        x[..x.find('"').unwrap()].parse::<f64>().unwrap()
+    };
+    let three = tick("2") + 0.25 * (tick("6") - tick("2"));
+    let marks: Vec<f64> = touching
+        .split("fill=\"#d0002a\"")
+        .filter_map(|before| before.rsplit("d=\"M").next())
+        .filter_map(|d| d.split([' ', '-', 'a']).next()?.parse().ok())
+        .collect();
+    // The left end of a round mark of radius .32 letters of 13 · 1000/960.
+    assert!(
+        marks
+            .iter()
+            .any(|x| (x + 0.32 * 13.0 * 1000.0 / 960.0 - three).abs() < 0.1),
+        "{marks:?} {three}"
+    );
+    let apart = svg(&["draw", file, "--at", "4.5,0,0"]);
+    assert!(apart.contains("free, in region 0, 0.500000 mm apart") && !apart.contains("#d0002a"));
+    let over = svg(&["draw", file, "--at", "0,0,0"]);
+    assert!(over.contains("blocked: the parts overlap"));
+}
+
+#[test]
+fn slices_come_at_even_steps() {
+    let file = model("ratchet_pawl.toml");
+    let six = svg(&["export", &file, "--slices", "6"]);
+    for degrees in ["−180", "−120", "−60", "0", "60", "120"] {
+        assert!(
+            six.contains(&format!(">θ = {degrees}°</text>")),
+            "{degrees}"
+        );
+    }
+    let window = svg(&["export", &file, "--slices", "3", "--theta=-10deg,10deg"]);
+    for degrees in ["−10", "0", "10"] {
+        assert!(
+            window.contains(&format!(">θ = {degrees}°</text>")),
+            "{degrees}"
+        );
+    }
+    let one = svg(&["slice", &file, "--theta", "12.5deg"]);
+    assert!(one.contains(">slice at θ = 12.5°</text>"));
+    assert!(one.contains(">ratchet and pawl: pawl relative to ratchet, lengths in mm</text>"));
+    for name in ["a.png", "a.pdf"] {
+        picture(
+            name,
+            &["slice", &file, "--theta", "12.5deg", "--at", "30,40"],
+        );
+        picture(name, &["export", &file, "--slices", "2"]);
+    }
+}
+
+#[test]
+fn planes_name_their_axes_and_zoom() {
+    let file = model("gears_on_shafts.toml");
+    let whole = svg(&["slice", &file]);
+    for said in [
+        ">u: gear turns, degrees<",
+        ">v: pinion turns, degrees<",
+        ">−180</text>",
+        ">180</text>",
+    ] {
+        assert!(whole.contains(said), "{said}");
+    }
+    let near = svg(&[
+        "export",
+        &file,
+        "--u",
+        "0,20deg",
+        "--v=-5deg,15deg",
+        "--title",
+        "near & far",
+    ]);
+    assert!(near.contains(">20</text>") && near.contains(">near &amp; far</text>"));
+    assert!(!near.contains(">180</text>"));
+}
+
+#[test]
+fn what_a_picture_does_not_have_is_refused() {
+    let (planar, axes) = (model("ratchet_pawl.toml"), model("gears_on_shafts.toml"));
+    let folder = tempfile::tempdir().unwrap();
+    let out = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let cases: &[(&[&str], &str)] = &[
+        (
+            &["draw", &planar, "-o", &out("a.jpg")],
+            ".svg, .png or .pdf",
+        ),
+        (&["draw", &planar, "--u", "0,1"], "--x and --y"),
+        (
+            &["slice", &planar, "--theta", "0", "--size", "300x300"],
+            "--size is about pictures",
+        ),
+        (
+            &["slice", &planar, "--theta", "0", "--at", "1,2"],
+            "--at is about pictures",
+        ),
+        (
+            &["slice", &axes, "-o", &out("a.svg"), "--x", "0,1"],
+            "--u and --v",
+        ),
+        (
+            &["slice", &axes, "-o", &out("a.svg"), "--at", "0,1"],
+            "without parts",
+        ),
+        (
+            &["export", &planar, "-o", &out("a.ply"), "--labels", "none"],
+            "--labels is about pictures",
+        ),
+        (
+            &["export", &axes, "-o", &out("a.svg"), "--slices", "4"],
+            "one plane",
+        ),
+        (&["draw", &planar, "--size", "12"], "width x height"),
+        (&["draw", &planar, "--size", "1e9x1e9"], "from 100 to 50000"),
+        (
+            &[
+                "draw",
+                &planar,
+                "-o",
+                &out("a.png"),
+                "--size",
+                "50000x50000",
+            ],
+            "a smaller --size",
+        ),
+        (&["draw", &planar, "--x", "2,1"], "the smaller first"),
+        (&["draw", &planar, "--at", "1,2"], "--at x,y,theta"),
+    ];
+    for (args, said) in cases {
+        fails(args, 2, &[said]);
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}

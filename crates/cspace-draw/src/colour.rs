@@ -1,0 +1,58 @@
+//! The colours of pictures: those of Okabe and Ito, which people tell apart whatever colours they see.
+
+use cspace::{FeatureKind, FeatureName};
+
+use crate::scene::Colour;
+
+pub(crate) const INK: Colour = Colour(0x22, 0x22, 0x22);
+pub(crate) const GRID: Colour = Colour(0xe6, 0xe6, 0xe6);
+pub(crate) const BLOCKED: Colour = Colour(0xc9, 0xcc, 0xd1);
+/// What wants to be seen: contacts, gaps of a drawing.
+pub(crate) const MARK: Colour = Colour(0xd0, 0x00, 0x2a);
+
+/// Contact curves by what touches.
+pub(crate) const KINDS: [(Colour, &str); 3] = [
+    (Colour(0x00, 0x5a, 0x9c), "contact: line of the fixed part"),
+    (Colour(0xc4, 0x4e, 0x00), "contact: line of the moving part"),
+    (Colour(0x00, 0x7a, 0x57), "contact: arcs and vertices"),
+];
+
+/// Which of the [`KINDS`] a contact is.
+pub(crate) fn kind(fixed: FeatureName, moving: FeatureName) -> usize {
+    match (fixed.kind, moving.kind) {
+        (FeatureKind::Line, _) => 0,
+        (_, FeatureKind::Line) => 1,
+        _ => 2,
+    }
+}
+
+/// The ground of a free region, by its number.
+pub(crate) fn region(number: u32) -> Colour {
+    const GROUNDS: [Colour; 7] = [
+        Colour(0xff, 0xff, 0xff),
+        Colour(0xff, 0xf3, 0xb8),
+        Colour(0xcf, 0xe8, 0xfa),
+        Colour(0xfd, 0xd9, 0xc4),
+        Colour(0xcc, 0xee, 0xdf),
+        Colour(0xf3, 0xd6, 0xe7),
+        Colour(0xe4, 0xdf, 0xf7),
+    ];
+    // The first is mostly that of far away; it comes once.
+    match number {
+        0 => GROUNDS[0],
+        n => GROUNDS[1 + (n as usize - 1) % (GROUNDS.len() - 1)],
+    }
+}
+
+/// The inside and the outline of a part, by its number.
+pub(crate) fn part(number: usize) -> (Colour, Colour) {
+    const PARTS: [(Colour, Colour); 6] = [
+        (Colour(0xd8, 0xdc, 0xe1), Colour(0x3d, 0x45, 0x50)),
+        (Colour(0xf9, 0xd9, 0x9a), Colour(0x8f, 0x5c, 0x00)),
+        (Colour(0xb9, 0xdd, 0xf3), Colour(0x00, 0x4f, 0x80)),
+        (Colour(0xb5, 0xe3, 0xd0), Colour(0x00, 0x5e, 0x43)),
+        (Colour(0xf3, 0xc8, 0xdf), Colour(0x8a, 0x34, 0x66)),
+        (Colour(0xf7, 0xc3, 0xa6), Colour(0x95, 0x3c, 0x00)),
+    ];
+    PARTS[number % PARTS.len()]
+}

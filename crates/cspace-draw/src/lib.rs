@@ -1,0 +1,64 @@
+//! Pictures for the `cspace` library: parts, slices of contact spaces, planes of motions; as SVG, PNG or PDF.
+//!
+//! A picture is first a [`Scene`]: paths of lines and arcs, and text, at places in dots. What it shows is decided there, so
+//! that it looks the same in every format.
+//!
+//! ```text
+//!   parts     ┐
+//!   slices    ├─→  Scene  ─→  svg, png, pdf
+//!   plane     ┘
+//! ```
+//!
+//! | picture | function |
+//! |---|---|
+//! | parts as drawn or at a configuration | [`parts`] |
+//! | slices of a contact space, the parts beside | [`slices`] |
+//! | the plane of motions of a pair with fixed axes | [`plane`] |
+//!
+//! ```
+//! use cspace::{Axis, FixedAxesSpace, Part, Vector};
+//! use cspace_draw::{PictureFormat, PictureOptions, plane};
+//! let slide = Axis::prismatic(Vector::new(1.0, 0.0)).within(-10.0, 10.0);
+//! let wall = Part::rectangle("wall", (0.0, 0.0), 2.0, 2.0)?;
+//! let wheel = Part::rectangle("wheel", (5.0, 0.0), 2.0, 2.0)?;
+//! let turn = Axis::revolute((5.0, 0.0).into());
+//! let space = FixedAxesSpace::compute(&wall, slide, &wheel, turn)?;
+//! let picture = plane(&space, &PictureOptions::default());
+//! assert!(PictureFormat::Pdf.write(&picture)?.starts_with(b"%PDF"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
+mod arc;
+mod colour;
+mod error;
+mod font;
+mod format;
+mod labels;
+mod legend;
+mod line;
+mod options;
+mod outline;
+mod parts;
+mod pdf;
+mod plane;
+mod plot;
+mod png;
+mod scene;
+mod slice;
+mod strips;
+mod svg;
+mod ticks;
+mod view;
+
+pub use error::PictureError;
+pub use format::PictureFormat;
+pub use options::{Labels, PictureOptions};
+pub use parts::{ContactMark, PartsPicture, PlacedPart, parts};
+pub use pdf::pdf;
+pub use plane::plane;
+pub use png::png;
+pub use scene::{Anchor, Area, Colour, Dot, Item, Path, Scene, Step, Stroke, Text};
+pub use slice::{SlicesPicture, slices};
+pub use svg::svg;

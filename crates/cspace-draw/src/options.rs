@@ -1,0 +1,50 @@
+//! What a user may say of any picture.
+
+/// Which labels a picture has beside its axes and its title.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Labels {
+    /// None.
+    None,
+    /// Those that fit: no label lies on another.
+    #[default]
+    Auto,
+    /// All, and with numbers of vertices and features.
+    All,
+}
+
+/// How a picture is made.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PictureOptions {
+    /// Width and height in dots, if not chosen by what is shown.
+    pub size: Option<(f64, f64)>,
+    /// What is written above.
+    pub title: String,
+    /// The label of the unit of length.
+    pub unit: Option<String>,
+    /// Which labels it has.
+    pub labels: Labels,
+    /// What is seen of the first coordinate: x in the unit of length, or u (radians if it is an angle); all if not said.
+    pub x: Option<(f64, f64)>,
+    /// What is seen of the second.
+    pub y: Option<(f64, f64)>,
+}
+
+impl PictureOptions {
+    /// A length with its unit.
+    pub(crate) fn length(&self, number: &str) -> String {
+        match &self.unit {
+            Some(unit) => format!("{number} {unit}"),
+            None => number.to_owned(),
+        }
+    }
+
+    /// The size, and of letters: as large as the picture allows that was designed for `usual`.
+    pub(crate) fn sized(&self, usual: (f64, f64)) -> ((f64, f64), f64) {
+        /// The size of letters in a picture of the usual size, and the least.
+        const LETTERS: f64 = 13.0;
+        const LEAST: f64 = 7.0;
+        let size = self.size.unwrap_or(usual);
+        let share = (size.0 / usual.0).min(size.1 / usual.1);
+        (size, (LETTERS * share).max(LEAST))
+    }
+}

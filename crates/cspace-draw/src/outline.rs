@@ -1,0 +1,93 @@
+//! Outlines of parts and contact curves as paths.
+
+use cspace::{Configuration, CurveGeometry, Part, Point};
+
+use crate::plot::Plot;
+use crate::scene::{Dot, Path, Step};
+
+/// The loops of a part where it is placed.
+pub(crate) fn of_part(part: &Part, assembly_from_part: Configuration, plot: &Plot) -> Path {
+    let mut path = Path::new();
+    let at = |p: Point| place(plot, assembly_from_part.fixed_from_moving(p));
+    for l in part.loops() {
+        let vertices = l.vertices();
+        for (i, v) in vertices.iter().enumerate() {
+            if i == 0 {
+                path.steps.push(Step::Move(at(v.point())));
+            }
+            let next = vertices[(i + 1) % vertices.len()];
+            path.steps.push(step(at(next.point()), v.bulge));
+        }
+        path.steps.push(Step::Close);
+    }
+    path
+}
+
+/// Appends a curve to a path that is at its start.
+pub(crate) fn append(path: &mut Path, geometry: &CurveGeometry, plot: &Plot) {
+    match *geometry {
+        CurveGeometry::Segment { end, .. } => path.steps.push(Step::Line(place(plot, end))),
+        CurveGeometry::FlatArc { end, bulge, .. } => path.steps.push(step(place(plot, end), bulge)),
+        CurveGeometry::Arc { sweep, .. } => {
+            // An arc by its ends must not be a whole turn.
+            let pieces = if sweep.abs() > 3.0 { 3 } else { 1 };
+            let bulge = (0.25 * sweep / f64::from(pieces)).tan();
+            for k in 1..=pieces {
+                let end = geometry.point(f64::from(k) / f64::from(pieces));
+                path.steps.push(step(place(plot, end), bulge));
+            }
+        }
+    }
+}
+
+/// Where a point of the plane is.
+pub(crate) fn place(plot: &Plot, p: Point) -> Dot {
+    plot.place(p.x, p.y)
+}
+
+/// A line or an arc; y is upwards in the plane and downwards on a picture, which turns an arc about.
+fn step(to: Dot, bulge: f64) -> Step {
+    if bulge == 0.0 {
+        Step::Line(to)
+    } else {
+        Step::Arc { to, bulge: -bulge }
+    }
+}
+
+/// Points along a part's outline, for the places of labels and the extent of pictures.
+pub(crate) fn points(part: &Part, assembly_from_part: Configuration) -> Vec<Point> {
+    /// To an edge.
+    const POINTS: u32 = 8;
+    let mut all = Vec::new();
+    for edge in part.edges() {
+        let shares = if edge.is_line() { 1 } else { POINTS };
+        for k in 0..shares {
+            let share = f64::from(k) / f64::from(shares);
+            let p = if edge.is_line() {
+                edge.start
+            } else {
+                let arm = edge.start - edge.center();
+                edge.center() + cspace::Rotation::by(share * edge.sweep()) * arm
+            };
+            all.push(assembly_from_part.fixed_from_moving(p));
+        }
+    }
+    all
+}
+
+/// The least rectangle about points: ranges of x and y. One that is empty or flat is as wide as `least`.
+pub(crate) fn extent(points: &[Point], least: f64) -> [(f64, f64); 2] {
+    let range = |of: fn(&Point) -> f64| {
+        let lo = points.iter().map(of).fold(f64::INFINITY, f64::min);
+        let hi = points.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+        let (lo, hi) = if lo <= hi { (lo, hi) } else { (0.0, 0.0) };
+        let more = (0.5 * (least - (hi - lo))).max(0.0);
+        (lo - more, hi + more)
+    };
+    [range(|p| p.x), range(|p| p.y)]
+}
+
+/// A range with a share of it added at both ends.
+pub(crate) fn with_margin((lo, hi): (f64, f64), margin: f64) -> (f64, f64) {
+    (lo - margin, hi + margin)
+}

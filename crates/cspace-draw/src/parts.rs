@@ -1,0 +1,387 @@
+//! Parts as drawn or at a configuration: outlines, names, axes of motion, joints, what touches.
+
+use cspace::pair::Joint;
+use cspace::{Axis, AxisMotion, Configuration, JointEntry, Part, Point, Rotation, Vector};
+
+use crate::colour::{INK, MARK, part as colours};
+use crate::labels::Placed;
+use crate::legend::{Legend, Sign};
+use crate::options::{Labels, PictureOptions};
+use crate::outline::{extent, of_part, place, points, with_margin};
+use crate::plot::{AxisLabel, Plot, title};
+use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
+use crate::ticks::brief;
+
+/// A part and where it is.
+#[derive(Debug, Clone, Copy)]
+pub struct PlacedPart<'a> {
+    /// The part.
+    pub part: &'a Part,
+    /// Takes points of the part to the assembly.
+    pub assembly_from_part: Configuration,
+    /// How it moves, in the assembly; `None` if freely in the plane.
+    pub axis: Option<Axis>,
+    /// Its number in the model, which chooses its colour.
+    pub number: usize,
+}
+
+/// Where two parts touch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactMark {
+    /// The point.
+    pub at: Point,
+    /// The outward normal of the part that is touched.
+    pub normal: Vector,
+    /// What touches.
+    pub label: String,
+}
+
+/// What is shown of parts.
+#[derive(Debug, Clone, Default)]
+pub struct PartsPicture<'a> {
+    /// The parts, the last on top.
+    pub parts: Vec<PlacedPart<'a>>,
+    /// The joints between them, in the assembly.
+    pub joints: Vec<JointEntry>,
+    /// Where they touch.
+    pub contacts: Vec<ContactMark>,
+    /// Said below the picture, such as the configuration.
+    pub remarks: Vec<String>,
+}
+
+/// A picture of parts, to scale: names, frame origins, pivots, slides, joints, contacts; with all labels, vertices numbered
+/// `loop.index`.
+///
+/// ```
+/// use cspace::{Configuration, Part};
+/// use cspace_draw::{PartsPicture, PictureOptions, PlacedPart, parts, svg};
+/// let plate = Part::rectangle("plate", (0.0, 0.0), 8.0, 4.0)?;
+/// let picture = PartsPicture {
+///     parts: vec![PlacedPart {
+///         part: &plate,
+///         assembly_from_part: Configuration::default(),
+///         axis: None,
+///         number: 0,
+///     }],
+///     ..PartsPicture::default()
+/// };
+/// let drawn = svg(&parts(&picture, &PictureOptions::default()));
+/// assert!(drawn.contains(">plate</text>"));
+/// # Ok::<(), cspace::PartError>(())
+/// ```
+pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
+    /// In dots, if the user does not say.
+    const USUAL: (f64, f64) = (960.0, 720.0);
+    let ((width, height), em) = options.sized(USUAL);
+    let mut items = Vec::new();
+    title(&mut items, &options.title, width, em);
+    let legend = Legend::new(entries(picture, options), width - 2.0 * em, em);
+    let top = 2.6 * em;
+    let foot = height - legend.height() - 0.5 * em;
+    let bottom = foot - Plot::BELOW * em;
+    let area = Area {
+        lo: Dot::new(Plot::LEFT * em, top),
+        hi: Dot::new(width - Plot::RIGHT * em, bottom),
+    };
+    let [x, y] = seen(picture);
+    let plot = Plot::at_one_scale(area, options.x.unwrap_or(x), options.y.unwrap_or(y), em);
+    let unit = options.unit.as_deref();
+    let (across, up) = (AxisLabel::length("x", unit), AxisLabel::length("y", unit));
+    plot.grid(&mut items, [&across, &up]);
+    let mut inner = Vec::new();
+    draw(&mut inner, picture, &plot, options.labels);
+    plot.scale_bar(&mut inner, unit);
+    items.push(Item::Clipped { area, items: inner });
+    plot.frame(&mut items, [&across, &up]);
+    legend.draw(&mut items, Dot::new(em, foot));
+    Scene {
+        width,
+        height,
+        title: options.title.clone(),
+        items,
+    }
+}
+
+/// What of the plane is seen: the parts, the origin if it is near, pivots and contacts, and a margin.
+pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
+    let mut all: Vec<Point> = (picture.parts.iter())
+        .flat_map(|p| points(p.part, p.assembly_from_part))
+        .collect();
+    for p in &picture.parts {
+        if let Some(AxisMotion::Revolute { center }) = p.axis.map(|a| a.motion) {
+            all.push(center);
+        }
+    }
+    let [x, y] = extent(&all, 0.0);
+    let size = (x.1 - x.0).max(y.1 - y.0);
+    [with_margin(x, 0.06 * size), with_margin(y, 0.06 * size)]
+}
+
+/// The parts with all that is marked on them.
+pub(crate) fn draw(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plot, labels: Labels) {
+    let em = plot.em;
+    let path = |p: &PlacedPart<'_>| of_part(p.part, p.assembly_from_part, plot);
+    for p in &picture.parts {
+        items.push(Item::filled(path(p), colours(p.number).0));
+    }
+    // All outlines on top of all insides, so that parts that overlap are both seen.
+    for p in &picture.parts {
+        items.push(Item::Shape {
+            path: path(p),
+            fill: None,
+            stroke: Some(Stroke {
+                colour: colours(p.number).1,
+                width: 0.11 * em,
+            }),
+            title: Some(p.part.name().to_owned()),
+        });
+    }
+    for p in &picture.parts {
+        frame_origin(items, p, plot);
+        motion(items, p, plot);
+    }
+    for joint in &picture.joints {
+        joint_sign(items, &joint.joint, plot);
+    }
+    let mut placed = Placed::new(plot.area, labels == Labels::All);
+    for p in &picture.parts {
+        if let Some(AxisMotion::Revolute { center }) = p.axis.map(|a| a.motion) {
+            let at = place(plot, center);
+            placed.keep(Area::new(
+                at.x - 0.6 * em,
+                at.y - 0.6 * em,
+                1.2 * em,
+                1.2 * em,
+            ));
+        }
+    }
+    for contact in &picture.contacts {
+        contact_sign(items, contact, plot, &mut placed);
+    }
+    if labels == Labels::None {
+        return;
+    }
+    for (k, p) in picture.parts.iter().enumerate() {
+        let places = inside(p, &picture.parts[k + 1..], plot);
+        let colour = colours(p.number).1;
+        placed.put_in(items, p.part.name(), 1.1 * em, colour, places);
+    }
+    if labels == Labels::All {
+        let mut numbers = Placed::new(plot.area, false);
+        for p in &picture.parts {
+            number_vertices(items, p, plot, &mut numbers);
+        }
+    }
+}
+
+/// Places for a part's name, the best first: far inside and under no part drawn later, else beside.
+fn inside(p: &PlacedPart<'_>, later: &[PlacedPart<'_>], plot: &Plot) -> Vec<Dot> {
+    /// As many places across and up are tried.
+    const TRIED: u32 = 24;
+    let outline = points(p.part, p.assembly_from_part);
+    let [x, y] = extent(&outline, 0.0);
+    let mut dots: Vec<Dot> = Vec::new();
+    for part in core::iter::once(p).chain(later) {
+        let outline = points(part.part, part.assembly_from_part);
+        for (i, q) in outline.iter().enumerate() {
+            // Long lines count along their length.
+            let next = outline[(i + 1) % outline.len()];
+            dots.extend((0..4).map(|k| place(plot, q.lerp(next, 0.25 * f64::from(k)))));
+        }
+    }
+    let is_in = |part: &PlacedPart<'_>, at: Point| {
+        let part_from_assembly = part.assembly_from_part.inverse();
+        (part.part).contains(part_from_assembly.fixed_from_moving(at))
+    };
+    let mut found: Vec<(f64, Dot)> = Vec::new();
+    for i in 1..TRIED {
+        for j in 1..TRIED {
+            let share =
+                |(lo, hi): (f64, f64), k: u32| lo + (hi - lo) * f64::from(k) / f64::from(TRIED);
+            let at = Point::new(share(x, i), share(y, j));
+            if is_in(p, at) && !later.iter().any(|l| is_in(l, at)) {
+                let dot = place(plot, at);
+                // A name is wider than high: what is above and below is less in its way.
+                let room = |d: &Dot| ((d.x - dot.x) * 0.5).hypot(d.y - dot.y);
+                let room = dots.iter().map(room).fold(f64::INFINITY, f64::min);
+                found.push((room, dot));
+            }
+        }
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let above = place(plot, Point::new(0.5 * (x.0 + x.1), y.1)).moved(0.0, -plot.em);
+    let below = place(plot, Point::new(0.5 * (x.0 + x.1), y.0)).moved(0.0, plot.em);
+    let best = found
+        .into_iter()
+        .filter(|f| f.0 > 0.4 * plot.em)
+        .map(|f| f.1);
+    best.step_by(3).take(40).chain([above, below]).collect()
+}
+
+/// The origin of the part's frame: its x axis longer than its y axis.
+fn frame_origin(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot) {
+    let c = p.assembly_from_part;
+    let origin = place(plot, Point::new(c.x, c.y));
+    let (sin, cos) = c.theta.sin_cos();
+    let mut path = Path::new();
+    let em = plot.em;
+    for (length, x, y) in [(1.5 * em, cos, -sin), (0.9 * em, -sin, -cos)] {
+        path.line_through([origin, origin.moved(length * x, length * y)]);
+    }
+    items.push(Item::drawn(path, colours(p.number).1, 0.13 * em));
+    items.push(Item::filled(
+        Path::circle(origin, 0.15 * em),
+        colours(p.number).1,
+    ));
+}
+
+/// The pivot of a part that turns, the direction of one that slides.
+fn motion(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot) {
+    let em = plot.em;
+    match p.axis.map(|a| a.motion) {
+        Some(AxisMotion::Revolute { center }) => pivot(items, place(plot, center), em),
+        Some(AxisMotion::Prismatic { direction }) => {
+            let [x, y] = extent(&points(p.part, p.assembly_from_part), 0.0);
+            let middle = Point::new(0.5 * (x.0 + x.1), 0.5 * (y.0 + y.1));
+            slide(items, place(plot, middle), direction, em);
+        }
+        Some(AxisMotion::Fixed) | None => {}
+    }
+}
+
+fn pivot(items: &mut Vec<Item>, at: Dot, em: f64) {
+    items.push(Item::Shape {
+        path: Path::circle(at, 0.55 * em),
+        fill: Some(Colour(255, 255, 255)),
+        stroke: Some(Stroke {
+            colour: INK,
+            width: 0.13 * em,
+        }),
+        title: None,
+    });
+    items.push(Item::filled(Path::circle(at, 0.18 * em), INK));
+}
+
+/// A double arrow.
+fn slide(items: &mut Vec<Item>, at: Dot, direction: Vector, em: f64) {
+    let d = direction.unit();
+    let (dx, dy) = (1.9 * em * d.x, -1.9 * em * d.y);
+    let mut path = Path::through([at.moved(-dx, -dy), at.moved(dx, dy)]);
+    for side in [1.0, -1.0] {
+        let tip = at.moved(side * dx, side * dy);
+        let wing = |turn: f64| {
+            let w = Rotation::by(turn) * Vector::new(-side * d.x, side * d.y);
+            tip.moved(0.7 * em * w.x, 0.7 * em * w.y)
+        };
+        path.line_through([wing(0.45), tip, wing(-0.45)]);
+    }
+    items.push(Item::drawn(path.clone(), Colour(255, 255, 255), 0.4 * em));
+    items.push(Item::drawn(path, INK, 0.15 * em));
+}
+
+fn joint_sign(items: &mut Vec<Item>, joint: &Joint, plot: &Plot) {
+    let em = plot.em;
+    match *joint {
+        Joint::Revolute { at } => pivot(items, place(plot, at), em),
+        Joint::Prismatic { direction, at } => slide(items, place(plot, at), direction, em),
+        Joint::Rigid => {}
+    }
+}
+
+fn contact_sign(items: &mut Vec<Item>, contact: &ContactMark, plot: &Plot, placed: &mut Placed) {
+    let em = plot.em;
+    let at = place(plot, contact.at);
+    let n = contact.normal.unit();
+    let tip = at.moved(2.6 * em * n.x, -2.6 * em * n.y);
+    let wing = |turn: f64| {
+        let w = Rotation::by(turn) * Vector::new(-n.x, n.y);
+        tip.moved(0.7 * em * w.x, 0.7 * em * w.y)
+    };
+    let mut arrow = Path::through([at, tip]);
+    arrow.line_through([wing(0.45), tip, wing(-0.45)]);
+    items.push(Item::drawn(arrow.clone(), Colour(255, 255, 255), 0.4 * em));
+    items.push(Item::drawn(arrow, MARK, 0.15 * em));
+    items.push(Item::Shape {
+        path: Path::circle(at, 0.32 * em),
+        fill: Some(MARK),
+        stroke: None,
+        title: Some(contact.label.clone()),
+    });
+    placed.keep(Area::new(at.x - 0.5 * em, at.y - 0.5 * em, em, em));
+}
+
+/// Vertices by loop and index, beside the corner where there is room.
+fn number_vertices(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot, placed: &mut Placed) {
+    let em = plot.em;
+    let size = 0.75 * em;
+    let mut signs = Path::new();
+    for (l, loop_) in p.part.loops().iter().enumerate() {
+        for (i, v) in loop_.vertices().iter().enumerate() {
+            let at = place(plot, p.assembly_from_part.fixed_from_moving(v.point()));
+            signs.steps.extend(Path::circle(at, 0.16 * em).steps);
+            let around = [
+                (0.9, -0.7),
+                (-0.9, -0.7),
+                (0.9, 0.8),
+                (-0.9, 0.8),
+                (0.0, -1.0),
+                (0.0, 1.1),
+                (1.6, 0.0),
+                (-1.6, 0.0),
+            ];
+            let places = around.map(|(x, y)| at.moved(x * em, y * em));
+            let said = format!("{l}.{i}");
+            if !placed.put(items, &said, size, places) {
+                Placed::new(plot.area, true).put(items, &said, size, places);
+            }
+        }
+    }
+    items.push(Item::filled(signs, colours(p.number).1));
+}
+
+/// What each part is, and what touches.
+pub(crate) fn entries(picture: &PartsPicture<'_>, options: &PictureOptions) -> Vec<(Sign, String)> {
+    let mut all: Vec<(Sign, String)> = (picture.parts.iter())
+        .map(|p| {
+            let (fill, edge) = colours(p.number);
+            let said = format!("{}: {}", p.part.name(), moves(p.axis, options));
+            (Sign::Field(fill, edge), said)
+        })
+        .collect();
+    all.extend((picture.contacts.iter()).map(|c| (Sign::Mark(MARK), c.label.clone())));
+    let plain = Sign::Line(Colour(255, 255, 255));
+    all.extend(picture.remarks.iter().map(|r| (plain, r.clone())));
+    all
+}
+
+/// A motion in words.
+fn moves(axis: Option<Axis>, options: &PictureOptions) -> String {
+    let Some(axis) = axis else {
+        return "moves freely".to_owned();
+    };
+    let round = brief;
+    let degrees = |x: f64| format!("{}°", brief(x.to_degrees()));
+    match axis.motion {
+        AxisMotion::Fixed => "fixed".to_owned(),
+        AxisMotion::Revolute { center } => {
+            let range = axis.range.map_or(String::new(), |(lo, hi)| {
+                format!(" from {} to {}", degrees(lo), degrees(hi))
+            });
+            format!(
+                "turns about ({}, {}){range}",
+                round(center.x),
+                round(center.y)
+            )
+        }
+        AxisMotion::Prismatic { direction } => {
+            let range = axis.range.map_or(String::new(), |(lo, hi)| {
+                format!(" from {} to {}", round(lo), options.length(&round(hi)))
+            });
+            format!(
+                "slides along ({}, {}){range}",
+                round(direction.x),
+                round(direction.y)
+            )
+        }
+    }
+}

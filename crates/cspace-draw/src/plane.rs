@@ -1,0 +1,291 @@
+//! The plane of motions of a pair with fixed axes: which (u, v) are free.
+
+use core::f64::consts::PI;
+
+use cspace::fixed_axes::BranchForm;
+use cspace::{Axis, AxisMotion, FixedAxesSpace};
+
+use crate::colour::{BLOCKED, INK, KINDS, kind, region as ground};
+use crate::labels::Placed;
+use crate::legend::{Legend, Sign};
+use crate::line::follow;
+use crate::options::{Labels, PictureOptions};
+use crate::plot::{AxisLabel, Plot, title};
+use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
+use crate::slice::short;
+use crate::strips::{Strip, strips};
+use crate::ticks::Quantity;
+use crate::view::{View, turns_for_ever};
+
+/// A picture of the plane (u, v): free regions numbered and coloured as they are listed, blocked space grey, contact curves
+/// by kind. A full turn is seen from −180° to 180°, and curves in every period that is seen. Channels too thin to be seen are
+/// drawn as wide as can be seen.
+pub fn plane(space: &FixedAxesSpace, options: &PictureOptions) -> Scene {
+    /// In dots, if the user does not say.
+    const USUAL: (f64, f64) = (920.0, 920.0);
+    let ((width, height), em) = options.sized(USUAL);
+    let mut items = Vec::new();
+    title(&mut items, &options.title, width, em);
+    let legend = Legend::new(entries(space, options), width - 2.0 * em, em);
+    let foot = height - legend.height() - 0.5 * em;
+    let area = Area {
+        lo: Dot::new(Plot::LEFT * em, 2.6 * em),
+        hi: Dot::new(width - Plot::RIGHT * em, foot - Plot::BELOW * em),
+    };
+    let whole = space.extent();
+    let (fixed, moving) = space.axes();
+    let plot = Plot {
+        area,
+        x: options.x.unwrap_or(seen(fixed, whole[0])),
+        y: options.y.unwrap_or(seen(moving, whole[1])),
+        em,
+    };
+    let labels = [
+        axis("u", space.fixed().name(), fixed, options),
+        axis("v", space.moving().name(), moving, options),
+    ];
+    let view = View::of(space, plot);
+    let mut inner = vec![Item::filled(Path::rectangle(area), BLOCKED)];
+    let strips = strips(space, &view);
+    for strip in &strips {
+        inner.push(Item::Shape {
+            path: strip.outline(),
+            fill: Some(ground(strip.region)),
+            // Neighbours share a side, which must not be seen.
+            stroke: Some(Stroke {
+                colour: ground(strip.region),
+                width: 0.04 * em,
+            }),
+            title: None,
+        });
+    }
+    let curves = curves(space, &view);
+    draw_curves(&mut inner, space, &curves, em);
+    channels(&mut inner, space, &view, &strips, em);
+    if options.labels != Labels::None {
+        let mut placed = Placed::new(area, options.labels == Labels::All);
+        if space.regions().len() > 1 {
+            number_regions(&mut inner, &strips, &mut placed, em);
+        }
+        name_curves(&mut inner, space, &curves, &mut placed, em);
+    }
+    items.push(Item::Clipped { area, items: inner });
+    plot.frame(&mut items, [&labels[0], &labels[1]]);
+    legend.draw(&mut items, Dot::new(em, foot));
+    Scene {
+        width,
+        height,
+        title: options.title.clone(),
+        items,
+    }
+}
+
+/// What of a coordinate is seen: of a full turn from −180° to 180°.
+fn seen(axis: Axis, extent: (f64, f64)) -> (f64, f64) {
+    if turns_for_ever(axis) {
+        return (-PI, PI);
+    }
+    let margin = 0.02 * (extent.1 - extent.0);
+    (extent.0 - margin, extent.1 + margin)
+}
+
+fn axis(name: &str, part: &str, axis: Axis, options: &PictureOptions) -> AxisLabel {
+    let unit = options.unit.as_deref();
+    match axis.motion {
+        AxisMotion::Revolute { .. } => AxisLabel {
+            text: format!("{name}: {part} turns, degrees"),
+            quantity: Quantity::Angle,
+        },
+        AxisMotion::Prismatic { .. } => AxisLabel::length(&format!("{name}: {part} slides"), unit),
+        AxisMotion::Fixed => AxisLabel::length(&format!("{name}: {part} does not move"), unit),
+    }
+}
+
+/// A contact curve that is seen.
+struct Curve {
+    patch: usize,
+    line: Vec<Dot>,
+}
+
+/// All contact curves, in every period that is seen.
+fn curves(space: &FixedAxesSpace, view: &View) -> Vec<Curve> {
+    let (u_axis, v_axis) = space.axes();
+    let still = [u_axis, v_axis].map(|a| a.motion == AxisMotion::Fixed);
+    let mut all = Vec::new();
+    for (patch, p) in space.patches().iter().enumerate() {
+        for i in p.branches.start as usize..p.branches.end as usize {
+            let b = &space.branches()[i];
+            let (from, to) = match b.form {
+                BranchForm::VOfU => (b.start.0, b.end.0),
+                BranchForm::UOfV => (b.start.1, b.end.1),
+            };
+            let range = |a: f64, b: f64| (a.min(b), a.max(b));
+            let (u, v) = (range(b.start.0, b.end.0), range(b.start.1, b.end.1));
+            // What does not move has coordinate 0, and a strip about it to be seen in.
+            let u = if still[0] { view.plot.x } else { u };
+            let v = if still[1] { view.plot.y } else { v };
+            for (du, dv) in view.copies(u, v) {
+                if still[0] || still[1] {
+                    let (a, b) = (b.start, b.end);
+                    let ends = match still {
+                        [true, _] => [(view.plot.x.0, a.1 + dv), (view.plot.x.1, b.1 + dv)],
+                        _ => [(a.0 + du, view.plot.y.0), (b.0 + du, view.plot.y.1)],
+                    };
+                    let line = ends.map(|e| view.place(e)).to_vec();
+                    all.push(Curve { patch, line });
+                    continue;
+                }
+                let at = |share: f64| {
+                    let t = from + (to - from) * share;
+                    let ((u, v), _) = space.branch_at(i, t)?;
+                    Some(view.place((u + du, v + dv)))
+                };
+                for line in follow(at, view.plot.area) {
+                    all.push(Curve { patch, line });
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Curves by kind, each with what touches said where the mouse is, unless there are too many.
+fn draw_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, curves: &[Curve], em: f64) {
+    /// More curves than these are drawn together, so that the file stays small.
+    const MOST_NAMED: usize = 300;
+    let width = 0.11 * em;
+    let of = |c: &Curve| {
+        let p = &space.patches()[c.patch];
+        kind(p.fixed, p.moving)
+    };
+    for (k, (colour, _)) in KINDS.iter().enumerate() {
+        let of_kind = curves.iter().filter(|c| of(c) == k);
+        if curves.len() > MOST_NAMED {
+            let mut path = Path::new();
+            for c in of_kind {
+                path.line_through(c.line.iter().copied());
+            }
+            items.push(Item::drawn(path, *colour, width));
+            continue;
+        }
+        for c in of_kind {
+            let p = &space.patches()[c.patch];
+            items.push(Item::Shape {
+                path: Path::through(c.line.iter().copied()),
+                fill: None,
+                stroke: Some(Stroke {
+                    colour: *colour,
+                    width,
+                }),
+                title: Some(format!(
+                    "{} of {}, {} of {}",
+                    p.fixed,
+                    space.fixed().name(),
+                    p.moving,
+                    space.moving().name()
+                )),
+            });
+        }
+    }
+}
+
+/// Channels thinner than can be seen between their curves: a line of free space with an edge.
+fn channels(items: &mut Vec<Item>, space: &FixedAxesSpace, view: &View, strips: &[Strip], em: f64) {
+    let thin = (0.3 * em).max(3.0);
+    let is_free = |at: Dot, region: u32| {
+        let (u, v) = view.motions(at);
+        space.region_at(u, v) == Some(region)
+    };
+    let mut path = Path::new();
+    let mut by_region: Vec<(u32, Path)> = Vec::new();
+    for strip in strips {
+        let across = strip.thin_across(thin, |at| is_free(at, strip.region));
+        for line in strip.thin(thin).into_iter().chain(across) {
+            path.line_through(line.iter().copied());
+            match by_region.iter_mut().find(|r| r.0 == strip.region) {
+                Some((_, of_region)) => of_region.line_through(line),
+                None => by_region.push((strip.region, Path::through(line))),
+            }
+        }
+    }
+    if path.steps.is_empty() {
+        return;
+    }
+    /// A line so many dots wide covers a whole dot, wherever it lies between them.
+    const COVERS: f64 = 1.8;
+    let width = (0.14 * em).max(COVERS);
+    items.push(Item::drawn(
+        path,
+        KINDS[2].0,
+        width + (0.2 * em).max(COVERS),
+    ));
+    for (region, path) in by_region {
+        items.push(Item::drawn(path, ground(region), width));
+    }
+}
+
+/// The number of each region where it is widest, if it fits.
+fn number_regions(items: &mut Vec<Item>, strips: &[Strip], placed: &mut Placed, em: f64) {
+    let mut best: Vec<(u32, f64, Dot)> = Vec::new();
+    for strip in strips {
+        let Some((room, at)) = strip.widest() else {
+            continue;
+        };
+        match best.iter_mut().find(|b| b.0 == strip.region) {
+            Some(b) if b.1 >= room => {}
+            Some(b) => *b = (strip.region, room, at),
+            None => best.push((strip.region, room, at)),
+        }
+    }
+    for (region, room, at) in best {
+        if room > 1.3 * em || !placed.is_sparing() {
+            placed.put(items, &region.to_string(), 1.1 * em, [at]);
+        }
+    }
+}
+
+/// What touches, beside curves that are long enough for it.
+fn name_curves(
+    items: &mut Vec<Item>,
+    space: &FixedAxesSpace,
+    curves: &[Curve],
+    placed: &mut Placed,
+    em: f64,
+) {
+    let size = 0.72 * em;
+    for c in curves {
+        let p = &space.patches()[c.patch];
+        let said = format!("{} | {}", short(p.fixed), short(p.moving));
+        let long: f64 = c.line.windows(2).map(|w| w[0].distance(w[1])).sum();
+        let wide = crate::font::width(&said, size);
+        if long < 1.5 * wide && placed.is_sparing() {
+            continue;
+        }
+        let middle = c.line[c.line.len() / 2];
+        let places = [0.0, -1.0, 1.0].map(|k| middle.moved(0.0, 1.1 * k * size));
+        placed.put(items, &said, size, places);
+    }
+}
+
+fn entries(space: &FixedAxesSpace, options: &PictureOptions) -> Vec<(Sign, String)> {
+    /// More regions than these are told by their numbers alone.
+    const MOST: usize = 8;
+    let mut all = Vec::new();
+    for (i, _) in space.regions().iter().enumerate().take(MOST) {
+        all.push((
+            Sign::Field(ground(i as u32), INK),
+            format!("free, region {i}"),
+        ));
+    }
+    all.push((Sign::Field(BLOCKED, INK), "blocked".to_owned()));
+    for (k, (colour, said)) in KINDS.iter().enumerate() {
+        if (space.patches().iter()).any(|p| kind(p.fixed, p.moving) == k) {
+            all.push((Sign::Line(*colour), (*said).to_owned()));
+        }
+    }
+    if options.labels != Labels::None && !space.patches().is_empty() {
+        let said = "L line, A convex arc, a concave arc, V vertex; loop.index, fixed part first";
+        all.push((Sign::Line(Colour(255, 255, 255)), said.to_owned()));
+    }
+    all
+}

@@ -1,0 +1,241 @@
+//! A picture before it is written: shapes and text at places in dots, x to the right and y downwards.
+
+/// An RGB colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Colour(pub u8, pub u8, pub u8);
+
+/// A place on a picture, in dots from its upper left corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dot {
+    /// To the right.
+    pub x: f64,
+    /// Downwards.
+    pub y: f64,
+}
+
+impl Dot {
+    /// The place `x` dots to the right and `y` dots below the upper left corner.
+    pub const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+
+    /// The place moved by `dx` and `dy`.
+    #[must_use]
+    pub fn moved(self, dx: f64, dy: f64) -> Self {
+        Self::new(self.x + dx, self.y + dy)
+    }
+
+    /// The distance to another place.
+    pub fn distance(self, other: Self) -> f64 {
+        (self.x - other.x).hypot(self.y - other.y)
+    }
+}
+
+/// A step of a path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Step {
+    /// Begins a new line at a place.
+    Move(Dot),
+    /// A straight line to a place.
+    Line(Dot),
+    /// A circular arc to a place; `bulge` is tan(sweep / 4), positive clockwise, since y is downwards.
+    Arc {
+        /// Where it ends.
+        to: Dot,
+        /// tan(sweep / 4).
+        bulge: f64,
+    },
+    /// A straight line to where the path began.
+    Close,
+}
+
+/// Lines and arcs that follow each other.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Path {
+    /// The steps; the first of each line is a [`Step::Move`].
+    pub steps: Vec<Step>,
+}
+
+impl Path {
+    /// A path with nothing in it.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A polyline.
+    pub fn through(points: impl IntoIterator<Item = Dot>) -> Self {
+        let mut path = Self::new();
+        path.line_through(points);
+        path
+    }
+
+    /// A rectangle.
+    pub fn rectangle(area: Area) -> Self {
+        let Area { lo, hi } = area;
+        let corners = [lo, Dot::new(hi.x, lo.y), hi, Dot::new(lo.x, hi.y)];
+        let mut path = Self::through(corners);
+        path.steps.push(Step::Close);
+        path
+    }
+
+    /// A circle.
+    pub fn circle(center: Dot, radius: f64) -> Self {
+        let (left, right) = (center.moved(-radius, 0.0), center.moved(radius, 0.0));
+        let half = |to| Step::Arc { to, bulge: 1.0 };
+        Self {
+            steps: vec![Step::Move(left), half(right), half(left), Step::Close],
+        }
+    }
+
+    /// Appends a polyline.
+    pub fn line_through(&mut self, points: impl IntoIterator<Item = Dot>) {
+        for (i, p) in points.into_iter().enumerate() {
+            self.steps
+                .push(if i == 0 { Step::Move(p) } else { Step::Line(p) });
+        }
+    }
+}
+
+/// A rectangle with sides along the axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Area {
+    /// The upper left corner.
+    pub lo: Dot,
+    /// The lower right corner.
+    pub hi: Dot,
+}
+
+impl Area {
+    /// The rectangle with a corner, a width and a height.
+    pub fn new(x: f64, y: f64, width: f64, height: f64) -> Self {
+        Self {
+            lo: Dot::new(x, y),
+            hi: Dot::new(x + width, y + height),
+        }
+    }
+
+    /// Its width.
+    pub fn width(&self) -> f64 {
+        self.hi.x - self.lo.x
+    }
+
+    /// Its height.
+    pub fn height(&self) -> f64 {
+        self.hi.y - self.lo.y
+    }
+
+    /// Whether two rectangles have a point in common.
+    pub fn meets(&self, other: &Self) -> bool {
+        self.lo.x <= other.hi.x
+            && other.lo.x <= self.hi.x
+            && self.lo.y <= other.hi.y
+            && other.lo.y <= self.hi.y
+    }
+
+    /// Whether another rectangle lies within this one.
+    pub fn holds(&self, other: &Self) -> bool {
+        self.lo.x <= other.lo.x
+            && other.hi.x <= self.hi.x
+            && self.lo.y <= other.lo.y
+            && other.hi.y <= self.hi.y
+    }
+}
+
+/// How a line is drawn: solid, its ends and corners round.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub colour: Colour,
+    /// Its width in dots.
+    pub width: f64,
+}
+
+/// Where a text is relative to its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// It begins there.
+    Start,
+    /// Its middle is there.
+    Middle,
+    /// It ends there.
+    End,
+}
+
+/// A line of text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Text {
+    /// What it says.
+    pub text: String,
+    /// The base line's place.
+    pub at: Dot,
+    /// The size of the letters in dots.
+    pub size: f64,
+    /// Its colour.
+    pub colour: Colour,
+    /// Where it is relative to its place.
+    pub anchor: Anchor,
+    /// Whether it reads upwards instead of to the right.
+    pub upwards: bool,
+    /// Whether it has an edge of white, so that it can be read on lines.
+    pub halo: bool,
+}
+
+/// Something on a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Item {
+    /// Lines and arcs, filled by the even-odd rule, drawn along, or both.
+    Shape {
+        /// The lines.
+        path: Path,
+        /// The colour inside.
+        fill: Option<Colour>,
+        /// How it is drawn along.
+        stroke: Option<Stroke>,
+        /// What is said where the mouse is on it, in formats that can.
+        title: Option<String>,
+    },
+    /// A line of text.
+    Text(Text),
+    /// Items of which only what is in a rectangle is seen.
+    Clipped {
+        /// The rectangle.
+        area: Area,
+        /// The items.
+        items: Vec<Item>,
+    },
+}
+
+impl Item {
+    /// A filled shape.
+    pub fn filled(path: Path, colour: Colour) -> Self {
+        Self::Shape {
+            path,
+            fill: Some(colour),
+            stroke: None,
+            title: None,
+        }
+    }
+
+    /// A line.
+    pub fn drawn(path: Path, colour: Colour, width: f64) -> Self {
+        Self::Shape {
+            path,
+            fill: None,
+            stroke: Some(Stroke { colour, width }),
+            title: None,
+        }
+    }
+}
+
+/// A picture: its size in dots, on white ground, and what is on it, the last on top.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The width in dots.
+    pub width: f64,
+    /// The height in dots.
+    pub height: f64,
+    /// What it shows, for readers that cannot see it.
+    pub title: String,
+    /// What is on it.
+    pub items: Vec<Item>,
+}

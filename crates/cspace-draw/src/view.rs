@@ -1,0 +1,70 @@
+//! Where the plane of motions is on a picture, and how often.
+
+use core::f64::consts::TAU;
+
+use cspace::{Axis, AxisMotion, FixedAxesSpace};
+
+use crate::plot::Plot;
+use crate::scene::Dot;
+
+/// Where coordinates are on the picture, and how often they come.
+pub(crate) struct View {
+    pub(crate) plot: Plot,
+    /// The periods of u and v, if they have any.
+    periods: [Option<f64>; 2],
+}
+
+impl View {
+    pub(crate) fn of(space: &FixedAxesSpace, plot: Plot) -> Self {
+        let (u, v) = space.axes();
+        Self {
+            plot,
+            periods: [u, v].map(|a| turns_for_ever(a).then_some(TAU)),
+        }
+    }
+
+    pub(crate) fn place(&self, (u, v): (f64, f64)) -> Dot {
+        self.plot.place(u, v)
+    }
+
+    /// The motions at a place.
+    pub(crate) fn motions(&self, at: Dot) -> (f64, f64) {
+        let (du, dv) = self.plot.dot();
+        let area = self.plot.area;
+        (
+            self.plot.x.0 + (at.x - area.lo.x) * du,
+            self.plot.y.0 + (area.hi.y - at.y) * dv,
+        )
+    }
+
+    /// Displacements by whole periods that bring something with least and greatest u and v into sight.
+    pub(crate) fn copies(&self, u: (f64, f64), v: (f64, f64)) -> Vec<(f64, f64)> {
+        let shifts = |(lo, hi): (f64, f64), seen: (f64, f64), period: Option<f64>| {
+            let Some(period) = period else {
+                let is_seen = lo <= seen.1 && hi >= seen.0;
+                return if is_seen { vec![0.0] } else { Vec::new() };
+            };
+            // So many periods are not told apart any more.
+            const MOST: f64 = 1e3;
+            let first = ((seen.0 - hi) / period).ceil();
+            let last = ((seen.1 - lo) / period).floor().min(first + MOST);
+            let mut all = Vec::new();
+            let mut k = first;
+            while k <= last {
+                all.push(k * period);
+                k += 1.0;
+            }
+            all
+        };
+        let us = shifts(u, self.plot.x, self.periods[0]);
+        let vs = shifts(v, self.plot.y, self.periods[1]);
+        us.iter()
+            .flat_map(|&du| vs.iter().map(move |&dv| (du, dv)))
+            .collect()
+    }
+}
+
+/// Whether a part comes to where it was after a turn.
+pub(crate) fn turns_for_ever(axis: Axis) -> bool {
+    matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
+}

@@ -1,0 +1,8 @@
+//! Pictures of shipped models: against references, against each other in every format, and what they must show.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod formats;
+mod planes;
+mod reference;
+mod scenes;
