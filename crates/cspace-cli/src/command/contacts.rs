@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::args::{ContactsArgs, Format};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, FeaturePair, Subject, features};
+use crate::subject::{Chosen, Subject, near};
 use crate::wording::length;
 
 /// What is within this share of the smaller part's size is told, if the user does not say.
@@ -39,8 +39,6 @@ struct Contact {
     on_moving: [f64; 2],
     /// The outward unit normal of the fixed part.
     normal: [f64; 2],
-    #[serde(skip)]
-    pair: FeaturePair,
 }
 
 pub(crate) fn run(args: &ContactsArgs) -> Result<(), Failure> {
@@ -71,11 +69,7 @@ fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, Que
         Location::Outside => return Err(QueryError::Outside),
     };
     let mut contacts: Vec<Contact> = Vec::new();
-    for (patch, _) in space.contacts(at, within)? {
-        let pair = features(space, patch)?;
-        if contacts.iter().any(|c| c.pair == pair) {
-            continue;
-        }
+    for (pair, patch) in near(space, at, within)? {
         let contact = space.patch(patch)?.contact()?;
         let touching = contact.touching(at)?;
         let (p, q, n) = (touching.on_fixed, touching.on_moving, touching.normal);
@@ -85,7 +79,6 @@ fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, Que
             on_fixed: [p.x, p.y],
             on_moving: [q.x, q.y],
             normal: [n.x, n.y],
-            pair,
         });
     }
     contacts.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));

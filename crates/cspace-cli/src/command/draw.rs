@@ -8,7 +8,7 @@ use cspace_draw::{ContactMark, PartsPicture, PictureFormat, PlacedPart, parts};
 use crate::args::DrawArgs;
 use crate::failure::Failure;
 use crate::picture::{self, Plane};
-use crate::subject::{Chosen, Subject, features};
+use crate::subject::{Chosen, Subject, near};
 use crate::wording::length;
 
 pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
@@ -127,18 +127,12 @@ fn mark_contacts(
         return Ok(());
     }
     let assembly_from_fixed = drawn.parts[0].assembly_from_part;
-    let mut named = Vec::new();
-    for (patch, _) in space.contacts(at, space.resolution()).map_err(unanswered)? {
-        let touch = features(&space, patch).map_err(unanswered)?;
-        if named.contains(&touch) {
-            continue;
-        }
+    for (touch, patch) in near(&space, at, space.resolution()).map_err(unanswered)? {
         let contact = space
             .patch(patch)
             .and_then(|p| p.contact())
             .map_err(unanswered)?;
         let touching = contact.touching(at).map_err(unanswered)?;
-        named.push(touch);
         let (p, n): (Point, Vector) = (touching.on_fixed, touching.normal);
         drawn.contacts.push(ContactMark {
             at: assembly_from_fixed.fixed_from_moving(p),

@@ -16,7 +16,7 @@ use crate::output::{self, STANDARD};
 use crate::progress::catch_interrupts;
 
 use named::named_pair;
-pub(crate) use place::{FeaturePair, features, touching};
+pub(crate) use place::{FeaturePair, near, touching};
 
 /// The file a command was given.
 pub(crate) enum Subject {

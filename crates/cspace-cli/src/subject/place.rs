@@ -12,7 +12,8 @@ use crate::wording::{degrees, length};
 /// Features of the fixed and of the moving part that touch each other.
 pub(crate) type FeaturePair = (FeatureName, FeatureName);
 
-/// How much earlier than a contact is looked for what else touches, as a share of the motion: beyond a jam nothing does.
+/// How much earlier than a contact is looked for what else touches, as a share of the motion: beyond a jam nothing does. And how
+/// far beside an orientation (radians): a critical one is known to a tenth of it.
 const BEFORE: f64 = 1e-9;
 
 impl Chosen<'_> {
@@ -116,6 +117,57 @@ pub(crate) fn features(space: &PairSpace, patch: PatchId) -> Result<FeaturePair,
     Ok((fixed.name, moving.name))
 }
 
+/// The pairs of features no farther than `within` from touching each other at a configuration, with a patch of each.
+///
+/// At a critical orientation a space has one of its sides; both are asked for what touches where they meet.
+pub(crate) fn near(
+    space: &PairSpace,
+    at: Coordinates,
+    within: f64,
+) -> Result<Vec<(FeaturePair, PatchId)>, QueryError> {
+    let mut all: Vec<(FeaturePair, PatchId)> = Vec::new();
+    let mut add = |patch: PatchId| {
+        let pair = features(space, patch)?;
+        if !all.iter().any(|a| a.0 == pair) {
+            all.push((pair, patch));
+        }
+        Ok::<(), QueryError>(())
+    };
+    for (patch, _) in space.contacts(at, within)? {
+        add(patch)?;
+    }
+    for beside in beside(at) {
+        // Beyond the window there is nothing.
+        let found = match space.contacts(beside, within + arm(space) * BEFORE) {
+            Err(QueryError::Outside) => Vec::new(),
+            found => found?,
+        };
+        for (patch, _) in found {
+            if space.patch(patch)?.contact()?.value(at)?.abs() <= within {
+                add(patch)?;
+            }
+        }
+    }
+    Ok(all)
+}
+
+/// How far a point of the moving part that may touch is from its origin, at most.
+fn arm(space: &PairSpace) -> f64 {
+    let drawn = space.moving().bounds();
+    let corners = [drawn.min, drawn.max].map(|p| p.to_vector().length());
+    corners[0].max(corners[1]) + space.fixed().size() + space.moving().size()
+}
+
+/// The configuration at orientations a moment above and below.
+fn beside(at: Coordinates) -> Vec<Coordinates> {
+    match at {
+        Coordinates::Planar(c) => [BEFORE, -BEFORE]
+            .map(|d| Coordinates::Planar(Configuration::new(c.x, c.y, c.theta + d)))
+            .to_vec(),
+        Coordinates::Axes { .. } => Vec::new(),
+    }
+}
+
 /// What touches where a motion from a configuration at constant rates has met a contact: the features of its patch first, then
 /// those that a moment before are nearer than they come in it.
 pub(crate) fn touching(
@@ -125,24 +177,9 @@ pub(crate) fn touching(
 ) -> Result<Vec<FeaturePair>, QueryError> {
     let (before, within) = just_before(space, from, rates, contact.time);
     let mut all = vec![features(space, contact.patch)?];
-    // At a critical orientation a slice is that just above; what ends there is seen just below.
-    let below = match before {
-        Coordinates::Planar(c) => {
-            Coordinates::Planar(Configuration::new(c.x, c.y, c.theta - BEFORE))
-        }
-        axes => axes,
-    };
-    for at in [before, below] {
-        let found = match space.contacts(at, within) {
-            // Just below the window.
-            Err(QueryError::Outside) => continue,
-            found => found?,
-        };
-        for (patch, _) in found {
-            let pair = features(space, patch)?;
-            if !all.contains(&pair) {
-                all.push(pair);
-            }
+    for (pair, _) in near(space, before, within)? {
+        if !all.contains(&pair) {
+            all.push(pair);
         }
     }
     Ok(all)
@@ -157,17 +194,10 @@ fn just_before(
     time: f64,
 ) -> (Coordinates, f64) {
     let t = (time - BEFORE).max(0.0);
-    let size = space.fixed().size() + space.moving().size();
     match (from, rates) {
         (Coordinates::Planar(c), Coordinates::Planar(d)) => {
             let at = Configuration::new(c.x + t * d.x, c.y + t * d.y, c.theta + t * d.theta);
-            let drawn = space.moving().bounds();
-            let arm = drawn
-                .min
-                .to_vector()
-                .length()
-                .max(drawn.max.to_vector().length())
-                + size;
+            let arm = arm(space);
             let speed = d.x.hypot(d.y) + arm * d.theta.abs();
             let within = speed * (time - t) + arm * BEFORE + 4.0 * space.resolution();
             (Coordinates::Planar(at), within)
@@ -178,6 +208,7 @@ fn just_before(
                 v: v + t * dv,
             };
             // A radian moves what is in reach of contact by no more than both parts together are large.
+            let size = space.fixed().size() + space.moving().size();
             let moved = (du.abs() + dv.abs()) * size.max(1.0) * (time - t);
             (at, moved + 4.0 * space.resolution())
         }

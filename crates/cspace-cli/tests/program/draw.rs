@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::helpers::{fails, model, printed};
+use crate::helpers::{cspace, fails, model, printed};
 
 /// Every model that is shipped.
 fn models() -> Vec<String> {
@@ -105,7 +105,7 @@ fn contacts_are_marked_where_they_are() {
 
 #[test]
 fn slices_come_at_even_steps() {
-    let file = model("ratchet_pawl.toml");
+    let file = model("ratchet_pawl");
     let six = svg(&["export", &file, "--slices", "6"]);
     for degrees in ["−180", "−120", "−60", "0", "60", "120"] {
         assert!(
@@ -134,7 +134,7 @@ fn slices_come_at_even_steps() {
 
 #[test]
 fn planes_name_their_axes_and_zoom() {
-    let file = model("gears_on_shafts.toml");
+    let file = model("gears_on_shafts");
     let whole = svg(&["slice", &file]);
     for said in [
         ">u: gear turns, degrees<",
@@ -159,7 +159,7 @@ fn planes_name_their_axes_and_zoom() {
 
 #[test]
 fn what_a_picture_does_not_have_is_refused() {
-    let (planar, axes) = (model("ratchet_pawl.toml"), model("gears_on_shafts.toml"));
+    let (planar, axes) = (model("ratchet_pawl"), model("gears_on_shafts"));
     let folder = tempfile::tempdir().unwrap();
     let out = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let cases: &[(&[&str], &str)] = &[
@@ -209,7 +209,7 @@ fn what_a_picture_does_not_have_is_refused() {
         (&["draw", &planar, "--at", "1,2"], "--at x,y,theta"),
     ];
     for (args, said) in cases {
-        fails(args, 2, &[said]);
+        fails(cspace(args), 2, &[said]);
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
