@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::angle;
+use crate::command::classify::columns::Column;
 use crate::picture::PictureArgs;
 use crate::template::Template;
 
@@ -148,6 +149,18 @@ pub(crate) struct ClassifyArgs {
     pub(crate) common: Common,
     #[command(flatten)]
     pub(crate) window: WindowArg,
+    /// What is added to each row, in this order
+    #[arg(
+        long,
+        value_enum,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        default_value = "class"
+    )]
+    pub(crate) columns: Vec<Column>,
+    /// How far apart features may be that touch, in the model's unit [default: the resolution]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
+    pub(crate) touch: Option<f64>,
 }
 
 #[derive(Debug, Args)]
@@ -374,18 +387,22 @@ part that turns, a double arrow the direction of one that slides. With --labels 
 numbered as in the file, loop and index from 0. Without -o the picture is SVG on standard output.";
 
 const CLASSIFY: &str = "\
-Example:
+Examples:
   printf 'x,y,theta\\n42,56,0\\n0,0,0\\n' | cspace classify models/ratchet_pawl.toml
+  cspace classify latch.toml --columns class,region,distance,touching --touch 0.1 < configurations.csv
 
 The first row names the columns, in any order: x, y and theta, or, for a pair with fixed axes, u and v,
 the motions of the fixed and of the moving part. With --general such a pair too is asked by x, y and
 theta, not by u and v. Other columns are repeated and not looked at. Angles are radians, or have a unit
-such as 18deg, and are at most 1e6 rad from 0. The answer repeats the columns and adds `class`, which
-the input may not have:
+such as 18deg, and are at most 1e6 rad from 0. The answer repeats the columns and adds those of
+--columns, which the input may not have:
 
-  free      the interiors of the parts do not meet
-  blocked   they do
-  contact   within the resolution of the boundary between the two
+  class     free: the interiors of the parts do not meet; blocked: they do; contact: within the
+            resolution of the boundary between the two
+  region    the number of the free region, as compute lists them; empty where not free
+  distance  how far the moving part moves to the nearest contact: a length at that orientation, or, on
+            fixed axes, along or about its axis; 0 in contact, empty where blocked or nothing is met
+  touching  features no farther apart than --touch, FIXED|MOVING, several joined by ;
 
 FILE may be a saved contact space, so that many lists are classified without computing it again.";
 

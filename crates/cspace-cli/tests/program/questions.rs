@@ -171,3 +171,126 @@ fn what_cannot_be_asked_is_refused() {
     let output = { output }.output().unwrap();
     assert_eq!(output.status.code(), Some(2));
 }
+
+/// The columns that a row is answered with.
+fn columns(path: &str, options: &[&str], rows: &str) -> Vec<Vec<String>> {
+    let mut command = cspace(&[&["classify", path], options].concat());
+    let output = command
+        .write_stdin(rows.to_owned())
+        .assert()
+        .success()
+        .get_output()
+        .clone();
+    let text = String::from_utf8(output.stdout).unwrap();
+    (text.lines())
+        .map(|l| l.split(',').map(str::to_owned).collect())
+        .collect()
+}
+
+#[test]
+fn columns_say_region_distance_and_what_touches() {
+    let file = ring();
+    let path = file.path().to_str().unwrap();
+    let asked = ["--columns", "region,class,touching,distance"];
+    // In the middle; at the right wall, where two corners touch; over the ring; outside, 1 beside it; empty lines are none.
+    let rows = "x,y,theta\n0.25,0.1,0\n\n1,0.5,0\n  \t\n2.5,0,0\n5,0,0\n";
+    let found = columns(path, &asked, rows);
+    assert_eq!(
+        found[0],
+        ["x", "y", "theta", "region", "class", "touching", "distance"]
+    );
+    assert_eq!(found.len(), 5);
+    let distance = |row: usize| found[row][6].parse::<f64>().unwrap();
+    let (inside, outside) = (&found[1][3], &found[4][3]);
+    assert!(inside != outside && !inside.is_empty() && !outside.is_empty());
+    assert_eq!((&*found[1][4], &*found[1][5]), ("free", ""));
+    assert!((distance(1) - 0.75).abs() < 1e-9);
+    assert_eq!(
+        (&*found[2][3], &*found[2][4], &*found[2][6]),
+        ("", "contact", "0")
+    );
+    let mut touching: Vec<&str> = found[2][5].split(';').collect();
+    touching.sort_unstable();
+    assert_eq!(
+        touching,
+        [
+            "line 1 of loop 1|vertex 1 of loop 0",
+            "line 1 of loop 1|vertex 2 of loop 0"
+        ]
+    );
+    assert_eq!(found[3][3..], ["", "blocked", "", ""]);
+    assert!((distance(4) - 1.0).abs() < 1e-9);
+    // What is near counts as touching on request, and JSON has the same.
+    let rows = "x,y,theta\n0.95,0,0\n";
+    let near = columns(path, &["--columns", "touching", "--touch", "0.06"], rows);
+    assert_eq!(near[1][3].matches('|').count(), 2, "{near:?}");
+    let mut command = cspace(&[
+        "classify",
+        path,
+        "--columns",
+        "distance,touching,region",
+        "--touch=0.06",
+        "--format=json",
+    ]);
+    let output = command
+        .write_stdin(rows)
+        .assert()
+        .success()
+        .get_output()
+        .clone();
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!((number(&answer, "/0/distance") - 0.05).abs() < 1e-9);
+    assert_eq!(answer[0]["touching"].as_array().unwrap().len(), 2);
+    assert_eq!(answer[0]["region"].to_string(), *inside);
+}
+
+/// Distances are where `move` gets, whatever the class.
+#[test]
+fn distances_on_fixed_axes_are_those_of_the_moving_part() {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let text = "[[part]]\nname = \"wall\"\nloops = [[[-1, -1], [1, -1], [1, 1], [-1, 1]]]\n\
+        motion = { type = \"fixed\" }\n\
+        [[part]]\nname = \"slider\"\nloops = [[[4, -1], [6, -1], [6, 1], [4, 1]]]\n\
+        motion = { type = \"prismatic\", direction = [-1, 0] }\n";
+    std::fs::write(file.path(), text).unwrap();
+    let path = file.path().to_str().unwrap();
+    let asked = ["--columns", "class,distance,region"];
+    let found = columns(path, &asked, "u,v\n0,1\n0,3\n0,4\n0,10\n");
+    // It meets the wall after 3; at 4 it is in it; at 10 it is 3 beyond it.
+    assert!((found[1][3].parse::<f64>().unwrap() - 2.0).abs() < 1e-9);
+    assert_eq!(found[2][2..4], ["contact", "0"]);
+    assert_eq!(found[3][2..], ["blocked", "", ""]);
+    assert!((found[4][3].parse::<f64>().unwrap() - 3.0).abs() < 1e-9);
+    assert_ne!(found[1][4], found[4][4]);
+}
+
+#[test]
+fn columns_are_checked() {
+    let file = ring();
+    let path = file.path().to_str().unwrap();
+    for (options, said) in [
+        (
+            &["--columns", "class,weight"][..],
+            "possible values: class, region, distance, touching",
+        ),
+        (&["--columns", "class,class"], "asked for twice"),
+        (&["--touch", "0.1"], "--columns class,touching"),
+    ] {
+        let args = [&["classify", path], options].concat();
+        crate::helpers::fails(cspace(&args), 2, &[said]);
+    }
+    let mut taken = cspace(&["classify", path, "--columns", "region"]);
+    taken.write_stdin("x,y,theta,region\n0,0,0,5\n");
+    crate::helpers::fails(taken, 2, &["a column `region`"]);
+    let mechanism = mechanism();
+    let mut joined = cspace(&[
+        "classify",
+        &mechanism,
+        "--pair",
+        "link,pawl",
+        "--columns",
+        "distance",
+    ]);
+    joined.write_stdin("x,y,theta\n0,0,0\n");
+    crate::helpers::fails(joined, 2, &["--columns", "joint"]);
+}

@@ -1,12 +1,13 @@
 //! `cspace classify`.
 
+pub(crate) mod columns;
 mod rows;
 
 use core::f64::consts::TAU;
 use std::io::Read;
 use std::path::Path;
 
-use cspace::{Classification, Configuration, Coordinates, PairSpace, QueryError};
+use cspace::{Configuration, Coordinates, PairSpace, QueryError};
 use cspace_io::shown;
 use rayon::prelude::*;
 
@@ -15,7 +16,8 @@ use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
-use rows::{ANSWER, Rows, read};
+use columns::{Answer, Column};
+use rows::{Rows, read};
 
 /// From so many rows on it pays to prepare the space for them: that takes about as long as so many rows without.
 const MANY: usize = 4096;
@@ -42,23 +44,45 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         let failure = Failure::input("standard input: more than 1 GiB of rows");
         return Err(failure.help("divide them, and classify one part after the other"));
     }
-    let rows = read(&bytes, &pair, common.result.format)?;
+    let columns = columns(args)?;
+    let rows = read(&bytes, &pair, common.result.format, &columns)?;
     let space = pair.space()?;
-    let classes = classify(&pair, &space, &rows)?;
+    let touch = args.touch.unwrap_or_else(|| space.resolution());
+    let answers = answers(&pair, &space, &rows, &columns, touch)?;
     let bytes = match common.result.format {
-        Format::Text => as_csv(&rows, &classes)?,
-        Format::Json => as_json(&rows, &classes)?,
+        Format::Text => as_csv(&rows, &columns, &answers)?,
+        Format::Json => as_json(&rows, &columns, &answers)?,
     };
     output::write(common.result.output.as_deref(), &bytes)
 }
 
-/// Classifies all rows; orientations, which were checked, are brought into the window by turns.
-fn classify(
+/// The columns asked for, each once.
+fn columns(args: &ClassifyArgs) -> Result<Vec<Column>, Failure> {
+    let asked = &args.columns;
+    if let Some(twice) = (1..asked.len()).find(|&i| asked[..i].contains(&asked[i])) {
+        let name = asked[twice].name();
+        return Err(
+            Failure::input(format_args!("--columns: {name} is asked for twice"))
+                .help("name every column once"),
+        );
+    }
+    if args.touch.is_some() && !asked.contains(&Column::Touching) {
+        return Err(Failure::input(
+            "--touch is about the column `touching`, which is not asked for",
+        )
+        .help("add it, as in --columns class,touching"));
+    }
+    Ok(asked.clone())
+}
+
+/// What the columns say of all rows; orientations, which were checked, are brought into the window by turns.
+fn answers(
     pair: &Chosen<'_>,
     space: &PairSpace,
     rows: &Rows,
-) -> Result<Vec<Classification>, Failure> {
-    let all = rows.configurations.par_iter();
+    columns: &[Column],
+    touch: f64,
+) -> Result<Vec<Vec<Answer>>, Failure> {
     let classifier = match space {
         PairSpace::Planar(space) if rows.configurations.len() >= MANY => Some(space.classifier()),
         _ => None,
@@ -67,25 +91,34 @@ fn classify(
         PairSpace::Planar(space) => Some(space.window()).filter(|w| !w.full_turn),
         _ => None,
     };
-    let turned = |c: Configuration| match window {
-        Some(w) => {
+    let turned = |at: Coordinates| match (window, at) {
+        (Some(w), Coordinates::Planar(c)) => {
             let turned = c.theta + TAU * ((w.lo - c.theta) / TAU).ceil();
             // Rounding may leave it just below.
-            Configuration::new(c.x, c.y, turned.clamp(w.lo, w.hi))
+            Coordinates::Planar(Configuration::new(c.x, c.y, turned.clamp(w.lo, w.hi)))
         }
-        None => c,
+        _ => at,
     };
-    let one = |at: &Coordinates| match (*at, &classifier) {
-        (Coordinates::Planar(c), Some(classifier)) => {
-            classifier.classify(turned(c)).ok_or(QueryError::Outside)
-        }
-        (Coordinates::Planar(c), None) => space.classify(Coordinates::Planar(turned(c))),
-        (axes, _) => space.classify(axes),
+    let one = |at: &Coordinates| {
+        let at = turned(*at);
+        let class = match (at, &classifier) {
+            (Coordinates::Planar(c), Some(classifier)) => {
+                classifier.classify(c).ok_or(QueryError::Outside)
+            }
+            _ => space.classify(at),
+        }?;
+        (columns.iter())
+            .map(|column| column.of(space, at, class, touch))
+            .collect()
     };
-    let found: Vec<Result<Classification, QueryError>> = all.map(one).collect();
+    let found: Vec<Result<Vec<Answer>, QueryError>> =
+        rows.configurations.par_iter().map(one).collect();
     (found.into_iter().enumerate())
-        .map(|(i, class)| {
-            class.map_err(|e| {
+        .map(|(i, answers)| {
+            answers.map_err(|e| {
+                if e == QueryError::Permanent {
+                    return pair.unanswered("--columns", &e);
+                }
                 let line = rows.records[i].position().map_or(0, csv::Position::line);
                 let why = beyond_range(pair, rows.configurations[i]).unwrap_or(e.to_string());
                 Failure::input(format_args!("standard input, line {line}: {why}"))
@@ -116,46 +149,36 @@ fn beyond_range(pair: &Chosen<'_>, at: Coordinates) -> Option<String> {
     })
 }
 
-fn as_csv(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> {
+fn as_csv(rows: &Rows, columns: &[Column], answers: &[Vec<Answer>]) -> Result<Vec<u8>, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut write = |record: &csv::StringRecord, last: &str| {
+    let mut header = rows.header.clone();
+    header.extend(columns.iter().map(|c| c.name()));
+    writer.write_record(&header).map_err(Failure::work)?;
+    for (record, answers) in rows.records.iter().zip(answers) {
         let mut record = record.clone();
-        record.push_field(last);
-        writer.write_record(&record)
-    };
-    write(&rows.header, ANSWER).map_err(Failure::work)?;
-    for (record, class) in rows.records.iter().zip(classes) {
-        let word = match class {
-            Classification::Free => "free",
-            Classification::Blocked => "blocked",
-            Classification::Contact => "contact",
-        };
-        write(record, word).map_err(Failure::work)?;
+        record.extend(answers.iter().map(Answer::text));
+        writer.write_record(&record).map_err(Failure::work)?;
     }
     writer.into_inner().map_err(Failure::work)
 }
 
-/// An array of objects: the columns as given, numbers where they are numbers, and `class`.
-fn as_json(rows: &Rows, classes: &[Classification]) -> Result<Vec<u8>, Failure> {
-    let objects: Vec<serde_json::Map<String, serde_json::Value>> = rows
-        .records
-        .iter()
-        .zip(classes)
-        .map(|(record, class)| {
-            let value = |text: &str| {
-                text.parse::<f64>()
-                    .ok()
-                    .and_then(serde_json::Number::from_f64)
-                    .map_or_else(|| text.into(), serde_json::Value::Number)
-            };
-            let mut object: serde_json::Map<_, _> = rows
-                .header
-                .iter()
-                .map(str::to_owned)
+/// An array of objects: the columns as given, numbers where they are numbers, and those of the answer.
+fn as_json(rows: &Rows, columns: &[Column], answers: &[Vec<Answer>]) -> Result<Vec<u8>, Failure> {
+    let value = |text: &str| {
+        text.parse::<f64>()
+            .ok()
+            .and_then(serde_json::Number::from_f64)
+            .map_or_else(|| text.into(), serde_json::Value::Number)
+    };
+    let objects: Vec<serde_json::Map<String, serde_json::Value>> = (rows.records.iter())
+        .zip(answers)
+        .map(|(record, answers)| {
+            let given = rows.header.iter().map(str::to_owned);
+            let told = columns.iter().map(|c| c.name().to_owned());
+            given
                 .zip(record.iter().map(value))
-                .collect();
-            object.insert(ANSWER.to_owned(), serde_json::json!(class));
-            object
+                .chain(told.zip(answers.iter().map(Answer::json)))
+                .collect()
         })
         .collect();
     super::json(&objects)

@@ -11,8 +11,7 @@ use crate::args::Format;
 use crate::failure::Failure;
 use crate::subject::Chosen;
 
-/// The column that the answer adds.
-pub(super) const ANSWER: &str = "class";
+use super::columns::Column;
 
 /// Where the coordinates of a row stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,14 +28,21 @@ pub(super) struct Rows {
 }
 
 /// Reads all rows; nothing is computed before all of them are understood.
-pub(super) fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Rows, Failure> {
+pub(super) fn read(
+    bytes: &[u8],
+    pair: &Chosen<'_>,
+    format: Format,
+    answers: &[Column],
+) -> Result<Rows, Failure> {
     // A byte order mark is no part of the first name.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
+        // Rows of other lengths are told apart below: those of blanks alone are none.
+        .flexible(true)
         .from_reader(bytes);
     let header = reader.headers().map_err(|e| unreadable(&e))?.clone();
-    no_answers(&header)?;
+    no_answers(&header, answers)?;
     if format == Format::Json {
         named_once(&header)?;
     }
@@ -47,7 +53,13 @@ pub(super) fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Ro
     let mut configurations = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|e| unreadable(&e))?;
+        if record.iter().all(str::is_empty) && record.len() == 1 {
+            continue;
+        }
         let line = record.position().map_or(0, csv::Position::line);
+        if record.len() != header.len() {
+            return Err(unequal(line, record.len(), header.len()));
+        }
         let number = |at: usize, is_angle: bool| {
             let text = record.get(at).unwrap_or_default();
             let value = if is_angle {
@@ -101,21 +113,30 @@ pub(super) fn read(bytes: &[u8], pair: &Chosen<'_>, format: Format) -> Result<Ro
 fn unreadable(error: &csv::Error) -> Failure {
     let line = error.position().map_or(0, csv::Position::line);
     let message = match error.kind() {
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => format!("{len} values, where the first row names {expected_len} columns"),
         csv::ErrorKind::Utf8 { .. } => "the text is not UTF-8".to_owned(),
         _ => error.to_string(),
     };
-    Failure::input(format_args!("standard input, line {line}: {message}"))
-        .help("give one configuration in each row, values separated by commas")
+    Failure::input(format_args!("standard input, line {line}: {message}")).help(ONE_IN_A_ROW)
 }
 
+fn unequal(line: u64, found: usize, named: usize) -> Failure {
+    Failure::input(format_args!(
+        "standard input, line {line}: {found} values, where the first row names {named} columns"
+    ))
+    .help(ONE_IN_A_ROW)
+}
+
+const ONE_IN_A_ROW: &str = "give one configuration in each row, values separated by commas";
+
 /// The answer would have the column twice, and nobody could tell which is which.
-fn no_answers(header: &csv::StringRecord) -> Result<(), Failure> {
-    if header.iter().any(|name| name == ANSWER) {
+fn no_answers(header: &csv::StringRecord, answers: &[Column]) -> Result<(), Failure> {
+    let twice = answers
+        .iter()
+        .find(|a| header.iter().any(|name| name == a.name()));
+    if let Some(answer) = twice {
         return Err(Failure::input(format_args!(
-            "standard input, line 1: there is a column `{ANSWER}`, which the answer adds"
+            "standard input, line 1: there is a column `{}`, which the answer adds",
+            answer.name()
         ))
         .help("leave the column out, or give it another name"));
     }
