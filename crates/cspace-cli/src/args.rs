@@ -37,6 +37,9 @@ pub(crate) enum Command {
     /// Move from a configuration by a displacement, to the first contact
     #[command(after_long_help = MOVE)]
     Move(MoveArgs),
+    /// Tell how far the parts go from a configuration in each direction
+    #[command(after_long_help = PLAY)]
+    Play(PlayArgs),
     /// Draw the parts of a model, or a pair at a configuration, as a picture
     #[command(after_long_help = DRAW)]
     Draw(DrawArgs),
@@ -175,6 +178,17 @@ pub(crate) struct ContactsArgs {
     /// How far apart features may be, in the model's unit [default: a hundredth of the smaller part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) within: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PlayArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+    /// The configuration: x,y,theta, or u,v of a pair on fixed axes [default: as drawn, of every pair]
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) at: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -373,6 +387,18 @@ At a critical orientation the slice just above it is shown. A pair with fixed ax
 to choose: the plane of its two motions (u, v) is shown.
 With -o OUT.svg, .png or .pdf a picture is written, with the parts beside it to scale at the position
 --at; any other OUT gets the text or JSON.";
+
+const PLAY: &str = "\
+Examples:
+  cspace play latch.toml
+  cspace play models/peg_hole.toml --at=0,-10,0
+  cspace play models/gears_on_shafts.toml --at 5deg,-7deg --format json
+
+Of every pair, or of that of --pair: how far the moving part goes along x and y of the fixed part's
+frame, and how far it turns about its own origin and about the middle of its box, until something
+touches, and what; on fixed axes, how far each part goes on its axis while the other is held, to a
+contact or to its limit. From contact a direction that is blocked has distance 0. First is told where
+the configuration is: free and in which region, in contact, or blocked.";
 
 const DRAW: &str = "\
 Examples:

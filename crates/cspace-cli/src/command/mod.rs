@@ -11,6 +11,8 @@ pub(crate) mod info;
 pub(crate) mod man;
 pub(crate) mod motion;
 pub(crate) mod new;
+pub(crate) mod play;
+mod regions;
 pub(crate) mod slice;
 
 use serde::Serialize;

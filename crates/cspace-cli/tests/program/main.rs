@@ -12,4 +12,5 @@ mod helpers;
 #[cfg(unix)]
 mod hostile;
 mod new;
+mod play;
 mod questions;

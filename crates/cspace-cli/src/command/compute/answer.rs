@@ -1,14 +1,13 @@
 //! What a designer asks first: do the parts fit as drawn, where can they be, what can touch.
 
-use core::f64::consts::{PI, TAU};
 use std::collections::BTreeSet;
 use std::fmt::{self, Write};
 
-use cspace::fixed_axes::AxesRegion;
 use cspace::{
-    Axis, AxisMotion, Configuration, ContactSpace, Coordinates, FixedAxesSpace, FreeRegion,
-    Location, PairSpace,
+    Configuration, ContactSpace, Coordinates, FixedAxesSpace, FreeRegion, Location, PairSpace,
 };
+
+use crate::command::regions;
 
 use crate::subject::Chosen;
 use crate::wording::{count, degrees, length};
@@ -76,22 +75,16 @@ fn planar_regions(text: &mut String, pair: &Chosen<'_>, space: &ContactSpace) ->
         "  free space     {}, {caged} caged",
         count(regions.len(), "connected region", "connected regions"),
     )?;
-    let moving = space.moving().name();
     for (i, region) in regions.iter().enumerate().take(MOST_LISTED) {
         let example = if region.unbounded {
             beside(space, region)
         } else {
             region.sample
         };
-        let what = if region.unbounded {
-            format!("open: {moving} goes as far away as you like")
-        } else {
-            format!("caged: {moving} cannot leave it")
-        };
         writeln!(
             text,
-            "    region {i}     {what}{}, e.g. x {}, y {}{}, theta {}",
-            orientations(space, i as u32),
+            "    region {i}     {}, e.g. x {}, y {}{}, theta {}",
+            regions::planar(space, i as u32),
             length(example.x),
             length(example.y),
             pair.unit(),
@@ -118,37 +111,6 @@ fn beside(space: &ContactSpace, region: &FreeRegion) -> Configuration {
     match (space.region_at(near), space.region_at(far)) {
         (Some(a), Some(b)) if a == b => near,
         _ => far,
-    }
-}
-
-/// In which orientations a caged region is: those of the patches on its boundary.
-fn orientations(space: &ContactSpace, region: u32) -> String {
-    if space.free_regions()[region as usize].unbounded {
-        return String::new();
-    }
-    let mut patches: Vec<(f64, f64)> = (space.patches().iter())
-        .filter(|p| p.region == region)
-        .map(|p| (p.lo, p.hi))
-        .collect();
-    patches.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut union: Vec<(f64, f64)> = Vec::new();
-    for (lo, hi) in patches {
-        match union.last_mut() {
-            Some(last) if lo <= last.1 => last.1 = last.1.max(hi),
-            _ => union.push((lo, hi)),
-        }
-    }
-    // What goes on past π begins again at −π.
-    if let [first, .., last] = union[..]
-        && last.1 - TAU >= first.0
-    {
-        union[0].0 = last.0 - TAU;
-        union.pop();
-    }
-    match union[..] {
-        [(lo, hi)] if hi - lo >= TAU * (1.0 - 1e-12) => ", at all orientations".to_owned(),
-        [(lo, hi)] => format!(", theta from {} to {}", degrees(lo), degrees(hi)),
-        _ => format!(", at {} intervals of orientation", union.len()),
     }
 }
 
@@ -220,20 +182,10 @@ fn axes_regions(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) ->
         "  free space     {}",
         count(regions.len(), "connected region", "connected regions")
     )?;
-    let (fixed, moving) = space.axes();
     let unit = pair.unit();
     for (i, r) in regions.iter().enumerate().take(MOST_LISTED) {
-        let u = Coordinate::new("u", space.fixed().name(), fixed, &unit);
-        let v = Coordinate::new("v", space.moving().name(), moving, &unit);
-        let ranges = if together(r) {
-            format!("{} and {} turn together for ever", u.name(), v.name())
-        } else {
-            let [u, v] = [
-                u.range(r.u, r.open_u, r.around_u),
-                v.range(r.v, r.open_v, r.around_v),
-            ];
-            format!("{u}, {v}")
-        };
+        let [u, v] = regions::coordinates(space, &unit);
+        let ranges = regions::on_axes(space, r, &unit);
         writeln!(
             text,
             "    region {i}     {ranges}, e.g. {}, {}",
@@ -242,96 +194,4 @@ fn axes_regions(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) ->
         )?;
     }
     more(text, regions.len())
-}
-
-/// Whether both parts turn without end, but only with each other, as gears do.
-fn together(r: &AxesRegion) -> bool {
-    r.around_u && r.around_v
-}
-
-/// One of the two coordinates of a pair on fixed axes, in words.
-struct Coordinate<'a> {
-    letter: &'a str,
-    part: &'a str,
-    axis: Axis,
-    unit: &'a str,
-}
-
-impl<'a> Coordinate<'a> {
-    fn new(letter: &'a str, part: &'a str, axis: Axis, unit: &'a str) -> Self {
-        Self {
-            letter,
-            part,
-            axis,
-            unit,
-        }
-    }
-
-    fn turns(&self) -> bool {
-        matches!(self.axis.motion, AxisMotion::Revolute { .. })
-    }
-
-    fn name(&self) -> String {
-        format!("{} ({})", self.letter, self.part)
-    }
-
-    /// Whole turns (radians) that bring a value into [−π, π), where turns make no difference.
-    fn turns_before(&self, t: f64) -> f64 {
-        if self.turns() && self.axis.range.is_none() {
-            TAU * ((t + PI) / TAU).floor()
-        } else {
-            0.0
-        }
-    }
-
-    /// A value of a region: within its range as that is told, or in [−π, π) where it turns for ever.
-    fn example(&self, t: f64, range: (f64, f64), around: bool) -> String {
-        self.value(t - self.turns_before(if around { t } else { range.0 }))
-    }
-
-    /// A value with its unit.
-    fn value(&self, t: f64) -> String {
-        if self.turns() {
-            format!("{} {}", self.letter, degrees(t))
-        } else {
-            format!("{} {}{}", self.letter, length(t), self.unit)
-        }
-    }
-
-    /// From where to where the part can move.
-    fn range(&self, (lo, hi): (f64, f64), open: (bool, bool), around: bool) -> String {
-        if self.axis.motion == AxisMotion::Fixed {
-            return format!("{} does not move", self.name());
-        }
-        if around {
-            return format!("{} turns for ever", self.name());
-        }
-        let turns = self.turns_before(lo);
-        let end = |t: f64, open: bool, limit: Option<f64>| {
-            if open {
-                return "no limit".to_owned();
-            }
-            let t = t - turns;
-            let value = if self.turns() {
-                degrees(t)
-            } else {
-                format!("{}{}", length(t), self.unit)
-            };
-            // The limit itself, but for rounding.
-            match limit {
-                Some(limit) if (t - limit).abs() <= 1e-9 * (1.0 + limit.abs()) => {
-                    format!("{value}, its limit,")
-                }
-                _ => value,
-            }
-        };
-        let limits = self.axis.range;
-        let from = end(lo, open.0, limits.map(|l| l.0));
-        let to = end(hi, open.1, limits.map(|l| l.1));
-        format!(
-            "{} from {from} to {}",
-            self.name(),
-            to.trim_end_matches(',')
-        )
-    }
 }

@@ -1,0 +1,384 @@
+//! `cspace play`.
+
+use core::f64::consts::TAU;
+use std::fmt::Write;
+
+use cspace::pair::PairMotion;
+use cspace::{
+    Axis, AxisMotion, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation,
+    SmoothMotion, SmoothOutcome,
+};
+use serde::Serialize;
+
+use crate::args::{Format, PlayArgs};
+use crate::failure::Failure;
+use crate::output;
+use crate::subject::{Chosen, FeaturePair, Subject, near, touching};
+use crate::wording::{degrees, length};
+
+use super::regions;
+
+/// The play of a pair.
+#[derive(Serialize)]
+struct Answer {
+    fixed: String,
+    moving: String,
+    class: String,
+    /// The configuration asked about.
+    at: Coordinates,
+    /// free, contact, blocked, or joined of a pair that never parts.
+    result: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    region: Option<u32>,
+    /// The least distance of the parts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clearance: Option<f64>,
+    directions: Vec<Direction>,
+    #[serde(skip)]
+    region_is: Option<String>,
+}
+
+/// How far the parts go in one direction.
+#[derive(Serialize)]
+struct Direction {
+    direction: String,
+    /// In the model's unit of length, or radians; none where nothing stops it.
+    distance: Option<f64>,
+    stopped_by: Stop,
+    /// Features of the fixed and of the moving part that stop it.
+    touching: Vec<[String; 2]>,
+    #[serde(skip)]
+    is_turn: bool,
+    #[serde(skip)]
+    features: Vec<FeaturePair>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Stop {
+    Contact,
+    /// The end of a motion's range, or of the window of orientations.
+    Limit,
+    Nothing,
+    /// It stays so near to contact that it could not be followed further.
+    Grazing,
+}
+
+pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
+    let common = &args.common;
+    let subject = Subject::open(common)?;
+    subject.warn();
+    let pairs = match &args.at {
+        Some(_) => vec![subject.one_pair(common, args.window.theta)?],
+        None => subject.pairs(common, args.window.theta)?,
+    };
+    let mut answers = Vec::new();
+    let mut text = String::new();
+    for pair in &pairs {
+        let at = match &args.at {
+            Some(at) => pair.coordinates("--at", at)?,
+            None if pair.is_on_axes() => Coordinates::Axes { u: 0.0, v: 0.0 },
+            None => Coordinates::Planar(Configuration::default()),
+        };
+        let space = pair.space()?;
+        let answer = answer(pair, &space, at).map_err(|e| pair.unanswered("--at", &e))?;
+        if !answers.is_empty() {
+            text.push('\n');
+        }
+        describe(&mut text, pair, &answer).map_err(Failure::work)?;
+        answers.push(answer);
+    }
+    let bytes = match common.result.format {
+        Format::Json => super::json(&answers)?,
+        Format::Text => text.into_bytes(),
+    };
+    output::write(common.result.output.as_deref(), &bytes)
+}
+
+fn answer(pair: &Chosen<'_>, space: &PairSpace, at: Coordinates) -> Result<Answer, QueryError> {
+    let mut answer = Answer {
+        fixed: pair.fixed().name().to_owned(),
+        moving: pair.moving().name().to_owned(),
+        class: space.class().to_string(),
+        at,
+        result: "joined",
+        region: None,
+        clearance: None,
+        directions: Vec::new(),
+        region_is: None,
+    };
+    if matches!(space, PairSpace::Lower(_)) {
+        return Ok(answer);
+    }
+    answer.result = match space.locate(at)? {
+        Location::Free(region) => {
+            answer.region = Some(region.0);
+            answer.region_is = Some(region_in_words(pair, space, region.0));
+            "free"
+        }
+        Location::Contact => "contact",
+        Location::Blocked => "blocked",
+        Location::Outside => return Err(QueryError::Outside),
+    };
+    answer.clearance = space.clearance(at).ok();
+    if answer.result != "blocked" {
+        answer.directions = match (space, at) {
+            (PairSpace::FixedAxes(axes), Coordinates::Axes { .. }) => {
+                on_axes(space, axes.axes(), at)?
+            }
+            (_, Coordinates::Planar(c)) => in_the_plane(space, c, answer.result == "free")?,
+            _ => Vec::new(),
+        };
+    }
+    Ok(answer)
+}
+
+fn region_in_words(pair: &Chosen<'_>, space: &PairSpace, region: u32) -> String {
+    match space {
+        PairSpace::Planar(space) => regions::planar(space, region),
+        PairSpace::FixedAxes(space) => {
+            regions::on_axes(space, &space.regions()[region as usize], &pair.unit())
+        }
+        PairSpace::Lower(_) => String::new(),
+    }
+}
+
+/// Along both axes of the fixed part's frame and about the moving part's origin; from where it is free also about its middle.
+fn in_the_plane(
+    space: &PairSpace,
+    c: Configuration,
+    is_free: bool,
+) -> Result<Vec<Direction>, QueryError> {
+    let from = Coordinates::Planar(c);
+    // Farther apart than their sizes nothing touches.
+    let sizes = space.fixed().size() + space.moving().size();
+    let reach = |p: Point| p.to_vector().length();
+    let bounds = [space.fixed().bounds(), space.moving().bounds()];
+    let arms: f64 = bounds.iter().map(|b| reach(b.min).max(reach(b.max))).sum();
+    let far = 2.0 * (c.x.hypot(c.y) + arms + sizes);
+    let mut all = Vec::new();
+    for (name, x, y) in [
+        ("+x", 1.0, 0.0),
+        ("-x", -1.0, 0.0),
+        ("+y", 0.0, 1.0),
+        ("-y", 0.0, -1.0),
+    ] {
+        let rates = Coordinates::Planar(Configuration::new(x, y, 0.0));
+        all.push(straight(space, (from, rates), far, name.to_owned(), false)?);
+    }
+    for (name, turn) in [
+        ("turn + about its origin", 1.0),
+        ("turn - about its origin", -1.0),
+    ] {
+        let rates = Coordinates::Planar(Configuration::new(0.0, 0.0, turn));
+        all.push(straight(space, (from, rates), TAU, name.to_owned(), true)?);
+    }
+    let middle = space.moving().bounds().center();
+    if is_free && middle.to_vector().length() > 0.0 {
+        for (name, turn) in [
+            ("turn + about its middle", 1.0),
+            ("turn - about its middle", -1.0),
+        ] {
+            all.push(about(space, c, middle, turn, name)?);
+        }
+    }
+    Ok(all)
+}
+
+/// Each part that moves, the other held, both ways.
+fn on_axes(
+    space: &PairSpace,
+    (fixed, moving): (Axis, Axis),
+    at: Coordinates,
+) -> Result<Vec<Direction>, QueryError> {
+    let PairSpace::FixedAxes(axes) = space else {
+        return Ok(Vec::new());
+    };
+    let mut all = Vec::new();
+    for (letter, part, axis, is_u) in [
+        ("u", space.fixed().name(), fixed, true),
+        ("v", space.moving().name(), moving, false),
+    ] {
+        let is_turn = match axis.motion {
+            AxisMotion::Fixed => continue,
+            AxisMotion::Revolute { .. } => true,
+            AxisMotion::Prismatic { .. } => false,
+        };
+        let [u, v] = axes.extent();
+        let (lo, hi) = if is_u { u } else { v };
+        let now = match at {
+            Coordinates::Axes { u, v } => [v, u][usize::from(is_u)],
+            Coordinates::Planar(_) => 0.0,
+        };
+        // To the end of its range; a turn of a part that has none; of a slide without one, beyond all contact.
+        let far = match (axis.range, is_turn) {
+            (Some((lo, hi)), _) => 2.0 * (hi - lo),
+            (None, true) => TAU,
+            (None, false) => (hi - lo) + (now - lo).abs() + (now - hi).abs(),
+        };
+        for (sign, way) in [("+", 1.0), ("-", -1.0)] {
+            let (u, v) = if is_u { (way, 0.0) } else { (0.0, way) };
+            let rates = Coordinates::Axes { u, v };
+            let verb = if is_turn { "turns" } else { "slides" };
+            let name = format!("{sign}{letter} ({part} {verb})");
+            all.push(straight(space, (at, rates), far, name, is_turn)?);
+        }
+    }
+    Ok(all)
+}
+
+/// A motion of constant rates of 1.
+fn straight(
+    space: &PairSpace,
+    (from, rates): (Coordinates, Coordinates),
+    far: f64,
+    direction: String,
+    is_turn: bool,
+) -> Result<Direction, QueryError> {
+    let (distance, stopped_by, features) = match space.first_contact(from, rates, far)? {
+        PairMotion::Free => (None, Stop::Nothing, Vec::new()),
+        PairMotion::Leaves { time } => (Some(time), Stop::Limit, Vec::new()),
+        PairMotion::Contact(contact) => {
+            // The motion takes a time of 1 to its contact, by which times of moments are measured.
+            let features = touching(space, (from, rates), &contact)?;
+            (Some(contact.time), Stop::Contact, features)
+        }
+    };
+    Ok(Direction::new(
+        direction, distance, stopped_by, features, is_turn,
+    ))
+}
+
+/// The turn of the moving part about a point of it.
+struct Turn {
+    from: Configuration,
+    /// The point in the fixed part's frame, and from the moving part's origin.
+    about: Point,
+    arm: cspace::Vector,
+    rate: f64,
+}
+
+impl SmoothMotion for Turn {
+    fn at(&self, time: f64) -> Coordinates {
+        let theta = self.from.theta + self.rate * time;
+        let arm = Rotation::by(theta) * self.arm;
+        Coordinates::Planar(Configuration::new(
+            self.about.x - arm.x,
+            self.about.y - arm.y,
+            theta,
+        ))
+    }
+
+    fn rate_bounds(&self, _: f64, _: f64) -> [f64; 3] {
+        let speed = self.arm.length() * self.rate.abs();
+        [speed, speed, self.rate.abs()]
+    }
+}
+
+fn about(
+    space: &PairSpace,
+    from: Configuration,
+    middle: Point,
+    rate: f64,
+    direction: &str,
+) -> Result<Direction, QueryError> {
+    /// How near counts as contact, as a share of the moving part's size.
+    const TOUCH: f64 = 1e-9;
+    let motion = Turn {
+        from,
+        about: from.fixed_from_moving(middle),
+        arm: middle.to_vector(),
+        rate,
+    };
+    let tolerance = (TOUCH * space.moving().size()).max(4.0 * space.resolution());
+    let (distance, stopped_by, features) =
+        match space.first_contact_along(&motion, TAU, tolerance)? {
+            SmoothOutcome::Free => (None, Stop::Nothing, Vec::new()),
+            SmoothOutcome::Leaves { time } => (Some(time), Stop::Limit, Vec::new()),
+            SmoothOutcome::Grazes { time } => (Some(time), Stop::Grazing, Vec::new()),
+            SmoothOutcome::Contact { time, at } => {
+                let found = near(space, at, 2.0 * tolerance)?;
+                let features = found.into_iter().map(|f| f.0).collect();
+                (Some(time), Stop::Contact, features)
+            }
+        };
+    Ok(Direction::new(
+        direction.to_owned(),
+        distance,
+        stopped_by,
+        features,
+        true,
+    ))
+}
+
+impl Direction {
+    fn new(
+        direction: String,
+        distance: Option<f64>,
+        stopped_by: Stop,
+        features: Vec<FeaturePair>,
+        is_turn: bool,
+    ) -> Self {
+        Self {
+            direction,
+            distance,
+            stopped_by,
+            touching: (features.iter())
+                .map(|(fixed, moving)| [fixed.to_string(), moving.to_string()])
+                .collect(),
+            is_turn,
+            features,
+        }
+    }
+}
+
+fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::Result {
+    let unit = pair.unit();
+    writeln!(text, "{} relative to {}", answer.moving, answer.fixed)?;
+    if answer.result == "joined" {
+        return writeln!(text, "  joined: their play is that of the joint");
+    }
+    let apart = match answer.clearance {
+        Some(clearance) if answer.result == "free" => {
+            format!(", {}{unit} apart", length(clearance))
+        }
+        _ => String::new(),
+    };
+    let is = match answer.result {
+        "blocked" => "blocked: the parts overlap",
+        result => result,
+    };
+    writeln!(
+        text,
+        "  at                       {}: {is}{apart}",
+        pair.place(answer.at)
+    )?;
+    if let (Some(region), Some(words)) = (answer.region, &answer.region_is) {
+        writeln!(text, "  {:24} {words}", format!("region {region}"))?;
+    }
+    for d in &answer.directions {
+        let far = match d.distance {
+            None if d.is_turn => "turns for ever".to_owned(),
+            None => "no limit".to_owned(),
+            Some(angle) if d.is_turn => degrees(angle),
+            Some(distance) => format!("{}{unit}", length(distance)),
+        };
+        let to = match d.stopped_by {
+            Stop::Nothing => String::new(),
+            Stop::Limit => ", its limit".to_owned(),
+            Stop::Grazing => ", on beside contact".to_owned(),
+            Stop::Contact => {
+                /// More are counted.
+                const MOST: usize = 2;
+                let shown = d.features.iter().take(MOST).map(|&f| pair.touch(f));
+                let touches = shown.collect::<Vec<_>>().join(" and ");
+                match d.features.len().saturating_sub(MOST) {
+                    0 => format!(", to where {touches}"),
+                    more => format!(", to where {touches} (and {more} more)"),
+                }
+            }
+        };
+        writeln!(text, "  {:24} {far}{to}", d.direction)?;
+    }
+    Ok(())
+}
