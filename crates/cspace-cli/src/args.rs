@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::angle;
 use crate::command::classify::columns::Column;
+use crate::failure::Failure;
 use crate::picture::PictureArgs;
 use crate::template::Template;
 
@@ -15,6 +16,12 @@ use crate::template::Template;
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
+    /// Say nothing on standard error but errors
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+    /// When to colour messages on standard error; NO_COLOR is obeyed too
+    #[arg(long, global = true, value_enum, default_value_t = ColorWhen::Auto, value_name = "WHEN")]
+    pub(crate) color: ColorWhen,
 }
 
 #[derive(Debug, Subcommand)]
@@ -61,6 +68,26 @@ pub(crate) enum Command {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ColorWhen {
+    /// On a terminal
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+impl From<ColorWhen> for anstream::ColorChoice {
+    fn from(when: ColorWhen) -> Self {
+        match when {
+            ColorWhen::Auto => Self::Auto,
+            ColorWhen::Always => Self::Always,
+            ColorWhen::Never => Self::Never,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// For people
     Text,
@@ -95,13 +122,61 @@ pub(crate) struct Common {
 /// Where the result goes, and how it is printed.
 #[derive(Debug, Args)]
 pub(crate) struct ResultArgs {
-    /// How to print the result
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    /// How to print the result [default: text; json if OUT ends in .json]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
 
     /// Write the result to this file instead of standard output (-); whole or not at all
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
+}
+
+impl ResultArgs {
+    /// As it was asked for, or as the file's name says.
+    pub(crate) fn format(&self) -> Format {
+        let named_json = (self.output.as_deref())
+            .and_then(|o| o.extension())
+            .is_some_and(|e| e.eq_ignore_ascii_case("json"));
+        self.format.unwrap_or(if named_json {
+            Format::Json
+        } else {
+            Format::Text
+        })
+    }
+
+    /// Refuses to print an answer into a file that is named as a picture or a mesh.
+    pub(crate) fn check_answer(&self) -> Result<(), Failure> {
+        let Some(path) = self.output.as_deref() else {
+            return Ok(());
+        };
+        let extension = path
+            .extension()
+            .map(|e| e.to_string_lossy().to_ascii_lowercase());
+        let written_by = match extension.as_deref() {
+            Some("svg" | "png" | "pdf") => "`cspace draw`, `slice` and `export` write pictures",
+            Some("ply" | "obj" | "stl" | "glb" | "gltf") => "`cspace export` writes meshes",
+            Some("jpg" | "jpeg" | "gif" | "html") => "nothing writes such files",
+            _ => return Ok(()),
+        };
+        Err(Failure::input(format_args!(
+            "{}: the answer is text or JSON, and the name says otherwise",
+            path.display()
+        ))
+        .help(format_args!(
+            "let the name end in .txt or .json; {written_by}"
+        )))
+    }
+
+    /// Refuses `--format` where the file's name says what is written.
+    pub(crate) fn refuse_format(&self) -> Result<(), Failure> {
+        match self.format {
+            None => Ok(()),
+            Some(_) => Err(Failure::input(
+                "--format is about answers, and here the name after -o says what is written",
+            )
+            .help("leave --format out; for data let the name end in .json")),
+        }
+    }
 }
 
 /// The window of orientations.
@@ -337,11 +412,12 @@ Start with a model that the project ships:
   cspace compute models/ratchet_pawl.toml
   cspace slice models/ratchet_pawl.toml --theta 5deg -o slice.svg
 
-A configuration (x, y, theta) takes the moving part's point q to (x, y) + R q in the fixed part's
-frame. Angles are radians; a string such as 18deg is accepted too. Lengths are in the model's unit.
+A configuration (x, y, theta) takes the moving part's point q to (x, y) + R q
+in the fixed part's frame. Angles are radians; a string such as 18deg is
+accepted too. Lengths are in the model's unit.
 
-Data goes to standard output, everything else to standard error. Exit codes: 0 done, 1 the work
-could not be done, 2 bad input or usage.";
+Data goes to standard output, everything else to standard error. Exit codes: 0
+done, 1 the work could not be done, 2 bad input or usage.";
 
 const INFO: &str = "\
 Examples:
@@ -350,11 +426,12 @@ Examples:
 
 A model of one part is shown as well; the other commands need two.
 
-The class is what the motions and joints of the model make of a pair: lower, fixed-axes or general;
-symmetric is a general pair of which a part is mapped to itself by a rotation about its centre.
-Symmetry is found from the outlines. With --theta the window is shown that would be computed, and the
-class that the pair has in it; pairs without orientations are shown as they are.
-Features are lines, arcs and vertices that are not smooth joints.";
+The class is what the motions and joints of the model make of a pair: lower,
+fixed-axes or general; symmetric is a general pair of which a part is mapped to
+itself by a rotation about its centre. Symmetry is found from the outlines.
+With --theta the window is shown that would be computed, and the class that the
+pair has in it; pairs without orientations are shown as they are. Features are
+lines, arcs and vertices that are not smooth joints.";
 
 const COMPUTE: &str = "\
 Examples:
@@ -363,16 +440,20 @@ Examples:
   cspace compute models/fixture_plate.toml --format json -o summary.json
   cspace compute models/ratchet_mechanism.toml --pair driver,link
 
-All pairs of the file are computed, or the one that --pair names. The class in the result is the
-method that was used: `lower` for two parts that a joint connects, whose patches are permanent
-contacts; `fixed-axes` for two of which each turns, slides or stands still, in (u, v); `symmetric` if
-one slab of orientations was computed and the others are copies; else `general`. `slices` are the
-bands that were computed. `cspace info` tells the class of the pair itself.
+All pairs of the file are computed, or the one that --pair names. The class in
+the result is the method that was used: `lower` for two parts that a joint
+connects, whose patches are permanent contacts; `fixed-axes` for two of which
+each turns, slides or stands still, in (u, v); `symmetric` if one slab of
+orientations was computed and the others are copies; else `general`. `slices`
+are the bands that were computed. `cspace info` tells the class of the pair
+itself.
 
---theta is for the pairs that have orientations; the others are computed as if it were not given, and a
-note on standard error says so. It is an error if --pair names one of them.
+--theta is for the pairs that have orientations; the others are computed as if
+it were not given, and a note on standard error says so. It is an error if
+--pair names one of them.
 
-A clearance that is too small counts as none: such a channel is blocked. The summary says how small.";
+A clearance that is too small counts as none: such a channel is blocked. The
+summary says how small.";
 
 const SLICE: &str = "\
 Examples:
@@ -381,11 +462,12 @@ Examples:
   cspace slice models/snap_fastener.toml --theta=-0.02 --format json
   cspace slice models/ratchet_pawl.toml --theta 0 -o slice.svg
 
-Each loop is one closed piece of the boundary of free space: blocked space on the left of travel, free
-space on the right. Features are named by the loop and vertex of the part as given, counted from 0.
-At a critical orientation the slice just above it is shown. A pair with fixed axes has no orientation
-to choose: the plane of its two motions (u, v) is shown.
-With -o OUT.svg, .png or .pdf a picture is written, with the parts beside it to scale at the position
+Each loop is one closed piece of the boundary of free space: blocked space on
+the left of travel, free space on the right. Features are named by the loop and
+vertex of the part as given, counted from 0. At a critical orientation the
+slice just above it is shown. A pair with fixed axes has no orientation to
+choose: the plane of its two motions (u, v) is shown. With -o OUT.svg, .png or
+.pdf a picture is written, with the parts beside it to scale at the position
 --at; any other OUT gets the text or JSON.";
 
 const PLAY: &str = "\
@@ -394,60 +476,71 @@ Examples:
   cspace play models/peg_hole.toml --at=0,-10,0
   cspace play models/gears_on_shafts.toml --at 5deg,-7deg --format json
 
-Of every pair, or of that of --pair: how far the moving part goes along x and y of the fixed part's
-frame, and how far it turns about its own origin and about the middle of its box, until something
-touches, and what; on fixed axes, how far each part goes on its axis while the other is held, to a
-contact or to its limit. From contact a direction that is blocked has distance 0. First is told where
-the configuration is: free and in which region, in contact, or blocked.";
+Of every pair, or of that of --pair: how far the moving part goes along x and y
+of the fixed part's frame, and how far it turns about its own origin and about
+the middle of its box, until something touches, and what; on fixed axes, how
+far each part goes on its axis while the other is held, to a contact or to its
+limit. From contact a direction that is blocked has distance 0. First is told
+where the configuration is: free and in which region, in contact, or blocked.";
 
 const DRAW: &str = "\
 Examples:
   cspace draw models/ratchet_mechanism.toml -o mechanism.svg
   cspace draw models/ratchet_pawl.toml --labels all -o pawl.pdf
-  cspace draw models/gears_on_shafts.toml --at 5deg,-3deg --size 1600x1200 -o gears.png
+  cspace draw models/gears_on_shafts.toml --at 5deg,-7deg -o gears.png
 
-All parts are drawn as they are in the file; with --pair or --at, the two parts of the pair at the
-configuration, and the features that touch there are marked by a point and the normal of the fixed
-part. A cross with a long and a short arm is the x and y axis of a part's frame, a ring the pivot of a
-part that turns, a double arrow the direction of one that slides. With --labels all vertices are
-numbered as in the file, loop and index from 0. Without -o the picture is SVG on standard output.";
+All parts are drawn as they are in the file; with --pair or --at, the two parts
+of the pair at the configuration, and the features that touch there are marked
+by a point and the normal of the fixed part. A cross with a long and a short
+arm is the x and y axis of a part's frame, a ring the pivot of a part that
+turns, a double arrow the direction of one that slides. With --labels all
+vertices are numbered as in the file, loop and index from 0. Without -o the
+picture is SVG on standard output.";
 
 const CLASSIFY: &str = "\
 Examples:
-  printf 'x,y,theta\\n42,56,0\\n0,0,0\\n' | cspace classify models/ratchet_pawl.toml
-  cspace classify latch.toml --columns class,region,distance,touching --touch 0.1 < configurations.csv
+  printf 'x,y,theta\\n42,56,0\\n' | cspace classify models/ratchet_pawl.toml
+  cspace classify latch.toml --columns class,region,distance < rows.csv
+  cspace classify latch.toml --columns touching --touch 0.1 < rows.csv
 
-The first row names the columns, in any order: x, y and theta, or, for a pair with fixed axes, u and v,
-the motions of the fixed and of the moving part. With --general such a pair too is asked by x, y and
-theta, not by u and v. Other columns are repeated and not looked at. Angles are radians, or have a unit
-such as 18deg, and are at most 1e6 rad from 0. The answer repeats the columns and adds those of
---columns, which the input may not have:
+The first row names the columns, in any order: x, y and theta, or, for a pair
+with fixed axes, u and v, the motions of the fixed and of the moving part. With
+--general such a pair too is asked by x, y and theta, not by u and v. Other
+columns are repeated and not looked at. Angles are radians, or have a unit such
+as 18deg, and are at most 1e6 rad from 0. The answer repeats the columns and
+adds those of --columns, which the input may not have:
 
-  class     free: the interiors of the parts do not meet; blocked: they do; contact: within the
-            resolution of the boundary between the two
-  region    the number of the free region, as compute lists them; empty where not free
-  distance  how far the moving part moves to the nearest contact: a length at that orientation, or, on
-            fixed axes, along or about its axis; 0 in contact, empty where blocked or nothing is met
-  touching  features no farther apart than --touch, FIXED|MOVING, several joined by ;
+  class     free: the interiors of the parts do not meet; blocked: they do;
+            contact: within the resolution of the boundary between the two
+  region    the number of the free region, as compute lists them; empty where
+            not free
+  distance  how far the moving part moves to the nearest contact: a length at
+            that orientation, or, on fixed axes, along or about its axis; 0 in
+            contact, empty where blocked or nothing is met
+  touching  features no farther apart than --touch, FIXED|MOVING, several
+            joined by ;
 
-FILE may be a saved contact space, so that many lists are classified without computing it again.";
+FILE may be a saved contact space, so that many lists are classified without
+computing it again.";
 
 const CONTACTS: &str = "\
 Examples:
   cspace contacts models/peg_hole.toml --at 0,0,0
   cspace contacts models/cam_tappet.toml --at 30deg,0 --within 2
 
-Of each pair of features: how far they are apart along their normal (less than 0 where they overlap), the
-points that are nearest to each other and the outward normal of the fixed part, in the fixed part's frame.";
+Of each pair of features: how far they are apart along their normal (less than
+0 where they overlap), the points that are nearest to each other and the
+outward normal of the fixed part, in the fixed part's frame.";
 
 const MOVE: &str = "\
 Examples:
   cspace move models/peg_hole.toml --from 0,60,0 --by 0,-80,0
   cspace move models/geneva.toml --from 0,0 --by 0,1turn --format json
 
-The result is free (nothing touches all the way), contact (with the share of the way and what touches),
-blocked (the parts overlap where the motion begins) or leaves (the window of orientations, or the range
-of a part's motion). Angles run on and are not taken modulo a turn.";
+The result is free (nothing touches all the way), contact (with the share of
+the way and what touches), blocked (the parts overlap where the motion begins)
+or leaves (the window of orientations, or the range of a part's motion). Angles
+run on and are not taken modulo a turn.";
 
 const EXPORT: &str = "\
 Examples:
@@ -459,18 +552,24 @@ Examples:
   cspace export pawl.json -o pawl.obj
 
 Formats, by the extension of OUT:
-  .json   the whole configuration space; every command reads it in place of a model. The schemas are
-          docs/contact-space.schema.json, docs/fixed-axes-space.schema.json and
-          docs/lower-pair.schema.json. The model's `name` and `unit` are written with it
+  .json   the whole configuration space; every command reads it in place of a
+          model. The schemas are docs/contact-space.schema.json,
+          docs/fixed-axes-space.schema.json and docs/lower-pair.schema.json.
+          The model's `name` and `unit` are written with it
   .svg, .png, .pdf
-          pictures of slices at even steps of orientation, free regions numbered, blocked space grey;
-          of a pair with fixed axes of the plane of its two motions
-  .ply    the contact surface as triangles: vertices (x, y, theta) on the exact surface, in double
-          precision; triangles are counter-clockwise seen from free space and carry their `patch`
-  .obj    the same as text, the triangles of a patch in a group, such as patch_7
-  .stl    the same as loose triangles, in single precision, which is all the format has
-  .glb    binary glTF 2.0: positions (x, y, theta) in single precision, which is all the format has; the
-          attribute `_PATCH` of a triangle's vertices is its patch";
+          pictures of slices at even steps of orientation, free regions
+          numbered, blocked space grey; of a pair with fixed axes of the plane
+          of its two motions
+  .ply    the contact surface as triangles: vertices (x, y, theta) on the exact
+          surface, in double precision; triangles are counter-clockwise seen
+          from free space and carry their `patch`
+  .obj    the same as text, the triangles of a patch in a group, such as
+          patch_7
+  .stl    the same as loose triangles, in single precision, which is all the
+          format has
+  .glb    binary glTF 2.0: positions (x, y, theta) in single precision, which
+          is all the format has; the attribute `_PATCH` of a triangle's
+          vertices is its patch";
 
 const EVALUATE: &str = "\
 Examples:
@@ -478,28 +577,32 @@ Examples:
   cspace evaluate --pairs blocks,cam --repeat 20
   cspace evaluate --format json -o evaluation.json
 
-The eleven pairs of Figure 5 of Sacks, Practical Sliced Configuration Spaces for Curved Planar Pairs
-(1999), are computed by the general algorithm that it starts from (slices 0.005 rad apart, a
-polyhedral surface through their contours) and by the one of this program. The models are
-reconstructions and part of the program; Figure 5's numbers are shown beside those measured.
+The eleven pairs of Figure 5 of Sacks, Practical Sliced Configuration Spaces
+for Curved Planar Pairs (1999), are computed by the general algorithm that it
+starts from (slices 0.005 rad apart, a polyhedral surface through their
+contours) and by the one of this program. The models are reconstructions and
+part of the program; Figure 5's numbers are shown beside those measured.
 
-The old seconds are slices and surface alone: critical orientations are given to the old algorithm for
-nothing. Both use the same code for a slice, and one thread unless --threads says otherwise: slices by
-the thousand gain from more, pairs that take a millisecond do not. The search of critical orientations
-over all combinations of features is timed on its own, under a limit: with orientations already known
-skipped (section 3.3), and with all examined.
+The old seconds are slices and surface alone: critical orientations are given
+to the old algorithm for nothing. Both use the same code for a slice, and one
+thread unless --threads says otherwise: slices by the thousand gain from more,
+pairs that take a millisecond do not. The search of critical orientations over
+all combinations of features is timed on its own, under a limit: with
+orientations already known skipped (section 3.3), and with all examined.
 
-A critical orientation is `aligned` where the parts' normals oppose each other at the ends of features
-(sides are parallel), `end` where a feature ends at another contact, `tangent` where two contact curves
-are, `triple` where three contacts meet; it can be several. Counted are those of the slices computed.
+A critical orientation is `aligned` where the parts' normals oppose each other
+at the ends of features (sides are parallel), `end` where a feature ends at
+another contact, `tangent` where two contact curves are, `triple` where three
+contacts meet; it can be several. Counted are those of the slices computed.
 
-The errors of the old algorithm: `gap` is the largest distance between its straight boundary lines and
-the exact boundary curves, half way between two slices. The others are of slices without critical
-orientations given: bands that no slice falls in, and spaces between two slices in which the surface
-lets free and blocked configurations meet.
+The errors of the old algorithm: `gap` is the largest distance between its
+straight boundary lines and the exact boundary curves, half way between two
+slices. The others are of slices without critical orientations given: bands
+that no slice falls in, and spaces between two slices in which the surface lets
+free and blocked configurations meet.
 
-`special` are times of the pairs with joints and fixed axes among the project's models, each by its own
-method and by the one for three degrees of freedom.";
+`special` are times of the pairs with joints and fixed axes among the project's
+models, each by its own method and by the one for three degrees of freedom.";
 
 const MAN: &str = "\
 Example:
@@ -511,13 +614,14 @@ Example:
 const NEW: &str = "\
 Examples:
   cspace new latch -o latch.toml
-  cspace new peg --diameter 10 --clearance 0.1 --depth 20 --chamfer 1 -o peg.toml
+  cspace new peg --diameter 10 --clearance 0.1 --depth 20 -o peg.toml
   cspace new gears --gear 30 --pinion 18 --pressure-angle 20deg
 
-The model is TOML with comments, drawn from the dimensions; `cspace new peg --help` lists those of
-the peg with their defaults. Lengths are in mm, or in any other unit: change `unit` in the file.
-The comment at the top says what the parts do at which configuration, and has commands that ask.
-docs/model.md tells how a model is written.";
+The model is TOML with comments, drawn from the dimensions; `cspace new peg
+--help` lists those of the peg with their defaults. Lengths are in mm, or in
+any other unit: change `unit` in the file. The comment at the top says what the
+parts do at which configuration, and has commands that ask. docs/model.md tells
+how a model is written.";
 
 const COMPLETIONS: &str = "\
 Example:

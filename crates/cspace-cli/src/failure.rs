@@ -5,7 +5,9 @@ use std::fmt::Display;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use anstyle::AnsiColor;
 use cspace_io::{ModelError, shown};
 
 /// What went wrong, and what to do about it.
@@ -57,26 +59,53 @@ impl Failure {
 
     /// Prints to stderr, control characters escaped. Where nobody listens nothing can be done.
     pub(crate) fn print(&self) {
-        let mut err = std::io::stderr().lock();
-        let _ = writeln!(err, "error: {}", harmless(&self.message));
-        if let Some(help) = &self.help {
-            let _ = writeln!(err, "  help: {}", harmless(help));
-        }
+        say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+    }
+}
+
+/// Whether nothing but errors is said.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Lets notes, warnings and progress be silent.
+pub(crate) fn set_quiet(quiet: bool) {
+    QUIET.store(quiet, Ordering::Relaxed);
+}
+
+/// Whether they are.
+pub(crate) fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// A message on stderr and what to do about it.
+fn say(kind: &str, colour: AnsiColor, message: &str, help: Option<&str>) {
+    let (kind_style, help_style) = (colour.on_default().bold(), AnsiColor::Cyan.on_default());
+    let mut err = anstream::stderr().lock();
+    let message = harmless(message);
+    let _ = writeln!(err, "{kind_style}{kind}:{kind_style:#} {message}");
+    if let Some(help) = help {
+        let help = harmless(help);
+        let _ = writeln!(err, "  {help_style}help:{help_style:#} {help}");
     }
 }
 
 /// Says on stderr what a user should know of work that is done all the same.
 pub(crate) fn note(message: impl Display) {
-    let message = message.to_string();
-    let _ = writeln!(std::io::stderr(), "note: {}", harmless(&message));
+    if !is_quiet() {
+        say("note", AnsiColor::Blue, &message.to_string(), None);
+    }
 }
 
 /// Says on stderr what is most likely a slip, and what to do about it.
 pub(crate) fn warning(message: impl Display, help: impl Display) {
-    let (message, help) = (message.to_string(), help.to_string());
-    let mut err = std::io::stderr().lock();
-    let _ = writeln!(err, "warning: {}", harmless(&message));
-    let _ = writeln!(err, "  help: {}", harmless(&help));
+    if !is_quiet() {
+        let help = help.to_string();
+        say(
+            "warning",
+            AnsiColor::Yellow,
+            &message.to_string(),
+            Some(&help),
+        );
+    }
 }
 
 /// Nobody reads more characters than that. Names may be as long as files.

@@ -55,6 +55,8 @@ fn usage(error: &clap::Error) -> ExitCode {
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
+    anstream::ColorChoice::write_global(cli.color.into());
+    failure::set_quiet(cli.quiet);
     match cli.command {
         Command::Info(args) => command::info::run(&args),
         Command::Compute(args) => command::compute::run(&args),

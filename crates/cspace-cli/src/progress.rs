@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use cspace::{ComputeError, Progress, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::failure::is_quiet;
 use crate::output;
 
 /// Nothing is shown for work that is done by then.
@@ -77,7 +78,7 @@ impl Bar {
     }
 
     fn draw(&self) {
-        if self.begin.elapsed() < PATIENCE {
+        if self.begin.elapsed() < PATIENCE || is_quiet() {
             return;
         }
         let stage = *self.stage.lock().unwrap_or_else(PoisonError::into_inner);

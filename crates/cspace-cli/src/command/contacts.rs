@@ -42,6 +42,7 @@ struct Contact {
 }
 
 pub(crate) fn run(args: &ContactsArgs) -> Result<(), Failure> {
+    args.common.result.check_answer()?;
     let common = &args.common;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
@@ -50,7 +51,7 @@ pub(crate) fn run(args: &ContactsArgs) -> Result<(), Failure> {
     let within = args.within.unwrap_or(NEARBY * size);
     let space = pair.space()?;
     let answer = answer(&space, at, within).map_err(|e| pair.unanswered("--at", &e))?;
-    let bytes = match common.result.format {
+    let bytes = match common.result.format() {
         Format::Json => super::json(&answer)?,
         Format::Text => {
             let mut text = String::new();

@@ -13,6 +13,7 @@ use crate::wording::length;
 
 pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let common = &args.common;
+    common.result.refuse_format()?;
     let output = common.result.output.as_deref();
     let format = match (output, picture::format(output)) {
         (_, Some(format)) => format,

@@ -50,6 +50,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
             .help(format_args!("give -o OUT with an extension: {EXTENSIONS}")));
     };
     let kind = kind(path)?;
+    common.result.refuse_format()?;
     refuse_unused(args, kind, path)?;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;

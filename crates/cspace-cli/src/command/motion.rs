@@ -34,6 +34,7 @@ enum Outcome {
 }
 
 pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
+    args.common.result.check_answer()?;
     let common = &args.common;
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
@@ -41,7 +42,7 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let by = pair.coordinates("--by", &args.by)?;
     let space = pair.space()?;
     let answer = answer(&space, from, by).map_err(|e| pair.unanswered("--from", &e))?;
-    let bytes = match common.result.format {
+    let bytes = match common.result.format() {
         Format::Json => super::json(&answer)?,
         Format::Text => {
             let mut text = String::new();

@@ -65,6 +65,7 @@ enum Stop {
 }
 
 pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
+    args.common.result.check_answer()?;
     let common = &args.common;
     let subject = Subject::open(common)?;
     subject.warn();
@@ -88,7 +89,7 @@ pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
         describe(&mut text, pair, &answer).map_err(Failure::work)?;
         answers.push(answer);
     }
-    let bytes = match common.result.format {
+    let bytes = match common.result.format() {
         Format::Json => super::json(&answers)?,
         Format::Text => text.into_bytes(),
     };

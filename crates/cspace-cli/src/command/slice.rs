@@ -20,7 +20,10 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
     let output = common.result.output.as_deref();
     let format = picture::format(output);
-    if format.is_none() {
+    if format.is_some() {
+        common.result.refuse_format()?;
+    } else {
+        common.result.check_answer()?;
         args.picture.refuse()?;
         if args.at.is_some() {
             return Err(Failure::input("--at is about pictures").help(
@@ -41,7 +44,7 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
         return picture(args, &pair, theta, format);
     }
     let slice = pair.slice(theta)?;
-    let bytes = match common.result.format {
+    let bytes = match common.result.format() {
         Format::Json => super::json(&slice)?,
         Format::Text => {
             let mut text = String::new();
@@ -121,7 +124,7 @@ fn plane(
         let options = (args.picture).options(Plane::Motions, pair.title(), pair.unit_label())?;
         return picture::write(output, format, &cspace_draw::plane(space, &options));
     }
-    let bytes = match args.common.result.format {
+    let bytes = match args.common.result.format() {
         Format::Json => super::json(space.data())?,
         Format::Text => {
             let mut text = String::new();

@@ -26,6 +26,7 @@ const MANY: usize = 4096;
 const MOST_BYTES: u64 = 1 << 30;
 
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
+    args.common.result.check_answer()?;
     let common = &args.common;
     output::check_apart_from_stdin(common.result.output.as_deref())?;
     if common.file == Path::new(output::STANDARD) {
@@ -45,11 +46,11 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         return Err(failure.help("divide them, and classify one part after the other"));
     }
     let columns = columns(args)?;
-    let rows = read(&bytes, &pair, common.result.format, &columns)?;
+    let rows = read(&bytes, &pair, common.result.format(), &columns)?;
     let space = pair.space()?;
     let touch = args.touch.unwrap_or_else(|| space.resolution());
     let answers = answers(&pair, &space, &rows, &columns, touch)?;
-    let bytes = match common.result.format {
+    let bytes = match common.result.format() {
         Format::Text => as_csv(&rows, &columns, &answers)?,
         Format::Json => as_json(&rows, &columns, &answers)?,
     };

@@ -147,6 +147,7 @@ impl From<&Statistics> for Counts {
 }
 
 pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
+    args.common.result.check_answer()?;
     let subject = Subject::open(&args.common)?;
     subject.warn();
     let pairs = subject.pairs(&args.common, args.window.theta)?;
@@ -163,7 +164,7 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
         .zip(&spaces)
         .map(|(pair, (space, seconds))| summary(pair, space, *seconds))
         .collect();
-    let bytes = match args.common.result.format {
+    let bytes = match args.common.result.format() {
         Format::Json => super::json(&summaries)?,
         Format::Text => {
             let mut text = String::new();

@@ -22,6 +22,7 @@ use evaluation::Evaluation;
 use measure::measure;
 
 pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
+    args.result.check_answer()?;
     output::check(args.result.output.as_deref())?;
     let chosen = chosen(&args.pairs)?;
     // What is wrong with the separation is told before anything is measured.
@@ -45,7 +46,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
         pairs,
         survey,
     };
-    let bytes = match args.result.format {
+    let bytes = match args.result.format() {
         Format::Json => super::json(&evaluation)?,
         Format::Text => {
             let mut text = String::new();

@@ -30,6 +30,15 @@ struct PartInfo {
     features: FeatureCount,
     size: f64,
     area: f64,
+    /// x and y of the lower left corner, then of the upper right one.
+    bounds: [f64; 4],
+    /// Loops that bound material from inside.
+    holes: usize,
+    convex_arcs: usize,
+    concave_arcs: usize,
+    /// Least and greatest radius of its arcs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radii: Option<(f64, f64)>,
     motion: MotionInfo,
     /// The largest fold about its own centre.
     symmetry: u32,
@@ -85,6 +94,7 @@ struct PairInfo {
 }
 
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
+    args.common.result.check_answer()?;
     let subject = Subject::open(&args.common)?;
     subject.warn();
     let pairs = subject.pairs_if_any(&args.common, args.window.theta)?;
@@ -92,7 +102,7 @@ pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
         pair.check_window()?;
     }
     let info = gather(&subject, &pairs);
-    let bytes = match args.common.result.format {
+    let bytes = match args.common.result.format() {
         Format::Json => super::json(&info)?,
         Format::Text => {
             let mut text = String::new();
@@ -182,12 +192,26 @@ fn class(pair: &Chosen<'_>) -> &'static str {
 
 fn part_info(part: &Part, axis: Option<Axis>) -> PartInfo {
     let symmetry = part.symmetry();
+    let bounds = part.bounds();
+    let arcs = || part.edges().filter(|e| !e.is_line());
+    let convex = arcs().filter(|e| e.sweep() > 0.0).count();
+    let least = arcs().map(|e| e.radius()).fold(f64::INFINITY, f64::min);
+    let greatest = arcs().map(|e| e.radius()).fold(0.0, f64::max);
     PartInfo {
         name: part.name().to_owned(),
         loops: part.loops().len(),
         features: features(part),
         size: part.size(),
         area: part.area(),
+        bounds: [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y],
+        holes: part
+            .loops()
+            .iter()
+            .filter(|l| l.signed_area() < 0.0)
+            .count(),
+        convex_arcs: convex,
+        concave_arcs: arcs().count() - convex,
+        radii: least.is_finite().then_some((least, greatest)),
         motion: axis.map_or(MotionInfo::Planar, |axis| match axis.motion {
             AxisMotion::Fixed => MotionInfo::Fixed,
             AxisMotion::Revolute { center } => MotionInfo::Revolute {

@@ -17,16 +17,41 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
     writeln!(text, "\nparts")?;
     for p in &info.parts {
         writeln!(text, "  {}", p.name)?;
+        let [x0, y0, x1, y1] = p.bounds.map(length);
         writeln!(
             text,
-            "    outline    {}, {}: {}, {}, {}",
+            "    box        x {x0} to {x1}, y {y0} to {y1}{unit}: {} by {}",
+            length(p.bounds[2] - p.bounds[0]),
+            length(p.bounds[3] - p.bounds[1])
+        )?;
+        let squared = match unit.is_empty() {
+            true => String::new(),
+            false => format!("{unit}²"),
+        };
+        writeln!(text, "    area       {}{squared}", length(p.area))?;
+        writeln!(
+            text,
+            "    outline    {}{}, {}: {}, {}, {}",
             count(p.loops, "loop", "loops"),
+            match p.holes {
+                0 => String::new(),
+                holes => format!(" ({})", count(holes, "hole", "holes")),
+            },
             count(p.features.total, "feature", "features"),
             count(p.features.lines, "line", "lines"),
             count(p.features.arcs, "arc", "arcs"),
             count(p.features.vertices, "vertex", "vertices"),
         )?;
-        writeln!(text, "    size       {}{unit}", length(p.size))?;
+        if let Some((least, greatest)) = p.radii {
+            writeln!(
+                text,
+                "    arcs       {} convex, {} concave, of radius {} to {}{unit}",
+                p.convex_arcs,
+                p.concave_arcs,
+                length(least),
+                length(greatest)
+            )?;
+        }
         write!(text, "    motion     ")?;
         describe_motion(text, &p.motion, &unit)?;
         if p.round || p.symmetry > 1 {
