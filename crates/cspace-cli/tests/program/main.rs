@@ -14,3 +14,4 @@ mod hostile;
 mod new;
 mod play;
 mod questions;
+mod schemas;

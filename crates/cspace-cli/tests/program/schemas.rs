@@ -1,0 +1,88 @@
+//! What `--format json` prints is what the schemas in `docs/answers/` say.
+
+use serde_json::Value;
+
+use crate::helpers::{json, mechanism, model};
+
+fn schema(command: &str) -> Value {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/answers");
+    let text = std::fs::read_to_string(format!("{folder}/{command}.schema.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+/// An answer is as its schema says, and is not with a key renamed or left out.
+#[track_caller]
+fn is_told(command: &str, answer: &Value) {
+    let validator = jsonschema::validator_for(&schema(command)).unwrap();
+    let errors: Vec<String> = validator
+        .iter_errors(answer)
+        .map(|e| e.to_string())
+        .collect();
+    assert!(errors.is_empty(), "{command}: {errors:?}");
+    for change in [rename, leave_out] {
+        let mut changed = answer.clone();
+        let object = changed.as_array_mut().map_or(None, |a| a.first_mut());
+        let object = match object {
+            Some(first) => first,
+            None => &mut changed,
+        };
+        change(object.as_object_mut().unwrap());
+        assert!(!validator.is_valid(&changed), "{command}");
+    }
+}
+
+fn rename(object: &mut serde_json::Map<String, Value>) {
+    let (key, value) = object
+        .iter()
+        .last()
+        .map(|(k, v)| (k.clone(), v.clone()))
+        .unwrap();
+    object.remove(&key);
+    object.insert(format!("{key}_"), value);
+}
+
+fn leave_out(object: &mut serde_json::Map<String, Value>) {
+    // A name may be missing; what the answer is about may not.
+    let key = ["fixed", "parts", "at", "curves", "fraction"]
+        .into_iter()
+        .find(|k| object.contains_key(*k));
+    object.remove(key.unwrap());
+}
+
+#[test]
+fn answers_are_as_their_schemas_say() {
+    let models = [
+        "ratchet_pawl",
+        "gears_on_shafts",
+        "snap_fastener",
+        "cam_tappet",
+        "fixture_plate",
+    ];
+    let files = models.map(model).into_iter().chain([mechanism()]);
+    for file in files {
+        for command in ["compute", "info", "play"] {
+            is_told(command, &json(&[command, &file]));
+        }
+    }
+    let (planar, axes) = (model("ratchet_pawl"), model("gears_on_shafts"));
+    is_told("slice", &json(&["slice", &planar, "--theta", "0.2"]));
+    is_told("compute", &json(&["compute", &planar, "--theta=-0.1,0.1"]));
+    for at in ["0,0,0", "90,0,0", "41,56,0.05"] {
+        is_told(
+            "contacts",
+            &json(&["contacts", &planar, "--at", at, "--within", "20"]),
+        );
+        is_told(
+            "move",
+            &json(&["move", &planar, "--from", at, "--by=-50,0,0"]),
+        );
+        is_told("play", &json(&["play", &planar, "--at", at]));
+    }
+    for at in ["0,0", "0,0.1"] {
+        is_told(
+            "contacts",
+            &json(&["contacts", &axes, "--at", at, "--within", "1"]),
+        );
+        is_told("move", &json(&["move", &axes, "--from", at, "--by=0,1"]));
+    }
+}
