@@ -14,4 +14,5 @@ mod hostile;
 mod new;
 mod play;
 mod questions;
+mod random;
 mod schemas;

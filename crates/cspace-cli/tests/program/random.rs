@@ -1,0 +1,173 @@
+//! Random options in random combinations: no panic, an exit code that is one of three, and no file that is not what its
+//! name says.
+
+use std::path::Path;
+
+use crate::helpers::{cspace, mechanism, model, printed};
+
+/// Numbers that look random and are the same in every run (Knuth's linear congruential generator).
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = (self.0.wrapping_mul(6_364_136_223_846_793_005))
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % n as u64) as usize
+    }
+
+    fn one<'a>(&mut self, of: &[&'a str]) -> &'a str {
+        of[self.below(of.len())]
+    }
+}
+
+/// All options of the commands that take a model, with values that are right, wrong or strange.
+const OPTIONS: [(&str, &[&str]); 26] = [
+    (
+        "--pair",
+        &["ratchet,pawl", "driver,link", "gear,pinion", "pawl", ""],
+    ),
+    ("--general", &[]),
+    ("--format", &["text", "json", "xml"]),
+    ("--threads", &["1", "2", "0", "-1"]),
+    (
+        "--theta",
+        &["-0.1,0.1", "0.3", "10deg", "1,0", "nan", "0,20"],
+    ),
+    ("--tolerance", &["0.05", "0.1", "0", "2"]),
+    ("--theta-scale", &["10", "1", "-1"]),
+    ("--ascii", &[]),
+    ("--slices", &["1", "3", "0", "999"]),
+    ("--size", &["300x200", "100x100", "5x5", "x"]),
+    ("--title", &["a & b", "", "\u{7f}"]),
+    ("--labels", &["none", "auto", "all", "some"]),
+    ("--x", &["-10,10", "3,2", "1"]),
+    ("--y", &["-1e300,1e300", "0,1"]),
+    ("--u", &["0,10deg", "1,1"]),
+    ("--v", &["-1,1", "a,b"]),
+    (
+        "--at",
+        &["0,0,0", "1,2", "60,0,0.1", "0,0", "1e300,0,0", "x"],
+    ),
+    ("--from", &["0,0,0", "100,0,0", "0,0"]),
+    ("--by", &["10,0,0", "0,1", "0,0,7", "1e9,0,0"]),
+    ("--within", &["5", "0", "-1"]),
+    (
+        "--columns",
+        &[
+            "class",
+            "region,distance",
+            "touching",
+            "class,class",
+            "mass",
+        ],
+    ),
+    ("--touch", &["0.1", "-1"]),
+    ("--verbose", &[]),
+    ("--quiet", &[]),
+    ("--color", &["always", "never", "red"]),
+    (
+        "-o",
+        &[
+            "a.svg", "a.png", "a.pdf", "a.json", "a.ply", "a.obj", "a.stl", "a.glb", "a.txt",
+            "a.toml", "-", "no/a.svg",
+        ],
+    ),
+];
+
+/// Whether a file is what its name says.
+fn is_true(path: &Path) -> bool {
+    let bytes = std::fs::read(path).unwrap();
+    let text = || String::from_utf8(bytes.clone()).unwrap();
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("svg") => bytes.starts_with(b"<svg") && bytes.ends_with(b"</svg>\n"),
+        Some("png") => bytes.starts_with(b"\x89PNG\r\n"),
+        Some("pdf") => bytes.starts_with(b"%PDF"),
+        Some("json") => serde_json::from_str::<serde_json::Value>(&text()).is_ok(),
+        Some("ply") => bytes.starts_with(b"ply\n"),
+        Some("obj") => text().lines().any(|l| l.starts_with("f ")),
+        Some("stl") => bytes.starts_with(b"solid") || (bytes.len() - 84) % 50 == 0,
+        Some("glb") => bytes.starts_with(b"glTF"),
+        // Answers as text or JSON.
+        Some("txt" | "toml") => !text().is_empty(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn no_options_make_it_panic_or_lie() {
+    /// Of so many runs some do what they are asked to.
+    const RUNS: usize = 400;
+    const COMMANDS: [&str; 9] = [
+        "info", "compute", "slice", "classify", "contacts", "move", "play", "draw", "export",
+    ];
+    let files = ["ratchet_pawl", "gears_on_shafts", "peg_hole", "cam_tappet"].map(model);
+    let mechanism = mechanism();
+    let helps = COMMANDS.map(|c| printed(&[c, "--help"]).replace('\n', " "));
+    let mut dice = Dice(22);
+    let (mut done, mut written) = (0, 0);
+    for run in 0..RUNS {
+        let folder = tempfile::tempdir().unwrap();
+        let command = COMMANDS[dice.below(COMMANDS.len())];
+        let file = match dice.below(5) {
+            0 => &mechanism,
+            k => &files[k - 1],
+        };
+        let mut args = vec![command, file.as_str()];
+        // What a command needs is mostly given.
+        if dice.below(4) > 0 {
+            match command {
+                "contacts" => args.extend(["--at", dice.one(&["0,0,0", "0,0", "70,0,1"])]),
+                "move" => args.extend([
+                    "--from",
+                    dice.one(&["0,0,0", "0,0", "99,0,1"]),
+                    "--by=1,0,0",
+                ]),
+                "slice" => args.extend(["--theta", "0.2"]),
+                "export" => args.extend(["-o", dice.one(OPTIONS[25].1)]),
+                _ => {}
+            }
+        }
+        for (option, values) in OPTIONS {
+            let is_known = helps[COMMANDS.iter().position(|c| *c == command).unwrap()]
+                .contains(&format!("{option} "));
+            // A fifth of those that it has, few that it has not.
+            let often = if is_known { 5 } else { 100 };
+            if dice.below(often) == 0 && !args.contains(&option) {
+                args.push(option);
+                // The first value is mostly right.
+                match (values, dice.below(2)) {
+                    ([], _) => {}
+                    (_, 0) => args.push(values[0]),
+                    _ => args.push(dice.one(values)),
+                }
+            }
+        }
+        let mut program = cspace(&args);
+        let rows = dice.one(&["x,y,theta\n0,0,0\n90,0,1\n", "u,v\n0,0\n", "", "a\n1\n"]);
+        let output = program
+            .current_dir(folder.path())
+            .write_stdin(rows)
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        let code = output.status.code();
+        assert!(
+            matches!(code, Some(0..=2)) && !said.contains("panicked"),
+            "{run} {args:?}: {said}"
+        );
+        done += usize::from(code == Some(0));
+        for entry in std::fs::read_dir(folder.path()).unwrap() {
+            let path = entry.unwrap().path();
+            assert!(
+                code == Some(0) && is_true(&path),
+                "{run} {args:?}: {}",
+                path.display()
+            );
+            written += 1;
+        }
+    }
+    assert!(
+        done > RUNS / 12 && written > RUNS / 40,
+        "{done} done, {written} written"
+    );
+}
