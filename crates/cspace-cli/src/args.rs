@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::angle;
-use crate::command::classify::columns::Column;
 use crate::failure::Failure;
 use crate::picture::PictureArgs;
 use crate::template::Template;
@@ -110,6 +109,10 @@ pub(crate) struct Common {
     /// The symmetry of parts is not used then.
     #[arg(long)]
     pub(crate) general: bool,
+
+    /// Make lines and arcs tangent that miss it by less than 0.001 rad; what was moved is told
+    #[arg(long)]
+    pub(crate) snap: bool,
 
     #[command(flatten)]
     pub(crate) result: ResultArgs,
@@ -239,6 +242,19 @@ pub(crate) struct ClassifyArgs {
     /// How far apart features may be that touch, in the model's unit [default: the resolution]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) touch: Option<f64>,
+}
+
+/// What is told of a configuration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Column {
+    /// free, blocked or contact
+    Class,
+    /// The number of the free region, as `compute` lists them
+    Region,
+    /// How far the moving part moves to the nearest contact
+    Distance,
+    /// The features that touch
+    Touching,
 }
 
 #[derive(Debug, Args)]

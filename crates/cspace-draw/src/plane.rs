@@ -179,9 +179,9 @@ fn draw_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, curves: &[Curve], 
                 }),
                 title: Some(format!(
                     "{} of {}, {} of {}",
-                    p.fixed,
+                    space.fixed().feature_text(p.fixed),
                     space.fixed().name(),
-                    p.moving,
+                    space.moving().feature_text(p.moving),
                     space.moving().name()
                 )),
             });
@@ -255,7 +255,11 @@ fn name_curves(
     let size = 0.72 * em;
     for c in curves {
         let p = &space.patches()[c.patch];
-        let said = format!("{} | {}", short(p.fixed), short(p.moving));
+        let said = format!(
+            "{} | {}",
+            short(space.fixed(), p.fixed),
+            short(space.moving(), p.moving)
+        );
         let long: f64 = c.line.windows(2).map(|w| w[0].distance(w[1])).sum();
         let wide = crate::font::width(&said, size);
         if long < 1.5 * wide && placed.is_sparing() {

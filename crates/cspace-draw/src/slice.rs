@@ -1,6 +1,8 @@
 //! Slices: positions of the moving part at one orientation, free and blocked.
 
-use cspace::{ContactSpace, CurveGeometry, Point, Slice, SliceCurve};
+use cspace::{
+    ContactSpace, CurveGeometry, FeatureKind, FeatureName, Part, Point, Slice, SliceCurve,
+};
 
 use crate::colour::{BLOCKED, INK, KINDS, kind, region as ground};
 use crate::labels::Placed;
@@ -222,7 +224,7 @@ fn panel(
             number_regions(&mut inner, &areas, outside, plot, &mut placed);
         }
         if labels == Labels::All || slice.curves.len() <= 60 {
-            name_curves(&mut inner, slice, plot, &mut placed);
+            name_curves(&mut inner, picture.space, slice, plot, &mut placed);
         }
     }
     items.push(Item::Clipped {
@@ -356,10 +358,20 @@ fn holds(polygon: &[Dot], at: Dot) -> bool {
 }
 
 /// What touches, beside curves that are long enough for it.
-fn name_curves(items: &mut Vec<Item>, slice: &Slice, plot: &Plot, placed: &mut Placed) {
+fn name_curves(
+    items: &mut Vec<Item>,
+    space: &ContactSpace,
+    slice: &Slice,
+    plot: &Plot,
+    placed: &mut Placed,
+) {
     let size = 0.72 * plot.em;
     for c in &slice.curves {
-        let said = format!("{} | {}", short(c.fixed), short(c.moving));
+        let said = format!(
+            "{} | {}",
+            short(space.fixed(), c.fixed),
+            short(space.moving(), c.moving)
+        );
         let at = place(plot, c.geometry.point(0.5));
         let n = c.geometry.free_normal(0.5);
         let wide = crate::font::width(&said, size);
@@ -373,15 +385,20 @@ fn name_curves(items: &mut Vec<Item>, slice: &Slice, plot: &Plot, placed: &mut P
     }
 }
 
-/// A feature in few letters: its kind, loop and index.
-pub(crate) fn short(name: cspace::FeatureName) -> String {
+/// A feature in few letters: its name, if the part gives it one, or its kind, loop and index.
+pub(crate) fn short(part: &Part, name: FeatureName) -> String {
     let kind = match name.kind {
-        cspace::FeatureKind::Line => "L",
-        cspace::FeatureKind::ConvexArc => "A",
-        cspace::FeatureKind::ConcaveArc => "a",
-        cspace::FeatureKind::Vertex => "V",
+        FeatureKind::Line => "L",
+        FeatureKind::ConvexArc => "A",
+        FeatureKind::ConcaveArc => "a",
+        FeatureKind::Vertex => "V",
     };
-    format!("{kind}{}.{}", name.loop_index, name.index)
+    let text = part.feature_text(name);
+    if text == name.to_string() {
+        format!("{kind}{}.{}", name.loop_index, name.index)
+    } else {
+        text
+    }
 }
 
 /// The position at which the parts beside are shown.

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::args::{ContactsArgs, Format};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, Subject, near};
+use crate::subject::{Chosen, Subject, near, texts};
 use crate::wording::length;
 
 /// What is within this share of the smaller part's size is told, if the user does not say.
@@ -75,7 +75,7 @@ fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, Que
         let touching = contact.touching(at)?;
         let (p, q, n) = (touching.on_fixed, touching.on_moving, touching.normal);
         contacts.push(Contact {
-            features: [pair.0.to_string(), pair.1.to_string()],
+            features: texts(space, pair),
             distance: contact.value(at)?,
             on_fixed: [p.x, p.y],
             on_moving: [q.x, q.y],

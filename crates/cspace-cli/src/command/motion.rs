@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::args::{Format, MoveArgs};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, FeaturePair, Subject, touching};
+use crate::subject::{Chosen, FeaturePair, Subject, texts, touching};
 
 /// What becomes of a motion.
 #[derive(Serialize)]
@@ -72,9 +72,7 @@ fn answer(space: &PairSpace, from: Coordinates, by: Coordinates) -> Result<Answe
         result,
         fraction,
         at: moved(from, by, fraction),
-        touching: (features.iter())
-            .map(|(fixed, moving)| [fixed.to_string(), moving.to_string()])
-            .collect(),
+        touching: features.iter().map(|&f| texts(space, f)).collect(),
         features,
     })
 }

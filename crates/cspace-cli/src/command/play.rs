@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::args::{Format, PlayArgs};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, FeaturePair, Subject, near, touching};
+use crate::subject::{Chosen, FeaturePair, Subject, near, texts, touching};
 use crate::wording::{degrees, length};
 
 use super::regions;
@@ -246,7 +246,7 @@ fn straight(
         }
     };
     Ok(Direction::new(
-        direction, distance, stopped_by, features, is_turn,
+        space, direction, distance, stopped_by, features, is_turn,
     ))
 }
 
@@ -304,6 +304,7 @@ fn about(
             }
         };
     Ok(Direction::new(
+        space,
         direction.to_owned(),
         distance,
         stopped_by,
@@ -314,6 +315,7 @@ fn about(
 
 impl Direction {
     fn new(
+        space: &PairSpace,
         direction: String,
         distance: Option<f64>,
         stopped_by: Stop,
@@ -324,9 +326,7 @@ impl Direction {
             direction,
             distance,
             stopped_by,
-            touching: (features.iter())
-                .map(|(fixed, moving)| [fixed.to_string(), moving.to_string()])
-                .collect(),
+            touching: features.iter().map(|&f| texts(space, f)).collect(),
             is_turn,
             features,
         }

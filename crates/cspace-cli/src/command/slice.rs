@@ -148,9 +148,9 @@ fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) 
         writeln!(
             text,
             "\ncurve {i}: {} of {} on {} of {}",
-            curve.moving,
+            pair.moving().feature_text(curve.moving),
             pair.moving().name(),
-            curve.fixed,
+            pair.fixed().feature_text(curve.fixed),
             pair.fixed().name()
         )?;
         let (from, to) = (curve.branches.start as usize, curve.branches.end as usize);
@@ -222,9 +222,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result 
             writeln!(
                 text,
                 ": {} of {} on {} of {}",
-                curve.moving,
+                pair.moving().feature_text(curve.moving),
                 pair.moving().name(),
-                curve.fixed,
+                pair.fixed().feature_text(curve.fixed),
                 pair.fixed().name()
             )?;
         }

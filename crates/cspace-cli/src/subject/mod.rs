@@ -15,8 +15,9 @@ use crate::failure::{Failure, note, warning};
 use crate::output::{self, STANDARD};
 use crate::progress::catch_interrupts;
 
+use crate::wording::count;
 use named::named_pair;
-pub(crate) use place::{FeaturePair, near, touching};
+pub(crate) use place::{FeaturePair, near, texts, touching};
 
 /// The file a command was given.
 pub(crate) enum Subject {
@@ -47,6 +48,21 @@ pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
         .map_err(|e| {
             Failure::work(format_args!("--threads {threads}: {e}")).help("give a smaller number")
         })
+}
+
+/// The model with arcs tangent to lines, and a note of what was moved.
+fn snapped(path: &Path, model: &Mechanism) -> Box<Mechanism> {
+    let (snapped, done) = cspace_io::model::snap(model);
+    for what in done {
+        note(format_args!(
+            "{}: part {}: {} made tangent, points moved by at most {:.1e}",
+            path.display(),
+            cspace_io::shown::quoted(&what.part),
+            count(what.joints, "joint", "joints"),
+            what.moved
+        ));
+    }
+    Box::new(snapped)
 }
 
 impl Subject {
@@ -81,7 +97,18 @@ impl Subject {
             cspace_io::read(&path)?
         };
         Ok(match document {
+            Document::Model(model) if common.snap => Self::Model {
+                model: snapped(&path, &model),
+                path,
+            },
             Document::Model(model) => Self::Model { path, model },
+            Document::Space(_) if common.snap => {
+                return Err(Failure::input(format_args!(
+                    "{}: --snap is about models, and the file is a saved contact space",
+                    path.display()
+                ))
+                .help("leave out --snap, or give the model file"));
+            }
             Document::Space(file) => Self::Saved(file),
         })
     }

@@ -89,10 +89,13 @@ impl Chosen<'_> {
 
     /// Two features that touch, in words.
     pub(crate) fn touch(&self, (fixed, moving): FeaturePair) -> String {
+        let (a, b) = (self.fixed(), self.moving());
         format!(
-            "{fixed} of {} touches {moving} of {}",
-            self.fixed().name(),
-            self.moving().name()
+            "{} of {} touches {} of {}",
+            a.feature_text(fixed),
+            a.name(),
+            b.feature_text(moving),
+            b.name()
         )
     }
 
@@ -115,6 +118,14 @@ impl Chosen<'_> {
 pub(crate) fn features(space: &PairSpace, patch: PatchId) -> Result<FeaturePair, QueryError> {
     let (fixed, moving) = space.patch(patch)?.features()?;
     Ok((fixed.name, moving.name))
+}
+
+/// What a pair of features is called.
+pub(crate) fn texts(space: &PairSpace, (fixed, moving): FeaturePair) -> [String; 2] {
+    [
+        space.fixed().feature_text(fixed),
+        space.moving().feature_text(moving),
+    ]
 }
 
 /// The pairs of features no farther than `within` from touching each other at a configuration, with a patch of each.

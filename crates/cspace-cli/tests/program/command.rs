@@ -979,3 +979,39 @@ fn messages_are_coloured_and_silenced_on_request() {
     let failed = output(&["-q", "info", "nothing.toml"]);
     assert!(failed.stderr.starts_with(b"error: ") && failed.status.code() == Some(2));
 }
+
+/// What all but is tangent is made so on request, and told.
+#[test]
+fn joints_are_snapped_on_request() {
+    let dir = tempfile::tempdir().unwrap();
+    let place = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let file = place("m.toml");
+    let text = "[[part]]\nname = \"slot\"\nloops = [[[0, 0], [10, 0, 0.9999], [10, 4], [0, 4, 1]]]\n\
+        [[part]]\nname = \"b\"\nloops = [[[5, 9], [6, 9], [6, 10]]]\n";
+    std::fs::write(&file, text).unwrap();
+    let output = |args: &[&str]| cspace(args).output().unwrap();
+    let as_drawn = output(&["info", &file]);
+    let said = String::from_utf8(as_drawn.stderr).unwrap();
+    assert!(
+        said.contains("miss tangency") && said.contains("--snap"),
+        "{said}"
+    );
+    let snapped = output(&["info", &file, "--snap"]);
+    let said = String::from_utf8(snapped.stderr).unwrap();
+    assert!(
+        said.starts_with("note: ") && said.contains("part \"slot\": 2 joints made tangent"),
+        "{said}"
+    );
+    assert_ne!(snapped.stdout, as_drawn.stdout);
+    let saved = place("s.json");
+    assert!(
+        output(&["export", &file, "--snap", "-q", "-o", &saved])
+            .stderr
+            .is_empty()
+    );
+    fails(
+        cspace(&["compute", &saved, "--snap"]),
+        2,
+        &["--snap is about models"],
+    );
+}

@@ -294,3 +294,50 @@ fn columns_are_checked() {
     joined.write_stdin("x,y,theta\n0,0,0\n");
     crate::helpers::fails(joined, 2, &["--columns", "joint"]);
 }
+
+/// A feature is called by its name wherever it is told of, also of a space that was saved.
+#[test]
+fn features_have_their_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let text = std::fs::read_to_string(ring().path()).unwrap();
+    let names =
+        "names = { \"line 1 of loop 1\" = \"right wall\", \"vertex 1 of loop 1\" = \"niche\" }\n";
+    let named = text.replacen("loops =", &format!("{names}loops ="), 1);
+    let (model, saved) = (place("m.toml"), place("s.json"));
+    std::fs::write(&model, &named).unwrap();
+    printed(&["export", &model, "-o", &saved]);
+    for file in [&model, &saved] {
+        let at = ["--at", "1,0,0"];
+        assert!(printed(&[&["contacts", file][..], &at].concat()).contains("right wall of ring"));
+        assert!(
+            printed(&[&["play", file][..], &at].concat()).contains("right wall of ring touches")
+        );
+        assert!(
+            printed(&[&["draw", file][..], &at].concat()).contains(">right wall of ring touches")
+        );
+        let moved = json(&["move", file, "--from", "0,0,0", "--by", "3,0,0"]);
+        assert_eq!(moved["touching"][0][0], "right wall");
+        assert!(printed(&["slice", file, "--theta", "0.1"]).contains("on right wall of ring"));
+        let found = columns(file, &["--columns", "touching"], "x,y,theta\n1,0.1,0\n");
+        assert!(found[1][3].starts_with("right wall|"), "{found:?}");
+    }
+    let wrong = [
+        ("\"line 9 of loop 1\" = \"x\"", "there is no"),
+        ("\"convex arc 1 of loop 1\" = \"x\"", "is a line"),
+        ("\"wall\" = \"x\"", "is no feature"),
+        (
+            "\"line 1 of loop 1\" = \"x\", \"line 2 of loop 1\" = \"x\"",
+            "given twice",
+        ),
+    ];
+    for (names, said) in wrong {
+        let file = place("w.toml");
+        std::fs::write(
+            &file,
+            text.replacen("loops =", &format!("names = {{ {names} }}\nloops ="), 1),
+        )
+        .unwrap();
+        crate::helpers::fails(cspace(&["info", &file]), 2, &[said, "part 0 \"ring\""]);
+    }
+}

@@ -21,7 +21,7 @@ impl Dice {
 }
 
 /// All options of the commands that take a model, with values that are right, wrong or strange.
-const OPTIONS: [(&str, &[&str]); 26] = [
+const OPTIONS: [(&str, &[&str]); 27] = [
     (
         "--pair",
         &["ratchet,pawl", "driver,link", "gear,pinion", "pawl", ""],
@@ -63,6 +63,7 @@ const OPTIONS: [(&str, &[&str]); 26] = [
     ),
     ("--touch", &["0.1", "-1"]),
     ("--verbose", &[]),
+    ("--snap", &[]),
     ("--quiet", &[]),
     ("--color", &["always", "never", "red"]),
     (
@@ -85,7 +86,7 @@ fn is_true(path: &Path) -> bool {
         Some("json") => serde_json::from_str::<serde_json::Value>(&text()).is_ok(),
         Some("ply") => bytes.starts_with(b"ply\n"),
         Some("obj") => text().lines().any(|l| l.starts_with("f ")),
-        Some("stl") => bytes.starts_with(b"solid") || (bytes.len() - 84) % 50 == 0,
+        Some("stl") => bytes.starts_with(b"solid") || (bytes.len() - 84).is_multiple_of(50),
         Some("glb") => bytes.starts_with(b"glTF"),
         // Answers as text or JSON.
         Some("txt" | "toml") => !text().is_empty(),
@@ -123,7 +124,7 @@ fn no_options_make_it_panic_or_lie() {
                     "--by=1,0,0",
                 ]),
                 "slice" => args.extend(["--theta", "0.2"]),
-                "export" => args.extend(["-o", dice.one(OPTIONS[25].1)]),
+                "export" => args.extend(["-o", dice.one(OPTIONS[26].1)]),
                 _ => {}
             }
         }

@@ -21,7 +21,7 @@ fn is_told(command: &str, answer: &Value) {
     assert!(errors.is_empty(), "{command}: {errors:?}");
     for change in [rename, leave_out] {
         let mut changed = answer.clone();
-        let object = changed.as_array_mut().map_or(None, |a| a.first_mut());
+        let object = changed.as_array_mut().and_then(|a| a.first_mut());
         let object = match object {
             Some(first) => first,
             None => &mut changed,
@@ -34,7 +34,7 @@ fn is_told(command: &str, answer: &Value) {
 fn rename(object: &mut serde_json::Map<String, Value>) {
     let (key, value) = object
         .iter()
-        .last()
+        .next_back()
         .map(|(k, v)| (k.clone(), v.clone()))
         .unwrap();
     object.remove(&key);

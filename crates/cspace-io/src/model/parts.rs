@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use cspace::{Axis, MechanismError, PartEntry, Point, Vector};
 
 use super::error::ModelError;
+use super::names::with_names;
 use super::node::Node;
 use super::outline::read_outline;
 use super::place::Place;
@@ -47,7 +48,9 @@ fn name_of(node: &Node) -> Option<&str> {
 }
 
 fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
-    const KEYS: [&str; 7] = ["name", "loops", "dxf", "svg", "layer", "motion", "symmetry"];
+    const KEYS: [&str; 8] = [
+        "name", "loops", "names", "dxf", "svg", "layer", "motion", "symmetry",
+    ];
     let help = format!("a part is a table with keys such as name = \"pawl\" and {LOOPS}");
     let table = Table::new(node, place.clone(), &KEYS, &help)?;
     let name = table
@@ -62,7 +65,10 @@ fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
     let nodes = table
         .list("loops", &help)?
         .ok_or_else(|| table.missing("loops", LOOPS))?;
-    let part = read_outline(name, &place.key("loops"), nodes)?;
+    let mut part = read_outline(name, &place.key("loops"), nodes)?;
+    if let Some(names) = table.get("names") {
+        part = with_names(part, &place.key("names"), names)?;
+    }
     let axis = match table.get("motion") {
         Some(m) => read_motion(place.key("motion").further("motion"), m)?,
         None => None,

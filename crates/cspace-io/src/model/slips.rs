@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Axis, AxisMotion, Edge, Mechanism, Part, PartEntry, Relation};
+use cspace::{Axis, AxisMotion, Edge, Mechanism, Part, PartEntry, Relation, Vector};
 
 use crate::shown;
 
@@ -95,6 +95,16 @@ fn range(axis: Option<Axis>, part: &str, found: &mut Vec<Slip>) {
     }
 }
 
+/// The angle between two directions, radians.
+fn turn(d: Vector, e: Vector) -> f64 {
+    d.cross(e).atan2(d.dot(e)).abs()
+}
+
+/// Whether two directions are most likely meant to be one, and are not.
+pub(super) fn is_nearly_tangent(d: Vector, e: Vector) -> bool {
+    (TANGENT..NEARLY_TANGENT).contains(&turn(d, e))
+}
+
 fn outline(part: &Part, name: &str, found: &mut Vec<Slip>) {
     for (l, outline) in part.loops().iter().enumerate() {
         for (v, vertex) in outline.vertices().iter().enumerate() {
@@ -114,9 +124,9 @@ fn outline(part: &Part, name: &str, found: &mut Vec<Slip>) {
         let next = edges.iter().cycle().skip(1);
         for (before, after) in edges.iter().zip(next) {
             let (d, e) = (before.end_direction(), after.start_direction());
-            let turn = d.cross(e).atan2(d.dot(e)).abs();
             let mixed = before.is_line() != after.is_line();
-            if mixed && turn > TANGENT && turn < NEARLY_TANGENT {
+            if mixed && is_nearly_tangent(d, e) {
+                let turn = turn(d, e);
                 // The vertex between the two is the one that, as given, the later of the two leaves.
                 let vertex = if outline.is_reversed() {
                     before.index
@@ -126,7 +136,7 @@ fn outline(part: &Part, name: &str, found: &mut Vec<Slip>) {
                 found.push(Slip {
                     place: format!("{name}, loop {l}, vertex {vertex}"),
                     message: format!("a line and an arc miss tangency by {turn:.1e} rad"),
-                    help: "give more digits, or draw the arc as { fillet = r }".into(),
+                    help: "give more digits, draw the arc as { fillet = r }, or let --snap make it tangent".into(),
                 });
             }
         }

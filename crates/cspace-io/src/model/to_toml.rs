@@ -66,6 +66,12 @@ impl Out {
             self.0.push_str("  ],\n");
         }
         self.0.push_str("]\n");
+        let names: Vec<String> = (entry.part.feature_names())
+            .map(|(feature, name)| format!("\"{feature}\" = {}", text(name)))
+            .collect();
+        if !names.is_empty() {
+            self.line("names", format!("{{ {} }}", names.join(", ")));
+        }
         if let Some(axis) = entry.axis {
             self.line("motion", motion(&axis));
         }

@@ -7,3 +7,4 @@ mod paper;
 mod round_trip;
 mod schema;
 mod slips;
+mod snap;

@@ -119,3 +119,19 @@ fn the_shipped_models() {
         }
     }
 }
+
+#[test]
+fn names_of_features_are_kept() {
+    let text = "[[part]]\nname = \"a\"\nloops = [[[0, 0], [4, 0, 0.5], [0, 4]]]\n\
+        names = { \"arc 1 of loop 0\" = \"flank \\\"b\\\"\", \"vertex 1 of loop 0\" = \"toe\" }\n";
+    let read = model::from_toml(text, "a.toml").unwrap();
+    let again = model::to_toml(&read);
+    assert_eq!(model::from_toml(&again, "b.toml").unwrap(), read);
+    let names: Vec<String> = (read.parts[0].part.feature_names())
+        .map(|(feature, name)| format!("{feature}: {name}"))
+        .collect();
+    assert_eq!(
+        names,
+        ["edge 1 of loop 0: flank \"b\"", "vertex 1 of loop 0: toe"]
+    );
+}

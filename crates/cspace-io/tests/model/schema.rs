@@ -58,7 +58,9 @@ fn whole() -> Value {
         "name": "all of it",
         "unit": "mm",
         "part": [
-            {"name": "plate", "motion": {"type": "fixed"}, "loops": [
+            {"name": "plate", "motion": {"type": "fixed"},
+             "names": {"line 0 of loop 0": "floor", "vertex 0 of loop 0": "corner", "convex arc 1 of loop 0": "edge"},
+             "loops": [
                 [[-20, -20], [20, -20], {"fillet": 2}, {"at": [20, 20], "fillet": 3}, [-20, 20]],
                 {"circle": 2.5, "at": [0, 0]},
             ]},
@@ -118,6 +120,10 @@ fn broken_models_are_not() {
             "/part/0/loops/1",
             json!({"circle": 1, "at": [0, 0], "radius": 2}),
         ),
+        ("/part/0/names", json!(["floor"])),
+        ("/part/0/names", json!({"floor": "line 0 of loop 0"})),
+        ("/part/0/names", json!({"line 0 of loop 0": 1})),
+        ("/part/0/names", json!({"line 0 of loop 0": " "})),
         ("/part/0/symmetry", json!(0)),
         ("/part/0/symmetry", json!("2")),
         ("/part/0/motion", json!({"type": "fixt"})),

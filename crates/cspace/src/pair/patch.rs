@@ -4,7 +4,7 @@ use crate::contact::{ContactValue, FeatureShape, Placement, Touching, contact_fu
 use crate::feature::{FeatureKind, FeatureName};
 use crate::fixed_axes::{Axis, AxisMotion};
 use crate::number::{Dual, Scalar, SecondOrder};
-use crate::part::Part;
+use crate::part::{Part, PartFeature};
 
 use super::answers::{Neighbours, QueryError};
 use super::ids::{FeatureId, PatchId, RegionId};
@@ -348,6 +348,19 @@ fn by_vertices(drawn: Drawn, slope: [f64; 5]) -> Vec<ByVertex> {
 }
 
 impl Part {
+    /// What text calls one of its features: the name that the part gives it, or its kind and place, such as `line 3 of loop 0`.
+    pub fn feature_text(&self, name: FeatureName) -> String {
+        let (loop_index, index) = (name.loop_index, name.index);
+        let feature = match name.kind {
+            FeatureKind::Vertex => PartFeature::Vertex { loop_index, index },
+            _ => PartFeature::Edge { loop_index, index },
+        };
+        match self.feature_name(feature) {
+            Some(given) => given.to_owned(),
+            None => name.to_string(),
+        }
+    }
+
     /// The outline of one of its features in its own frame, with material on the left; `None` if it has no such feature.
     pub fn feature_shape(&self, name: FeatureName) -> Option<FeatureShape<f64>> {
         let outline = self.loops().get(name.loop_index as usize)?;

@@ -3,6 +3,7 @@
 use crate::geometry::Point;
 
 use super::builder::OutlineError;
+use super::part_feature::PartFeature;
 use super::tolerance::{FULL_BULGE, MAX_COORDINATE, MAX_OFFSET, MAX_VERTICES, MIN_SIZE};
 
 /// Why loops do not make a part. Loops, vertices and edges are counted from 0, as given; an edge
@@ -185,6 +186,24 @@ pub enum PartError {
         value: f64,
         /// What it must be more than.
         least: f64,
+    },
+
+    /// A name is given to an edge or a vertex that is not there.
+    #[error("there is no {feature}: choose one of the part's loops and vertices, counted from 0")]
+    NoFeature {
+        /// What is not there.
+        feature: PartFeature,
+    },
+
+    /// The name of an edge or a vertex is empty, or another's.
+    #[error(
+        "the name {name:?} of {feature} is empty or given twice: give every one a name of its own"
+    )]
+    FeatureName {
+        /// What was to have it.
+        feature: PartFeature,
+        /// The name.
+        name: String,
     },
 
     /// An outline cannot be drawn.

@@ -5,7 +5,7 @@ use super::corner::check_corners;
 use super::nearness::check_vertices;
 use super::outline::Outline;
 use super::sweep::check_meetings;
-use super::{Bounds, Edge, PartError, Vertex};
+use super::{Bounds, Edge, PartError, PartFeature, Vertex};
 
 /// A closed loop of a part, as it was given.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Loop {
 pub struct Part {
     name: String,
     loops: Vec<Loop>,
+    /// Names of edges and vertices, in order.
+    pub(super) names: Vec<(PartFeature, String)>,
     /// The box of the loops' edges; kept because it is asked for with every point.
     pub(super) bounds: Bounds,
 }
@@ -105,6 +107,7 @@ impl Part {
         Ok(Self {
             name: name.into(),
             loops,
+            names: Vec::new(),
             bounds,
         })
     }

@@ -1,23 +1,10 @@
 //! The columns that are added to a row.
 
-use clap::ValueEnum;
 use cspace::{Classification, Coordinates, PairSpace, QueryError};
 use serde_json::{Value, json};
 
-use crate::subject::near;
-
-/// What is told of a configuration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Column {
-    /// free, blocked or contact
-    Class,
-    /// The number of the free region, as `compute` lists them
-    Region,
-    /// How far the moving part moves to the nearest contact
-    Distance,
-    /// The features that touch
-    Touching,
-}
+use crate::args::Column;
+use crate::subject::{near, texts};
 
 impl Column {
     /// As it is asked for, and as it heads its column.
@@ -55,7 +42,7 @@ impl Column {
             }),
             Self::Touching => Answer::Touching(
                 (near(space, at, touch)?.into_iter())
-                    .map(|((fixed, moving), _)| [fixed.to_string(), moving.to_string()])
+                    .map(|(pair, _)| texts(space, pair))
                     .collect(),
             ),
         })

@@ -1,6 +1,6 @@
 //! `cspace classify`.
 
-pub(crate) mod columns;
+mod columns;
 mod rows;
 
 use core::f64::consts::TAU;
@@ -11,12 +11,12 @@ use cspace::{Configuration, Coordinates, PairSpace, QueryError};
 use cspace_io::shown;
 use rayon::prelude::*;
 
-use crate::args::{ClassifyArgs, Format};
+use crate::args::{ClassifyArgs, Column, Format};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
-use columns::{Answer, Column};
+use columns::Answer;
 use rows::{Rows, read};
 
 /// From so many rows on it pays to prepare the space for them: that takes about as long as so many rows without.

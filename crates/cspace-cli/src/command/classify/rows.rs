@@ -7,11 +7,9 @@ use cspace::{Configuration, Coordinates, PairClass};
 use cspace_io::shown;
 
 use crate::angle;
-use crate::args::Format;
+use crate::args::{Column, Format};
 use crate::failure::Failure;
 use crate::subject::Chosen;
-
-use super::columns::Column;
 
 /// Where the coordinates of a row stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
