@@ -95,7 +95,7 @@ pub(crate) enum Format {
 }
 
 /// What all commands that take a file have.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct Common {
     /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`; - is standard input
     pub(crate) file: PathBuf,
@@ -123,7 +123,7 @@ pub(crate) struct Common {
 }
 
 /// Where the result goes, and how it is printed.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct ResultArgs {
     /// How to print the result [default: text; json if OUT ends in .json]
     #[arg(long, value_enum)]
@@ -194,6 +194,9 @@ pub(crate) struct WindowArg {
 pub(crate) struct InfoArgs {
     #[command(flatten)]
     pub(crate) common: Common,
+    /// More files, answered one after the other
+    #[arg(value_name = "FILE")]
+    pub(crate) more: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) window: WindowArg,
 }
@@ -202,6 +205,9 @@ pub(crate) struct InfoArgs {
 pub(crate) struct ComputeArgs {
     #[command(flatten)]
     pub(crate) common: Common,
+    /// More files, answered one after the other
+    #[arg(value_name = "FILE")]
+    pub(crate) more: Vec<PathBuf>,
     /// Say as well how certain the structure is
     #[arg(short, long)]
     pub(crate) verbose: bool,

@@ -53,13 +53,30 @@ impl Failure {
         .help("choose another place with -o; nothing was written")
     }
 
+    /// Whether it tells a user more than another: bad input comes before work that could not be done.
+    pub(crate) fn is_worse_than(&self, other: &Self) -> bool {
+        self.code > other.code
+    }
+
+    /// The same, once it has been printed.
+    pub(crate) fn said(self) -> Self {
+        Self {
+            message: String::new(),
+            help: None,
+            ..self
+        }
+    }
+
     pub(crate) fn exit_code(&self) -> ExitCode {
         ExitCode::from(self.code)
     }
 
     /// Prints to stderr, control characters escaped. Where nobody listens nothing can be done.
     pub(crate) fn print(&self) {
-        say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+        // An empty one has been said.
+        if !self.message.is_empty() {
+            say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+        }
     }
 }
 

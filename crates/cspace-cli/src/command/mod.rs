@@ -13,6 +13,7 @@ pub(crate) mod motion;
 pub(crate) mod new;
 pub(crate) mod play;
 mod regions;
+mod several;
 pub(crate) mod slice;
 
 use serde::Serialize;

@@ -6,6 +6,7 @@ mod place;
 mod space;
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::{Mechanism, PairClass, PairEntry};
 use cspace_io::{Document, SavedFile};
@@ -42,6 +43,11 @@ pub(crate) struct Chosen<'a> {
 
 /// Sets the number of threads of all computations; 0 for one per processor.
 pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
+    /// It is done once, however many files are read.
+    static DONE: AtomicBool = AtomicBool::new(false);
+    if DONE.swap(true, Ordering::Relaxed) {
+        return Ok(());
+    }
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(threads))
         .build_global()

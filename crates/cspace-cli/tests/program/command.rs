@@ -1015,3 +1015,32 @@ fn joints_are_snapped_on_request() {
         &["--snap is about models"],
     );
 }
+
+/// Several files are answered one after the other; one that is wrong does not keep the others back.
+#[test]
+fn several_files_are_answered() {
+    let (a, b) = (model("cam_tappet"), model("peg_hole"));
+    let text = printed(&["info", &a, &b]);
+    let heads: Vec<&str> = text.lines().filter(|l| l.starts_with("== ")).collect();
+    assert_eq!(heads, [format!("== {a}"), format!("== {b}")]);
+    assert!(text.contains(printed(&["info", &b]).trim()));
+    let all = json(&["compute", &a, &b, "--format", "json"]);
+    let files: Vec<&str> = (all.as_array().unwrap().iter())
+        .map(|o| o["file"].as_str().unwrap())
+        .collect();
+    assert_eq!(files, [&a, &b]);
+    let output = cspace(&["compute", &a, "nothing.toml", &b])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let (said, told) = (
+        String::from_utf8(output.stderr).unwrap(),
+        String::from_utf8(output.stdout).unwrap(),
+    );
+    assert_eq!(said.matches("error:").count(), 1, "{said}");
+    assert!(
+        said.contains("nothing.toml")
+            && told.contains(&format!("== {a}"))
+            && told.contains(&format!("== {b}"))
+    );
+}

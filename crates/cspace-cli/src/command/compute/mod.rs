@@ -10,9 +10,9 @@ use cspace::pair::{Joint, PermanentContact};
 use cspace::{Axis, Decisions, FreeRegion, PairSpace, StageSeconds, Statistics, Window};
 use serde::Serialize;
 
-use crate::args::{ComputeArgs, Format};
+use super::several::{self, Answer};
+use crate::args::{Common, ComputeArgs, Format};
 use crate::failure::Failure;
-use crate::output;
 use crate::subject::{Chosen, Subject};
 
 /// The summary of a configuration space.
@@ -148,9 +148,13 @@ impl From<&Statistics> for Counts {
 
 pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
     args.common.result.check_answer()?;
-    let subject = Subject::open(&args.common)?;
+    several::run(&args.common, &args.more, |common| answer(common, args))
+}
+
+fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
+    let subject = Subject::open(common)?;
     subject.warn();
-    let pairs = subject.pairs(&args.common, args.window.theta)?;
+    let pairs = subject.pairs(common, args.window.theta)?;
     let spaces = pairs
         .iter()
         .map(|pair| {
@@ -164,8 +168,8 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
         .zip(&spaces)
         .map(|(pair, (space, seconds))| summary(pair, space, *seconds))
         .collect();
-    let bytes = match args.common.result.format() {
-        Format::Json => super::json(&summaries)?,
+    Ok(match common.result.format() {
+        Format::Json => Answer::Json(super::json(&summaries)?),
         Format::Text => {
             let mut text = String::new();
             for (i, ((pair, (space, _)), summary)) in
@@ -177,10 +181,9 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
                 text::describe(&mut text, pair, space, summary, args.verbose)
                     .map_err(Failure::work)?;
             }
-            text.into_bytes()
+            Answer::Text(text)
         }
-    };
-    output::write(args.common.result.output.as_deref(), &bytes)
+    })
 }
 
 fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summary<'a> {

@@ -8,9 +8,9 @@ use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Edge, PairClass, PairSpace, Part};
 use serde::Serialize;
 
-use crate::args::{Format, InfoArgs};
+use super::several::{self, Answer};
+use crate::args::{Common, Format, InfoArgs};
 use crate::failure::Failure;
-use crate::output;
 use crate::subject::{Chosen, Subject};
 
 #[derive(Serialize)]
@@ -95,22 +95,25 @@ struct PairInfo {
 
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
     args.common.result.check_answer()?;
-    let subject = Subject::open(&args.common)?;
+    several::run(&args.common, &args.more, |common| answer(common, args))
+}
+
+fn answer(common: &Common, args: &InfoArgs) -> Result<Answer, Failure> {
+    let subject = Subject::open(common)?;
     subject.warn();
-    let pairs = subject.pairs_if_any(&args.common, args.window.theta)?;
+    let pairs = subject.pairs_if_any(common, args.window.theta)?;
     for pair in &pairs {
         pair.check_window()?;
     }
     let info = gather(&subject, &pairs);
-    let bytes = match args.common.result.format() {
-        Format::Json => super::json(&info)?,
+    Ok(match common.result.format() {
+        Format::Json => Answer::Json(super::json(&info)?),
         Format::Text => {
             let mut text = String::new();
             text::describe(&mut text, &info).map_err(Failure::work)?;
-            text.into_bytes()
+            Answer::Text(text)
         }
-    };
-    output::write(args.common.result.output.as_deref(), &bytes)
+    })
 }
 
 fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {

@@ -1,0 +1,72 @@
+//! One answer for each of several files.
+
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+
+use crate::args::{Common, Format};
+use crate::failure::Failure;
+use crate::output;
+
+/// What is answered of one file.
+pub(super) enum Answer {
+    Text(String),
+    Json(Vec<u8>),
+}
+
+/// Answers of the file of `common` and of more, one after the other. Of several, a text is headed by its file, and JSON is one
+/// list of objects that name theirs. A file that has no answer does not keep those of others back; the worst failure tells
+/// how it ends.
+pub(super) fn run(
+    common: &Common,
+    more: &[PathBuf],
+    answer: impl Fn(&Common) -> Result<Answer, Failure>,
+) -> Result<(), Failure> {
+    let output = common.result.output.as_deref();
+    if more.is_empty() {
+        let bytes = match answer(common)? {
+            Answer::Text(text) => text.into_bytes(),
+            Answer::Json(bytes) => bytes,
+        };
+        return output::write(output, &bytes);
+    }
+    let (mut text, mut list) = (String::new(), Vec::new());
+    let mut worst: Option<Failure> = None;
+    for file in [&common.file].into_iter().chain(more) {
+        let name = file.display().to_string();
+        let one = Common {
+            file: file.clone(),
+            ..common.clone()
+        };
+        match answer(&one) {
+            Ok(Answer::Text(of_file)) => {
+                let between = if text.is_empty() { "" } else { "\n" };
+                let name = cspace_io::shown::text(&name);
+                text += &format!("{between}== {name}\n{of_file}");
+            }
+            Ok(Answer::Json(bytes)) => {
+                let objects = match serde_json::from_slice(&bytes).map_err(Failure::work)? {
+                    Value::Array(objects) => objects,
+                    object => vec![object],
+                };
+                list.extend(objects.into_iter().map(|mut object| {
+                    object["file"] = json!(name);
+                    object
+                }));
+            }
+            Err(failure) => {
+                failure.print();
+                let is_worse = worst.as_ref().is_none_or(|w| failure.is_worse_than(w));
+                if is_worse {
+                    worst = Some(failure);
+                }
+            }
+        }
+    }
+    let bytes = match common.result.format() {
+        Format::Text => text.into_bytes(),
+        Format::Json => super::json(&list)?,
+    };
+    output::write(output, &bytes)?;
+    worst.map_or(Ok(()), |failure| Err(failure.said()))
+}
