@@ -48,11 +48,10 @@ fn name_of(node: &Node) -> Option<&str> {
 }
 
 fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
-    const KEYS: [&str; 8] = [
-        "name", "loops", "names", "dxf", "svg", "layer", "motion", "symmetry",
-    ];
+    const KEYS: [&str; 5] = ["name", "loops", "names", "motion", "symmetry"];
+    const DRAWINGS: [&str; 3] = ["dxf", "svg", "layer"];
     let help = format!("a part is a table with keys such as name = \"pawl\" and {LOOPS}");
-    let table = Table::new(node, place.clone(), &KEYS, &help)?;
+    let table = Table::with_others(node, place.clone(), &KEYS, &DRAWINGS, &help)?;
     let name = table
         .text("name")?
         .ok_or_else(|| table.missing("name", "name = \"pawl\""))?;
@@ -132,8 +131,14 @@ fn refuse_drawings(table: &Table<'_>) -> Result<()> {
 fn read_motion(place: Place, node: &Node) -> Result<Option<Axis>> {
     const KINDS: [&str; 4] = ["fixed", "revolute", "prismatic", "planar"];
     const HELP: &str = "give it as motion = { type = \"planar\" }";
-    let all = ["type", "center", "direction", "range"];
-    let table = Table::new(node, place.clone(), &all, HELP)?;
+    // Of each type's keys alone one is suggested; the others are refused by the type.
+    const OTHERS: [&str; 3] = ["center", "direction", "range"];
+    let keys: &[&str] = match kind_of(node) {
+        Some("revolute") => &["type", "center", "range"],
+        Some("prismatic") => &["type", "direction", "range"],
+        _ => &["type"],
+    };
+    let table = Table::with_others(node, place.clone(), keys, &OTHERS, HELP)?;
     let kind = table
         .text("type")?
         .ok_or_else(|| table.missing("type", "type = \"revolute\""))?;
@@ -165,6 +170,17 @@ fn read_motion(place: Place, node: &Node) -> Result<Option<Axis>> {
                 None => "the types are fixed, revolute, prismatic and planar".to_owned(),
             }))
         }
+    }
+}
+
+/// The type that a table names, before it is known to be one.
+pub(super) fn kind_of(node: &Node) -> Option<&str> {
+    match node {
+        Node::Table(entries) => match entries.get("type") {
+            Some(Node::Text(kind)) => Some(kind),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

@@ -7,7 +7,7 @@ use cspace::{JointEntry, MechanismError, PairEntry, PartEntry, Point};
 
 use super::error::ModelError;
 use super::node::Node;
-use super::parts::direction;
+use super::parts::{direction, kind_of};
 use super::place::Place;
 use super::suggest::nearest;
 use super::table::{Result, Table};
@@ -63,12 +63,18 @@ fn no_joint(place: &Place, error: &MechanismError, parts: &[PartEntry]) -> Model
 }
 
 fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<JointEntry> {
-    const KEYS: [&str; 4] = ["type", "parts", "at", "direction"];
+    const OTHERS: [&str; 2] = ["at", "direction"];
     const KINDS: [&str; 3] = ["revolute", "prismatic", "rigid"];
     const HELP: &str =
         "a joint is a table with type = \"revolute\", parts = [\"link\", \"pawl\"] and at = [x, y]";
     const PARTS: &str = "a joint connects two parts: parts = [\"link\", \"pawl\"]";
-    let table = Table::new(node, place.clone(), &KEYS, HELP)?;
+    // Of each type's keys alone one is suggested; the others are refused by the type.
+    let keys: &[&str] = match kind_of(node) {
+        Some("rigid") => &["type", "parts"],
+        Some("prismatic") => &["type", "parts", "at", "direction"],
+        _ => &["type", "parts", "at"],
+    };
+    let table = Table::with_others(node, place.clone(), keys, &OTHERS, HELP)?;
     let names = table
         .list("parts", PARTS)?
         .ok_or_else(|| table.missing("parts", "parts = [\"link\", \"pawl\"]"))?;

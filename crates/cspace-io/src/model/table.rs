@@ -20,12 +20,23 @@ pub(super) type Result<T> = core::result::Result<T, ModelError>;
 impl<'a> Table<'a> {
     /// The value as a table that has no keys but these; `help` is what to do where it is no table.
     pub(super) fn new(node: &'a Node, place: Place, keys: &[&str], help: &str) -> Result<Self> {
+        Self::with_others(node, place, keys, &[], help)
+    }
+
+    /// The same where other keys are refused later, with a reason: they are never what was meant.
+    pub(super) fn with_others(
+        node: &'a Node,
+        place: Place,
+        keys: &[&str],
+        others: &[&str],
+        help: &str,
+    ) -> Result<Self> {
         let Node::Table(entries) = node else {
             let message = format!("{} where a table is expected", node.describe());
             return Err(ModelError::new(&place, message).with_help(help));
         };
         for key in entries.keys() {
-            if !keys.contains(&key.as_str()) {
+            if !keys.contains(&key.as_str()) && !others.contains(&key.as_str()) {
                 let message = format!("unknown key {}", quoted(key));
                 let help = match nearest(key, keys.iter().copied()) {
                     Some(meant) => format!("did you mean `{meant}`?"),

@@ -507,3 +507,44 @@ fn damaged_models_are_refused_or_read() {
         }
     }
 }
+
+/// What is suggested is never refused in its place.
+#[test]
+fn suggestions_are_keys_that_are_taken() {
+    let part = |keys: &str| {
+        format!("[[part]]\nname = \"a\"\nloops = [[[0, 0], [1, 0], [0, 1]]]\n{keys}\n")
+    };
+    let two = format!("{}{}", part(""), part("").replace("\"a\"", "\"b\""));
+    for (text, suggests) in [
+        (part("dfx = \"a.dxf\""), None),
+        (part("laier = \"0\""), None),
+        (part("moton = { type = \"fixed\" }"), Some("motion")),
+        (part("motion = { type = \"fixed\", centre = [0, 0] }"), None),
+        (
+            part("motion = { type = \"revolute\", centre = [0, 0] }"),
+            Some("center"),
+        ),
+        (
+            part("motion = { type = \"prismatic\", centre = [0, 0] }"),
+            None,
+        ),
+        (
+            part("motion = { type = \"prismatic\", directoin = [1, 0] }"),
+            Some("direction"),
+        ),
+        (
+            format!(
+                "{two}[[joint]]\ntype = \"rigid\"\nparts = [\"a\", \"b\"]\ndirectoin = [1, 0]\n"
+            ),
+            None,
+        ),
+    ] {
+        let error = model::from_toml(&text, "m.toml").unwrap_err();
+        let meant = error.help().unwrap().strip_prefix("did you mean `");
+        assert_eq!(
+            meant.map(|m| m.trim_end_matches("`?")),
+            suggests,
+            "{text}: {error}"
+        );
+    }
+}
