@@ -4,10 +4,10 @@
 //! text becomes a tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism). `docs/model.md` in the project's
 //! repository tells how a model is written, `docs/model.schema.json` is its schema.
 
-mod drawn;
 mod entry;
 mod error;
 mod locate;
+mod loops;
 mod names;
 mod node;
 mod outline;

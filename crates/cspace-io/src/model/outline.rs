@@ -2,8 +2,8 @@
 
 use cspace::{Part, PartError};
 
-use super::drawn::{DrawnLoop, read_loop};
 use super::error::ModelError;
+use super::loops::{DrawnLoop, read_loop};
 use super::node::Node;
 use super::place::Place;
 use super::table::Result;

@@ -7,9 +7,9 @@ use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
 
 use super::end_names::EndNames;
-use super::period::{Period, Span};
 use super::sheet::{EndAngle, EndAt, Seam, Sheet, SheetKind};
 use super::spiral::{Spiral, Swing};
+use super::symmetry::{Period, Span};
 
 /// Every sheet of a pair in a window of orientations; if there are more than `most`, some of them, and no more is spent.
 pub(super) fn sheets(

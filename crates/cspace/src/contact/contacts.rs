@@ -5,8 +5,8 @@ use crate::feature::tolerance::NARROWEST_BAND;
 
 use super::build::sheets;
 use super::end_names::EndNames;
-use super::period::{Period, Span};
 use super::sheet::Sheet;
+use super::symmetry::{Period, Span};
 
 /// The sheets, and who shares their ends.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 
 use crate::feature::Outline;
 
-use super::period::Period;
+use super::symmetry::Period;
 
 /// The numbering of ends: by how many features and joints the parts have.
 #[derive(Debug, Clone, Copy)]

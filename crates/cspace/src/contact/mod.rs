@@ -30,7 +30,7 @@
 //!
 //! `build.rs` makes all sheets of a pair, `shared.rs` and `tangent.rs` tell what two of them have in common by their making.
 //! Other crossings of two curves come and go only at roots of α cos θ + β sin θ + γ (`condition.rs`). If parts are symmetric,
-//! only the sheets of one period are made (`period.rs`).
+//! only the sheets of one period are made (`symmetry.rs`).
 //!
 //! # Levels of precision
 //!
@@ -52,11 +52,11 @@ mod flat_arc;
 mod function;
 mod overlap;
 mod pair;
-mod period;
 mod placement;
 mod shared;
 mod sheet;
 mod spiral;
+mod symmetry;
 mod tangent;
 
 pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};
@@ -69,10 +69,10 @@ pub(crate) use flat_arc::FlatArc;
 pub use function::ContactFunction;
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Bodies, Geometry, Placed, growths};
-pub(crate) use period::{Permutation, SlabMotion, Steps};
 pub use placement::Placement;
 pub(crate) use shared::SharedEnds;
 #[cfg(feature = "fuzzing")]
 pub(crate) use sheet::{EndAngle, EndAt, SheetKind};
 pub(crate) use sheet::{Seam, Sheet};
 pub use spiral::{Spiral, Swing};
+pub(crate) use symmetry::{Permutation, SlabMotion, Steps};

@@ -7,7 +7,7 @@ use crate::part::{LoopImage, Part};
 
 use super::contacts::Contacts;
 use super::overlap::{Body, overlap};
-use super::period::{Period, Span, Steps};
+use super::symmetry::{Period, Span, Steps};
 
 /// A pair in its own frame: outlines, sheets of contact, and the bodies for tests of overlap.
 #[derive(Debug)]

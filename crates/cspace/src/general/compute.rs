@@ -26,7 +26,7 @@ use crate::general::limits::{
 };
 use crate::general::links::assemble::Assembler;
 use crate::general::links::chains::Linker;
-use crate::general::symmetry::{Method, Plan};
+use crate::general::plan::{Method, Plan};
 use crate::general::verdict::contract::contract;
 use crate::general::verdict::doubt::doubtful;
 use crate::general::verdict::shells::ShellFinder;

@@ -25,5 +25,5 @@ pub(crate) mod compute;
 pub(crate) mod events;
 pub(crate) mod limits;
 pub(crate) mod links;
-pub(crate) mod symmetry;
+pub(crate) mod plan;
 pub(crate) mod verdict;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::Permutation;
-use super::super::period::Steps;
+use super::super::symmetry::Steps;
 use super::*;
 
 const NAMES: EndNames = EndNames {

@@ -12,7 +12,7 @@ use crate::general::links::chains::{Chain, Chains, Linker};
 use crate::general::links::copies::Lifts;
 use crate::general::links::neighbours::Links;
 use crate::general::links::regions::{Copying, find_regions};
-use crate::general::symmetry::Names;
+use crate::general::plan::Names;
 use crate::general::verdict::doubt::doubts;
 use crate::general::verdict::shells::Shells;
 use crate::space::{
