@@ -54,18 +54,19 @@ impl FixedAxesSpace {
     ///
     /// ```
     /// use cspace::{Axis, FixedAxesSpace, Part, Vector};
-    /// let slide = Axis::prismatic(Vector::new(1.0, 0.0)).within(-10.0, 10.0);
+    /// let slide = |x, y| Axis::prismatic(Vector::new(x, y)).within(-10.0, 10.0);
     /// let wall = Part::rectangle("wall", (0.0, 0.0), 2.0, 2.0)?;
     /// let slider = Part::rectangle("slider", (5.0, 0.0), 2.0, 2.0)?;
-    /// let space = FixedAxesSpace::compute(&wall, Axis::FIXED, &slider, slide)?;
-    /// let mut gaps: Vec<(f64, f64)> = Vec::new();
-    /// for gap in space.free_gaps() {
-    ///     let [from, to] = gap.ends(0.5);
-    ///     gaps.push((from.1.min(to.1), from.1.max(to.1)));
-    /// }
-    /// gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
-    /// // It slides from the limit to the wall's far side, and from the near one to the other limit.
-    /// assert!((gaps[0].1 + 7.0).abs() < 1e-9 && (gaps[1].0 + 3.0).abs() < 1e-9);
+    /// let space = FixedAxesSpace::compute(&wall, slide(0.0, 1.0), &slider, slide(1.0, 0.0))?;
+    /// let area: f64 = (space.free_gaps())
+    ///     .map(|gap| {
+    ///         let [[a, b], [c, d]] = [gap.ends(0.0), gap.ends(1.0)];
+    ///         ((c.0 - a.0) * (d.1 - a.1) - (d.0 - a.0) * (c.1 - a.1)).abs()
+    ///             .max(((b.0 - a.0) * (d.1 - a.1) - (d.0 - a.0) * (b.1 - a.1)).abs())
+    ///     })
+    ///     .sum();
+    /// // All of the 20 by 20 but where they overlap, which is 4 by 4.
+    /// assert!((area - 384.0).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn free_gaps(&self) -> impl Iterator<Item = FreeGap<'_>> {

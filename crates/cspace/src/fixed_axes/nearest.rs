@@ -67,7 +67,7 @@ impl FixedAxesSpace {
         let extent = if along_y { &setting.y } else { &setting.x };
         let (unit_u, unit_v) = setting.map.units();
         let unit = if moves_v { unit_v } else { unit_u };
-        let slots = if along_y { &self.by_x } else { &self.by_y };
+        let slots = if along_y { &self.by_x } else { self.by_y() };
         let mut nearest: Option<NearestOnAxes> = None;
         for branch in near(slots, held) {
             let b = &self.data.branches[branch as usize];

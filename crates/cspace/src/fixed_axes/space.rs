@@ -1,5 +1,7 @@
 //! The configuration space of a pair with fixed axes: its data, and what follows from them.
 
+use std::sync::OnceLock;
+
 use crate::geometry::{Configuration, Rotation};
 use crate::part::Part;
 
@@ -24,8 +26,8 @@ pub struct FixedAxesSpace {
     pub(super) pairs: Vec<Pair>,
     /// Branches by the x of their cells.
     pub(super) by_x: Slots,
-    /// And by the y.
-    pub(super) by_y: Slots,
+    /// And by the y, once it is asked for.
+    by_y: OnceLock<Slots>,
 }
 
 impl FixedAxesSpace {
@@ -37,10 +39,10 @@ impl FixedAxesSpace {
             cells: &data.cells,
             y: setting.y,
         };
-        let boxes = || data.branches.iter().map(|b| graphs.cell_box(b.cell));
+        let boxes = data.branches.iter().map(|b| graphs.cell_box(b.cell).0);
         Self {
-            by_x: Slots::new(setting.x, SLOTS, boxes().map(|b| b.0)),
-            by_y: Slots::new(setting.y, SLOTS, boxes().map(|b| b.1)),
+            by_x: Slots::new(setting.x, SLOTS, boxes),
+            by_y: OnceLock::new(),
             data,
             setting,
             pairs,
@@ -79,6 +81,15 @@ impl FixedAxesSpace {
             cells: &self.data.cells,
             y: self.setting.y,
         }
+    }
+
+    /// Branches by the y of their cells.
+    pub(super) fn by_y(&self) -> &Slots {
+        self.by_y.get_or_init(|| {
+            let graphs = self.graphs();
+            let boxes = self.data.branches.iter().map(|b| graphs.cell_box(b.cell).1);
+            Slots::new(self.setting.y, SLOTS, boxes)
+        })
     }
 
     pub(super) fn gaps(&self) -> Gaps<'_> {
