@@ -15,7 +15,7 @@ use super::slots::Slots;
 use super::sweep::{Gaps, Graphs};
 
 /// So many slots of x, and of y, in which branches are looked up.
-const SLOTS: i64 = 1024;
+const SLOTS: i64 = 256;
 
 /// The configuration space of two parts on fixed axes.
 #[derive(Debug)]
