@@ -85,6 +85,9 @@ fn seen(axis: Axis, extent: (f64, f64)) -> (f64, f64) {
     if turns_for_ever(axis) {
         return (-PI, PI);
     }
+    if axis.motion == AxisMotion::Fixed {
+        return extent;
+    }
     let margin = 0.02 * (extent.1 - extent.0);
     (extent.0 - margin, extent.1 + margin)
 }

@@ -24,6 +24,7 @@ pub(crate) fn strips(space: &FixedAxesSpace, view: &View) -> Vec<Strip> {
     let mut open: Vec<Strip> = Vec::new();
     for gap in space.free_gaps() {
         let corners = [gap.ends(0.0), gap.ends(1.0)].concat();
+        let corners: Vec<(f64, f64)> = corners.into_iter().map(|c| view.opened(c)).collect();
         let range = |of: fn(&(f64, f64)) -> f64| {
             let values = corners.iter().map(of);
             let lo = values.clone().fold(f64::INFINITY, f64::min);
@@ -63,7 +64,12 @@ pub(crate) fn strips(space: &FixedAxesSpace, view: &View) -> Vec<Strip> {
 
 /// Both sides of a gap, followed together.
 fn sides(gap: &FreeGap<'_>, (du, dv): (f64, f64), view: &View) -> (Vec<Dot>, Vec<Dot>) {
-    let at = |share: f64| gap.ends(share).map(|(u, v)| view.place((u + du, v + dv)));
+    let at = |share: f64| {
+        gap.ends(share).map(|motions| {
+            let (u, v) = view.opened(motions);
+            view.place((u + du, v + dv))
+        })
+    };
     let (mut lower, mut upper) = (Vec::new(), Vec::new());
     let first = at(0.0);
     lower.push(first[0]);

@@ -12,6 +12,8 @@ pub(crate) struct View {
     pub(crate) plot: Plot,
     /// The periods of u and v, if they have any.
     periods: [Option<f64>; 2],
+    /// Least and greatest u and v of which something is known, where beyond it all is as at its end.
+    open: [Option<(f64, f64)>; 2],
 }
 
 impl View {
@@ -20,11 +22,25 @@ impl View {
         Self {
             plot,
             periods: [u, v].map(|a| turns_for_ever(a).then_some(TAU)),
+            open: [(u, 0), (v, 1)].map(|(a, k)| goes_on(a).then_some(space.extent()[k])),
         }
     }
 
     pub(crate) fn place(&self, (u, v): (f64, f64)) -> Dot {
         self.plot.place(u, v)
+    }
+
+    /// Motions with what is at an open end moved out of sight: it goes on like that.
+    pub(crate) fn opened(&self, (u, v): (f64, f64)) -> (f64, f64) {
+        let one = |t: f64, open: Option<(f64, f64)>, seen: (f64, f64)| match open {
+            Some((lo, _)) if t <= lo => t.min(seen.0),
+            Some((_, hi)) if t >= hi => t.max(seen.1),
+            _ => t,
+        };
+        (
+            one(u, self.open[0], self.plot.x),
+            one(v, self.open[1], self.plot.y),
+        )
     }
 
     /// The motions at a place.
@@ -67,4 +83,13 @@ impl View {
 /// Whether a part comes to where it was after a turn.
 pub(crate) fn turns_for_ever(axis: Axis) -> bool {
     matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
+}
+
+/// Whether a part slides without limits, or stands still, so that it is at an end of what is known of as beyond it.
+fn goes_on(axis: Axis) -> bool {
+    match axis.motion {
+        AxisMotion::Revolute { .. } => false,
+        AxisMotion::Prismatic { .. } => axis.range.is_none(),
+        AxisMotion::Fixed => true,
+    }
 }

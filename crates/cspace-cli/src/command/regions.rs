@@ -25,11 +25,12 @@ pub(super) fn on_axes(space: &FixedAxesSpace, r: &AxesRegion, unit: &str) -> Str
     if together(r) {
         return format!("{} and {} turn together for ever", u.name(), v.name());
     }
-    let [u, v] = [
-        u.range(r.u, r.open_u, r.around_u),
-        v.range(r.v, r.open_v, r.around_v),
+    // Of a part that does not move nothing is to be told.
+    let ranges = [
+        (!u.is_still()).then(|| u.range(r.u, r.open_u, r.around_u)),
+        (!v.is_still()).then(|| v.range(r.v, r.open_v, r.around_v)),
     ];
-    format!("{u}, {v}")
+    ranges.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// Both coordinates of a pair on fixed axes.
@@ -96,6 +97,10 @@ impl<'a> Coordinate<'a> {
         matches!(self.axis.motion, AxisMotion::Revolute { .. })
     }
 
+    fn is_still(&self) -> bool {
+        self.axis.motion == AxisMotion::Fixed
+    }
+
     pub(super) fn name(&self) -> String {
         format!("{} ({})", self.letter, self.part)
     }
@@ -125,9 +130,6 @@ impl<'a> Coordinate<'a> {
 
     /// From where to where the part can move.
     fn range(&self, (lo, hi): (f64, f64), open: (bool, bool), around: bool) -> String {
-        if self.axis.motion == AxisMotion::Fixed {
-            return format!("{} does not move", self.name());
-        }
         if around {
             return format!("{} turns for ever", self.name());
         }

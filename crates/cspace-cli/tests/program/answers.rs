@@ -84,7 +84,7 @@ fn limits_that_are_reached_are_named() {
     );
     for words in [
         "as drawn       free, in region 1, 3.000000 apart",
-        "u (wall) does not move, v (slider) from -3.000000 to 4.000000, its limit",
+        "v (slider) from -3.000000 to 4.000000, its limit",
         "v (slider) from -8.000000, its limit, to -7.000000",
     ] {
         assert!(text.contains(words), "{words}: {text}");

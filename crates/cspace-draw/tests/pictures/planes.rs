@@ -168,3 +168,35 @@ fn seen(space: &cspace::FixedAxesSpace) -> [(f64, f64); 2] {
     };
     [of(u, whole[0]), of(v, whole[1])]
 }
+
+/// A slide without limits goes on beyond what is known of: it is free there, however far one looks.
+#[test]
+fn slides_without_limits_go_on() {
+    let wall = cspace::Part::rectangle("wall", (0.0, 0.0), 2.0, 2.0).unwrap();
+    let slider = cspace::Part::rectangle("slider", (5.0, 0.0), 2.0, 2.0).unwrap();
+    let slide = cspace::Axis::prismatic(cspace::Vector::new(1.0, 0.0));
+    let space =
+        cspace::FixedAxesSpace::compute(&wall, cspace::Axis::FIXED, &slider, slide).unwrap();
+    for seen in [None, Some((-1e3, 2e3))] {
+        let shown = PictureOptions {
+            y: seen,
+            ..options("slide")
+        };
+        let scene = plane(&space, &shown);
+        let area = scene.items.iter().find_map(|i| match i {
+            Item::Clipped { area, .. } => Some(*area),
+            _ => None,
+        });
+        let area = area.unwrap();
+        let map = Pixmap::decode_png(&png(&scene).unwrap()).unwrap();
+        for (x, y) in [(0.01, 0.01), (0.99, 0.01), (0.01, 0.99), (0.99, 0.99)] {
+            let at = area.lo.moved(x * area.width(), y * area.height());
+            let p = map.pixel(at.x as u32, at.y as u32).unwrap();
+            assert_ne!(
+                (p.red(), p.green(), p.blue()),
+                (0xc9, 0xcc, 0xd1),
+                "{seen:?} {x} {y}"
+            );
+        }
+    }
+}
