@@ -55,6 +55,9 @@ pub(crate) enum Command {
     /// Measure the pairs of the paper's Figure 5 by the general algorithm and by this one
     #[command(after_long_help = EVALUATE)]
     Evaluate(EvaluateArgs),
+    /// Make a model of the outlines in drawings: DXF, SVG, or points in CSV
+    #[command(after_long_help = IMPORT)]
+    Import(ImportArgs),
     /// Write a model to begin with: latch, cam, gears, geneva, ratchet or peg
     #[command(after_long_help = NEW, subcommand_value_name = "MODEL", subcommand_help_heading = "Models", disable_help_subcommand = true)]
     New(NewArgs),
@@ -387,6 +390,69 @@ pub(crate) struct NewArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct ImportArgs {
+    /// Drawings: .dxf, .svg, or .csv with the columns x and y
+    #[arg(value_name = "DRAWING", required = true)]
+    pub(crate) drawings: Vec<PathBuf>,
+
+    /// Write the model to this file, .toml or .json; whole or not at all
+    #[arg(short, long, value_name = "MODEL")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// How to print what was done
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+
+    /// Read this layer alone; may be given several times (DXF)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) layer: Vec<String>,
+
+    /// Read the element of this id alone (SVG)
+    #[arg(long, value_name = "ID")]
+    pub(crate) id: Option<String>,
+
+    /// Multiply all lengths by this
+    #[arg(long, value_name = "F", default_value_t = 1.0, value_parser = scale, allow_negative_numbers = true)]
+    pub(crate) scale: f64,
+
+    /// The unit of length that the model names [default: that of the drawing]
+    #[arg(long, value_name = "LABEL")]
+    pub(crate) unit: Option<String>,
+
+    /// Ends nearer than this are one, after scaling [default: 1e-5 of the drawing's size]
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
+    pub(crate) join: Option<f64>,
+
+    /// How far lines and arcs may be from curves and points that they are fitted to, after scaling [default: 1e-4 of the
+    /// drawing's size]
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
+    pub(crate) fit: Option<f64>,
+
+    /// On which side of a curve they may be, seen from the material
+    #[arg(long, value_enum, default_value_t = Side::Both, value_name = "SIDE")]
+    pub(crate) fit_side: Side,
+
+    /// Make one part of this name of all loops
+    #[arg(long, value_name = "NAME")]
+    pub(crate) part: Option<String>,
+
+    /// Leave out what cannot be used, and list it
+    #[arg(long)]
+    pub(crate) partial: bool,
+}
+
+/// On which side of a curve lines and arcs may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Side {
+    /// On both
+    Both,
+    /// Outside: the part is never smaller than drawn
+    Outside,
+    /// Inside: the part is never larger than drawn
+    Inside,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct CompletionsArgs {
     /// The shell
     #[arg(value_enum)]
@@ -412,6 +478,13 @@ fn distance(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|t| t.is_finite() && *t >= 0.0)
         .ok_or_else(|| "give a length, 0 or more".to_owned())
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|t| t.is_finite() && *t > 0.0)
+        .ok_or_else(|| "give a positive length".to_owned())
 }
 
 fn scale(text: &str) -> Result<f64, String> {
@@ -644,6 +717,21 @@ The model is TOML with comments, drawn from the dimensions; `cspace new peg
 any other unit: change `unit` in the file. The comment at the top says what the
 parts do at which configuration, and has commands that ask. docs/model.md tells
 how a model is written.";
+
+const IMPORT: &str = "\
+Examples:
+  cspace import plate.dxf -o plate.toml
+  cspace import pawl.dxf wheel.svg --unit mm -o ratchet.toml
+  cspace import gear.dxf --layer OUTLINE --layer HOLES --part gear -o gear.toml
+  cspace import scan.csv --fit 0.02 -o profile.toml
+
+Every outermost loop with the holes in it is a part, called as its block, its
+layer or its file. Loose lines and arcs are joined where their ends meet, what
+is drawn twice is taken once, splines, ellipses and points become tangent lines
+and arcs. What was made, left out, joined and fitted is printed; what cannot be
+used is an error that names it, or with --partial is left out and listed.
+Without -o nothing is written. A model may name a drawing as well: dxf =
+\"plate.dxf\" in place of loops. docs/drawings.md tells more.";
 
 const COMPLETIONS: &str = "\
 Example:

@@ -68,6 +68,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Play(args) => command::play::run(&args),
         Command::Export(args) => command::export::run(&args),
         Command::Evaluate(args) => command::evaluate::run(&args),
+        Command::Import(args) => command::import::run(&args),
         Command::New(args) => command::new::run(&args),
         Command::Completions(args) => command::completions::run(&args),
         Command::Man(args) => command::man::run(&args),

@@ -7,6 +7,7 @@ pub(crate) mod contacts;
 pub(crate) mod draw;
 pub(crate) mod evaluate;
 pub(crate) mod export;
+pub(crate) mod import;
 pub(crate) mod info;
 pub(crate) mod man;
 pub(crate) mod motion;

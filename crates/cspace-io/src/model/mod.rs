@@ -4,6 +4,7 @@
 //! text becomes a tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism). `docs/model.md` in the project's
 //! repository tells how a model is written, `docs/model.schema.json` is its schema.
 
+mod drawings;
 mod entry;
 mod error;
 mod locate;
@@ -19,6 +20,7 @@ mod slips;
 mod snap;
 mod suggest;
 mod table;
+mod to_json;
 mod to_toml;
 
 pub(crate) use read::no_json;
@@ -28,4 +30,5 @@ pub(crate) use read::from_text;
 pub use read::{from_json, from_toml, read};
 pub use slips::{Slip, slips};
 pub use snap::{Snapped, snap};
+pub use to_json::to_json;
 pub use to_toml::to_toml;

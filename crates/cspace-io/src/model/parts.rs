@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use cspace::{Axis, MechanismError, PartEntry, Point, Vector};
 
+use super::drawings::{Setting, read_drawing, source};
 use super::error::ModelError;
 use super::names::with_names;
 use super::node::Node;
@@ -16,7 +17,11 @@ use crate::shown::quoted;
 /// How outlines are written.
 const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";
 
-pub(super) fn read_parts(place: &Place, nodes: &[Node]) -> Result<Vec<PartEntry>> {
+pub(super) fn read_parts(
+    place: &Place,
+    nodes: &[Node],
+    setting: &Setting<'_>,
+) -> Result<Vec<PartEntry>> {
     let mut parts: Vec<PartEntry> = Vec::new();
     let mut names: HashMap<String, usize> = HashMap::new();
     for (i, node) in nodes.iter().enumerate() {
@@ -25,7 +30,7 @@ pub(super) fn read_parts(place: &Place, nodes: &[Node]) -> Result<Vec<PartEntry>
             None => format!("part {i}"),
         };
         let place = place.item(i).called(words);
-        let entry = read_part(&place, node)?;
+        let entry = read_part(&place, node, setting)?;
         if let Some(first) = names.insert(entry.part.name().to_owned(), i) {
             let message = format!("the name is already that of part {first}");
             return Err(ModelError::new(&place.key("name"), message)
@@ -47,11 +52,15 @@ fn name_of(node: &Node) -> Option<&str> {
     }
 }
 
-fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
-    const KEYS: [&str; 5] = ["name", "loops", "names", "motion", "symmetry"];
-    const DRAWINGS: [&str; 3] = ["dxf", "svg", "layer"];
+fn read_part(place: &Place, node: &Node, setting: &Setting<'_>) -> Result<PartEntry> {
+    const KEYS: [&str; 12] = [
+        "name", "loops", "dxf", "svg", "points", "names", "motion", "symmetry", "layer", "id",
+        "scale", "join",
+    ];
+    // It is too like others to be suggested.
+    const OTHERS: [&str; 1] = ["fit"];
     let help = format!("a part is a table with keys such as name = \"pawl\" and {LOOPS}");
-    let table = Table::with_others(node, place.clone(), &KEYS, &DRAWINGS, &help)?;
+    let table = Table::with_others(node, place.clone(), &KEYS, &OTHERS, &help)?;
     let name = table
         .text("name")?
         .ok_or_else(|| table.missing("name", "name = \"pawl\""))?;
@@ -59,12 +68,16 @@ fn read_part(place: &Place, node: &Node) -> Result<PartEntry> {
         let error = table.error("name", "the name is empty");
         return Err(error.with_help("give every part a name, such as name = \"pawl\""));
     }
-    refuse_drawings(&table)?;
-    let help = format!("give it as {LOOPS}");
-    let nodes = table
-        .list("loops", &help)?
-        .ok_or_else(|| table.missing("loops", LOOPS))?;
-    let mut part = read_outline(name, &place.key("loops"), nodes)?;
+    let mut part = match source(&table)? {
+        Some(key) => read_drawing(&table, name, key, setting)?,
+        None => {
+            let help = format!("give it as {LOOPS}");
+            let nodes = table
+                .list("loops", &help)?
+                .ok_or_else(|| table.missing("loops", LOOPS))?;
+            read_outline(name, &place.key("loops"), nodes)?
+        }
+    };
     if let Some(names) = table.get("names") {
         part = with_names(part, &place.key("names"), names)?;
     }
@@ -100,31 +113,6 @@ fn check_symmetry(table: &Table<'_>, entry: &PartEntry) -> Result<()> {
             "the largest is {largest}-fold: give symmetry = {largest}, or remove it, for it is found anyway"
         ),
     }))
-}
-
-/// Outlines come from one source, and not from drawings yet.
-fn refuse_drawings(table: &Table<'_>) -> Result<()> {
-    let sources: Vec<&str> = (["loops", "dxf", "svg"].into_iter())
-        .filter(|key| table.get(key).is_some())
-        .collect();
-    if let [first, second, ..] = sources[..] {
-        let message = format!("both `{first}` and `{second}` are given");
-        let error = ModelError::new(&table.place.key(second).itself(), message);
-        return Err(error.with_help(format!(
-            "a part has one outline: keep `{first}` or `{second}`, and remove the other"
-        )));
-    }
-    if let [drawing @ ("dxf" | "svg")] = sources[..] {
-        let message = format!("`{drawing}` is given, but drawings in DXF and SVG are not read yet");
-        let error = ModelError::new(&table.place.key(drawing).itself(), message);
-        return Err(error.with_help(format!("give the outline as `{LOOPS}`")));
-    }
-    if table.get("layer").is_some() {
-        let message = "`layer` is given without a drawing that has layers";
-        return Err(ModelError::new(&table.place.key("layer").itself(), message)
-            .with_help("remove `layer`"));
-    }
-    Ok(())
 }
 
 /// The axis of a motion; none of a part that moves freely.

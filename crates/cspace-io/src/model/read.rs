@@ -5,6 +5,7 @@ use std::path::Path;
 use cspace::Mechanism;
 
 use super::error::ModelError;
+use super::drawings::Setting;
 use super::locate::{in_json, in_toml, line_and_column};
 use super::node::Node;
 use super::parts::read_parts;
@@ -71,10 +72,11 @@ pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechani
     if text.len() as u64 > limit {
         return Err(too_large(path, limit));
     }
+    let folder = path.parent().unwrap_or(Path::new(""));
     let mut model = if extension(path) == "json" {
-        from_json(text, &file)
+        json_in(text, &file, folder)
     } else {
-        from_toml(text, &file)
+        toml_in(text, &file, folder)
     }?;
     if model.name.is_empty() {
         model.name = path
@@ -100,6 +102,14 @@ pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechani
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
+    toml_in(text, file, folder_of(file))
+}
+
+fn toml_in(
+    text: &str,
+    file: &str,
+    folder: &Path,
+) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = toml::from_str(text).map_err(|e| {
@@ -108,7 +118,7 @@ pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, Mode
             .at(e.span().map(|span| line_and_column(text, span.start)))
             .in_file(file)
     })?;
-    from_tree(&tree).map_err(|e| {
+    from_tree(&tree, folder).map_err(|e| {
         let position = in_toml(text, e.tree_place());
         e.at(position).in_file(file)
     })
@@ -126,10 +136,23 @@ pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, Mode
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
+    json_in(text, file, folder_of(file))
+}
+
+/// Where drawings are that a model names.
+fn folder_of(file: &str) -> &Path {
+    Path::new(file).parent().unwrap_or(Path::new(""))
+}
+
+fn json_in(
+    text: &str,
+    file: &str,
+    folder: &Path,
+) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    from_tree(&tree).map_err(|e| {
+    from_tree(&tree, folder).map_err(|e| {
         let position = in_json(text, e.tree_place());
         e.at(position).in_file(file)
     })
@@ -167,7 +190,7 @@ fn not_empty(text: &str) -> Result<()> {
     Ok(())
 }
 
-fn from_tree(tree: &Node) -> Result<Mechanism> {
+fn from_tree(tree: &Node, folder: &Path) -> Result<Mechanism> {
     let root = Place::default();
     let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
     let parts = table
@@ -183,7 +206,11 @@ fn from_tree(tree: &Node) -> Result<Mechanism> {
             .with_help("split the model into several files"));
     }
     table.text("$schema")?;
-    let parts = read_parts(&table.place.key("part"), parts)?;
+    let setting = Setting {
+        folder,
+        unit: table.text("unit")?,
+    };
+    let parts = read_parts(&table.place.key("part"), parts, &setting)?;
     let joints = table
         .list("joint", "write each joint as [[joint]], in two brackets")?
         .unwrap_or_default();
@@ -194,7 +221,7 @@ fn from_tree(tree: &Node) -> Result<Mechanism> {
     };
     let mut mechanism = Mechanism {
         name: table.text("name")?.unwrap_or_default().to_owned(),
-        unit: table.text("unit")?.map(str::to_owned),
+        unit: setting.unit.map(str::to_owned),
         parts,
         joints,
         pairs: Vec::new(),

@@ -1,0 +1,209 @@
+//! What was made of drawings.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use cspace::{Mechanism, Part};
+use cspace_drawing::Outlines;
+use serde::Serialize;
+
+use crate::wording::{count, length};
+
+#[derive(Serialize)]
+pub(super) struct Report {
+    parts: Vec<PartReport>,
+    used: BTreeMap<String, usize>,
+    ignored: Vec<IgnoredReport>,
+    joined: Vec<Gap>,
+    fitted: Fitted,
+    removed: Removed,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<String>,
+}
+
+#[derive(Serialize)]
+struct PartReport {
+    name: String,
+    loops: usize,
+    lines: usize,
+    arcs: usize,
+    area: f64,
+    perimeter: f64,
+    bounds: [f64; 4],
+}
+
+#[derive(Serialize)]
+struct IgnoredReport {
+    r#type: String,
+    layer: String,
+    handle: String,
+    reason: String,
+}
+
+#[derive(Serialize)]
+struct Gap {
+    gap: f64,
+    at: [f64; 2],
+}
+
+#[derive(Serialize)]
+struct Fitted {
+    curves: usize,
+    pieces: usize,
+    deviation: f64,
+    kink: f64,
+}
+
+#[derive(Serialize)]
+struct Removed {
+    duplicates: usize,
+    overlaps: usize,
+    tiny: usize,
+}
+
+impl Report {
+    pub(super) fn new(mechanism: &Mechanism, imported: &[Outlines]) -> Self {
+        let sum = |of: fn(&Outlines) -> usize| imported.iter().map(of).sum();
+        let most = |of: fn(&Outlines) -> f64| imported.iter().map(of).fold(0.0, f64::max);
+        let mut used = BTreeMap::new();
+        for (kind, n) in imported.iter().flat_map(|o| &o.used) {
+            *used.entry(kind.clone()).or_default() += n;
+        }
+        Self {
+            parts: mechanism.parts.iter().map(|p| of_part(&p.part)).collect(),
+            used,
+            ignored: (imported.iter().flat_map(|o| &o.ignored))
+                .map(|i| IgnoredReport {
+                    r#type: i.origin.kind.to_string(),
+                    layer: i.origin.layer.to_string(),
+                    handle: i.origin.handle.to_string(),
+                    reason: i.reason.to_string(),
+                })
+                .collect(),
+            joined: (imported.iter().flat_map(|o| &o.joined))
+                .map(|&(gap, at)| Gap {
+                    gap,
+                    at: [at.x, at.y],
+                })
+                .collect(),
+            fitted: Fitted {
+                curves: sum(|o| o.fitted.curves),
+                pieces: sum(|o| o.fitted.pieces),
+                deviation: most(|o| o.fitted.deviation),
+                kink: most(|o| o.fitted.kink),
+            },
+            removed: Removed {
+                duplicates: sum(|o| o.duplicates),
+                overlaps: sum(|o| o.merged),
+                tiny: sum(|o| o.tiny),
+            },
+            unit: mechanism.unit.clone(),
+        }
+    }
+
+    /// The same for people.
+    pub(super) fn text(&self, drawings: &[PathBuf], imported: &[Outlines]) -> String {
+        let mut text = String::new();
+        // A String takes everything.
+        let _ = self.write(&mut text, drawings, imported);
+        text
+    }
+
+    fn write(
+        &self,
+        text: &mut String,
+        drawings: &[PathBuf],
+        imported: &[Outlines],
+    ) -> std::fmt::Result {
+        let files: Vec<String> = drawings.iter().map(|d| d.display().to_string()).collect();
+        writeln!(text, "{}", cspace_io::shown::text(&files.join(", ")))?;
+        let unit = self.unit.as_ref().map_or(String::new(), |u| format!(" {u}"));
+        writeln!(text, "\nparts")?;
+        for p in &self.parts {
+            let [x0, y0, x1, y1] = p.bounds.map(length);
+            writeln!(text, "  {}", p.name)?;
+            writeln!(
+                text,
+                "    outline    {}: {}, {}",
+                count(p.loops, "loop", "loops"),
+                count(p.lines, "line", "lines"),
+                count(p.arcs, "arc", "arcs")
+            )?;
+            let squared = if unit.is_empty() { String::new() } else { format!("{unit}²") };
+            writeln!(text, "    area       {}{squared}", length(p.area))?;
+            writeln!(text, "    box        x {x0} to {x1}, y {y0} to {y1}{unit}")?;
+        }
+        let used: Vec<String> = self.used.iter().map(|(k, n)| format!("{n} {k}")).collect();
+        writeln!(text, "\nused         {}", used.join(", "))?;
+        let mut ignored: BTreeMap<(&str, &str, &str), usize> = BTreeMap::new();
+        for i in &self.ignored {
+            *ignored.entry((&i.r#type, &i.layer, &i.reason)).or_default() += 1;
+        }
+        for (at, ((kind, layer, reason), n)) in ignored.into_iter().enumerate() {
+            let head = if at == 0 { "left out" } else { "" };
+            let layer = match layer {
+                "" => String::new(),
+                layer => format!(" on layer {layer:?}"),
+            };
+            writeln!(text, "{head:<13}{n} {kind}{layer}: {reason}")?;
+        }
+        if let Some(widest) = self.joined.iter().max_by(|a, b| a.gap.total_cmp(&b.gap)) {
+            writeln!(
+                text,
+                "joined       {}, the widest {:.3e}{unit} at ({}, {})",
+                count(self.joined.len(), "gap", "gaps"),
+                widest.gap,
+                length(widest.at[0]),
+                length(widest.at[1])
+            )?;
+        }
+        let removed = [
+            (self.removed.duplicates, "drawn twice"),
+            (self.removed.overlaps, "merged with what they overlapped"),
+            (self.removed.tiny, "without length"),
+        ];
+        let removed: Vec<String> = (removed.iter().filter(|(n, _)| *n > 0))
+            .map(|(n, what)| format!("{n} {what}"))
+            .collect();
+        if !removed.is_empty() {
+            writeln!(text, "removed      {}", removed.join(", "))?;
+        }
+        if imported.iter().any(|o| o.fitted.curves > 0) {
+            writeln!(
+                text,
+                "fitted       {} by {}, within {:.3e}{unit}, the largest kink {:.1e} rad",
+                count(self.fitted.curves, "curve", "curves"),
+                count(self.fitted.pieces, "line or arc", "lines and arcs"),
+                self.fitted.deviation,
+                self.fitted.kink
+            )?;
+        }
+        Ok(())
+    }
+}
+
+fn of_part(part: &Part) -> PartReport {
+    let bounds = part.bounds();
+    let lines = part.edges().filter(|e| e.is_line()).count();
+    let edges = part.edges().count();
+    let perimeter = part
+        .edges()
+        .map(|e| {
+            let chord = e.start.distance(e.end);
+            match e.is_line() {
+                true => chord,
+                false => (e.radius() * e.sweep()).abs(),
+            }
+        })
+        .sum();
+    PartReport {
+        name: part.name().to_owned(),
+        loops: part.loops().len(),
+        lines,
+        arcs: edges - lines,
+        area: part.area(),
+        perimeter,
+        bounds: [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y],
+    }
+}

@@ -1,0 +1,69 @@
+//! Smooth curves of drawings: arcs of ellipses and splines, which lines and arcs are fitted to.
+
+mod ellipse;
+mod interpolate;
+mod spline;
+
+use cspace::{Point, Vector};
+
+pub use ellipse::EllipseArc;
+pub use interpolate::interpolate;
+pub use spline::{Spline, SplineError};
+
+use crate::affine::Affine;
+
+/// A curve that is no line and no arc.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Curve {
+    /// An arc of an ellipse.
+    Ellipse(EllipseArc),
+    /// A spline, rational or not; Béziers are splines of one span.
+    Spline(Spline),
+}
+
+impl Curve {
+    /// Where it starts.
+    pub fn start(&self) -> Point {
+        self.at(0, 0.0).0
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> Point {
+        let last = self.spans().saturating_sub(1);
+        self.at(last, 1.0).0
+    }
+
+    /// How many spans it has. Within a span it is smooth; where two meet it may have a corner.
+    pub fn spans(&self) -> usize {
+        match self {
+            Self::Ellipse(ellipse) => ellipse.spans(),
+            Self::Spline(spline) => spline.spans(),
+        }
+    }
+
+    /// The point at a fraction s of a span, and the derivative by s.
+    pub fn at(&self, span: usize, s: f64) -> (Point, Vector) {
+        match self {
+            Self::Ellipse(ellipse) => ellipse.at(span, s),
+            Self::Spline(spline) => spline.at(span, s),
+        }
+    }
+
+    /// The image under an affine map.
+    #[must_use]
+    pub fn mapped(&self, map: &Affine) -> Self {
+        match self {
+            Self::Ellipse(ellipse) => Self::Ellipse(ellipse.mapped(map)),
+            Self::Spline(spline) => Self::Spline(spline.mapped(map)),
+        }
+    }
+
+    /// The same curve from its end to its start.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        match self {
+            Self::Ellipse(ellipse) => Self::Ellipse(ellipse.reversed()),
+            Self::Spline(spline) => Self::Spline(spline.reversed()),
+        }
+    }
+}

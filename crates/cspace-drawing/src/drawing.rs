@@ -1,0 +1,210 @@
+//! What a file draws, before it is known what encloses what.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use cspace::Point;
+
+use crate::curve::Curve;
+
+/// The entities of a drawing, flat: blocks are inserted, transforms done, lengths in the file's unit.
+#[derive(Debug, Clone, Default)]
+pub struct Drawing {
+    /// What the drawing is called: its file's name without folder and extension.
+    pub name: String,
+    /// The unit of length that the file names.
+    pub unit: Option<Unit>,
+    /// What may be an outline, or a part of one.
+    pub entities: Vec<Entity>,
+    /// What is no outline, and is left out.
+    pub ignored: Vec<Ignored>,
+    /// What would be an outline but cannot be used.
+    pub problems: Vec<Problem>,
+}
+
+/// A path, and where in the file it is.
+#[derive(Debug, Clone)]
+pub struct Entity {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// What it draws.
+    pub path: Path,
+}
+
+/// Pieces end to end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    /// Where the first piece starts.
+    pub start: Point,
+    /// The pieces; each starts where the one before ends.
+    pub pieces: Vec<Piece>,
+    /// Whether the last piece ends where the first starts, by the word of the file.
+    pub closed: bool,
+}
+
+/// A piece of a path.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Piece {
+    /// A line or an arc.
+    Edge {
+        /// Where it ends.
+        to: Point,
+        /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
+        bulge: f64,
+    },
+    /// What lines and arcs are fitted to.
+    Curve(Box<Curve>),
+}
+
+impl Piece {
+    /// Where the piece ends.
+    pub fn end(&self) -> Point {
+        match self {
+            Self::Edge { to, .. } => *to,
+            Self::Curve(curve) => curve.end(),
+        }
+    }
+}
+
+impl Path {
+    /// A path of no pieces yet.
+    pub fn from(start: Point) -> Self {
+        Self {
+            start,
+            pieces: Vec::new(),
+            closed: false,
+        }
+    }
+
+    /// Where the last piece ends.
+    pub fn end(&self) -> Point {
+        self.pieces.last().map_or(self.start, Piece::end)
+    }
+
+    /// Adds a line, or an arc of a bulge.
+    pub fn edge_to(&mut self, to: Point, bulge: f64) {
+        self.pieces.push(Piece::Edge { to, bulge });
+    }
+
+    /// Two half circles.
+    pub fn circle(center: Point, radius: f64) -> Self {
+        let [left, right] = [-radius, radius].map(|r| Point::new(center.x + r, center.y));
+        let mut path = Self::from(left);
+        path.edge_to(right, 1.0);
+        path.edge_to(left, 1.0);
+        path.closed = true;
+        path
+    }
+}
+
+/// Where an entity comes from.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Origin {
+    /// Its type, as the file calls it: `LINE`, `path`.
+    pub kind: Arc<str>,
+    /// The layer of a DXF file; empty elsewhere.
+    pub layer: Arc<str>,
+    /// The handle of a DXF entity or the id of an SVG element; empty where it has none.
+    pub handle: Arc<str>,
+    /// The blocks it is inserted with, the outermost first.
+    pub blocks: Arc<[Arc<str>]>,
+    /// The line of the file, counted from 1; 0 where a file has none.
+    pub line: usize,
+}
+
+/// Something left out because it is no outline.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ignored {
+    /// What it is.
+    pub origin: Origin,
+    /// Why it is left out.
+    pub reason: Cow<'static, str>,
+}
+
+/// Something that cannot be used.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// What it is.
+    pub origin: Origin,
+    /// The other entities that it concerns.
+    pub with: Vec<Origin>,
+    /// Where, in the drawing's coordinates.
+    pub at: Option<Point>,
+    /// What is wrong.
+    pub reason: String,
+    /// What to do.
+    pub help: String,
+}
+
+/// Units of length that files name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// 25.4 mm.
+    Inch,
+    /// 304.8 mm.
+    Foot,
+    /// A thousandth of a metre.
+    Millimetre,
+    /// A hundredth of a metre.
+    Centimetre,
+    /// A metre.
+    Metre,
+    /// A millionth of a metre.
+    Micrometre,
+    /// 1/96 inch.
+    Pixel,
+}
+
+impl Unit {
+    /// As a model's `unit` has it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Inch => "in",
+            Self::Foot => "ft",
+            Self::Millimetre => "mm",
+            Self::Centimetre => "cm",
+            Self::Metre => "m",
+            Self::Micrometre => "um",
+            Self::Pixel => "px",
+        }
+    }
+
+    /// How many millimetres it is.
+    pub fn millimetres(self) -> f64 {
+        match self {
+            Self::Inch => 25.4,
+            Self::Foot => 304.8,
+            Self::Millimetre => 1.0,
+            Self::Centimetre => 10.0,
+            Self::Metre => 1000.0,
+            Self::Micrometre => 1e-3,
+            Self::Pixel => 25.4 / 96.0,
+        }
+    }
+
+    /// The unit of a label.
+    pub fn of_label(label: &str) -> Option<Self> {
+        Some(match label.trim() {
+            "in" | "inch" | "inches" | "\"" => Self::Inch,
+            "ft" | "foot" | "feet" => Self::Foot,
+            "mm" | "millimetre" | "millimeter" | "millimetres" | "millimeters" => Self::Millimetre,
+            "cm" | "centimetre" | "centimeter" | "centimetres" | "centimeters" => Self::Centimetre,
+            "m" | "metre" | "meter" | "metres" | "meters" => Self::Metre,
+            "um" | "µm" | "μm" | "micron" | "microns" => Self::Micrometre,
+            "px" => Self::Pixel,
+            _ => return None,
+        })
+    }
+}
+
+impl Drawing {
+    /// How many entities of each type there are.
+    pub fn counts(&self) -> BTreeMap<String, usize> {
+        let mut counts = BTreeMap::new();
+        for entity in &self.entities {
+            *counts.entry(entity.origin.kind.to_string()).or_default() += 1;
+        }
+        counts
+    }
+}

@@ -1,0 +1,227 @@
+//! The flat drawing of a DXF file: its blocks inserted, its hidden layers left out.
+
+use std::sync::Arc;
+
+use super::entity::{Insert, Item, What};
+use super::error::{DxfError, Result};
+use super::file::{Block, File};
+use super::names::folded;
+use super::tables::Hidden;
+use crate::affine::Affine;
+use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
+
+/// The most entities that inserting blocks may make, those left out included: ten times what a large drawing has.
+const MOST_ENTITIES: usize = 2_000_000;
+
+/// The deepest that blocks may be inserted in one another.
+const DEEPEST: usize = 64;
+
+pub(super) fn flatten(file: &File, layers: &[String]) -> Result<Drawing> {
+    let mut flat = Flat {
+        file,
+        layers: layers.iter().map(|l| folded(l)).collect(),
+        drawing: Drawing {
+            unit: file.unit,
+            ..Drawing::default()
+        },
+        open: Vec::new(),
+        count: 0,
+    };
+    let ground = Ground {
+        map: Affine::IDENTITY,
+        layer: None,
+        blocks: Arc::from([]),
+        hidden: None,
+    };
+    flat.add_all(&file.items, &ground)?;
+    Ok(flat.drawing)
+}
+
+/// What a block's entities are drawn on.
+struct Ground {
+    map: Affine,
+    /// The layer of what is on layer 0 in the block.
+    layer: Option<Arc<str>>,
+    blocks: Arc<[Arc<str>]>,
+    /// Why what is on layer 0 in the block is not drawn; or nothing of it, if frozen.
+    hidden: Option<Hidden>,
+}
+
+struct Flat<'f> {
+    file: &'f File,
+    /// Folded names of the layers asked for; all where there are none.
+    layers: Vec<String>,
+    drawing: Drawing,
+    /// The blocks that are being inserted.
+    open: Vec<*const Block>,
+    count: usize,
+}
+
+impl Flat<'_> {
+    fn add_all(&mut self, items: &[Item], ground: &Ground) -> Result<()> {
+        for item in items {
+            self.add(item, ground)?;
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, item: &Item, ground: &Ground) -> Result<()> {
+        self.count(item.line)?;
+        let layer = match &ground.layer {
+            Some(layer) if &*item.layer == "0" => layer,
+            _ => &item.layer,
+        };
+        let origin = Origin {
+            kind: Arc::clone(&item.kind),
+            layer: Arc::clone(layer),
+            handle: Arc::clone(&item.handle),
+            blocks: Arc::clone(&ground.blocks),
+            line: item.line,
+        };
+        let is_insert = matches!(item.what, What::Insert(_));
+        let inherits = ground.hidden == Some(Hidden::Frozen) || &*item.layer == "0";
+        let hidden = (self.file.layers.hidden(layer)).or(ground.hidden.filter(|_| inherits));
+        let left_out = if item.on_paper {
+            Some("it is on a sheet of paper, not in the drawing itself")
+        } else if item.is_invisible {
+            Some("it is invisible")
+        } else if is_insert {
+            // What a block has on other layers may be drawn.
+            None
+        } else {
+            match hidden {
+                Some(Hidden::Frozen) => Some("its layer is frozen"),
+                Some(Hidden::Off) => Some("its layer is switched off"),
+                None if self.is_asked_for(layer) => None,
+                None if self.layers.is_empty() => Some("its layer is for construction"),
+                None => Some("its layer was not asked for"),
+            }
+        };
+        if let Some(reason) = left_out {
+            self.ignore(origin, reason);
+            return Ok(());
+        }
+        match &item.what {
+            What::Path(path) => self.draw(origin, path.mapped(&ground.map)),
+            What::Ignored(reason) => self.ignore(origin, reason),
+            What::Insert(insert) => {
+                let hidden = match (hidden, ground.hidden) {
+                    (Some(Hidden::Frozen), _) | (_, Some(Hidden::Frozen)) => Some(Hidden::Frozen),
+                    (hidden, _) => hidden,
+                };
+                return self.insert(insert, origin, ground, hidden);
+            }
+            What::Problem(fault) => self.drawing.problems.push(Problem {
+                origin,
+                with: Vec::new(),
+                at: fault.at.map(|p| ground.map.point(p)),
+                reason: fault.reason.clone(),
+                help: fault.help.to_owned(),
+            }),
+        }
+        Ok(())
+    }
+
+    /// Bounds time and memory whatever blocks insert.
+    fn count(&mut self, line: usize) -> Result<()> {
+        self.count += 1;
+        if self.count > MOST_ENTITIES {
+            return Err(DxfError::new(
+                line,
+                format!("with its blocks inserted the drawing has more than {MOST_ENTITIES} entities"),
+                "remove what is no outline, or split the drawing",
+            ));
+        }
+        Ok(())
+    }
+
+    fn is_asked_for(&self, layer: &str) -> bool {
+        let layer = folded(layer);
+        if self.layers.is_empty() {
+            // By custom what is there is never plotted.
+            return layer != "defpoints";
+        }
+        self.layers.contains(&layer)
+    }
+
+    fn draw(&mut self, origin: Origin, path: crate::drawing::Path) {
+        self.drawing.entities.push(Entity { origin, path });
+    }
+
+    fn ignore(&mut self, origin: Origin, reason: &'static str) {
+        self.drawing.ignored.push(Ignored {
+            origin,
+            reason: reason.into(),
+        });
+    }
+
+    fn insert(
+        &mut self,
+        insert: &Insert,
+        origin: Origin,
+        ground: &Ground,
+        hidden: Option<Hidden>,
+    ) -> Result<()> {
+        let at = Some(ground.map.point(insert.map.origin));
+        let mut refuse = |reason: String, help: &str| {
+            self.drawing.problems.push(Problem {
+                origin: origin.clone(),
+                with: Vec::new(),
+                at,
+                reason,
+                help: help.to_owned(),
+            });
+            Ok(())
+        };
+        let name = &insert.block;
+        let Some(block) = self.file.blocks.get(&folded(name)) else {
+            return refuse(
+                format!("there is no block {name:?}"),
+                "export the drawing with its blocks",
+            );
+        };
+        if block.is_external && block.items.is_empty() {
+            return refuse(
+                format!("the block {name:?} is in another file"),
+                "bind the external reference before the drawing is exported",
+            );
+        }
+        if self.open.contains(&core::ptr::from_ref(block)) {
+            return refuse(
+                format!("the block {name:?} is inserted in itself"),
+                "remove the insert from the block",
+            );
+        }
+        if self.open.len() >= DEEPEST {
+            return refuse(
+                format!("blocks are inserted in one another more than {DEEPEST} deep"),
+                "explode some of them before the drawing is exported",
+            );
+        }
+        let mut blocks = ground.blocks.to_vec();
+        blocks.push(Arc::clone(&block.name));
+        let blocks: Arc<[Arc<str>]> = blocks.into();
+        let base = Affine {
+            origin: cspace::Point::ORIGIN - block.base.to_vector(),
+            ..Affine::IDENTITY
+        };
+        self.open.push(core::ptr::from_ref(block));
+        for row in 0..insert.counts[1] {
+            for column in 0..insert.counts[0] {
+                self.count(origin.line)?;
+                let step = insert.steps[0] * f64::from(column) + insert.steps[1] * f64::from(row);
+                let mut map = insert.map;
+                map.origin = map.origin + step;
+                let inner = Ground {
+                    map: ground.map.after(&map).after(&base),
+                    layer: Some(Arc::clone(&origin.layer)),
+                    blocks: Arc::clone(&blocks),
+                    hidden,
+                };
+                self.add_all(&block.items, &inner)?;
+            }
+        }
+        self.open.pop();
+        Ok(())
+    }
+}

@@ -1,0 +1,25 @@
+//! Drawings in DXF: text and binary, of R12 to R2018.
+//!
+//! A file is read group by group ([`groups`]). Its tables tell which layers are drawn ([`tables`]), its entities become
+//! paths in coordinates of their own block ([`entity`], [`polyline`], [`spline`]), and inserting the blocks makes a flat
+//! drawing of them ([`insert`]).
+
+mod entity;
+mod error;
+mod file;
+mod groups;
+mod insert;
+mod names;
+mod polyline;
+mod spline;
+mod tables;
+
+pub(crate) use error::DxfError;
+
+use crate::drawing::Drawing;
+
+/// The drawing in the bytes of a file; of all layers that are drawn, or of those of these names.
+pub(crate) fn read(bytes: &[u8], layers: &[String]) -> Result<Drawing, DxfError> {
+    let file = file::read(bytes)?;
+    insert::flatten(&file, layers)
+}

@@ -1,0 +1,108 @@
+//! What a DXF file says of the drawing as a whole: its unit, its encoding, its layers.
+
+use std::collections::HashMap;
+
+use super::error::Result;
+use super::groups::{Group, Groups};
+use super::names::{Names, folded};
+use crate::drawing::Unit;
+
+/// Layers that are not drawn, by folded name.
+#[derive(Default)]
+pub(super) struct Layers(HashMap<String, Hidden>);
+
+/// Why a layer is not drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Hidden {
+    /// Switched off: what is inserted on it is drawn all the same, where it is on layers that are.
+    Off,
+    /// Frozen: neither is.
+    Frozen,
+}
+
+impl Layers {
+    pub(super) fn hidden(&self, layer: &str) -> Option<Hidden> {
+        // Most drawings hide nothing.
+        if self.0.is_empty() {
+            return None;
+        }
+        self.0.get(&folded(layer)).copied()
+    }
+}
+
+/// The variables of the header that matter.
+#[derive(Default)]
+pub(super) struct Header {
+    pub(super) unit: Option<Unit>,
+}
+
+pub(super) fn read_header<'a>(groups: &mut Groups<'a>, names: &mut Names<'a>) -> Result<Header> {
+    let mut header = Header::default();
+    let mut variable: &[u8] = b"";
+    while let Some(group) = groups.next()? {
+        if group.begins(b"ENDSEC") {
+            break;
+        }
+        match (group.code, variable) {
+            (9, _) => variable = group.text(),
+            (3, b"$DWGCODEPAGE") => names.set_code_page(group.text()),
+            (70, b"$INSUNITS") => header.unit = unit(group.integer()?),
+            _ => {}
+        }
+    }
+    Ok(header)
+}
+
+/// The unit of a number of `$INSUNITS`.
+fn unit(number: i64) -> Option<Unit> {
+    Some(match number {
+        1 => Unit::Inch,
+        2 => Unit::Foot,
+        4 => Unit::Millimetre,
+        5 => Unit::Centimetre,
+        6 => Unit::Metre,
+        13 => Unit::Micrometre,
+        _ => return None,
+    })
+}
+
+pub(super) fn read_tables<'a>(groups: &mut Groups<'a>, names: &mut Names<'a>) -> Result<Layers> {
+    let mut layers = Layers::default();
+    let mut layer: Vec<Group<'a>> = Vec::new();
+    let mut in_layer = false;
+    loop {
+        let group = groups.next()?;
+        let ends = group.is_none_or(|g| g.code == 0);
+        if ends && in_layer {
+            add(&mut layers, &layer, names)?;
+        }
+        let Some(group) = group else { break };
+        if group.begins(b"ENDSEC") {
+            break;
+        }
+        if ends {
+            in_layer = group.text() == b"LAYER";
+            layer.clear();
+        } else if in_layer {
+            layer.push(group);
+        }
+    }
+    Ok(layers)
+}
+
+fn add<'a>(layers: &mut Layers, layer: &[Group<'a>], names: &mut Names<'a>) -> Result<()> {
+    let mut name = None;
+    let mut hidden = None;
+    for group in layer {
+        match group.code {
+            2 => name = Some(names.get(group.text())),
+            70 if group.integer()? & 1 != 0 => hidden = Some(Hidden::Frozen),
+            62 if group.integer()? < 0 => hidden = hidden.or(Some(Hidden::Off)),
+            _ => {}
+        }
+    }
+    if let (Some(name), Some(hidden)) = (name, hidden) {
+        layers.0.insert(folded(&name), hidden);
+    }
+    Ok(())
+}

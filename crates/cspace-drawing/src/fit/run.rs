@@ -1,0 +1,103 @@
+//! What is fitted: samples of a smooth curve.
+
+use cspace::{Point, Vector};
+
+/// Points along a curve that has no corner, in order, with the left normals of the curve.
+#[derive(Debug, Clone)]
+pub(crate) struct Run {
+    /// The samples. A closed run does not repeat its first.
+    pub(crate) points: Vec<Point>,
+    /// Unit vectors to the left of the direction of travel.
+    pub(crate) normals: Vec<Vector>,
+    pub(crate) is_closed: bool,
+    /// What is known of the directions at the ends of an open run.
+    pub(crate) ends: [RunEnd; 2],
+    pub(crate) band: Band,
+}
+
+/// An end of a run. The end itself stays where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum RunEnd {
+    /// A corner: any direction.
+    Free,
+    /// Tangent to what is there, in this direction of travel.
+    Along(Vector),
+}
+
+/// How far pieces may be from samples, measured to the left of the direction of travel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Band {
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+}
+
+impl Band {
+    /// Either side alike.
+    pub(crate) fn both(tolerance: f64) -> Self {
+        Self {
+            lo: -tolerance,
+            hi: tolerance,
+        }
+    }
+
+    /// The left side alone if `left`, or else the right one.
+    pub(crate) fn one_sided(tolerance: f64, left: bool) -> Self {
+        if left {
+            Self {
+                lo: 0.0,
+                hi: tolerance,
+            }
+        } else {
+            Self {
+                lo: -tolerance,
+                hi: 0.0,
+            }
+        }
+    }
+
+    /// Half its width.
+    pub(crate) fn width(&self) -> f64 {
+        (self.hi - self.lo) / 2.0
+    }
+
+    /// Its middle.
+    pub(crate) fn middle(&self) -> f64 {
+        (self.hi + self.lo) / 2.0
+    }
+
+    /// The larger of its sides.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.hi.max(-self.lo)
+    }
+
+    pub(super) fn holds(&self, made: &super::tangent::Made) -> bool {
+        // The ends of a run are on the curve, whatever the band.
+        let round = 1e-9 * self.tolerance();
+        made.range[0] >= self.lo.min(0.0) - round && made.range[1] <= self.hi.max(0.0) + round
+    }
+}
+
+impl Run {
+    /// The number of samples, that of the first again at the end of a closed run included.
+    pub(super) fn len(&self) -> usize {
+        self.points.len() + usize::from(self.is_closed)
+    }
+
+    /// A sample, counted on around a closed run.
+    pub(super) fn point(&self, i: usize) -> Point {
+        self.points[i % self.points.len()]
+    }
+
+    pub(super) fn normal(&self, i: usize) -> Vector {
+        self.normals[i % self.points.len()]
+    }
+
+    /// Where a joint at a sample is: in the middle of the band, but the ends of an open run where they are.
+    pub(super) fn joint(&self, i: usize) -> Point {
+        let is_end = !self.is_closed && (i == 0 || i + 1 == self.points.len());
+        if is_end {
+            return self.point(i);
+        }
+        self.point(i) + self.normal(i) * self.band.middle()
+    }
+}

@@ -1,0 +1,168 @@
+//! Closed chains of pieces are loops; open ones are problems.
+
+use std::collections::HashSet;
+
+use cspace::Point;
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
+
+use super::pieces::{End, Pieces, Segment, Shape, end, of_end};
+use super::{Joined, origin_of};
+use crate::drawing::{Drawing, Problem};
+
+/// Pieces end to end, the last ending where the first starts.
+#[derive(Debug)]
+pub(crate) struct Chain<'d> {
+    pub(crate) pieces: Vec<ChainPiece<'d>>,
+}
+
+/// A piece in the direction in which its chain is travelled.
+#[derive(Debug, Clone)]
+pub(crate) struct ChainPiece<'d> {
+    pub(crate) start: Point,
+    pub(crate) end: Point,
+    /// The shape, as drawn.
+    pub(crate) shape: Shape<'d>,
+    /// Whether it is travelled from its end to its start.
+    pub(crate) is_backward: bool,
+    pub(crate) entity: u32,
+}
+
+impl Segment<'_> {
+    pub(super) fn is_line(&self) -> bool {
+        matches!(self.shape, Shape::Edge(bulge) if bulge == 0.0)
+    }
+}
+
+/// Follows the links. Of open chains that have an ambiguous end nothing more is said.
+pub(super) fn collect<'d>(
+    pieces: &Pieces<'d>,
+    drawing: &Drawing,
+    ambiguous: &HashSet<usize>,
+    round: f64,
+    joined: &mut Joined<'d>,
+) {
+    let mut is_done = vec![false; pieces.segments.len()];
+    let mut open: Vec<[End; 2]> = Vec::new();
+    let alive = |i: &usize| !pieces.segments[*i].is_removed;
+    // Open chains first, from their ends: what is left then is closed.
+    for i in (0..pieces.segments.len()).filter(alive) {
+        let Some(side) = (0..2).find(|&side| pieces.linked(end(i, side)).is_none()) else {
+            continue;
+        };
+        if is_done[i] {
+            continue;
+        }
+        let chain = follow(pieces, end(i, side), &mut is_done);
+        let last = chain[chain.len() - 1];
+        let ends = [end(i, side), last ^ 1];
+        if !ends.iter().any(|&e| ambiguous.contains(&of_end(e).0)) {
+            open.push(ends);
+        }
+    }
+    tell_open(pieces, drawing, &open, joined);
+    for i in (0..pieces.segments.len()).filter(alive) {
+        if is_done[i] {
+            continue;
+        }
+        let chain = follow(pieces, end(i, 0), &mut is_done);
+        let pieces = chain.iter().map(|&e| piece(pieces, e)).collect();
+        let chain = Chain { pieces };
+        if chain.encloses_nothing(round) {
+            joined.tiny += chain.pieces.len();
+        } else {
+            joined.loops.push(chain);
+        }
+    }
+}
+
+/// The pieces from an end on, each by the end at which it is entered.
+fn follow(pieces: &Pieces<'_>, first: End, is_done: &mut [bool]) -> Vec<End> {
+    let mut chain = Vec::new();
+    let mut next = Some(first);
+    while let Some(entered) = next {
+        let number = of_end(entered).0;
+        if is_done[number] {
+            break;
+        }
+        is_done[number] = true;
+        chain.push(entered);
+        next = pieces.linked(entered ^ 1);
+    }
+    chain
+}
+
+fn piece<'d>(pieces: &Pieces<'d>, entered: End) -> ChainPiece<'d> {
+    let segment = &pieces.segments[of_end(entered).0];
+    let is_backward = of_end(entered).1 == 1;
+    ChainPiece {
+        start: pieces.point(entered),
+        end: pieces.point(entered ^ 1),
+        shape: match segment.shape {
+            Shape::Edge(bulge) if is_backward => Shape::Edge(-bulge),
+            shape => shape,
+        },
+        is_backward,
+        entity: segment.entity,
+    }
+}
+
+impl Chain<'_> {
+    /// Whether it goes somewhere and back the same way.
+    fn encloses_nothing(&self, round: f64) -> bool {
+        match &self.pieces[..] {
+            [one] => !matches!(one.shape, Shape::Curve(_)),
+            [a, b] => match (a.shape, b.shape) {
+                (Shape::Edge(x), Shape::Edge(y)) => {
+                    (x + y).abs() * a.start.distance(a.end) <= round
+                }
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+}
+
+/// Every open chain is a problem; what to do depends on how far its ends are from the nearest other ones.
+fn tell_open(
+    pieces: &Pieces<'_>,
+    drawing: &Drawing,
+    open: &[[End; 2]],
+    joined: &mut Joined<'_>,
+) {
+    type Near = GeomWithData<[f64; 2], End>;
+    let at = |e: End| {
+        let p = pieces.point(e);
+        [p.x, p.y]
+    };
+    let tree: RTree<Near> =
+        RTree::bulk_load(open.iter().flatten().map(|&e| Near::new(at(e), e)).collect());
+    for ends in open {
+        let nearest = |e: End| {
+            (tree.nearest_neighbor_iter(at(e)).find(|n| n.data != e))
+                .map(|n| pieces.point(e).distance(pieces.point(n.data)))
+        };
+        let [first, last] = ends.map(nearest);
+        // The end whose gap is wider decides whether the chain closes.
+        let gap = first.unwrap_or(f64::INFINITY).max(last.unwrap_or(f64::INFINITY));
+        let [a, b] = ends.map(|e| of_end(e).0);
+        let [from, to] = ends.map(|e| pieces.point(e));
+        let mut with = Vec::new();
+        if pieces.segments[a].entity != pieces.segments[b].entity {
+            with.push(origin_of(drawing, pieces.segments[b].entity).clone());
+        }
+        let (x, y) = (to.x, to.y);
+        joined.problems.push(Problem {
+            origin: origin_of(drawing, pieces.segments[a].entity).clone(),
+            with,
+            at: Some(from),
+            reason: format!(
+                "the chain from here to ({x:?}, {y:?}) is open: its ends are {gap:.3e} from the nearest other ones"
+            ),
+            help: format!(
+                "close the gap in the drawing, or join it with --join {:.2e} (in a model: join); leave out by --layer what is no outline",
+                1.01 * gap
+            ),
+        });
+    }
+}

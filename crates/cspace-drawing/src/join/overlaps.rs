@@ -1,0 +1,280 @@
+//! Pieces that are drawn twice, lie within others, or overlap them.
+//!
+//! Lines are sorted by the line they lie on, arcs by their circle: what may overlap is found in n log n. On a line or
+//! circle pieces are intervals, and a sweep along them finds those that share more than an end.
+
+use core::f64::consts::TAU;
+use std::collections::HashSet;
+
+use cspace::{Point, Vector};
+
+use super::Joined;
+use super::pieces::{End, Pieces, Shape, end, of_end};
+
+/// The kind of arcs; lines are of kind 0 or 1, by their direction.
+const CIRCLE: u8 = 2;
+
+/// A piece on the line or circle it lies on.
+struct Laid {
+    piece: usize,
+    /// What the line or circle is known by: its kind and two or three lengths.
+    kind: u8,
+    key: [f64; 3],
+    /// From where to where, as length along a line or angle on a circle; and whether the piece runs the other way.
+    from: f64,
+    to: f64,
+    is_backward: bool,
+    /// What a length is on the interval: 1 on a line, 1/r on a circle.
+    unit: f64,
+}
+
+impl Laid {
+    /// Its ends, the lower first.
+    fn ends(&self) -> [End; 2] {
+        let sides = if self.is_backward { [1, 0] } else { [0, 1] };
+        sides.map(|side| end(self.piece, side))
+    }
+
+    /// From where to where, cut where the angle comes back to zero.
+    fn intervals(self) -> impl Iterator<Item = (f64, f64, usize)> {
+        let goes_round = self.kind == CIRCLE && self.to > TAU;
+        let first = (self.from, if goes_round { TAU } else { self.to }, self.piece);
+        let second = goes_round.then_some((0.0, self.to - TAU, self.piece));
+        [first].into_iter().chain(second)
+    }
+}
+
+pub(super) fn merge(pieces: &mut Pieces<'_>, round: f64, joined: &mut Joined<'_>) {
+    same_curves(pieces, joined);
+    let Some(middle) = middle(pieces) else { return };
+    let mut laid: Vec<Laid> = (0..pieces.segments.len())
+        .filter(|&i| !pieces.segments[i].is_removed)
+        .filter_map(|i| lay(pieces, i, middle))
+        .collect();
+    laid.sort_by(|a, b| a.kind.cmp(&b.kind).then(a.key[0].total_cmp(&b.key[0])));
+    // Lines of different direction, and circles about different points, come apart at each step.
+    for group in laid.chunk_by_mut(|a, b| a.kind == b.kind && near(a, b, 0, round)) {
+        group.sort_by(|a, b| a.key[1].total_cmp(&b.key[1]));
+        for group in group.chunk_by_mut(|a, b| near(a, b, 1, round)) {
+            group.sort_by(|a, b| a.key[2].total_cmp(&b.key[2]));
+            for group in group.chunk_by_mut(|a, b| near(a, b, 2, round)) {
+                if group.len() > 1 {
+                    sweep(pieces, group, middle, round, joined);
+                }
+            }
+        }
+    }
+}
+
+/// How far apart keys may be of pieces whose places agree to rounding: it shows enlarged in directions and centres.
+const SLACK: f64 = 1e3;
+
+fn near(a: &Laid, b: &Laid, key: usize, round: f64) -> bool {
+    (b.key[key] - a.key[key]).abs() <= SLACK * round
+}
+
+fn middle(pieces: &Pieces<'_>) -> Option<Point> {
+    let mut lo = Point::new(f64::INFINITY, f64::INFINITY);
+    let mut hi = Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
+    for p in pieces.segments.iter().flat_map(|s| s.ends) {
+        lo = Point::new(lo.x.min(p.x), lo.y.min(p.y));
+        hi = Point::new(hi.x.max(p.x), hi.y.max(p.y));
+    }
+    lo.is_finite().then(|| lo.midpoint(hi))
+}
+
+fn lay(pieces: &Pieces<'_>, piece: usize, middle: Point) -> Option<Laid> {
+    let segment = &pieces.segments[piece];
+    let Shape::Edge(bulge) = segment.shape else {
+        return None;
+    };
+    let [p, q] = segment.ends.map(|p| p - middle);
+    let chord = q - p;
+    if bulge == 0.0 {
+        // Directions are halves of a turn; they are cut where drawings have fewest lines.
+        const CUT: f64 = 0.7265;
+        let is_steep = chord.y.abs() > CUT * chord.x.abs();
+        let is_backward = if is_steep { chord.y < 0.0 } else { chord.x < 0.0 };
+        let along = if is_backward { -chord.unit() } else { chord.unit() };
+        let (a, b) = (along.dot(p), along.dot(q));
+        let slope = if is_steep { along.x } else { along.y };
+        // A direction is as a length on the drawing's scale.
+        let scale = p.length().max(q.length()).max(f64::MIN_POSITIVE);
+        return Some(Laid {
+            piece,
+            kind: u8::from(is_steep),
+            key: [slope * scale.min(chord.length() * 1e3), along.cross(p), 0.0],
+            from: a.min(b),
+            to: a.max(b),
+            is_backward,
+            unit: 1.0,
+        });
+    }
+    let to_center = chord.left() * ((1.0 - bulge) * (1.0 + bulge) / (4.0 * bulge));
+    let center = (p + q) * 0.5 + to_center;
+    let radius = (p - center).length();
+    let is_backward = bulge < 0.0;
+    let first = if is_backward { q } else { p };
+    let from = (first - center).angle().rem_euclid(TAU);
+    Some(Laid {
+        piece,
+        kind: CIRCLE,
+        key: [center.x, center.y, radius],
+        from,
+        to: from + 4.0 * bulge.abs().atan(),
+        is_backward,
+        unit: 1.0 / radius,
+    })
+}
+
+/// Merges what overlaps among pieces of about one line or circle.
+fn sweep(pieces: &mut Pieces<'_>, group: &[Laid], middle: Point, round: f64, joined: &mut Joined<'_>) {
+    loop {
+        let mut intervals: Vec<(f64, f64, usize)> = (group.iter())
+            .filter(|l| !pieces.segments[l.piece].is_removed)
+            .filter_map(|l| lay(pieces, l.piece, middle))
+            .flat_map(|l| l.intervals())
+            .collect();
+        intervals.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
+        let mut active: Vec<(f64, usize)> = Vec::new();
+        let mut has_wrapped = false;
+        for &(from, to, piece) in &intervals {
+            let slack = round * group[0].unit;
+            active.retain(|&(end, p)| end > from + slack && !pieces.segments[p].is_removed);
+            if pieces.segments[piece].is_removed {
+                continue;
+            }
+            active.push((to, piece));
+            let others: Vec<usize> = active.iter().map(|a| a.1).filter(|&p| p != piece).collect();
+            for other in others {
+                if !unite(pieces, [other, piece], middle, round, joined) {
+                    continue;
+                }
+                // One of the two is gone, and the other reaches as far as both.
+                let reach = active.iter().map(|a| a.0).fold(to, f64::max);
+                for a in &mut active {
+                    if a.1 == other || a.1 == piece {
+                        a.0 = reach;
+                    }
+                }
+                has_wrapped |= group[0].kind == CIRCLE;
+                if pieces.segments[piece].is_removed {
+                    break;
+                }
+            }
+        }
+        // On a circle what has grown may reach what was passed already.
+        if !has_wrapped {
+            return;
+        }
+    }
+}
+
+/// Whether two pieces lie on one line or circle, to rounding.
+fn is_same_line(pieces: &Pieces<'_>, a: &Laid, b: &Laid, round: f64) -> bool {
+    let (long, short) = if (a.to - a.from) * b.unit >= (b.to - b.from) * a.unit {
+        (a, b)
+    } else {
+        (b, a)
+    };
+    if long.kind == CIRCLE {
+        let apart = (0..3).map(|k| (a.key[k] - b.key[k]).abs()).sum::<f64>();
+        return apart <= 4.0 * round;
+    }
+    let [p, q] = pieces.segments[long.piece].ends;
+    let along: Vector = (q - p).unit();
+    (pieces.segments[short.piece].ends.iter()).all(|&e| along.cross(e - p).abs() <= 2.0 * round)
+}
+
+/// Makes one of two pieces if they overlap; whether one was removed.
+fn unite(
+    pieces: &mut Pieces<'_>,
+    [a, b]: [usize; 2],
+    middle: Point,
+    round: f64,
+    joined: &mut Joined<'_>,
+) -> bool {
+    let (Some(first), Some(second)) = (lay(pieces, a, middle), lay(pieces, b, middle)) else {
+        return false;
+    };
+    if !is_same_line(pieces, &first, &second, round) {
+        return false;
+    }
+    let slack = round * first.unit;
+    // Angles may be a turn apart.
+    let turns: &[f64] = if first.kind == CIRCLE { &[0.0, TAU, -TAU] } else { &[0.0] };
+    let (lo, hi) = (first.from, first.to);
+    let Some((from, to)) = (turns.iter())
+        .map(|t| (second.from + t, second.to + t))
+        .find(|&(from, to)| hi > from + slack && lo < to - slack)
+    else {
+        return false;
+    };
+    let (a_ends, b_ends) = (first.ends(), second.ends());
+    let holds = lo <= from + slack && hi >= to - slack;
+    let is_held = from <= lo + slack && to >= hi - slack;
+    if holds || is_held {
+        let (kept, dropped) = if holds { (a_ends, b_ends) } else { (b_ends, a_ends) };
+        // Where both end together the one that is kept is joined to what the other was joined to.
+        let together = [(lo - from).abs() <= slack, (hi - to).abs() <= slack];
+        let moved: Vec<(End, End)> = (0..2)
+            .filter(|&side| together[side] && pieces.linked(kept[side]).is_none())
+            .filter_map(|side| Some((kept[side], pieces.linked(dropped[side])?)))
+            .collect();
+        pieces.remove(of_end(dropped[0]).0);
+        for (kept, other) in moved {
+            pieces.link(kept, other);
+        }
+        joined.duplicates += 1;
+        return true;
+    }
+    // Neither holds the other: the first grows, if nothing is joined to what it then covers.
+    let (grown, by, covered) = if lo < from {
+        (a_ends[1], b_ends[1], b_ends[0])
+    } else {
+        (a_ends[0], b_ends[0], b_ends[1])
+    };
+    let sweep = hi.max(to) - lo.min(from);
+    let is_whole = first.kind == CIRCLE && sweep > TAU - slack;
+    if is_whole || pieces.linked(grown).is_some() || pieces.linked(covered).is_some() {
+        return false;
+    }
+    let link = pieces.linked(by);
+    let to = pieces.point(by);
+    pieces.remove(b);
+    pieces.move_end(grown, to);
+    if let Some(link) = link {
+        pieces.link(grown, link);
+    }
+    if first.kind == CIRCLE {
+        let bulge = (sweep / 4.0).tan();
+        let signed = if first.is_backward { -bulge } else { bulge };
+        pieces.segments[a].shape = Shape::Edge(signed);
+    }
+    joined.merged += 1;
+    true
+}
+
+/// Removes curves that are drawn twice, to the last bit and either way.
+fn same_curves(pieces: &mut Pieces<'_>, joined: &mut Joined<'_>) {
+    let mut seen = HashSet::new();
+    for i in 0..pieces.segments.len() {
+        let segment = &pieces.segments[i];
+        let Shape::Curve(curve) = segment.shape else {
+            continue;
+        };
+        let spans = curve.spans();
+        let bits = |p: Point| [p.x.to_bits(), p.y.to_bits()];
+        let mut ends = segment.ends.map(bits);
+        ends.sort_unstable();
+        let inner = if spans % 2 == 0 {
+            curve.at(spans / 2, 0.0).0
+        } else {
+            curve.at(spans / 2, 0.5).0
+        };
+        if !segment.is_removed && !seen.insert((ends, bits(inner), spans)) {
+            pieces.remove(i);
+            joined.duplicates += 1;
+        }
+    }
+}

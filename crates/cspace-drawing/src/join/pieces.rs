@@ -1,0 +1,171 @@
+//! The pieces of all paths of a drawing, and which ends are one.
+
+use cspace::Point;
+
+use crate::curve::Curve;
+use crate::drawing::{Drawing, Piece};
+
+/// An end of a piece: twice its number, and one more for where it ends.
+pub(super) type End = u32;
+
+/// What is known of the shape between two ends.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Shape<'d> {
+    /// A line or an arc of this bulge.
+    Edge(f64),
+    /// A curve, from its start to its end.
+    Curve(&'d Curve),
+}
+
+/// A piece of a path.
+#[derive(Debug, Clone)]
+pub(super) struct Segment<'d> {
+    /// Where it starts and ends.
+    pub(super) ends: [Point; 2],
+    pub(super) shape: Shape<'d>,
+    /// The entity of the drawing that it belongs to.
+    pub(super) entity: u32,
+    pub(super) is_removed: bool,
+    /// The ends that its own are joined to.
+    pub(super) links: [Option<End>; 2],
+}
+
+/// All pieces.
+pub(super) struct Pieces<'d> {
+    pub(super) segments: Vec<Segment<'d>>,
+}
+
+/// The end of a piece at its start (0) or end (1).
+pub(super) fn end(piece: usize, side: usize) -> End {
+    (2 * piece + side) as End
+}
+
+/// The piece of an end, and which of the two it is.
+pub(super) fn of_end(end: End) -> (usize, usize) {
+    ((end / 2) as usize, (end % 2) as usize)
+}
+
+impl<'d> Pieces<'d> {
+    /// The pieces of all paths, joined as they are in their paths. A path that should be closed and ends elsewhere, by
+    /// rounding, is closed.
+    pub(super) fn new(drawing: &'d Drawing, size: f64) -> Self {
+        let count = drawing.entities.iter().map(|e| e.path.pieces.len()).sum();
+        let mut segments: Vec<Segment<'d>> = Vec::with_capacity(count);
+        for (entity, from) in drawing.entities.iter().enumerate() {
+            let first = segments.len();
+            let mut start = from.path.start;
+            for piece in &from.path.pieces {
+                let before = segments.len().checked_sub(1).filter(|&b| b >= first);
+                let number = segments.len();
+                if let Some(before) = before {
+                    segments[before].links[1] = Some(end(number, 0));
+                }
+                segments.push(Segment {
+                    ends: [start, piece.end()],
+                    shape: match piece {
+                        Piece::Edge { bulge, .. } => Shape::Edge(*bulge),
+                        Piece::Curve(curve) => Shape::Curve(curve),
+                    },
+                    entity: entity as u32,
+                    is_removed: false,
+                    links: [before.map(|b| end(b, 1)), None],
+                });
+                start = piece.end();
+            }
+            let path = &from.path;
+            let closes = path.closed || path.end() == path.start;
+            if closes && segments.len() > first && path.end().distance(path.start) <= super::ROUND * size {
+                let last = segments.len() - 1;
+                segments[last].links[1] = Some(end(first, 0));
+                segments[first].links[0] = Some(end(last, 1));
+                if !matches!(segments[last].shape, Shape::Curve(_)) {
+                    segments[last].ends[1] = path.start;
+                }
+            }
+        }
+        Self { segments }
+    }
+
+    /// Removes pieces of no length, and loose ones whose ends would be joined to one another; says how many. The ends that
+    /// were joined to them are joined.
+    pub(super) fn remove_tiny(&mut self, none: f64, join: f64) -> usize {
+        let mut removed = 0;
+        for i in 0..self.segments.len() {
+            let segment = &self.segments[i];
+            let is_loose = segment.links == [None; 2];
+            let is_loop = segment.links[0] == Some(end(i, 1));
+            let least = if is_loose { join } else { none };
+            let length = match segment.shape {
+                Shape::Edge(_) => segment.ends[0].distance(segment.ends[1]),
+                // A curve may return to where it starts.
+                Shape::Curve(curve) => curve_extent(curve),
+            };
+            if length > least || (is_loop && length > none) {
+                continue;
+            }
+            removed += 1;
+            let [before, after] = segment.links;
+            self.segments[i].is_removed = true;
+            match (before, after) {
+                (Some(b), Some(a)) if of_end(b).0 != i => {
+                    self.link(b, a);
+                    self.move_end(a, self.point(b));
+                }
+                _ => {
+                    for other in [before, after].into_iter().flatten() {
+                        self.unlink(other);
+                    }
+                }
+            }
+        }
+        removed
+    }
+
+    pub(super) fn point(&self, end: End) -> Point {
+        let (piece, side) = of_end(end);
+        self.segments[piece].ends[side]
+    }
+
+    pub(super) fn linked(&self, end: End) -> Option<End> {
+        let (piece, side) = of_end(end);
+        self.segments[piece].links[side]
+    }
+
+    pub(super) fn link(&mut self, a: End, b: End) {
+        for (a, b) in [(a, b), (b, a)] {
+            let (piece, side) = of_end(a);
+            self.segments[piece].links[side] = Some(b);
+        }
+    }
+
+    pub(super) fn unlink(&mut self, end: End) {
+        let (piece, side) = of_end(end);
+        self.segments[piece].links[side] = None;
+    }
+
+    pub(super) fn move_end(&mut self, end: End, to: Point) {
+        let (piece, side) = of_end(end);
+        self.segments[piece].ends[side] = to;
+    }
+
+    /// Removes a piece; the ends that were joined to it are loose.
+    pub(super) fn remove(&mut self, piece: usize) {
+        self.segments[piece].is_removed = true;
+        for side in 0..2 {
+            if let Some(other) = self.segments[piece].links[side].take()
+                && of_end(other).0 != piece
+            {
+                self.unlink(other);
+            }
+        }
+    }
+}
+
+/// How far a curve goes from its start.
+fn curve_extent(curve: &Curve) -> f64 {
+    let start = curve.start();
+    let spans = curve.spans();
+    (0..spans)
+        .flat_map(|span| [0.5, 1.0].map(|s| curve.at(span, s).0.distance(start)))
+        .fold(0.0, f64::max)
+}

@@ -1,0 +1,41 @@
+//! Outlines of planar parts from drawings: DXF, SVG and measured points.
+//!
+//! ```text
+//! file ──dxf, svg, points──> Drawing ──join──> chains ──fit──> loops ──nest──> parts
+//! ```
+//!
+//! [`read`] makes a flat [`Drawing`] of a file: paths of lines, arcs and curves, each with its layer, handle and line in the
+//! file. [`Drawing::outlines`] makes parts of it: it joins loose pieces to loops, fits tangent lines and arcs to curves, and
+//! finds which loops are holes. Nothing is left out silently: [`Outlines`] lists what was.
+//!
+//! ```
+//! use cspace_drawing::{Settings, Source, read};
+//! # let folder = tempfile::tempdir()?;
+//! # let path = folder.path().join("washer.dxf");
+//! std::fs::write(&path, "0\nSECTION\n2\nENTITIES\n\
+//!     0\nCIRCLE\n8\nwasher\n10\n0\n20\n0\n40\n5\n\
+//!     0\nCIRCLE\n8\nwasher\n10\n0\n20\n0\n40\n2\n0\nENDSEC\n0\nEOF\n")?;
+//! let outlines = read(&path, &Source::default())?.outlines(&Settings::default())?;
+//! assert_eq!(outlines.parts[0].name(), "washer");
+//! assert!((outlines.parts[0].area() - 21.0 * std::f64::consts::PI).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod affine;
+mod curve;
+mod drawing;
+mod dxf;
+mod error;
+mod fit;
+mod join;
+mod nest;
+mod outlines;
+mod path_map;
+mod read;
+
+pub use affine::Affine;
+pub use curve::{Curve, EllipseArc, Spline, SplineError};
+pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem, Unit};
+pub use error::DrawingError;
+pub use outlines::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings};
+pub use read::{Source, is_drawing, read};

@@ -1,0 +1,51 @@
+//! Which loop is in which.
+
+use cspace::{Part, Point};
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{AABB, RTree};
+
+/// A loop by itself.
+pub(crate) struct Lone {
+    pub(crate) part: Part,
+    pub(crate) first: Point,
+}
+
+/// Outermost loops with the holes in them, by number; an island in a hole is outermost again. In the order of the loops.
+pub(crate) fn nest(loops: &[Lone]) -> Vec<Vec<usize>> {
+    let tree = RTree::bulk_load(
+        (loops.iter().enumerate())
+            .map(|(i, l)| {
+                let b = l.part.bounds();
+                GeomWithData::new(Rectangle::from_corners([b.min.x, b.min.y], [b.max.x, b.max.y]), i)
+            })
+            .collect(),
+    );
+    let around: Vec<Vec<usize>> = (loops.iter().enumerate())
+        .map(|(i, l)| {
+            let at = [l.first.x, l.first.y];
+            tree.locate_in_envelope_intersecting(AABB::from_point(at))
+                .map(|r| r.data)
+                .filter(|&j| j != i && loops[j].part.contains(l.first))
+                .collect()
+        })
+        .collect();
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    let mut group_of = vec![usize::MAX; loops.len()];
+    for (i, depth) in around.iter().map(Vec::len).enumerate() {
+        if depth % 2 == 0 {
+            group_of[i] = groups.len();
+            groups.push(vec![i]);
+        }
+    }
+    for (i, outer) in around.iter().enumerate() {
+        if outer.len() % 2 == 0 {
+            continue;
+        }
+        // The loop next around a hole has one loop fewer around it.
+        let next = outer.iter().copied().max_by_key(|&j| around[j].len());
+        if let Some(group) = next.and_then(|j| groups.get_mut(group_of[j])) {
+            group.push(i);
+        }
+    }
+    groups
+}

@@ -1,0 +1,481 @@
+//! Parts from drawings.
+
+use std::collections::{BTreeMap, HashMap};
+
+use cspace::{Part, PartError, Point, Vertex};
+
+use crate::affine::Affine;
+use crate::drawing::{Drawing, Ignored, Origin, Path, Piece, Problem, Unit};
+use crate::error::DrawingError;
+use crate::fit::{self, Outline, Sided};
+use crate::join::{self, Chain, Joined};
+use crate::nest::{Lone, nest};
+
+/// How near ends are that are one, as a share of the drawing's size, unless it is said.
+pub const DEFAULT_JOIN: f64 = 1e-5;
+
+/// How far lines and arcs may be from what they are fitted to, as a share of the drawing's size, unless it is said.
+pub const DEFAULT_FIT: f64 = 1e-4;
+
+/// How a drawing is read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Every length of the drawing is multiplied by it first.
+    pub scale: f64,
+    /// Ends nearer than this are one, in lengths after scaling; [`DEFAULT_JOIN`] where it is not said.
+    pub join: Option<f64>,
+    /// Curves and points become lines and arcs within this, in lengths after scaling; [`DEFAULT_FIT`] of the size where it
+    /// is not said.
+    pub fit: Option<f64>,
+    /// On which side of the curves the lines and arcs may be.
+    pub side: FitSide,
+    /// Whether what cannot be used is left out, and listed, instead of being an error.
+    pub partial: bool,
+    /// One part of this name of all loops, instead of one of every outermost loop.
+    pub one_part: Option<String>,
+}
+
+/// On which side of a curve lines and arcs may be that are fitted to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FitSide {
+    /// On both.
+    #[default]
+    Both,
+    /// Outside of the material alone: the part is as large as drawn, or larger.
+    Outside,
+    /// Inside of the material alone: the part is as large as drawn, or smaller.
+    Inside,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            scale: 1.0,
+            join: None,
+            fit: None,
+            side: FitSide::Both,
+            partial: false,
+            one_part: None,
+        }
+    }
+}
+
+/// The parts of a drawing, and how they came about.
+#[derive(Debug, Clone)]
+pub struct Outlines {
+    /// The parts, in the order of their outermost loops in the file.
+    pub parts: Vec<Part>,
+    /// The unit that the file names.
+    pub unit: Option<Unit>,
+    /// How many entities of each type the parts are made of.
+    pub used: BTreeMap<String, usize>,
+    /// What was left out.
+    pub ignored: Vec<Ignored>,
+    /// The gaps that were closed, and where.
+    pub joined: Vec<(f64, Point)>,
+    /// What was fitted.
+    pub fitted: FittedReport,
+    /// How many pieces were drawn twice, or lay within others.
+    pub duplicates: usize,
+    /// How many pieces overlapped others and were made one with them.
+    pub merged: usize,
+    /// How many pieces had no length.
+    pub tiny: usize,
+}
+
+/// How well lines and arcs were fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FittedReport {
+    /// The number of curves.
+    pub curves: usize,
+    /// The number of lines and arcs they became.
+    pub pieces: usize,
+    /// How far these are from the curves, at most.
+    pub deviation: f64,
+    /// The largest angle between neighbours that should be tangent, in radians; rounding.
+    pub kink: f64,
+}
+
+impl Drawing {
+    /// The parts that the drawing shows.
+    ///
+    /// Loose pieces are joined to loops, what is drawn twice is taken once, curves become tangent lines and arcs, and loops
+    /// within loops are holes.
+    ///
+    /// # Errors
+    /// If anything cannot be used, such as a chain that is not closed, unless that is to be left out; if nothing is left; or
+    /// if loops cross or touch.
+    pub fn outlines(&self, settings: &Settings) -> Result<Outlines, DrawingError> {
+        check(settings)?;
+        if settings.scale == 1.0 {
+            return Making::new(self, settings)?.make();
+        }
+        let mut scaled = self.clone();
+        let map = Affine {
+            x: Affine::IDENTITY.x * settings.scale,
+            y: Affine::IDENTITY.y * settings.scale,
+            origin: Point::ORIGIN,
+        };
+        for entity in &mut scaled.entities {
+            entity.path = entity.path.mapped(&map);
+        }
+        Making::new(&scaled, settings)?.make()
+    }
+
+    /// The diagonal of the box of all ends and some points of curves.
+    pub fn size(&self) -> f64 {
+        let mut lo = [f64::INFINITY; 2];
+        let mut hi = [f64::NEG_INFINITY; 2];
+        for p in self.entities.iter().flat_map(|e| points(&e.path)) {
+            lo = [lo[0].min(p.x), lo[1].min(p.y)];
+            hi = [hi[0].max(p.x), hi[1].max(p.y)];
+        }
+        if lo[0] <= hi[0] {
+            (hi[0] - lo[0]).hypot(hi[1] - lo[1])
+        } else {
+            0.0
+        }
+    }
+}
+
+fn points(path: &Path) -> impl Iterator<Item = Point> {
+    let of_piece = |piece: &Piece| match piece {
+        Piece::Edge { to, .. } => vec![*to],
+        Piece::Curve(curve) => (0..curve.spans())
+            .flat_map(|span| [0.5, 1.0].map(|s| curve.at(span, s).0))
+            .collect(),
+    };
+    let pieces: Vec<Point> = path.pieces.iter().flat_map(of_piece).collect();
+    [path.start].into_iter().chain(pieces)
+}
+
+fn check(settings: &Settings) -> Result<(), DrawingError> {
+    let positive = |x: f64| x > 0.0 && x.is_finite();
+    let wrong = |what: &str, x: f64| {
+        let message = format!("`{what}` is {x:?}");
+        Err(DrawingError::file(message, format!("give a positive number as {what}")))
+    };
+    if !positive(settings.scale) {
+        return wrong("scale", settings.scale);
+    }
+    for (what, length) in [("join", settings.join), ("fit", settings.fit)] {
+        if let Some(x) = length.filter(|&x| !positive(x)) {
+            return wrong(what, x);
+        }
+    }
+    Ok(())
+}
+
+/// A drawing on its way to parts.
+struct Making<'d> {
+    drawing: &'d Drawing,
+    settings: &'d Settings,
+    fit: f64,
+    joined: Joined<'d>,
+    /// What cannot be used.
+    problems: Vec<Problem>,
+    ignored: Vec<Ignored>,
+    report: FittedReport,
+}
+
+impl<'d> Making<'d> {
+    fn new(drawing: &'d Drawing, settings: &'d Settings) -> Result<Self, DrawingError> {
+        let size = drawing.size();
+        if !drawing.entities.is_empty() && !(size > 0.0 && size.is_finite()) {
+            let message = "its coordinates are beyond computing, or all are the same";
+            let help = "check the file, and its unit of length";
+            return Err(DrawingError::file(message, help));
+        }
+        let mut joined = join::join(drawing, size, settings.join.unwrap_or(DEFAULT_JOIN * size));
+        let mut problems = drawing.problems.clone();
+        problems.append(&mut joined.problems);
+        let mut making = Self {
+            drawing,
+            settings,
+            fit: settings.fit.unwrap_or(DEFAULT_FIT * size),
+            joined,
+            problems: Vec::new(),
+            ignored: drawing.ignored.clone(),
+            report: FittedReport::default(),
+        };
+        for problem in problems {
+            making.refuse(problem);
+        }
+        Ok(making)
+    }
+
+    /// An error, or something left out.
+    fn refuse(&mut self, problem: Problem) {
+        if !self.settings.partial {
+            self.problems.push(problem);
+            return;
+        }
+        let Problem { origin, with, reason, .. } = problem;
+        for origin in [origin].into_iter().chain(with) {
+            let reason = reason.clone().into();
+            self.ignored.push(Ignored { origin, reason });
+        }
+    }
+
+    fn make(mut self) -> Result<Outlines, DrawingError> {
+        let chains = core::mem::take(&mut self.joined.loops);
+        let mut loops: Vec<(Outline, &Chain<'d>)> = Vec::with_capacity(chains.len());
+        let mut lone: Vec<Lone> = Vec::with_capacity(chains.len());
+        for chain in &chains {
+            if let Some((outline, alone)) = self.fitted(chain, Sided::Both) {
+                loops.push((outline, chain));
+                lone.push(alone);
+            }
+        }
+        let groups = nest(&lone);
+        if self.settings.side != FitSide::Both {
+            self.refit(&mut loops, &mut lone, &groups);
+        }
+        for (outline, _) in &loops {
+            self.report.curves += outline.curves;
+            self.report.pieces += outline.pieces;
+            self.report.deviation = self.report.deviation.max(outline.deviation);
+            self.report.kink = self.report.kink.max(outline.kink);
+        }
+        let outlines: Vec<Outline> = loops.into_iter().map(|l| l.0).collect();
+        let parts = self.parts(&outlines, groups);
+        if !self.problems.is_empty() {
+            return Err(DrawingError::Entities(self.problems));
+        }
+        if parts.is_empty() {
+            return Err(self.nothing());
+        }
+        Ok(Outlines {
+            parts,
+            unit: self.drawing.unit,
+            used: self.used(&outlines),
+            ignored: self.ignored,
+            joined: self.joined.gaps,
+            fitted: self.report,
+            duplicates: self.joined.duplicates,
+            merged: self.joined.merged,
+            tiny: self.joined.tiny,
+        })
+    }
+
+    /// The loop of a chain, checked by itself.
+    fn fitted(&mut self, chain: &Chain<'_>, sided: Sided) -> Option<(Outline, Lone)> {
+        let outline = match fit::outline(chain, self.fit, sided) {
+            Ok(outline) => outline,
+            Err(at) => {
+                let problem = Problem {
+                    origin: self.drawing.entities[at.entity as usize].origin.clone(),
+                    with: Vec::new(),
+                    at: Some(at.at),
+                    reason: format!("no lines and arcs within {:.2e} of it were found", self.fit),
+                    help: "give a larger fit".to_owned(),
+                };
+                self.refuse(problem);
+                return None;
+            }
+        };
+        match Part::new("", vec![outline.vertices.clone()]) {
+            Ok(part) => {
+                let first = outline.vertices.first()?.point();
+                Some((outline, Lone { part, first }))
+            }
+            Err(error) => {
+                let problem = self.no_part(&error, &[&outline]);
+                self.refuse(problem);
+                None
+            }
+        }
+    }
+
+    /// Fits again where the side matters, now that it is known which side is material.
+    fn refit(
+        &mut self,
+        loops: &mut [(Outline, &Chain<'d>)],
+        lone: &mut [Lone],
+        groups: &[Vec<usize>],
+    ) {
+        for group in groups {
+            for (k, &i) in group.iter().enumerate() {
+                let (outline, chain) = &loops[i];
+                if outline.curves == 0 {
+                    continue;
+                }
+                // Outermost loops have material inside, holes outside; a loop that turns left has its inside on the left.
+                let is_outer = k == 0;
+                let left_is_inside = !lone[i].part.loops()[0].is_reversed();
+                let material_is_left = is_outer == left_is_inside;
+                let left = material_is_left == (self.settings.side == FitSide::Inside);
+                let sided = if left { Sided::Left } else { Sided::Right };
+                let chain = *chain;
+                if let Some((outline, alone)) = self.fitted(chain, sided) {
+                    loops[i].0 = outline;
+                    lone[i] = alone;
+                }
+            }
+        }
+    }
+
+    fn parts(&mut self, outlines: &[Outline], groups: Vec<Vec<usize>>) -> Vec<Part> {
+        let groups = match &self.settings.one_part {
+            Some(_) if !groups.is_empty() => vec![groups.into_iter().flatten().collect()],
+            _ => groups,
+        };
+        let names = self.names(outlines, &groups);
+        let mut parts = Vec::with_capacity(groups.len());
+        for (group, name) in groups.iter().zip(names) {
+            let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
+            let vertices: Vec<Vec<Vertex>> = of.iter().map(|o| o.vertices.clone()).collect();
+            match Part::new(name, vertices) {
+                Ok(part) => parts.push(part),
+                Err(error) => {
+                    let problem = self.no_part(&error, &of);
+                    self.refuse(problem);
+                }
+            }
+        }
+        parts
+    }
+
+    /// A part is called as the block that all of its outer loop is in, the layer, or the drawing; with a number where
+    /// several are called the same.
+    fn names(&self, outlines: &[Outline], groups: &[Vec<usize>]) -> Vec<String> {
+        if let Some(name) = &self.settings.one_part {
+            return vec![name.clone(); groups.len()];
+        }
+        let plain: Vec<String> = groups.iter().map(|g| self.name(&outlines[g[0]])).collect();
+        let mut counts: HashMap<&str, usize> = HashMap::new();
+        for name in &plain {
+            *counts.entry(name).or_default() += 1;
+        }
+        let mut taken: std::collections::HashSet<String> = (counts.iter())
+            .filter(|(_, n)| **n == 1)
+            .map(|(name, _)| (*name).to_owned())
+            .collect();
+        let mut next: HashMap<&str, usize> = HashMap::new();
+        (plain.iter())
+            .map(|name| {
+                if counts[name.as_str()] == 1 {
+                    return name.clone();
+                }
+                let number = next.entry(name).or_insert(0);
+                loop {
+                    *number += 1;
+                    let numbered = format!("{name} {number}");
+                    if taken.insert(numbered.clone()) {
+                        return numbered;
+                    }
+                }
+            })
+            .collect()
+    }
+
+    fn name(&self, outline: &Outline) -> String {
+        let origins: Vec<&Origin> = (outline.entities.iter())
+            .map(|&e| &self.drawing.entities[e as usize].origin)
+            .collect();
+        let Some((first, rest)) = origins.split_first() else {
+            return self.drawing.name.clone();
+        };
+        let shared = |o: &Origin| {
+            (first.blocks.iter().zip(o.blocks.iter()))
+                .take_while(|(a, b)| a == b)
+                .count()
+        };
+        let depth = rest.iter().map(|o| shared(o)).min().unwrap_or(first.blocks.len());
+        // Names that begin with a star are made up by programs.
+        let block = first.blocks[..depth].iter().rev().find(|b| !b.starts_with('*'));
+        let layer = (rest.iter().all(|o| o.layer == first.layer))
+            .then_some(&first.layer)
+            .filter(|l| !l.is_empty() && &***l != "0");
+        let name = block.or(layer).map_or(self.drawing.name.as_str(), |n| n);
+        // Model files have no control characters in names.
+        let name: String = name.chars().filter(|c| !c.is_control()).collect();
+        if name.trim().is_empty() {
+            "part".to_owned()
+        } else {
+            name
+        }
+    }
+
+    fn used(&self, outlines: &[Outline]) -> BTreeMap<String, usize> {
+        let mut is_used = vec![false; self.drawing.entities.len()];
+        for &entity in outlines.iter().flat_map(|o| &o.entities) {
+            is_used[entity as usize] = true;
+        }
+        let mut used = BTreeMap::new();
+        for (entity, _) in self.drawing.entities.iter().zip(&is_used).filter(|(_, u)| **u) {
+            *used.entry(entity.origin.kind.to_string()).or_default() += 1;
+        }
+        used
+    }
+
+    /// What is wrong with loops, at the entities that drew them.
+    fn no_part(&self, error: &PartError, outlines: &[&Outline]) -> Problem {
+        let entity = |l: usize, v: usize| {
+            let entity = outlines.get(l).and_then(|o| o.entities.get(v));
+            entity.map(|&e| self.drawing.entities[e as usize].origin.clone())
+        };
+        let place = |l: usize, v: usize| {
+            let vertex = outlines.get(l).and_then(|o| o.vertices.get(v));
+            vertex.map(|v| v.point())
+        };
+        let (ends, at, reason, help) = match *error {
+            PartError::Crossing { loop_index, edge_index, other_loop, other_edge, at } => (
+                [(loop_index, edge_index), (other_loop, other_edge)],
+                Some(at),
+                "outlines cross here".to_owned(),
+                "move them apart, or read their layers one by one with --layer".to_owned(),
+            ),
+            PartError::Touching { loop_index, edge_index, other_loop, other_edge, at } => (
+                [(loop_index, edge_index), (other_loop, other_edge)],
+                Some(at),
+                "outlines touch here".to_owned(),
+                "move them apart, merge them, or read their layers one by one with --layer".to_owned(),
+            ),
+            ref other => {
+                let (l, v) = place_of(other);
+                let text = other.to_string();
+                let (reason, help) = match text.rsplit_once(": ") {
+                    Some((reason, help)) => (reason.to_owned(), help.to_owned()),
+                    None => (text.clone(), String::new()),
+                };
+                ([(l, v); 2], place(l, v), reason, help)
+            }
+        };
+        let [first, second] = ends.map(|(l, v)| entity(l, v));
+        Problem {
+            with: second.into_iter().filter(|s| Some(s) != first.as_ref()).collect(),
+            origin: first.unwrap_or_default(),
+            at,
+            reason,
+            help,
+        }
+    }
+
+    fn nothing(&self) -> DrawingError {
+        let left_out = match self.ignored.len() {
+            0 => String::new(),
+            n => format!(
+                "; {n} entities were left out, the first, a {}, because: {}",
+                self.ignored[0].origin.kind, self.ignored[0].reason
+            ),
+        };
+        DrawingError::file(
+            format!("the drawing has no closed outline{left_out}"),
+            "draw outlines with lines, arcs, polylines or splines, and check the layers",
+        )
+    }
+}
+
+/// The loop and vertex that an error about one place is of.
+fn place_of(error: &PartError) -> (usize, usize) {
+    match *error {
+        PartError::TooFewVertices { loop_index, .. } => (loop_index, 0),
+        PartError::BadCoordinate { loop_index, vertex_index }
+        | PartError::CoordinateTooLarge { loop_index, vertex_index }
+        | PartError::BadBulge { loop_index, vertex_index, .. }
+        | PartError::CoincidentVertices { loop_index, vertex_index, .. }
+        | PartError::Spike { loop_index, vertex_index } => (loop_index, vertex_index),
+        _ => (0, 0),
+    }
+}

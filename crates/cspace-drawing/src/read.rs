@@ -1,0 +1,83 @@
+//! Drawings from files.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use crate::drawing::Drawing;
+use crate::dxf;
+use crate::error::DrawingError;
+
+/// The largest file read, in bytes: some millions of entities.
+const LARGEST: u64 = 512 << 20;
+
+/// What of a file is read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Source {
+    /// Of a DXF file these layers alone; all that are drawn where there are none.
+    pub layers: Vec<String>,
+    /// Of an SVG file the element of this id alone.
+    pub id: Option<String>,
+}
+
+/// Whether a file's extension is that of a drawing.
+pub fn is_drawing(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "dxf" | "svg" | "csv")
+}
+
+fn extension(path: &Path) -> String {
+    let extension = path.extension().unwrap_or_default();
+    extension.to_string_lossy().to_ascii_lowercase()
+}
+
+/// Reads a drawing; its extension tells the format.
+///
+/// # Errors
+/// If the file cannot be read, or is no drawing. What cannot be used of a drawing is told by [`Drawing::outlines`].
+pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingError> {
+    let path = path.as_ref();
+    let mut drawing = match extension(path).as_str() {
+        "dxf" => dxf::read(&bytes(path)?, &source.layers).map_err(|e| DrawingError::File {
+            line: Some(e.line),
+            message: e.message,
+            help: e.help,
+        })?,
+        "dwg" => {
+            let help = "save the drawing as DXF in the program that made it";
+            return Err(DrawingError::file("DWG files are not read", help));
+        }
+        other => {
+            let message = format!("the extension {other:?} is not that of a drawing");
+            return Err(DrawingError::file(message, "drawings end in .dxf, .svg or .csv"));
+        }
+    };
+    drawing.name = (path.file_stem())
+        .map(|s| s.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    Ok(drawing)
+}
+
+/// The bytes of a regular file: a pipe might never say anything, a device might never end.
+fn bytes(path: &Path) -> Result<Vec<u8>, DrawingError> {
+    let unreadable = |e: std::io::Error| {
+        DrawingError::file(format!("it cannot be read: {e}"), "check the path")
+    };
+    let meta = std::fs::metadata(path).map_err(unreadable)?;
+    if !meta.is_file() {
+        return Err(DrawingError::file("it is no regular file", "give a file"));
+    }
+    let too_large = || {
+        let message = format!("it is too large: at most {LARGEST} bytes are read");
+        DrawingError::file(message, "remove what is no outline, or split the drawing")
+    };
+    if meta.len() > LARGEST {
+        return Err(too_large());
+    }
+    let mut bytes = Vec::with_capacity(meta.len() as usize);
+    let file = File::open(path).map_err(unreadable)?;
+    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(too_large());
+    }
+    Ok(bytes)
+}
