@@ -1,6 +1,6 @@
 //! Parts from drawings.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use cspace::{Part, PartError, Point, Vertex};
 
@@ -232,11 +232,12 @@ impl<'d> Making<'d> {
             self.refit(&mut loops, &mut lone, &groups);
         }
         for (outline, _) in &loops {
-            self.report.curves += outline.curves;
             self.report.pieces += outline.pieces;
             self.report.deviation = self.report.deviation.max(outline.deviation);
             self.report.kink = self.report.kink.max(outline.kink);
         }
+        let curves: HashSet<u32> = (loops.iter()).flat_map(|l| l.0.curves.iter().copied()).collect();
+        self.report.curves = curves.len();
         let outlines: Vec<Outline> = loops.into_iter().map(|l| l.0).collect();
         let parts = self.parts(&outlines, groups);
         if !self.problems.is_empty() {
@@ -297,7 +298,7 @@ impl<'d> Making<'d> {
         for group in groups {
             for (k, &i) in group.iter().enumerate() {
                 let (outline, chain) = &loops[i];
-                if outline.curves == 0 {
+                if outline.curves.is_empty() {
                     continue;
                 }
                 // Outermost loops have material inside, holes outside; a loop that turns left has its inside on the left.
@@ -347,7 +348,7 @@ impl<'d> Making<'d> {
         for name in &plain {
             *counts.entry(name).or_default() += 1;
         }
-        let mut taken: std::collections::HashSet<String> = (counts.iter())
+        let mut taken: HashSet<String> = (counts.iter())
             .filter(|(_, n)| **n == 1)
             .map(|(name, _)| (*name).to_owned())
             .collect();

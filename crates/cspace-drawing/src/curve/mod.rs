@@ -7,7 +7,7 @@ mod spline;
 use cspace::{Point, Vector};
 
 pub use ellipse::EllipseArc;
-pub use interpolate::interpolate;
+pub(crate) use interpolate::interpolate;
 pub use spline::{Spline, SplineError};
 
 use crate::affine::Affine;

@@ -26,8 +26,8 @@ pub(crate) struct Outline {
     pub(crate) vertices: Vec<Vertex>,
     /// The entity that each edge comes from.
     pub(crate) entities: Vec<u32>,
-    /// What was fitted.
-    pub(crate) curves: usize,
+    /// The entities that lines and arcs were fitted to.
+    pub(crate) curves: Vec<u32>,
     pub(crate) pieces: usize,
     pub(crate) deviation: f64,
     pub(crate) kink: f64,
@@ -149,18 +149,15 @@ fn add_run(
         parts[span.min(parts.len() - 1)].piece.entity
     };
     outline.entities.extend(fitted.vertices.iter().map(entity_of));
-    outline.curves += count_curves(parts);
+    let mut entities: Vec<u32> = parts.iter().map(|p| p.piece.entity).collect();
+    entities.sort_unstable();
+    entities.dedup();
+    outline.curves.extend(entities);
     outline.pieces += fitted.vertices.len();
     outline.deviation = outline.deviation.max(deviation);
     outline.kink = outline.kink.max(fitted.kink);
     outline.vertices.extend(fitted.vertices);
     Ok(())
-}
-
-fn count_curves(parts: &[Part<'_>]) -> usize {
-    1 + (parts.windows(2))
-        .filter(|p| !core::ptr::eq(p[0].piece, p[1].piece))
-        .count()
 }
 
 fn sample(

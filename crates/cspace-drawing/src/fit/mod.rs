@@ -1,12 +1,12 @@
 //! Lines and arcs within a tolerance of smooth curves and of measured points, tangent to each other.
 //!
-//! A smooth run of samples is divided into as few pieces as can be, each a line or an arc between two samples that passes
-//! all samples between within the tolerance ([`divide`]). The pieces meet with small kinks; moving the joints and changing
-//! the arcs by as little as possible makes them tangent ([`tangent`]). What then deviates too far ([`deviation`]) is divided
-//! into one piece more.
+//! A smooth run of samples is divided into as few tangent pieces as can be, each a line or an arc between two samples that
+//! passes all samples between within the tolerance ([`divide`]). At ends whose direction is given, and where a closed run
+//! comes back, a small kink is left; moving the joints and changing the arcs by as little as possible takes it away
+//! ([`tangent`]). What then deviates too far ([`deviation`]) is divided anew for a narrower band.
 //!
-//! That this is nearly the fewest follows from an expansion: along a curve whose curvature changes at the rate k an arc of
-//! length L between points of the curve deviates by k L³ / (72 √3), and of all such chains it is the tangent one that does.
+//! Joints on the curve itself lose nothing: along a curve whose curvature changes at the rate k an arc of length L between
+//! points of the curve deviates by k L³ / (72 √3) or more, and a chain of tangent arcs reaches that.
 
 mod bulges;
 mod chain;
@@ -21,7 +21,6 @@ use run::Run;
 
 use cspace::{Point, Vertex};
 
-use divide::Division;
 
 /// Lines and arcs fitted to a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,31 +35,24 @@ pub(crate) struct Fitted {
     pub(crate) kink: f64,
 }
 
-/// The fewest pieces more that are tried, and the most as a share of the fewest: four times the pieces bring a sixty-fourth
-/// of the deviation.
-const MOST_MORE: usize = 8;
+/// How much narrower the band is made for each next try, and how often: small changes that make pieces tangent take some of
+/// it, and a band of a share s asks for s^(-1/3) times the pieces.
+const NARROWER: f64 = 0.96;
+const TRIES: usize = 24;
 
 /// Fits lines and arcs to a run. None if the samples do not allow it: they are too coarse for the tolerance.
 pub(crate) fn fit(run: &Run) -> Option<Fitted> {
-    let starts = if run.is_closed { divide::starts(run) } else { vec![0] };
-    let first = (starts.iter())
-        .map(|&start| divide::fewest(run, start, run.band.width()))
-        .min_by_key(Division::len)?;
-    let mut division = first.clone();
-    let most = MOST_MORE + 4 * first.len();
-    loop {
-        let balanced = divide::balance(run, &division);
-        for with_lines in [true, false] {
-            let Some(fitted) = tangent::make(run, &balanced, with_lines) else {
-                continue;
-            };
-            if run.band.holds(&fitted) {
-                return Some(fitted.fitted);
+    let mut width = 0.999 * run.band.width();
+    for _ in 0..TRIES {
+        if let Some(division) = divide::divide(run, width) {
+            for with_lines in [true, false] {
+                let made = tangent::make(run, &division, with_lines);
+                if let Some(made) = made.filter(|m| run.band.holds(m)) {
+                    return Some(made.fitted);
+                }
             }
         }
-        division = divide::more(run, &division)?;
-        if division.len() > most {
-            return None;
-        }
+        width *= NARROWER;
     }
+    None
 }

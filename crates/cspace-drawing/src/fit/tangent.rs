@@ -92,7 +92,7 @@ struct Row {
 
 impl<'r> Pieces<'r> {
     fn new(run: &'r Run, division: &Division, with_lines: bool) -> Option<Self> {
-        let n = division.len();
+        let n = division.bulges.len();
         let count = if run.is_closed { n } else { n + 1 };
         let at = &division.joints[..count];
         let width = run.band.width();

@@ -150,7 +150,7 @@ fn sweep(pieces: &mut Pieces<'_>, group: &[Laid], middle: Point, round: f64, joi
                 if !unite(pieces, [other, piece], middle, round, joined) {
                     continue;
                 }
-                // One of the two is gone, and the other reaches as far as both.
+                // One of the two is gone or shorter, and the other reaches as far as both at most.
                 let reach = active.iter().map(|a| a.0).fold(to, f64::max);
                 for a in &mut active {
                     if a.1 == other || a.1 == piece {
@@ -186,7 +186,7 @@ fn is_same_line(pieces: &Pieces<'_>, a: &Laid, b: &Laid, round: f64) -> bool {
     (pieces.segments[short.piece].ends.iter()).all(|&e| along.cross(e - p).abs() <= 2.0 * round)
 }
 
-/// Makes one of two pieces if they overlap; whether one was removed.
+/// Makes one of two pieces if they overlap, or cuts one off where the other begins; whether anything has changed.
 fn unite(
     pieces: &mut Pieces<'_>,
     [a, b]: [usize; 2],
@@ -236,8 +236,20 @@ fn unite(
     };
     let sweep = hi.max(to) - lo.min(from);
     let is_whole = first.kind == CIRCLE && sweep > TAU - slack;
-    if is_whole || pieces.linked(grown).is_some() || pieces.linked(covered).is_some() {
-        return false;
+    let (grown_is_linked, covered_is_linked) =
+        (pieces.linked(grown).is_some(), pieces.linked(covered).is_some());
+    match (grown_is_linked, covered_is_linked) {
+        (false, false) if !is_whole => {}
+        // One goes on in its path: what it covers of the other is cut off.
+        (true, false) => {
+            cut(pieces, covered, pieces.point(grown), middle);
+            return true;
+        }
+        (false, true) => {
+            cut(pieces, grown, pieces.point(covered), middle);
+            return true;
+        }
+        _ => return false,
     }
     let link = pieces.linked(by);
     let to = pieces.point(by);
@@ -253,6 +265,28 @@ fn unite(
     }
     joined.merged += 1;
     true
+}
+
+/// Cuts a line or an arc off at a point on it, on the side of an end.
+fn cut(pieces: &mut Pieces<'_>, at: End, to: Point, middle: Point) {
+    let (piece, side) = of_end(at);
+    let Some(laid) = lay(pieces, piece, middle) else {
+        return;
+    };
+    if laid.kind == CIRCLE {
+        let center = middle + Vector::new(laid.key[0], laid.key[1]);
+        let angle = (to - center).angle();
+        let backward = laid.is_backward;
+        let cuts_start = (side == 0) != backward;
+        let sweep = if cuts_start {
+            (laid.to - angle).rem_euclid(TAU)
+        } else {
+            (angle - laid.from).rem_euclid(TAU)
+        };
+        let bulge = (sweep / 4.0).tan();
+        pieces.segments[piece].shape = Shape::Edge(if backward { -bulge } else { bulge });
+    }
+    pieces.move_end(at, to);
 }
 
 /// Removes curves that are drawn twice, to the last bit and either way.
