@@ -15,6 +15,8 @@ pub struct Drawing {
     pub name: String,
     /// The unit of length that the file names.
     pub unit: Option<Unit>,
+    /// Whether the entities are polygons through measured points, which lines and arcs are to be fitted to.
+    pub is_measured: bool,
     /// What may be an outline, or a part of one.
     pub entities: Vec<Entity>,
     /// What is no outline, and is left out.

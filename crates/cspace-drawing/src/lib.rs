@@ -31,7 +31,9 @@ mod join;
 mod nest;
 mod outlines;
 mod path_map;
+mod points;
 mod read;
+mod svg;
 
 pub use affine::Affine;
 pub use curve::{Curve, EllipseArc, Spline, SplineError};

@@ -16,7 +16,10 @@ pub(crate) fn nest(loops: &[Lone]) -> Vec<Vec<usize>> {
         (loops.iter().enumerate())
             .map(|(i, l)| {
                 let b = l.part.bounds();
-                GeomWithData::new(Rectangle::from_corners([b.min.x, b.min.y], [b.max.x, b.max.y]), i)
+                GeomWithData::new(
+                    Rectangle::from_corners([b.min.x, b.min.y], [b.max.x, b.max.y]),
+                    i,
+                )
             })
             .collect(),
     );

@@ -7,7 +7,7 @@ use cspace::{Part, PartError, Point, Vertex};
 use crate::affine::Affine;
 use crate::drawing::{Drawing, Ignored, Origin, Path, Piece, Problem, Unit};
 use crate::error::DrawingError;
-use crate::fit::{self, Outline, Sided};
+use crate::fit::{self, NotFitted, Outline, Sided};
 use crate::join::{self, Chain, Joined};
 use crate::nest::{Lone, nest};
 
@@ -153,7 +153,10 @@ fn check(settings: &Settings) -> Result<(), DrawingError> {
     let positive = |x: f64| x > 0.0 && x.is_finite();
     let wrong = |what: &str, x: f64| {
         let message = format!("`{what}` is {x:?}");
-        Err(DrawingError::file(message, format!("give a positive number as {what}")))
+        Err(DrawingError::file(
+            message,
+            format!("give a positive number as {what}"),
+        ))
     };
     if !positive(settings.scale) {
         return wrong("scale", settings.scale);
@@ -210,7 +213,12 @@ impl<'d> Making<'d> {
             self.problems.push(problem);
             return;
         }
-        let Problem { origin, with, reason, .. } = problem;
+        let Problem {
+            origin,
+            with,
+            reason,
+            ..
+        } = problem;
         for origin in [origin].into_iter().chain(with) {
             let reason = reason.clone().into();
             self.ignored.push(Ignored { origin, reason });
@@ -236,7 +244,9 @@ impl<'d> Making<'d> {
             self.report.deviation = self.report.deviation.max(outline.deviation);
             self.report.kink = self.report.kink.max(outline.kink);
         }
-        let curves: HashSet<u32> = (loops.iter()).flat_map(|l| l.0.curves.iter().copied()).collect();
+        let curves: HashSet<u32> = (loops.iter())
+            .flat_map(|l| l.0.curves.iter().copied())
+            .collect();
         self.report.curves = curves.len();
         let outlines: Vec<Outline> = loops.into_iter().map(|l| l.0).collect();
         let parts = self.parts(&outlines, groups);
@@ -261,7 +271,17 @@ impl<'d> Making<'d> {
 
     /// The loop of a chain, checked by itself.
     fn fitted(&mut self, chain: &Chain<'_>, sided: Sided) -> Option<(Outline, Lone)> {
-        let outline = match fit::outline(chain, self.fit, sided) {
+        let made = if self.drawing.is_measured {
+            let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();
+            let first = NotFitted {
+                entity: chain.pieces[0].entity,
+                at: points[0],
+            };
+            fit::profile(&points, self.fit, sided, first.entity).ok_or(first)
+        } else {
+            fit::outline(chain, self.fit, sided)
+        };
+        let outline = match made {
             Ok(outline) => outline,
             Err(at) => {
                 let problem = Problem {
@@ -382,9 +402,16 @@ impl<'d> Making<'d> {
                 .take_while(|(a, b)| a == b)
                 .count()
         };
-        let depth = rest.iter().map(|o| shared(o)).min().unwrap_or(first.blocks.len());
+        let depth = rest
+            .iter()
+            .map(|o| shared(o))
+            .min()
+            .unwrap_or(first.blocks.len());
         // Names that begin with a star are made up by programs.
-        let block = first.blocks[..depth].iter().rev().find(|b| !b.starts_with('*'));
+        let block = first.blocks[..depth]
+            .iter()
+            .rev()
+            .find(|b| !b.starts_with('*'));
         let layer = (rest.iter().all(|o| o.layer == first.layer))
             .then_some(&first.layer)
             .filter(|l| !l.is_empty() && &***l != "0");
@@ -404,7 +431,13 @@ impl<'d> Making<'d> {
             is_used[entity as usize] = true;
         }
         let mut used = BTreeMap::new();
-        for (entity, _) in self.drawing.entities.iter().zip(&is_used).filter(|(_, u)| **u) {
+        for (entity, _) in self
+            .drawing
+            .entities
+            .iter()
+            .zip(&is_used)
+            .filter(|(_, u)| **u)
+        {
             *used.entry(entity.origin.kind.to_string()).or_default() += 1;
         }
         used
@@ -421,17 +454,30 @@ impl<'d> Making<'d> {
             vertex.map(|v| v.point())
         };
         let (ends, at, reason, help) = match *error {
-            PartError::Crossing { loop_index, edge_index, other_loop, other_edge, at } => (
+            PartError::Crossing {
+                loop_index,
+                edge_index,
+                other_loop,
+                other_edge,
+                at,
+            } => (
                 [(loop_index, edge_index), (other_loop, other_edge)],
                 Some(at),
                 "outlines cross here".to_owned(),
                 "move them apart, or read their layers one by one with --layer".to_owned(),
             ),
-            PartError::Touching { loop_index, edge_index, other_loop, other_edge, at } => (
+            PartError::Touching {
+                loop_index,
+                edge_index,
+                other_loop,
+                other_edge,
+                at,
+            } => (
                 [(loop_index, edge_index), (other_loop, other_edge)],
                 Some(at),
                 "outlines touch here".to_owned(),
-                "move them apart, merge them, or read their layers one by one with --layer".to_owned(),
+                "move them apart, merge them, or read their layers one by one with --layer"
+                    .to_owned(),
             ),
             ref other => {
                 let (l, v) = place_of(other);
@@ -445,7 +491,10 @@ impl<'d> Making<'d> {
         };
         let [first, second] = ends.map(|(l, v)| entity(l, v));
         Problem {
-            with: second.into_iter().filter(|s| Some(s) != first.as_ref()).collect(),
+            with: second
+                .into_iter()
+                .filter(|s| Some(s) != first.as_ref())
+                .collect(),
             origin: first.unwrap_or_default(),
             at,
             reason,
@@ -472,11 +521,28 @@ impl<'d> Making<'d> {
 fn place_of(error: &PartError) -> (usize, usize) {
     match *error {
         PartError::TooFewVertices { loop_index, .. } => (loop_index, 0),
-        PartError::BadCoordinate { loop_index, vertex_index }
-        | PartError::CoordinateTooLarge { loop_index, vertex_index }
-        | PartError::BadBulge { loop_index, vertex_index, .. }
-        | PartError::CoincidentVertices { loop_index, vertex_index, .. }
-        | PartError::Spike { loop_index, vertex_index } => (loop_index, vertex_index),
+        PartError::BadCoordinate {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::CoordinateTooLarge {
+            loop_index,
+            vertex_index,
+        }
+        | PartError::BadBulge {
+            loop_index,
+            vertex_index,
+            ..
+        }
+        | PartError::CoincidentVertices {
+            loop_index,
+            vertex_index,
+            ..
+        }
+        | PartError::Spike {
+            loop_index,
+            vertex_index,
+        } => (loop_index, vertex_index),
         _ => (0, 0),
     }
 }

@@ -5,8 +5,8 @@ use std::io::Read;
 use std::path::Path;
 
 use crate::drawing::Drawing;
-use crate::dxf;
 use crate::error::DrawingError;
+use crate::{dxf, points, svg};
 
 /// The largest file read, in bytes: some millions of entities.
 const LARGEST: u64 = 512 << 20;
@@ -42,13 +42,18 @@ pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingE
             message: e.message,
             help: e.help,
         })?,
+        "csv" => points::read(&bytes(path)?)?,
+        "svg" => svg::read(&bytes(path)?, source)?,
         "dwg" => {
             let help = "save the drawing as DXF in the program that made it";
             return Err(DrawingError::file("DWG files are not read", help));
         }
         other => {
             let message = format!("the extension {other:?} is not that of a drawing");
-            return Err(DrawingError::file(message, "drawings end in .dxf, .svg or .csv"));
+            return Err(DrawingError::file(
+                message,
+                "drawings end in .dxf, .svg or .csv",
+            ));
         }
     };
     drawing.name = (path.file_stem())
@@ -59,9 +64,8 @@ pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingE
 
 /// The bytes of a regular file: a pipe might never say anything, a device might never end.
 fn bytes(path: &Path) -> Result<Vec<u8>, DrawingError> {
-    let unreadable = |e: std::io::Error| {
-        DrawingError::file(format!("it cannot be read: {e}"), "check the path")
-    };
+    let unreadable =
+        |e: std::io::Error| DrawingError::file(format!("it cannot be read: {e}"), "check the path");
     let meta = std::fs::metadata(path).map_err(unreadable)?;
     if !meta.is_file() {
         return Err(DrawingError::file("it is no regular file", "give a file"));
@@ -75,7 +79,9 @@ fn bytes(path: &Path) -> Result<Vec<u8>, DrawingError> {
     }
     let mut bytes = Vec::with_capacity(meta.len() as usize);
     let file = File::open(path).map_err(unreadable)?;
-    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    file.take(LARGEST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unreadable)?;
     if bytes.len() as u64 > LARGEST {
         return Err(too_large());
     }

@@ -29,7 +29,8 @@ impl EllipseArc {
         /// Rounding of numbers in files, as a share of the radius.
         const ROUND: f64 = 1e-12;
         let (uu, vv) = (self.u.length_squared(), self.v.length_squared());
-        let is_round = (uu - vv).abs() <= 2.0 * ROUND * uu && self.u.dot(self.v).abs() <= ROUND * uu;
+        let is_round =
+            (uu - vv).abs() <= 2.0 * ROUND * uu && self.u.dot(self.v).abs() <= ROUND * uu;
         let sweep = (self.to - self.from) * self.u.cross(self.v).signum();
         (is_round && sweep.abs() < 6.283).then(|| (sweep / 4.0).tan())
     }

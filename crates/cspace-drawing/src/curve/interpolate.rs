@@ -159,13 +159,22 @@ mod tests {
                 (p.at(0, s + step).1 - p.at(0, s - step).1) * (1.0 / (2.0 * step * h * h))
             };
             let length = |p: &Spline| p.at(0, 0.0).0.distance(p.at(0, 1.0).0);
-            let joints = if closed { pieces.len() } else { pieces.len() - 1 };
+            let joints = if closed {
+                pieces.len()
+            } else {
+                pieces.len() - 1
+            };
             for i in 0..joints {
                 let (a, b) = (&pieces[i], &pieces[(i + 1) % pieces.len()]);
                 let (la, lb) = (length(a), length(b));
                 assert!(a.at(0, 1.0).0.distance(b.at(0, 0.0).0) < 1e-12);
-                assert!((a.at(0, 1.0).1 * (1.0 / la) - b.at(0, 0.0).1 * (1.0 / lb)).length() < 1e-9);
-                assert!((second(a, 1.0, la) - second(b, 0.0, lb)).length() < 1e-6, "{closed} {i}");
+                assert!(
+                    (a.at(0, 1.0).1 * (1.0 / la) - b.at(0, 0.0).1 * (1.0 / lb)).length() < 1e-9
+                );
+                assert!(
+                    (second(a, 1.0, la) - second(b, 0.0, lb)).length() < 1e-6,
+                    "{closed} {i}"
+                );
             }
             if !closed {
                 assert!(second(&pieces[0], 0.0, length(&pieces[0])).length() < 1e-6);

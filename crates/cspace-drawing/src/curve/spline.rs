@@ -72,7 +72,10 @@ impl Spline {
         if !is_up || spans.is_empty() || !knots.iter().all(|k| k.is_finite()) {
             return Err(SplineError::Order);
         }
-        let control = control.iter().map(|&(p, w)| [p.x * w, p.y * w, w]).collect();
+        let control = control
+            .iter()
+            .map(|&(p, w)| [p.x * w, p.y * w, w])
+            .collect();
         Ok(Self {
             degree,
             knots,
@@ -159,7 +162,14 @@ mod tests {
 
     #[test]
     fn derivative_is_that_of_the_points() {
-        let points = [(0.0, 0.0), (1.0, 3.0), (3.0, -1.0), (5.0, 2.0), (6.0, 0.0), (7.0, 4.0)];
+        let points = [
+            (0.0, 0.0),
+            (1.0, 3.0),
+            (3.0, -1.0),
+            (5.0, 2.0),
+            (6.0, 0.0),
+            (7.0, 4.0),
+        ];
         let control: Vec<(Point, f64)> = (points.iter().enumerate())
             .map(|(i, &(x, y))| (Point::new(x, y), 1.0 + 0.3 * i as f64))
             .collect();

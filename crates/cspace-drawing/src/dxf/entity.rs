@@ -157,7 +157,11 @@ impl<'r, 'a> Reader<'r, 'a> {
         let first = self.advance()?;
         if first.text() != b"BLOCK" {
             let message = "an entity outside of any block in the section of blocks";
-            return Err(DxfError::new(first.line, message, "export the drawing again"));
+            return Err(DxfError::new(
+                first.line,
+                message,
+                "export the drawing again",
+            ));
         }
         let Record { groups, .. } = &Record::new(&self.present);
         let mut name = self.names.get(b"");
@@ -377,7 +381,10 @@ fn arc(record: &Record<'_, '_>) -> Result<What> {
         return Ok(faced(Path::circle(center, radius), behind));
     }
     let mut path = Path::from(center + direction(from) * radius);
-    path.edge_to(center + direction(to) * radius, (sweep.to_radians() / 4.0).tan());
+    path.edge_to(
+        center + direction(to) * radius,
+        (sweep.to_radians() / 4.0).tan(),
+    );
     Ok(faced(path, behind))
 }
 
@@ -440,7 +447,10 @@ pub(crate) fn ellipse_path(arc: &EllipseArc) -> Path {
     let curve = Curve::Ellipse(*arc);
     let is_whole = (arc.to - arc.from).abs() >= TAU;
     if is_whole {
-        let half = EllipseArc { to: arc.from + core::f64::consts::PI, ..*arc };
+        let half = EllipseArc {
+            to: arc.from + core::f64::consts::PI,
+            ..*arc
+        };
         if half.bulge().is_some() {
             return Path::circle(arc.center, arc.u.length());
         }
@@ -499,7 +509,12 @@ fn insert<'a>(record: &Record<'_, 'a>, names: &mut Names<'a>) -> Result<What> {
 fn other(kind: &[u8]) -> What {
     What::Ignored(match kind {
         b"TEXT" | b"MTEXT" | b"ATTRIB" | b"ATTDEF" | b"RTEXT" | b"ARCALIGNEDTEXT" => "a text",
-        b"DIMENSION" | b"ARC_DIMENSION" | b"LARGE_RADIAL_DIMENSION" | b"LEADER" | b"MLEADER" | b"MULTILEADER"
+        b"DIMENSION"
+        | b"ARC_DIMENSION"
+        | b"LARGE_RADIAL_DIMENSION"
+        | b"LEADER"
+        | b"MLEADER"
+        | b"MULTILEADER"
         | b"TOLERANCE" => "a dimension or leader",
         b"POINT" => "a point",
         b"HATCH" | b"MPOLYGON" => "a fill, which has no outline of its own",

@@ -80,7 +80,10 @@ impl<'a> Group<'a> {
         const LONGEST: usize = 40;
         match self.value {
             Value::Text(text) => {
-                let text: String = String::from_utf8_lossy(text).chars().take(LONGEST).collect();
+                let text: String = String::from_utf8_lossy(text)
+                    .chars()
+                    .take(LONGEST)
+                    .collect();
                 format!("{text:?}")
             }
             Value::Real(x) => format!("{x:?}"),
@@ -211,11 +214,18 @@ impl<'a> Groups<'a> {
                 self.take(length as usize)?;
                 Value::Text(b"")
             }
-            0..=9 | 100..=105 | 300..=309 | 320..=369 | 390..=399 | 410..=419 | 430..=439
-            | 470..=481 | 999..=1009 => {
+            0..=9
+            | 100..=105
+            | 300..=309
+            | 320..=369
+            | 390..=399
+            | 410..=419
+            | 430..=439
+            | 470..=481
+            | 999..=1009 => {
                 let rest = &self.bytes[self.at..];
-                let end = (rest.iter().position(|&b| b == 0))
-                    .ok_or_else(|| DxfError::cut_off(line))?;
+                let end =
+                    (rest.iter().position(|&b| b == 0)).ok_or_else(|| DxfError::cut_off(line))?;
                 self.at += end + 1;
                 Value::Text(rest[..end].trim_ascii())
             }
@@ -229,8 +239,8 @@ impl<'a> Groups<'a> {
     }
 
     fn take(&mut self, count: usize) -> Result<&'a [u8]> {
-        let taken = (self.bytes.get(self.at..self.at + count))
-            .ok_or_else(|| DxfError::cut_off(self.at))?;
+        let taken =
+            (self.bytes.get(self.at..self.at + count)).ok_or_else(|| DxfError::cut_off(self.at))?;
         self.at += count;
         Ok(taken)
     }

@@ -128,7 +128,9 @@ impl Flat<'_> {
         if self.count > MOST_ENTITIES {
             return Err(DxfError::new(
                 line,
-                format!("with its blocks inserted the drawing has more than {MOST_ENTITIES} entities"),
+                format!(
+                    "with its blocks inserted the drawing has more than {MOST_ENTITIES} entities"
+                ),
                 "remove what is no outline, or split the drawing",
             ));
         }

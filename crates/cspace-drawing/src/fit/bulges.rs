@@ -20,13 +20,69 @@ pub(super) fn bulge_through(p: Point, at: Point, q: Point) -> f64 {
     }
 }
 
-/// The bulges of the arcs between two samples that pass all samples between within the band of this half width; none if
-/// there are none. All arcs between two points are nested, so that each sample allows an interval.
-pub(super) fn allowed(run: &Run, from: usize, to: usize, width: f64) -> Option<(f64, f64)> {
+/// The samples that arcs are tested at, in order: all, or of every so many those that are farthest to either side.
+#[derive(Debug)]
+pub(super) struct Tested {
+    samples: Vec<usize>,
+    /// The number of samples of a closed run; none of an open one.
+    around: Option<usize>,
+}
+
+impl Tested {
+    /// Of every block of samples those that stand out most from the smoothed points, or from the chord of the block.
+    pub(super) fn new(run: &Run, block: usize) -> Self {
+        let (n, block) = (run.points.len(), block.max(1));
+        let mut samples: Vec<usize> = Vec::new();
+        for first in (0..n).step_by(block) {
+            let last = (first + block).min(n) - 1;
+            let off = |i: usize| match &run.joints {
+                Some(joints) => (run.points[i] - joints[i]).dot(run.normals[i]),
+                None => 0.0,
+            };
+            let by_off = |a: &usize, b: &usize| off(*a).total_cmp(&off(*b));
+            let mut kept: Vec<usize> =
+                [(first..=last).min_by(by_off), (first..=last).max_by(by_off)]
+                    .into_iter()
+                    .flatten()
+                    .collect();
+            kept.sort_unstable();
+            kept.dedup();
+            samples.extend(kept);
+        }
+        Self {
+            samples,
+            around: run.is_closed.then_some(n),
+        }
+    }
+
+    /// Those after one sample and before another, which may be a turn on.
+    fn between(&self, from: usize, to: usize) -> impl Iterator<Item = usize> {
+        let n = self.around.unwrap_or(usize::MAX);
+        let turns = from.checked_div(n).unwrap_or(0);
+        let start = from - turns * n;
+        let end = to - turns * n;
+        let first = self.samples.partition_point(|&s| s <= start);
+        let here = self.samples[first..].iter().copied();
+        let next = self.samples.iter().map(move |s| s.saturating_add(n));
+        here.chain(next)
+            .take_while(move |&s| s < end)
+            .map(move |s| s + turns * n)
+    }
+}
+
+/// The bulges of the arcs between two samples that pass the tested samples between within the band of this half width; none
+/// if there are none. All arcs between two points are nested, so that each sample allows an interval.
+pub(super) fn allowed(
+    run: &Run,
+    tested: &Tested,
+    from: usize,
+    to: usize,
+    width: f64,
+) -> Option<(f64, f64)> {
     let (p, q) = (run.joint(from), run.joint(to));
     let (mut lo, mut hi) = (-MOST, MOST);
     let middle = run.band.middle();
-    for i in from + 1..to {
+    for i in tested.between(from, to) {
         let (at, normal) = (run.point(i), run.normal(i));
         // Arcs to the left of the way have the lower bulges.
         let low = bulge_through(p, at + normal * (middle + width), q);

@@ -4,8 +4,8 @@ use core::f64::consts::PI;
 
 use cspace::{Point, Vector, Vertex};
 
-use super::run::{Band, Run, RunEnd};
 use super::fit;
+use super::run::{Band, Run, RunEnd};
 use crate::curve::Curve;
 use crate::join::{Chain, ChainPiece, Shape};
 
@@ -68,19 +68,32 @@ impl Part<'_> {
             velocity = near(b) - near(a);
         }
         let direction = velocity.unit();
-        (point, if self.is_backward { -direction } else { direction })
+        (
+            point,
+            if self.is_backward {
+                -direction
+            } else {
+                direction
+            },
+        )
     }
 }
 
 /// The loop of a chain; its curves fitted within a tolerance.
-pub(crate) fn outline(chain: &Chain<'_>, tolerance: f64, sided: Sided) -> Result<Outline, NotFitted> {
+pub(crate) fn outline(
+    chain: &Chain<'_>,
+    tolerance: f64,
+    sided: Sided,
+) -> Result<Outline, NotFitted> {
     let mut outline = Outline::default();
     let stretches = stretches(chain);
     let n = stretches.len();
     for (i, stretch) in stretches.iter().enumerate() {
         match stretch {
             Stretch::Edge(piece, bulge) => {
-                outline.vertices.push(Vertex::new(piece.start.x, piece.start.y, *bulge));
+                outline
+                    .vertices
+                    .push(Vertex::new(piece.start.x, piece.start.y, *bulge));
                 outline.entities.push(piece.entity);
             }
             Stretch::Curves(parts) => {
@@ -92,7 +105,10 @@ pub(crate) fn outline(chain: &Chain<'_>, tolerance: f64, sided: Sided) -> Result
                     Some(edge) if !turns(edge, own) => RunEnd::Along(edge),
                     _ => RunEnd::Free,
                 };
-                let ends = [smooth(before, first.at(0.0).1), smooth(after, last.at(1.0).1)];
+                let ends = [
+                    smooth(before, first.at(0.0).1),
+                    smooth(after, last.at(1.0).1),
+                ];
                 let band = match sided {
                     Sided::Both => Band::both(tolerance),
                     Sided::Left => Band::one_sided(tolerance, true),
@@ -131,7 +147,9 @@ fn add_run(
     let (fitted, run) = loop {
         let run = sample(parts, per_span, is_closed, ends, band);
         let fitted = fit(&run);
-        let is_fine = fitted.as_ref().is_some_and(|f| f.vertices.len() * ENOUGH <= run.points.len());
+        let is_fine = fitted
+            .as_ref()
+            .is_some_and(|f| f.vertices.len() * ENOUGH <= run.points.len());
         if is_fine || per_span >= LAST || run.points.len() > 200_000 {
             break (fitted.ok_or(not_fitted)?, run);
         }
@@ -148,7 +166,9 @@ fn add_run(
         let span = nearest.map_or(0, |(i, _)| i / per_span);
         parts[span.min(parts.len() - 1)].piece.entity
     };
-    outline.entities.extend(fitted.vertices.iter().map(entity_of));
+    outline
+        .entities
+        .extend(fitted.vertices.iter().map(entity_of));
     let mut entities: Vec<u32> = parts.iter().map(|p| p.piece.entity).collect();
     entities.sort_unstable();
     entities.dedup();
@@ -185,6 +205,7 @@ fn sample(
     }
     Run {
         points,
+        joints: None,
         normals,
         is_closed,
         ends,

@@ -6,7 +6,7 @@
 //! finds the one of fewest pieces. Angles are told apart by cells as wide as a small part of the tolerance makes them; of the
 //! ways into a cell the one is kept that stays farther from the edges of the band.
 
-use super::bulges::allowed;
+use super::bulges::{Tested, allowed};
 use super::run::{Run, RunEnd};
 
 /// A run in pieces, each a line or an arc.
@@ -18,20 +18,24 @@ pub(super) struct Division {
     pub(super) bulges: Vec<f64>,
 }
 
-/// All pieces that pass the samples between within a band.
-pub(super) struct Arcs {
-    /// By the sample they start at.
+/// All pieces between candidates for joints that pass the samples between within a band.
+struct Arcs {
+    /// The samples at which pieces may meet.
+    candidates: Vec<usize>,
+    /// By the candidate they start at.
     from: Vec<Vec<Arc>>,
-    /// How wide the cells of angles are at each sample.
-    cell: Vec<f64>,
-    /// The samples before the end, or once around.
+    /// How wide the cells of angles are at each candidate, and the angle they are around: that at which the longest piece
+    /// leaves, for directions of samples may be known to few digits.
+    cell: Vec<(f64, f64)>,
+    /// The steps from candidate to candidate to the end, or once around.
     count: usize,
-    is_closed: bool,
+    /// The number of samples of a closed run.
+    around: Option<usize>,
 }
 
 /// The pieces between two samples.
 struct Arc {
-    /// How many samples on it ends.
+    /// How many candidates on it ends.
     on: usize,
     /// φ and ψ.
     angles: [f64; 2],
@@ -41,66 +45,107 @@ struct Arc {
 }
 
 /// Cells of angles on either side of the curve's direction.
-const CELLS: i32 = 20;
+const CELLS: i32 = 24;
 
-/// How wide a cell is, by the tolerance over the length of the longest piece: the angle at its ends is some ten times that.
-const CELL: f64 = 0.9;
+/// How wide the cells in the middle are, by the tolerance over the length of the longest piece: the angle at its ends is some
+/// ten times that.
+const CELL: f64 = 0.8;
+
+/// After so many cells they grow: where a line goes over into a curve, and between samples that are far apart, the direction
+/// of the samples is known to few digits.
+const EVEN: f64 = 5.0;
 
 impl Arcs {
-    /// The arcs of a run within a band of this half width.
-    pub(super) fn new(run: &Run, width: f64) -> Self {
+    /// The arcs of a run between candidates within a band of this half width.
+    fn new(run: &Run, tested: &Tested, candidates: Vec<usize>, width: f64) -> Self {
         /// After so many ends that no arc reaches the next will not be reached either.
         const MISSES: usize = 3;
-        let count = run.len() - 1;
-        let mut from = Vec::with_capacity(count);
-        let mut cell = Vec::with_capacity(count);
-        for i in 0..count {
-            let most = if run.is_closed { count - 1 } else { count - i };
-            let mut arcs: Vec<Arc> = Vec::new();
+        let mut arcs = Self {
+            count: if run.is_closed {
+                candidates.len()
+            } else {
+                candidates.len() - 1
+            },
+            around: run.is_closed.then_some(run.points.len()),
+            candidates,
+            from: Vec::new(),
+            cell: Vec::new(),
+        };
+        for i in 0..arcs.count {
+            let most = if run.is_closed {
+                arcs.count - 1
+            } else {
+                arcs.count - i
+            };
+            let from = arcs.sample(i);
+            let mut of_this: Vec<Arc> = Vec::new();
             let mut misses = 0;
             for on in 1..=most {
-                match allowed(run, i, i + on, width) {
+                let to = arcs.sample(i + on);
+                match allowed(run, tested, from, to, width) {
                     Some((lo, hi)) => {
                         misses = 0;
-                        arcs.push(Arc {
+                        of_this.push(Arc {
                             on,
-                            angles: angles(run, i, i + on),
+                            angles: angles(run, from, to),
                             lo: 2.0 * lo.atan(),
                             hi: 2.0 * hi.atan(),
                         });
                     }
                     None => misses += 1,
                 }
-                if misses > MISSES {
+                // Points that scatter let some ends be reached, and others not.
+                if misses > MISSES + on / 8 {
                     break;
                 }
             }
-            let longest = arcs.last().map_or(1, |a| a.on);
-            let length = run.joint(i).distance(run.joint(i + longest)).max(f64::MIN_POSITIVE);
-            cell.push(CELL * width / length);
-            from.push(arcs);
+            let longest = arcs.sample(i + of_this.last().map_or(1, |a| a.on));
+            let length = run
+                .joint(from)
+                .distance(run.joint(longest))
+                .max(f64::MIN_POSITIVE);
+            let leaving = of_this.last().map_or(0.0, |a| a.angles[0] - f64::midpoint(a.lo, a.hi));
+            arcs.cell.push((CELL * width / length, leaving));
+            arcs.from.push(of_this);
         }
         // The end of an open run has no piece of its own.
-        cell.push(cell.last().copied().unwrap_or(1.0));
-        Self {
-            from,
-            cell,
-            count,
-            is_closed: run.is_closed,
+        arcs.cell.push(arcs.cell.last().map_or((1.0, 0.0), |c| (c.0, 0.0)));
+        arcs
+    }
+
+    /// The sample of a candidate, counted on around a closed run.
+    fn sample(&self, candidate: usize) -> usize {
+        match self.around {
+            Some(n) => {
+                let count = self.candidates.len();
+                self.candidates[candidate % count] + candidate / count * n
+            }
+            None => self.candidates[candidate],
         }
     }
 
-    fn cell(&self, sample: usize) -> f64 {
-        if self.is_closed {
-            self.cell[sample % self.count]
-        } else {
-            self.cell[sample]
+    fn of(&self, candidate: usize) -> (f64, f64) {
+        match self.around {
+            Some(_) => self.cell[candidate % self.count],
+            None => self.cell[candidate],
         }
     }
 
-    /// How many samples the longest piece from a sample spans.
-    pub(super) fn longest(&self, sample: usize) -> usize {
-        self.from[sample % self.count].last().map_or(1, |a| a.on)
+    /// The cell of an angle at a candidate; none of one that is far off.
+    fn cell(&self, candidate: usize, delta: f64) -> Option<i32> {
+        let (width, around) = self.of(candidate);
+        let cell = (EVEN * ((delta - around) / (EVEN * width)).asinh()).round();
+        (cell.abs() <= f64::from(CELLS)).then_some(cell as i32)
+    }
+
+    /// The angle in the middle of a cell.
+    fn angle(&self, candidate: usize, cell: i32) -> f64 {
+        let (width, around) = self.of(candidate);
+        around + EVEN * (f64::from(cell) / EVEN).sinh() * width
+    }
+
+    fn from(&self, candidate: usize) -> &[Arc] {
+        &self.from[candidate % self.count]
     }
 }
 
@@ -129,21 +174,81 @@ struct State {
     half: f64,
 }
 
-/// The fewest tangent pieces from a sample on, leaving it at an angle to the curve, or at any. They end at the last sample,
-/// or around at the first, where they arrive at an angle to the curve, or at any.
-pub(super) fn fewest(
+/// Candidates that are looked at together: what is that far ahead has no say in which pieces are best here.
+const WINDOW: usize = 8192;
+
+/// A division while it is made.
+struct Path {
+    /// By candidates.
+    joints: Vec<usize>,
+    /// Half of each sweep.
+    halves: Vec<f64>,
+    /// The angles to the curve at the joints.
+    deltas: Vec<f64>,
+}
+
+impl Path {
+    fn division(self, arcs: &Arcs) -> Division {
+        Division {
+            joints: self.joints.iter().map(|&j| arcs.sample(j)).collect(),
+            bulges: self.halves.iter().map(|h| (h / 2.0).tan()).collect(),
+        }
+    }
+}
+
+/// The fewest tangent pieces over some candidates from one on, leaving it at an angle to the curve, or at any, and arriving at
+/// the last at an angle, or at any.
+fn fewest(
     arcs: &Arcs,
     start: usize,
+    samples: usize,
     leaving: Option<f64>,
     arriving: Option<f64>,
-) -> Option<Division> {
-    let width = (2 * CELLS + 1) as usize;
-    let n = arcs.count;
-    let mut states: Vec<Option<State>> = vec![None; (n + 1) * width];
-    let cell_of = |step: usize, delta: f64| {
-        let cell = (delta / arcs.cell(start + step)).round();
-        (cell.abs() <= f64::from(CELLS)).then_some(cell as i32)
+) -> Option<Path> {
+    let mut path = Path {
+        joints: vec![start],
+        halves: Vec::new(),
+        deltas: vec![leaving.unwrap_or(0.0)],
     };
+    let (mut at, mut leaving) = (start, leaving);
+    loop {
+        let left = start + samples - at;
+        if left <= WINDOW {
+            let rest = in_window(arcs, at, left, leaving, arriving)?;
+            path.join(&rest, rest.halves.len());
+            return Some(path);
+        }
+        let rest = in_window(arcs, at, WINDOW, leaving, None)?;
+        let kept = (rest.joints.iter())
+            .position(|&j| j > at + WINDOW * 3 / 4)
+            .unwrap_or(1)
+            .clamp(1, rest.halves.len());
+        path.join(&rest, kept);
+        at = path.joints[path.joints.len() - 1];
+        leaving = path.deltas.last().copied();
+    }
+}
+
+impl Path {
+    /// Goes on with so many pieces of another path.
+    fn join(&mut self, rest: &Self, pieces: usize) {
+        self.deltas[self.joints.len() - 1] = rest.deltas[0];
+        self.joints.extend(&rest.joints[1..=pieces]);
+        self.halves.extend(&rest.halves[..pieces]);
+        self.deltas.extend(&rest.deltas[1..=pieces]);
+    }
+}
+
+fn in_window(
+    arcs: &Arcs,
+    start: usize,
+    n: usize,
+    leaving: Option<f64>,
+    arriving: Option<f64>,
+) -> Option<Path> {
+    let width = (2 * CELLS + 1) as usize;
+    let mut states: Vec<Option<State>> = vec![None; (n + 1) * width];
+    let cell_of = |step: usize, delta: f64| arcs.cell(start + step, delta);
     let index = |step: usize, cell: i32| step * width + (cell + CELLS) as usize;
     let seed = |delta: f64| State {
         pieces: 0,
@@ -155,12 +260,13 @@ pub(super) fn fewest(
     };
     match leaving {
         Some(delta) => {
-            let cell = cell_of(0, delta).unwrap_or(0);
+            let cell = cell_of(0, delta)?;
             states[index(0, cell)] = Some(seed(delta));
         }
         None => {
             for cell in -CELLS..=CELLS {
-                states[index(0, cell)] = Some(seed(f64::from(cell) * arcs.cell(start)));
+                let delta = arcs.angle(start, cell);
+                states[index(0, cell)] = Some(seed(delta));
             }
         }
     }
@@ -169,7 +275,7 @@ pub(super) fn fewest(
             let Some(state) = states[index(step, cell)] else {
                 continue;
             };
-            for arc in &arcs.from[(start + step) % n] {
+            for arc in arcs.from(start + step) {
                 let to = step + arc.on;
                 if to > n {
                     break;
@@ -208,56 +314,136 @@ pub(super) fn fewest(
         }
         None => -CELLS..=CELLS,
     };
-    let end = (ends.filter(|&c| states[index(n, c)].is_some_and(|s| s.pieces > 0)))
-        .min_by(|&a, &b| {
+    let end = (ends.filter(|&c| states[index(n, c)].is_some_and(|s| s.pieces > 0))).min_by(
+        |&a, &b| {
             let of = |c: i32| states[index(n, c)].map_or((u32::MAX, 0.0), |s| (s.pieces, s.cost));
             let (a, b) = (of(a), of(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        })?;
+        },
+    )?;
     let (mut step, mut cell) = (n, end);
-    let (mut joints, mut bulges) = (vec![start + n], Vec::new());
-    while let Some(state) = states[index(step, cell)].filter(|s| s.pieces > 0) {
+    let mut path = Path {
+        joints: Vec::new(),
+        halves: Vec::new(),
+        deltas: Vec::new(),
+    };
+    while let Some(state) = states[index(step, cell)] {
+        path.joints.push(start + step);
+        path.deltas.push(state.delta);
+        if state.pieces == 0 {
+            break;
+        }
+        path.halves.push(state.half);
         step -= state.back as usize;
         cell = state.cell;
-        joints.push(start + step);
-        bulges.push((state.half / 2.0).tan());
     }
-    joints.reverse();
-    bulges.reverse();
-    Some(Division { joints, bulges })
+    path.joints.reverse();
+    path.halves.reverse();
+    path.deltas.reverse();
+    Some(path)
 }
 
-/// The best division of a run within a band of this half width, tangent but for what small changes will mend.
-pub(super) fn divide(run: &Run, width: f64) -> Option<Division> {
-    let arcs = Arcs::new(run, width);
-    if !run.is_closed {
-        let fixed = |end: usize, at: usize| match run.ends[end] {
-            RunEnd::Free => None,
-            RunEnd::Along(direction) => {
-                let own = run.normal(at).right();
-                Some(own.cross(direction).atan2(own.dot(direction)))
-            }
-        };
-        return fewest(&arcs, 0, fixed(0, 0), fixed(1, run.points.len() - 1));
+/// Samples of a piece at which others may begin, at least; and of a run.
+const PER_PIECE: usize = 32;
+const PER_RUN: usize = 400;
+
+/// The best division of a run within a band of this half width, tangent but for what small changes will mend. `pieces` is
+/// about how many there will be.
+///
+/// Where there are many samples joints are first sought at some of them, and then again with all those near the ones found:
+/// where a line goes over into an arc it matters at which.
+pub(super) fn divide(run: &Run, pieces: usize, width: f64) -> Option<Division> {
+    let n = run.points.len();
+    let tested = Tested::new(run, n / (PER_PIECE * pieces));
+    let stride = n / PER_RUN.max(PER_PIECE * pieces);
+    if stride < 2 {
+        return over(run, &tested, (0..n).collect(), width);
     }
-    // Where a closed run begins, and at which angle, is open: some of each are tried.
-    let first = arcs.longest(0);
-    let pieces = arcs.count / first.max(1);
-    // Of many pieces one more or less does not matter.
-    let (starts, leaving): (usize, i32) = if pieces > 60 { (1, 1) } else { (4, 3) };
-    let mut best: Option<Division> = None;
-    for k in 0..starts {
-        let start = k * first / starts;
-        for cell in -leaving..=leaving {
-            let delta = f64::from(cell * CELLS / (leaving + 1)) * arcs.cell(start);
-            let tried = fewest(&arcs, start, Some(delta), Some(delta));
-            let is_better = |d: &Division| {
-                best.as_ref().is_none_or(|b| d.bulges.len() < b.bulges.len())
-            };
-            if let Some(tried) = tried.filter(is_better) {
-                best = Some(tried);
-            }
+    let mut candidates: Vec<usize> = (0..n).step_by(stride).chain([n - 1]).collect();
+    let coarse = over(run, &tested, candidates.clone(), width)?;
+    for joint in coarse.joints {
+        let near = joint + n - 2 * stride..=joint + n + 2 * stride;
+        candidates.extend(near.filter_map(|i| match run.is_closed {
+            true => Some(i % n),
+            false => i.checked_sub(n).filter(|&i| i < n),
+        }));
+    }
+    candidates.sort_unstable();
+    candidates.dedup();
+    over(run, &tested, candidates, width)
+}
+
+fn over(run: &Run, tested: &Tested, candidates: Vec<usize>, width: f64) -> Option<Division> {
+    let arcs = Arcs::new(run, tested, candidates, width);
+    if run.is_closed {
+        return closed(&arcs);
+    }
+    let fixed = |end: usize, at: usize| match run.ends[end] {
+        RunEnd::Free => None,
+        RunEnd::Along(direction) => {
+            let own = run.normal(at).right();
+            Some(own.cross(direction).atan2(own.dot(direction)))
+        }
+    };
+    let ends = (fixed(0, 0), fixed(1, run.points.len() - 1));
+    fewest(&arcs, 0, arcs.count, ends.0, ends.1).map(|path| path.division(&arcs))
+}
+
+/// A closed run is begun where a chain that goes around twice has its joints the second time, at the angles that it has there:
+/// by then it has forgotten where it began.
+fn closed(arcs: &Arcs) -> Option<Division> {
+    /// Joints that are tried.
+    const TRIED: usize = 8;
+    let n = arcs.count;
+    let around = fewest(arcs, 0, 2 * n, None, None)?;
+    let mut best: Option<Path> = None;
+    let middle = (around.joints.iter().zip(&around.deltas))
+        .filter(|(joint, _)| **joint > n / 2)
+        .take(TRIED);
+    for (&joint, &delta) in middle {
+        let start = joint % n;
+        let tried = fewest(arcs, start, n, Some(delta), Some(delta));
+        let is_better = |p: &Path| {
+            best.as_ref()
+                .is_none_or(|b| p.halves.len() < b.halves.len())
+        };
+        if let Some(tried) = tried.filter(is_better) {
+            best = Some(tried);
         }
     }
-    best
+    best.map(|path| path.division(arcs))
+}
+
+/// About how many pieces there will be: those of a chain that need not be tangent, each as long as it may be, found by steps
+/// that double and then by halves.
+pub(super) fn roughly(run: &Run) -> usize {
+    let tested = Tested::new(run, 1);
+    let end = run.len() - 1;
+    let (mut at, mut pieces) = (0, 0);
+    while at < end {
+        let most = if run.is_closed {
+            end.min(at + run.len() - 2)
+        } else {
+            end
+        };
+        let test = |to: usize| allowed(run, &tested, at, to, run.band.width()).is_some();
+        let mut reached = at + 1;
+        let mut step = 1;
+        while reached < most && test((reached + step).min(most)) {
+            reached = (reached + step).min(most);
+            step *= 2;
+        }
+        let mut beyond = (reached + step).min(most);
+        while beyond > reached + 1 {
+            let middle = reached.midpoint(beyond);
+            if test(middle) {
+                reached = middle;
+            } else {
+                beyond = middle;
+            }
+        }
+        at = reached;
+        pieces += 1;
+    }
+    pieces
 }

@@ -7,6 +7,8 @@ use cspace::{Point, Vector};
 pub(crate) struct Run {
     /// The samples. A closed run does not repeat its first.
     pub(crate) points: Vec<Point>,
+    /// Where a joint at each sample would be, if not there: of points that scatter.
+    pub(crate) joints: Option<Vec<Point>>,
     /// Unit vectors to the left of the direction of travel.
     pub(crate) normals: Vec<Vector>,
     pub(crate) is_closed: bool,
@@ -98,6 +100,10 @@ impl Run {
         if is_end {
             return self.point(i);
         }
-        self.point(i) + self.normal(i) * self.band.middle()
+        let at = match &self.joints {
+            Some(joints) => joints[i % joints.len()],
+            None => self.point(i),
+        };
+        at + self.normal(i) * self.band.middle()
     }
 }

@@ -10,10 +10,10 @@ use core::f64::consts::{PI, TAU};
 use cspace::{Point, Vector, Vertex};
 
 use super::Fitted;
+use super::bulges::{Tested, allowed};
 use super::deviation::range;
 use super::divide::Division;
 use super::run::{Run, RunEnd};
-use super::bulges::allowed;
 
 /// Pieces made tangent, and how far the samples are from them: the least and the largest distance to the left.
 #[derive(Debug, Clone)]
@@ -96,10 +96,12 @@ impl<'r> Pieces<'r> {
         let count = if run.is_closed { n } else { n + 1 };
         let at = &division.joints[..count];
         let width = run.band.width();
+        let tested = Tested::new(run, 1);
         let is_line: Vec<bool> = (division.joints.windows(2))
             .map(|j| {
                 with_lines
-                    && allowed(run, j[0], j[1], width).is_some_and(|(lo, hi)| lo <= 0.0 && hi >= 0.0)
+                    && allowed(run, &tested, j[0], j[1], width)
+                        .is_some_and(|(lo, hi)| lo <= 0.0 && hi >= 0.0)
             })
             .collect();
         // Without a line there is nothing to try apart.
@@ -250,11 +252,20 @@ impl<'r> Pieces<'r> {
                 let places: f64 = (row.places.iter())
                     .map(|&(j, v)| v.dot(self.place_change(j, v)))
                     .sum();
-                let halves: f64 = row.halves.iter().map(|&(p, h)| h * self.half_change(p, h)).sum();
+                let halves: f64 = row
+                    .halves
+                    .iter()
+                    .map(|&(p, h)| h * self.half_change(p, h))
+                    .sum();
                 (places + halves).max(f64::MIN_POSITIVE)
             })
             .collect();
-        let scaled = |r: &[f64]| r.iter().zip(&diagonal).map(|(r, d)| r / d).collect::<Vec<f64>>();
+        let scaled = |r: &[f64]| {
+            r.iter()
+                .zip(&diagonal)
+                .map(|(r, d)| r / d)
+                .collect::<Vec<f64>>()
+        };
         let mut factors = vec![0.0; n];
         let mut rest: Vec<f64> = rows.iter().map(|r| -r.error).collect();
         let mut search = scaled(&rest);

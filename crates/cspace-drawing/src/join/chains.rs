@@ -124,19 +124,18 @@ impl Chain<'_> {
 }
 
 /// Every open chain is a problem; what to do depends on how far its ends are from the nearest other ones.
-fn tell_open(
-    pieces: &Pieces<'_>,
-    drawing: &Drawing,
-    open: &[[End; 2]],
-    joined: &mut Joined<'_>,
-) {
+fn tell_open(pieces: &Pieces<'_>, drawing: &Drawing, open: &[[End; 2]], joined: &mut Joined<'_>) {
     type Near = GeomWithData<[f64; 2], End>;
     let at = |e: End| {
         let p = pieces.point(e);
         [p.x, p.y]
     };
-    let tree: RTree<Near> =
-        RTree::bulk_load(open.iter().flatten().map(|&e| Near::new(at(e), e)).collect());
+    let tree: RTree<Near> = RTree::bulk_load(
+        open.iter()
+            .flatten()
+            .map(|&e| Near::new(at(e), e))
+            .collect(),
+    );
     for ends in open {
         let nearest = |e: End| {
             (tree.nearest_neighbor_iter(at(e)).find(|n| n.data != e))
@@ -144,7 +143,9 @@ fn tell_open(
         };
         let [first, last] = ends.map(nearest);
         // The end whose gap is wider decides whether the chain closes.
-        let gap = first.unwrap_or(f64::INFINITY).max(last.unwrap_or(f64::INFINITY));
+        let gap = first
+            .unwrap_or(f64::INFINITY)
+            .max(last.unwrap_or(f64::INFINITY));
         let [a, b] = ends.map(|e| of_end(e).0);
         let [from, to] = ends.map(|e| pieces.point(e));
         let mut with = Vec::new();

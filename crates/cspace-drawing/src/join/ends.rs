@@ -48,7 +48,10 @@ pub(super) fn join(
     let mut ambiguous: HashSet<usize> = HashSet::new();
     let mut is_told: HashSet<End> = HashSet::new();
     for (apart, a, b) in candidates {
-        if [a, b].iter().any(|e| pieces.linked(*e).is_some() || is_told.contains(e)) {
+        if [a, b]
+            .iter()
+            .any(|e| pieces.linked(*e).is_some() || is_told.contains(e))
+        {
             continue;
         }
         // Another end that is about as near could be meant as well.

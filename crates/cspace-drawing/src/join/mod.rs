@@ -41,7 +41,10 @@ pub(crate) fn join(drawing: &Drawing, size: f64, join: f64) -> Joined<'_> {
     let mut joined = Joined::default();
     let mut pieces = Pieces::new(drawing, size);
     joined.tiny = pieces.remove_tiny(ROUND * size, join);
-    overlaps::merge(&mut pieces, ROUND * size, &mut joined);
+    // A profile that is measured may touch itself by its scatter.
+    if !drawing.is_measured {
+        overlaps::merge(&mut pieces, ROUND * size, &mut joined);
+    }
     let ambiguous = ends::join(&mut pieces, drawing, ROUND * size, join, &mut joined);
     chains::collect(&pieces, drawing, &ambiguous, ROUND * size, &mut joined);
     joined

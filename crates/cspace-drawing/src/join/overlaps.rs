@@ -38,7 +38,11 @@ impl Laid {
     /// From where to where, cut where the angle comes back to zero.
     fn intervals(self) -> impl Iterator<Item = (f64, f64, usize)> {
         let goes_round = self.kind == CIRCLE && self.to > TAU;
-        let first = (self.from, if goes_round { TAU } else { self.to }, self.piece);
+        let first = (
+            self.from,
+            if goes_round { TAU } else { self.to },
+            self.piece,
+        );
         let second = goes_round.then_some((0.0, self.to - TAU, self.piece));
         [first].into_iter().chain(second)
     }
@@ -94,8 +98,16 @@ fn lay(pieces: &Pieces<'_>, piece: usize, middle: Point) -> Option<Laid> {
         // Directions are halves of a turn; they are cut where drawings have fewest lines.
         const CUT: f64 = 0.7265;
         let is_steep = chord.y.abs() > CUT * chord.x.abs();
-        let is_backward = if is_steep { chord.y < 0.0 } else { chord.x < 0.0 };
-        let along = if is_backward { -chord.unit() } else { chord.unit() };
+        let is_backward = if is_steep {
+            chord.y < 0.0
+        } else {
+            chord.x < 0.0
+        };
+        let along = if is_backward {
+            -chord.unit()
+        } else {
+            chord.unit()
+        };
         let (a, b) = (along.dot(p), along.dot(q));
         let slope = if is_steep { along.x } else { along.y };
         // A direction is as a length on the drawing's scale.
@@ -128,7 +140,13 @@ fn lay(pieces: &Pieces<'_>, piece: usize, middle: Point) -> Option<Laid> {
 }
 
 /// Merges what overlaps among pieces of about one line or circle.
-fn sweep(pieces: &mut Pieces<'_>, group: &[Laid], middle: Point, round: f64, joined: &mut Joined<'_>) {
+fn sweep(
+    pieces: &mut Pieces<'_>,
+    group: &[Laid],
+    middle: Point,
+    round: f64,
+    joined: &mut Joined<'_>,
+) {
     loop {
         let mut intervals: Vec<(f64, f64, usize)> = (group.iter())
             .filter(|l| !pieces.segments[l.piece].is_removed)
@@ -202,7 +220,11 @@ fn unite(
     }
     let slack = round * first.unit;
     // Angles may be a turn apart.
-    let turns: &[f64] = if first.kind == CIRCLE { &[0.0, TAU, -TAU] } else { &[0.0] };
+    let turns: &[f64] = if first.kind == CIRCLE {
+        &[0.0, TAU, -TAU]
+    } else {
+        &[0.0]
+    };
     let (lo, hi) = (first.from, first.to);
     let Some((from, to)) = (turns.iter())
         .map(|t| (second.from + t, second.to + t))
@@ -214,7 +236,11 @@ fn unite(
     let holds = lo <= from + slack && hi >= to - slack;
     let is_held = from <= lo + slack && to >= hi - slack;
     if holds || is_held {
-        let (kept, dropped) = if holds { (a_ends, b_ends) } else { (b_ends, a_ends) };
+        let (kept, dropped) = if holds {
+            (a_ends, b_ends)
+        } else {
+            (b_ends, a_ends)
+        };
         // Where both end together the one that is kept is joined to what the other was joined to.
         let together = [(lo - from).abs() <= slack, (hi - to).abs() <= slack];
         let moved: Vec<(End, End)> = (0..2)
@@ -236,8 +262,10 @@ fn unite(
     };
     let sweep = hi.max(to) - lo.min(from);
     let is_whole = first.kind == CIRCLE && sweep > TAU - slack;
-    let (grown_is_linked, covered_is_linked) =
-        (pieces.linked(grown).is_some(), pieces.linked(covered).is_some());
+    let (grown_is_linked, covered_is_linked) = (
+        pieces.linked(grown).is_some(),
+        pieces.linked(covered).is_some(),
+    );
     match (grown_is_linked, covered_is_linked) {
         (false, false) if !is_whole => {}
         // One goes on in its path: what it covers of the other is cut off.

@@ -74,7 +74,10 @@ impl<'d> Pieces<'d> {
             }
             let path = &from.path;
             let closes = path.closed || path.end() == path.start;
-            if closes && segments.len() > first && path.end().distance(path.start) <= super::ROUND * size {
+            if closes
+                && segments.len() > first
+                && path.end().distance(path.start) <= super::ROUND * size
+            {
                 let last = segments.len() - 1;
                 segments[last].links[1] = Some(end(first, 0));
                 segments[first].links[0] = Some(end(last, 1));

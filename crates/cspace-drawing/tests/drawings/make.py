@@ -385,4 +385,92 @@ doc, msp = new("R2000")
 gear(msp, 18)
 save("gear_splines", doc, [], fitted=36, loops=2, within=1e-3)
 
+# -- SVG
+def svg(name, body, parts, head='width="100mm" height="80mm" viewBox="0 0 100 80"', within=1e-9, **more):
+    path = HERE / f"{name}.svg"
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" {head}>\n{body}\n</svg>\n')
+    EXPECTED[path.name] = {"parts": parts, "within": within, **more}
+
+
+svg("shapes", """<rect x="10" y="10" width="40" height="20" rx="5"/>
+<circle cx="70" cy="20" r="8" fill="none" stroke="red"/>
+<ellipse cx="70" cy="50" rx="20" ry="10"/>
+<polygon points="10,50 30,50 30,70"/>
+<text x="0" y="0">no outline</text>""",
+    [part(800 - 100 + 25 * PI, 80 + 10 * PI, lines=4, arcs=4), part(64 * PI, 16 * PI, lines=0, arcs=2),
+     part(200 * PI, ramanujan), part(200, 40 + math.sqrt(800), lines=3, arcs=0)],
+    within=2e-4, fitted=1, ignored={"text": 1}, unit="mm")
+svg("path_arcs", '<path id="slot" d="M5-5h40a5 5 0 0 1 0 10H5A5 5 0 1 1 5-5z"/>', [slot(40, 5)], unit="mm")
+svg("path_large_arcs", '<path d="M0 0 A10 10 0 1 0 10 10 L0 10Z"/>',
+    [part(75 * PI, 15 * PI + 20, lines=2, arcs=1)], head="")
+svg("path_relative", '<path d="m 10,10 10,0 0,10 -10,0 z m 3,3 v4 h4 v-4 z"/>', [part(100 - 16, 56, loops=2, lines=8, arcs=0)])
+k = 4 / 3 * (math.sqrt(2) - 1) * 10
+svg("bezier_circle", f'<path d="M10 0C10 {k} {k} 10 0 10S-10 {k}-10 0S-{k}-10 0-10S10-{k} 10 0Z"/>',
+    [part(100 * PI, 20 * PI)], within=1e-3, fitted=1)
+svg("transforms", """<g transform="translate(50 40) rotate(30) scale(2)"><g transform="matrix(-1 0 0 1 3 4)">
+<path d="M0 0 H10 A10 10 0 0 1 0 10 Z"/></g></g>""", [part(100 * PI, 40 + 10 * PI, lines=2, arcs=1)])
+svg("used", """<defs><circle id="hole" r="3"/><symbol id="s" viewBox="0 0 10 10"><circle cx="5" cy="5" r="5"/></symbol></defs>
+<rect x="0" y="0" width="60" height="40"/>
+<use href="#hole" x="10" y="10"/><use xlink:href="#hole" transform="translate(30 20)"/>
+<use href="#s" x="70" y="0" width="20" height="20"/>""",
+    [part(2400 - 18 * PI, 200 + 12 * PI, loops=3, lines=4, arcs=4), part(100 * PI, 20 * PI, lines=0, arcs=2)])
+svg("inches", '<rect x="0" y="0" width="96" height="48"/>', [part(0.5, 3, lines=4, arcs=0)],
+    head='width="2in" height="1in" viewBox="0 0 192 96"', unit="in")
+svg("pixels", '<rect width="1cm" height="1in"/>', [part(37.79527559055118 * 96, 2 * (37.79527559055118 + 96))],
+    head='width="100px" height="100px"', unit="px")
+svg("styles", """<style>.a, .b { fill: none; stroke: #000 } .c { display: none }</style>
+<path class="a" d="M0 0H10"/><path class="b" d="M10 0V10"/><path style="fill:none;stroke:red" d="M10 10L0 0"/>
+<rect class="c" width="50" height="50"/><rect fill="none" width="40" height="40"/>
+<g visibility="hidden"><rect width="30" height="30"/></g>
+<path d="M20 0H30V10"/>""", [part(50, 20 + math.sqrt(200), lines=3, arcs=0)] * 2, ignored={"rect": 3})
+svg("doctype", '<path d="M0 0H10V10Z"/>', [part(50, 20 + math.sqrt(200), lines=3, arcs=0)])
+path = HERE / "doctype.svg"
+path.write_text("""<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" [
+<!ENTITY ns_svg "http://www.w3.org/2000/svg">
+]>
+""" + path.read_text().replace('"http://www.w3.org/2000/svg"', '"&ns_svg;"'))
+
+# -- measured points
+random = __import__("random").Random(4)
+
+
+def csv(name, points, parts, within, head="x,y\n", scatter=0.0, **more):
+    path = HERE / f"{name}.csv"
+    rows = (f"{x + random.gauss(0, scatter):.9g},{y + random.gauss(0, scatter):.9g}" for x, y in points)
+    path.write_text(head + "\n".join(rows) + "\n")
+    EXPECTED[path.name] = {"parts": parts, "within": within, "fitted": 1, **more}
+
+
+def along(*pieces, step):
+    """Points at even steps along lines (p, q) and arcs (center, radius, from, to)."""
+    for piece in pieces:
+        if len(piece) == 2:
+            p, q = map(Vec2, piece)
+            n = max(1, round(p.distance(q) / step))
+            yield from ((p.lerp(q, k / n).x, p.lerp(q, k / n).y) for k in range(n))
+        else:
+            (cx, cy), r, a, b = piece
+            n = max(1, round(abs(b - a) * r / step))
+            for k in range(n):
+                t = a + (b - a) * k / n
+                yield cx + r * math.cos(t), cy + r * math.sin(t)
+
+
+slot_pieces = [((0, -5), (40, -5)), ((40, 0), 5, -PI / 2, PI / 2), ((40, 5), (0, 5)), ((0, 0), 5, PI / 2, 3 * PI / 2)]
+csv("slot_points", along(*slot_pieces, step=0.25), [slot(40, 5) | {"lines": 2, "arcs": 2}], 1e-3)
+csv("slot_scattered", along(*slot_pieces, step=0.1), [slot(40, 5) | {"lines": 2, "arcs": 2}], 5e-3, scatter=0.01, fit=0.05)
+square_points = [((0, 0), (10, 0)), ((10, 0), (10, 10)), ((10, 10), (0, 10)), ((0, 10), (0, 0))]
+csv("square_points", along(*square_points, step=0.3), [part(100, 40, lines=4, arcs=0)], 1e-9)
+shifted = [p for i, p in enumerate(along(*square_points, step=0.1)) if i % 7 == 3]
+csv("square_corners_missing", shifted, [part(100, 40, lines=4, arcs=0)], 1e-9, head="# scanned\n")
+csv("square_of_four", [(0, 0), (10, 0), (10, 10), (0, 10)], [part(100, 40, lines=4, arcs=0)], 1e-9, head="")
+csv("circle_points", [(3 + 7 * math.cos(t / 20), 7 * math.sin(t / 20)) for t in range(125)],
+    [part(49 * PI, 14 * PI, lines=0, arcs=2)], 1e-3)
+# A cam: a radius that rises and falls without a corner.
+cam = [(20 + 4 * (1 - math.cos(t)) + math.sin(2 * t)) for t in (k * PI / 180 for k in range(360))]
+cam_points = [(r * math.cos(k * PI / 180), r * math.sin(k * PI / 180)) for k, r in enumerate(cam)]
+csv("cam_points", cam_points, [], 1e-3)
+csv("cam_scattered", cam_points, [], 1e-2, scatter=0.005, fit=0.02)
+
 (HERE / "expected.json").write_text(json.dumps(EXPECTED, indent=1, ensure_ascii=False) + "\n")

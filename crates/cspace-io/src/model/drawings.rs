@@ -43,10 +43,7 @@ pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
         if table.get(key).is_some() && !source.is_some_and(|s| of.contains(&s)) {
             let message = format!("`{key}` is given without a drawing that it is of");
             let error = ModelError::new(&table.place.key(key).itself(), message);
-            return Err(error.with_help(format!(
-                "it goes with {}: remove `{key}`",
-                words(of)
-            )));
+            return Err(error.with_help(format!("it goes with {}: remove `{key}`", words(of))));
         }
     }
     Ok(source)
@@ -100,7 +97,8 @@ pub(super) fn read_drawing(
         ..Settings::default()
     };
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
-    (outlines.parts.into_iter().next()).ok_or_else(|| table.error(key, "the drawing has no outline"))
+    (outlines.parts.into_iter().next())
+        .ok_or_else(|| table.error(key, "the drawing has no outline"))
 }
 
 /// One layer, or several.
@@ -110,12 +108,19 @@ fn layers(table: &Table<'_>) -> Result<Vec<String>> {
             .map(|node| match node {
                 Node::Text(layer) => Ok(layer.to_string()),
                 other => {
-                    let message = format!("{} where the name of a layer is expected", other.describe());
-                    Err(table.error("layer", message).with_help("give it as layer = [\"outline\", \"holes\"]"))
+                    let message =
+                        format!("{} where the name of a layer is expected", other.describe());
+                    Err(table
+                        .error("layer", message)
+                        .with_help("give it as layer = [\"outline\", \"holes\"]"))
                 }
             })
             .collect(),
-        _ => Ok(table.text("layer")?.map(str::to_owned).into_iter().collect()),
+        _ => Ok(table
+            .text("layer")?
+            .map(str::to_owned)
+            .into_iter()
+            .collect()),
     }
 }
 

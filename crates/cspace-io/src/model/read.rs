@@ -4,8 +4,8 @@ use std::path::Path;
 
 use cspace::Mechanism;
 
-use super::error::ModelError;
 use super::drawings::Setting;
+use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column};
 use super::node::Node;
 use super::parts::read_parts;
@@ -105,11 +105,7 @@ pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, Mode
     toml_in(text, file, folder_of(file))
 }
 
-fn toml_in(
-    text: &str,
-    file: &str,
-    folder: &Path,
-) -> core::result::Result<Mechanism, ModelError> {
+fn toml_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = toml::from_str(text).map_err(|e| {
@@ -144,11 +140,7 @@ fn folder_of(file: &str) -> &Path {
     Path::new(file).parent().unwrap_or(Path::new(""))
 }
 
-fn json_in(
-    text: &str,
-    file: &str,
-    folder: &Path,
-) -> core::result::Result<Mechanism, ModelError> {
+fn json_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;

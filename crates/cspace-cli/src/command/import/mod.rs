@@ -175,6 +175,8 @@ fn renamed(part: &Part, taken: &HashSet<String>) -> Result<Part, Failure> {
         .map(|n| format!("{} {n}", part.name()))
         .find(|name| !taken.contains(name))
         .unwrap_or_default();
-    let loops = (part.loops().iter()).map(|l| l.vertices().to_vec()).collect();
+    let loops = (part.loops().iter())
+        .map(|l| l.vertices().to_vec())
+        .collect();
     Part::new(name, loops).map_err(Failure::work)
 }

@@ -118,7 +118,10 @@ impl Report {
     ) -> std::fmt::Result {
         let files: Vec<String> = drawings.iter().map(|d| d.display().to_string()).collect();
         writeln!(text, "{}", cspace_io::shown::text(&files.join(", ")))?;
-        let unit = self.unit.as_ref().map_or(String::new(), |u| format!(" {u}"));
+        let unit = self
+            .unit
+            .as_ref()
+            .map_or(String::new(), |u| format!(" {u}"));
         writeln!(text, "\nparts")?;
         for p in &self.parts {
             let [x0, y0, x1, y1] = p.bounds.map(length);
@@ -130,7 +133,11 @@ impl Report {
                 count(p.lines, "line", "lines"),
                 count(p.arcs, "arc", "arcs")
             )?;
-            let squared = if unit.is_empty() { String::new() } else { format!("{unit}²") };
+            let squared = if unit.is_empty() {
+                String::new()
+            } else {
+                format!("{unit}²")
+            };
             writeln!(text, "    area       {}{squared}", length(p.area))?;
             writeln!(text, "    box        x {x0} to {x1}, y {y0} to {y1}{unit}")?;
         }

@@ -1,0 +1,394 @@
+//! Lines and arcs from measured points.
+//!
+//! The points are divided where they turn sharply; between such corners they are a run of samples like those of a curve.
+//! Points that scatter are smoothed where pieces meet, so that a joint is not as far off as a point may be. Where a corner
+//! lies between two points, the pieces before and after it are continued until they meet.
+
+use cspace::{Point, Vector, Vertex};
+
+use super::chain::{Outline, Sided};
+use super::fit;
+use super::run::{Band, Run, RunEnd};
+
+/// How far directions are measured from a point, in tolerances: over that length points within the tolerance show a
+/// direction to a twelfth of a radian.
+const REACH: f64 = 25.0;
+
+/// Turning by more than this, in radians, within that reach, is a corner: three times what scatter may seem to turn.
+const CORNER: f64 = 0.35;
+
+/// A corner of a profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Corner {
+    /// At a point.
+    At(usize),
+    /// Between a point and the next.
+    After(usize),
+}
+
+/// The loop of a closed profile; `entity` is what its edges come from. None if no lines and arcs are found.
+pub(crate) fn profile(
+    points: &[Point],
+    tolerance: f64,
+    sided: Sided,
+    entity: u32,
+) -> Option<Outline> {
+    let band = match sided {
+        Sided::Both => Band::both(tolerance),
+        Sided::Left => Band::one_sided(tolerance, true),
+        Sided::Right => Band::one_sided(tolerance, false),
+    };
+    let corners = corners(points, REACH * tolerance);
+    let scatters = scatter(points) > 0.1 * tolerance;
+    let mut outline = Outline::default();
+    let n = points.len();
+    let stretches: Vec<Vec<Point>> = if corners.is_empty() {
+        vec![points.to_vec()]
+    } else {
+        (0..corners.len())
+            .map(|k| {
+                let first = match corners[k] {
+                    Corner::At(i) => i,
+                    Corner::After(i) => i + 1,
+                };
+                let last = match corners[(k + 1) % corners.len()] {
+                    Corner::At(i) | Corner::After(i) => i,
+                };
+                let last = if last > first || (last == first && corners.len() > 1) {
+                    last
+                } else {
+                    last + n
+                };
+                (first..=last).map(|i| points[i % n]).collect()
+            })
+            .collect()
+    };
+    let mut ends = Vec::with_capacity(stretches.len());
+    for stretch in &stretches {
+        let is_closed = corners.is_empty();
+        ends.push(outline.vertices.len());
+        if let [only] = stretch[..] {
+            outline.vertices.push(Vertex::line(only.x, only.y));
+            continue;
+        }
+        let run = run(stretch, is_closed, tolerance, scatters, band);
+        let fitted = fit(&run)?;
+        outline.deviation = outline.deviation.max(fitted.deviation);
+        outline.kink = outline.kink.max(fitted.kink);
+        outline.vertices.extend(&fitted.vertices);
+        if !is_closed {
+            outline
+                .vertices
+                .push(Vertex::line(fitted.end.x, fitted.end.y));
+        }
+    }
+    if !corners.is_empty() {
+        meet(&mut outline.vertices, &ends, &corners);
+    }
+    outline.pieces = outline.vertices.len();
+    outline.entities = vec![entity; outline.vertices.len()];
+    outline.curves = vec![entity];
+    Some(outline)
+}
+
+/// Where the profile turns sharply.
+fn corners(points: &[Point], reach: f64) -> Vec<Corner> {
+    let n = points.len();
+    let turns: Vec<f64> = (0..n).map(|i| turn(points, i, reach)).collect();
+    let mut corners = Vec::new();
+    let mut is_taken = vec![false; n];
+    for i in 0..n {
+        let after = (i + 1) % n;
+        if points[i].distance(points[after]) > reach && is_between(&turns, i) {
+            corners.push(Corner::After(i));
+            is_taken[i] = true;
+            is_taken[after] = true;
+        }
+    }
+    for i in 0..n {
+        if turns[i].abs() > CORNER && !is_taken[i] && is_sharpest(points, &turns, i, reach) {
+            corners.push(Corner::At(i));
+        }
+    }
+    corners.sort_by_key(|c| match c {
+        Corner::At(i) | Corner::After(i) => *i,
+    });
+    corners
+}
+
+/// Whether a corner lies between a point and the next: the two share its angle, each turns more than the points beyond them,
+/// and those hardly turn.
+fn is_between(turns: &[f64], i: usize) -> bool {
+    /// What a curve beside a corner may turn, as a share of the corner.
+    const BESIDE: f64 = 0.15;
+    /// How much more a point turns than a curve beside it, and at least, in radians, to have a part in a corner.
+    const MORE: f64 = 3.0;
+    const LEAST: f64 = 0.01;
+    let n = turns.len();
+    let [before, first, second, after] = [n - 1, 0, 1, 2].map(|k| turns[(i + k) % n]);
+    let whole = (first + second).abs();
+    let beside = before.abs().max(after.abs());
+    whole > CORNER
+        && first * second > 0.0
+        && first.abs().min(second.abs()) > (MORE * beside).max(LEAST)
+        && beside < BESIDE * whole
+}
+
+/// Whether no point within reach turns more; the first of equals does.
+fn is_sharpest(points: &[Point], turns: &[f64], i: usize, reach: f64) -> bool {
+    let n = points.len();
+    let within = |step: usize| {
+        (1..n)
+            .map(move |k| (i + step * k) % n)
+            .take_while(|&j| points[i].distance(points[j]) <= reach)
+    };
+    let sharper = |j: usize| turns[j].abs() > turns[i].abs();
+    let equal = |j: usize| turns[j].abs() == turns[i].abs();
+    within(1).all(|j| !sharper(j)) && within(n - 1).all(|j| !sharper(j) && !equal(j))
+}
+
+/// The angle between the directions to a point and from it, each over at least the reach.
+fn turn(points: &[Point], i: usize, reach: f64) -> f64 {
+    let n = points.len();
+    let beyond = |step: isize| {
+        (1..n as isize)
+            .map(|k| points[(i as isize + step * k).rem_euclid(n as isize) as usize])
+            .find(|p| p.distance(points[i]) >= reach)
+    };
+    let (Some(before), Some(after)) = (beyond(-1), beyond(1)) else {
+        return 0.0;
+    };
+    let (a, b) = (points[i] - before, after - points[i]);
+    a.cross(b).atan2(a.dot(b))
+}
+
+/// How far points are from the cubic through their neighbours, by the median: of clean points next to nothing.
+fn scatter(points: &[Point]) -> f64 {
+    let n = points.len();
+    if n < 5 {
+        return 0.0;
+    }
+    let mut off: Vec<f64> = (0..n)
+        .map(|i| {
+            let [a, b, c, d, e] = core::array::from_fn(|k| points[(i + k) % n].to_vector());
+            // The fourth difference of independent scatter is √70 times as large.
+            (a - b * 4.0 + c * 6.0 - d * 4.0 + e).length() / 70.0_f64.sqrt()
+        })
+        .collect();
+    off.sort_by(f64::total_cmp);
+    off[n / 2]
+}
+
+fn run(points: &[Point], is_closed: bool, tolerance: f64, scatters: bool, band: Band) -> Run {
+    let n = points.len();
+    let at = |i: isize| -> Option<Point> {
+        if is_closed {
+            Some(points[i.rem_euclid(n as isize) as usize])
+        } else {
+            usize::try_from(i).ok().and_then(|i| points.get(i).copied())
+        }
+    };
+    let mut normals = Vec::with_capacity(n);
+    let mut joints = Vec::with_capacity(n);
+    for i in 0..n {
+        let smooth = scatters.then(|| smoothed(&at, i, tolerance)).flatten();
+        let (joint, direction) = smooth.unwrap_or_else(|| (points[i], direction(&at, i as isize)));
+        joints.push(joint);
+        normals.push(direction.left());
+    }
+    Run {
+        points: points.to_vec(),
+        normals,
+        joints: scatters.then_some(joints),
+        is_closed,
+        ends: [RunEnd::Free; 2],
+        band,
+    }
+}
+
+/// The direction at a point of the circle, or parabola, through it and its neighbours.
+fn direction(at: &impl Fn(isize) -> Option<Point>, i: isize) -> Vector {
+    let three = |a, b, c| Some((at(a)?, at(b)?, at(c)?));
+    if let Some((p, q, r)) = three(i - 1, i, i + 1) {
+        let (a, b) = (q - p, r - q);
+        return (a.unit() * b.length() + b.unit() * a.length()).unit();
+    }
+    // At an end the chord and as much again as directions change along it.
+    if let Some((p, q, r)) = three(i, i + 1, i + 2) {
+        let (a, b) = (q - p, r - q);
+        return (a.unit() * (2.0 * a.length() + b.length()) - b.unit() * a.length()).unit();
+    }
+    if let Some((p, q, r)) = three(i - 2, i - 1, i) {
+        let (a, b) = (q - p, r - q);
+        return (b.unit() * (2.0 * b.length() + a.length()) - a.unit() * b.length()).unit();
+    }
+    let (p, q) = (at(i - 1).or_else(|| at(i)), at(i + 1).or_else(|| at(i)));
+    p.zip(q)
+        .map_or(Vector::new(1.0, 0.0), |(p, q)| (q - p).unit())
+}
+
+/// The point of a parabola through the points around, and its direction: of as many points as stay near one.
+fn smoothed(
+    at: &impl Fn(isize) -> Option<Point>,
+    i: usize,
+    tolerance: f64,
+) -> Option<(Point, Vector)> {
+    /// Points on either side.
+    const TRIED: [isize; 4] = [15, 10, 6, 4];
+    /// How near, in tolerances: nearer than pieces are, so that nothing is smoothed away.
+    const NEAR: f64 = 0.8;
+    let i = i as isize;
+    let here = at(i)?;
+    TRIED.iter().find_map(|&m| {
+        let around: Vec<Point> = (i - m..=i + m).filter_map(at).collect();
+        let (first, last) = (around.first()?, around.last()?);
+        let along = (*last - *first).unit();
+        let local: Vec<(f64, f64)> = (around.iter())
+            .map(|p| ((*p - here).dot(along), along.cross(*p - here)))
+            .collect();
+        let [c0, c1, c2] = parabola(&local)?;
+        let worst = (local.iter())
+            .map(|(x, y)| (y - c0 - c1 * x - c2 * x * x).abs())
+            .fold(0.0, f64::max);
+        (worst <= NEAR * tolerance).then(|| {
+            let direction = (along + along.left() * c1).unit();
+            (here + along.left() * c0, direction)
+        })
+    })
+}
+
+/// The parabola c0 + c1 x + c2 x² of least squares.
+fn parabola(points: &[(f64, f64)]) -> Option<[f64; 3]> {
+    if points.len() < 4 {
+        return None;
+    }
+    let scale = points.iter().map(|p| p.0.abs()).fold(0.0, f64::max);
+    let mut m = [[0.0; 4]; 3];
+    for &(x, y) in points {
+        let powers = [1.0, x / scale, (x / scale).powi(2)];
+        for (row, p) in m.iter_mut().zip(powers) {
+            for (cell, q) in row.iter_mut().zip(powers.into_iter().chain([y])) {
+                *cell += p * q;
+            }
+        }
+    }
+    // Gauss, without exchange of rows: the matrix is positive.
+    for i in 0..3 {
+        let pivot = m[i][i];
+        if !(pivot > 1e-12) {
+            return None;
+        }
+        for j in 0..3 {
+            if j != i {
+                let factor = m[j][i] / pivot;
+                let row = m[i];
+                for (cell, by) in m[j].iter_mut().zip(row) {
+                    *cell -= factor * by;
+                }
+            }
+        }
+    }
+    let c = [0, 1, 2].map(|i| m[i][3] / m[i][i]);
+    Some([c[0], c[1] / scale, c[2] / (scale * scale)])
+}
+
+/// Closes the loop of stretches, each of which has its own last vertex: at a corner that is a point it is the next one's first,
+/// and where the corner is between two points the pieces are continued to where they meet, if they do.
+fn meet(vertices: &mut Vec<Vertex>, starts: &[usize], corners: &[Corner]) {
+    let n = vertices.len();
+    let mut is_dropped = vec![false; n];
+    for (k, corner) in corners.iter().enumerate() {
+        let first = starts[k];
+        let last = (first + n - 1) % n;
+        match corner {
+            Corner::At(_) => is_dropped[last] = vertices[last].point() == vertices[first].point(),
+            Corner::After(_) => {
+                let before = (last + n - 1) % n;
+                let after = (first + 1) % n;
+                let piece = |a: usize, b: usize| (vertices[a], vertices[b].point());
+                if before == first || is_dropped[before] {
+                    continue;
+                }
+                let Some(at) = meeting(piece(before, last), piece(first, after)) else {
+                    continue;
+                };
+                let bulges = [
+                    extended(vertices[before], vertices[last].point(), at, 1),
+                    extended(vertices[first], vertices[after].point(), at, 0),
+                ];
+                vertices[before].bulge = bulges[0];
+                vertices[first] = Vertex::new(at.x, at.y, bulges[1]);
+                is_dropped[last] = true;
+            }
+        }
+    }
+    let mut index = 0;
+    vertices.retain(|_| {
+        index += 1;
+        !is_dropped[index - 1]
+    });
+}
+
+/// Where two pieces meet that are continued: the one forward, the other backward. None if that is far off.
+fn meeting(before: (Vertex, Point), after: (Vertex, Point)) -> Option<Point> {
+    let (p, q) = (before.1, after.0.point());
+    let gap = p.distance(q);
+    // Straight on is near enough to begin with; then the circles themselves, by Newton's method.
+    let mut at = p.midpoint(q);
+    for _ in 0..20 {
+        let (da, na) = offset(before, at);
+        let (db, nb) = offset(after, at);
+        let det = na.cross(nb);
+        if det.abs() < 1e-3 {
+            return None;
+        }
+        let step = (na.right() * db - nb.right() * da) * (1.0 / det);
+        at = at + step;
+        if !at.is_finite() || step.length() < 1e-15 * gap {
+            break;
+        }
+    }
+    let forward = direction_at(before, 1).dot(at - p) >= 0.0;
+    let backward = direction_at(after, 0).dot(q - at) >= 0.0;
+    let is_near = at.distance(p) < 2.0 * gap && at.distance(q) < 2.0 * gap;
+    (forward && backward && is_near).then_some(at)
+}
+
+fn center((v, to): (Vertex, Point)) -> Point {
+    let chord = to - v.point();
+    v.point().midpoint(to) + chord.left() * ((1.0 - v.bulge) * (1.0 + v.bulge) / (4.0 * v.bulge))
+}
+
+/// The distance of a point from the line or circle of a piece, and its gradient.
+fn offset(piece: (Vertex, Point), at: Point) -> (f64, Vector) {
+    let (v, to) = piece;
+    if v.bulge == 0.0 {
+        let normal = (to - v.point()).unit().left();
+        return (normal.dot(at - to), normal);
+    }
+    let center = center(piece);
+    let out = at - center;
+    (out.length() - center.distance(to), out.unit())
+}
+
+/// The direction of travel at the start (0) or the end (1).
+fn direction_at(piece: (Vertex, Point), side: usize) -> Vector {
+    let (v, to) = piece;
+    let half = 2.0 * v.bulge.atan();
+    let (sin, cos) = (if side == 0 { -half } else { half }).sin_cos();
+    let chord = (to - v.point()).unit();
+    chord * cos + chord.left() * sin
+}
+
+/// The bulge of a piece whose end (1) or start (0) is moved along it.
+fn extended(v: Vertex, to: Point, at: Point, side: usize) -> f64 {
+    if v.bulge == 0.0 {
+        return 0.0;
+    }
+    let center = center((v, to));
+    let moved = if side == 1 { to } else { v.point() };
+    let (a, b) = (moved - center, at - center);
+    let more = a.cross(b).atan2(a.dot(b));
+    let sweep = 4.0 * v.bulge.atan() + if side == 1 { more } else { -more };
+    (sweep / 4.0).tan()
+}

@@ -1,0 +1,49 @@
+//! Drawings in SVG.
+//!
+//! Elements are walked in document order with the transform from their coordinates to the drawing's, whose y axis points up
+//! ([`walk`]). Shapes and paths become paths ([`shapes`], [`path`]): circular arcs stay arcs, elliptical ones and Béziers are
+//! curves to fit. What is not drawn by its style is left out ([`style`]).
+
+mod length;
+mod path;
+mod shapes;
+mod style;
+mod walk;
+
+use roxmltree::{Document, ParsingOptions};
+
+use crate::drawing::Drawing;
+use crate::error::DrawingError;
+use crate::read::Source;
+
+/// The most elements of a file, those of its own entities included.
+const MOST_NODES: u32 = 4_000_000;
+
+/// The drawing in the bytes of a file; of the element of an id alone, or of layers alone, if that is asked for.
+pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DrawingError> {
+    let text = core::str::from_utf8(bytes).map_err(|e| {
+        let message = format!("byte {} is no UTF-8", e.valid_up_to());
+        DrawingError::file(message, "save the drawing again in UTF-8")
+    })?;
+    let text = text.trim_start_matches('\u{feff}');
+    // Some programs declare entities for their namespaces; the reader bounds what they expand to.
+    let options = ParsingOptions {
+        allow_dtd: true,
+        nodes_limit: MOST_NODES,
+        ..ParsingOptions::default()
+    };
+    let document = Document::parse_with_options(text, options).map_err(|e| DrawingError::File {
+        line: Some(e.pos().row as usize),
+        message: format!("the file is no XML: {e}"),
+        help: "export the drawing again as SVG".to_owned(),
+    })?;
+    let root = document.root_element();
+    if root.tag_name().name() != "svg" {
+        let message = format!(
+            "the file is XML, but of <{}>, not <svg>",
+            root.tag_name().name()
+        );
+        return Err(DrawingError::file(message, "export the drawing as SVG"));
+    }
+    walk::walk(&document, source)
+}

@@ -1,0 +1,103 @@
+//! What of an element's style matters: whether it is drawn at all.
+
+use std::collections::HashMap;
+
+use roxmltree::{Document, Node};
+
+/// Rules of the style sheets in a file, by class (`.name`) or type of element (`name`).
+#[derive(Default)]
+pub(super) struct Sheet(HashMap<String, Vec<(String, String)>>);
+
+/// What an element has from its own and the elements around it.
+#[derive(Debug, Clone)]
+pub(super) struct Style {
+    pub(super) is_filled: bool,
+    pub(super) is_stroked: bool,
+    pub(super) is_hidden: bool,
+    /// Not drawn, and nothing within it either.
+    pub(super) is_absent: bool,
+}
+
+impl Default for Style {
+    /// Without any style an element is filled.
+    fn default() -> Self {
+        Self {
+            is_filled: true,
+            is_stroked: false,
+            is_hidden: false,
+            is_absent: false,
+        }
+    }
+}
+
+impl Sheet {
+    /// The rules of all `style` elements. Of selectors those of one class or one type are followed.
+    pub(super) fn of(document: &Document<'_>) -> Self {
+        let mut sheet = Self::default();
+        let styles = document
+            .descendants()
+            .filter(|n| n.tag_name().name() == "style");
+        for text in styles.filter_map(|n| n.text()) {
+            for rule in text.split('}') {
+                let Some((selectors, body)) = rule.split_once('{') else {
+                    continue;
+                };
+                for selector in selectors.split(',') {
+                    let rules = sheet.0.entry(selector.trim().to_owned()).or_default();
+                    rules.extend(declarations(body).map(|(k, v)| (k.to_owned(), v.to_owned())));
+                }
+            }
+        }
+        sheet
+    }
+
+    /// The style of an element within others of a style. What is nearer to the element comes last, and wins.
+    pub(super) fn style(&self, node: Node<'_, '_>, outer: &Style) -> Style {
+        let mut style = outer.clone();
+        for name in ["fill", "stroke", "display", "visibility"] {
+            if let Some(value) = node.attribute(name) {
+                style.set(name, value);
+            }
+        }
+        if !self.0.is_empty() {
+            let classes = node.attribute("class").unwrap_or_default();
+            let classes = classes.split_whitespace().map(|c| format!(".{c}"));
+            for selector in [node.tag_name().name().to_owned()]
+                .into_iter()
+                .chain(classes)
+            {
+                for (name, value) in self.0.get(&selector).into_iter().flatten() {
+                    style.set(name, value);
+                }
+            }
+        }
+        for (name, value) in declarations(node.attribute("style").unwrap_or_default()) {
+            style.set(name, value);
+        }
+        style
+    }
+}
+
+impl Style {
+    fn set(&mut self, name: &str, value: &str) {
+        let is_some = !matches!(value, "none" | "transparent");
+        match name {
+            "fill" if value != "inherit" => self.is_filled = is_some,
+            "stroke" if value != "inherit" => self.is_stroked = is_some,
+            "visibility" if value != "inherit" => self.is_hidden = value != "visible",
+            "display" if value == "none" => self.is_absent = true,
+            _ => {}
+        }
+    }
+}
+
+fn declarations(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    (text.split(';'))
+        .filter_map(|d| d.split_once(':'))
+        .map(|(name, value)| {
+            (
+                name.trim(),
+                value.trim().trim_end_matches("!important").trim(),
+            )
+        })
+}
