@@ -227,18 +227,22 @@ impl<'d> Making<'d> {
 
     fn make(mut self) -> Result<Outlines, DrawingError> {
         let chains = core::mem::take(&mut self.joined.loops);
-        let mut loops: Vec<(Outline, &Chain<'d>)> = Vec::with_capacity(chains.len());
+        let sided = self.settings.side != FitSide::Both;
+        let mut loops: Vec<(Outline, Option<Chain<'d>>)> = Vec::with_capacity(chains.len());
         let mut lone: Vec<Lone> = Vec::with_capacity(chains.len());
-        for chain in &chains {
-            if let Some((outline, alone)) = self.fitted(chain, Sided::Both) {
-                loops.push((outline, chain));
+        for chain in chains {
+            if let Some((outline, alone)) = self.fitted(&chain, Sided::Both) {
+                // A chain that is not fitted again is not kept.
+                let again = (sided && !outline.curves.is_empty()).then_some(chain);
+                loops.push((outline, again));
                 lone.push(alone);
             }
         }
         let groups = nest(&lone);
-        if self.settings.side != FitSide::Both {
+        if sided {
             self.refit(&mut loops, &mut lone, &groups);
         }
+        drop(lone);
         for (outline, _) in &loops {
             self.report.pieces += outline.pieces;
             self.report.deviation = self.report.deviation.max(outline.deviation);
@@ -248,8 +252,8 @@ impl<'d> Making<'d> {
             .flat_map(|l| l.0.curves.iter().copied())
             .collect();
         self.report.curves = curves.len();
-        let outlines: Vec<Outline> = loops.into_iter().map(|l| l.0).collect();
-        let parts = self.parts(&outlines, groups);
+        let mut outlines: Vec<Outline> = loops.into_iter().map(|l| l.0).collect();
+        let parts = self.parts(&mut outlines, groups);
         if !self.problems.is_empty() {
             return Err(DrawingError::Entities(self.problems));
         }
@@ -311,24 +315,22 @@ impl<'d> Making<'d> {
     /// Fits again where the side matters, now that it is known which side is material.
     fn refit(
         &mut self,
-        loops: &mut [(Outline, &Chain<'d>)],
+        loops: &mut [(Outline, Option<Chain<'d>>)],
         lone: &mut [Lone],
         groups: &[Vec<usize>],
     ) {
         for group in groups {
             for (k, &i) in group.iter().enumerate() {
-                let (outline, chain) = &loops[i];
-                if outline.curves.is_empty() {
+                let Some(chain) = loops[i].1.take() else {
                     continue;
-                }
+                };
                 // Outermost loops have material inside, holes outside; a loop that turns left has its inside on the left.
                 let is_outer = k == 0;
                 let left_is_inside = !lone[i].part.loops()[0].is_reversed();
                 let material_is_left = is_outer == left_is_inside;
                 let left = material_is_left == (self.settings.side == FitSide::Inside);
                 let sided = if left { Sided::Left } else { Sided::Right };
-                let chain = *chain;
-                if let Some((outline, alone)) = self.fitted(chain, sided) {
+                if let Some((outline, alone)) = self.fitted(&chain, sided) {
                     loops[i].0 = outline;
                     lone[i] = alone;
                 }
@@ -336,7 +338,7 @@ impl<'d> Making<'d> {
         }
     }
 
-    fn parts(&mut self, outlines: &[Outline], groups: Vec<Vec<usize>>) -> Vec<Part> {
+    fn parts(&mut self, outlines: &mut [Outline], groups: Vec<Vec<usize>>) -> Vec<Part> {
         let groups = match &self.settings.one_part {
             Some(_) if !groups.is_empty() => vec![groups.into_iter().flatten().collect()],
             _ => groups,
@@ -344,11 +346,13 @@ impl<'d> Making<'d> {
         let names = self.names(outlines, &groups);
         let mut parts = Vec::with_capacity(groups.len());
         for (group, name) in groups.iter().zip(names) {
-            let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
-            let vertices: Vec<Vec<Vertex>> = of.iter().map(|o| o.vertices.clone()).collect();
+            let vertices: Vec<Vec<Vertex>> = (group.iter())
+                .map(|&i| core::mem::take(&mut outlines[i].vertices))
+                .collect();
             match Part::new(name, vertices) {
                 Ok(part) => parts.push(part),
                 Err(error) => {
+                    let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
                     let problem = self.no_part(&error, &of);
                     self.refuse(problem);
                 }

@@ -16,6 +16,7 @@ use crate::curve::{Curve, EllipseArc};
 use crate::drawing::{Path, Piece};
 
 /// An entity of a file.
+#[derive(Clone)]
 pub(super) struct Item {
     pub(super) kind: Arc<str>,
     pub(super) layer: Arc<str>,
@@ -28,6 +29,7 @@ pub(super) struct Item {
 }
 
 /// What an entity is.
+#[derive(Clone)]
 pub(super) enum What {
     Path(Path),
     Insert(Box<Insert>),
@@ -38,6 +40,7 @@ pub(super) enum What {
 }
 
 /// Why an entity cannot be used.
+#[derive(Clone)]
 pub(super) struct Fault {
     pub(super) at: Option<Point>,
     pub(super) reason: String,
@@ -59,6 +62,7 @@ impl What {
 }
 
 /// A block that is inserted, once or in rows and columns.
+#[derive(Clone)]
 pub(super) struct Insert {
     pub(super) block: Arc<str>,
     /// From the block's coordinates, its base point at the origin, to those the insert is in.

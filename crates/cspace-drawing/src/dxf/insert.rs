@@ -1,5 +1,6 @@
 //! The flat drawing of a DXF file: its blocks inserted, its hidden layers left out.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::entity::{Insert, Item, What};
@@ -16,9 +17,10 @@ const MOST_ENTITIES: usize = 2_000_000;
 /// The deepest that blocks may be inserted in one another.
 const DEEPEST: usize = 64;
 
-pub(super) fn flatten(file: &File, layers: &[String]) -> Result<Drawing> {
+pub(super) fn flatten(mut file: File, layers: &[String]) -> Result<Drawing> {
+    let items = core::mem::take(&mut file.items);
     let mut flat = Flat {
-        file,
+        file: &file,
         layers: layers.iter().map(|l| folded(l)).collect(),
         drawing: Drawing {
             unit: file.unit,
@@ -33,7 +35,10 @@ pub(super) fn flatten(file: &File, layers: &[String]) -> Result<Drawing> {
         blocks: Arc::from([]),
         hidden: None,
     };
-    flat.add_all(&file.items, &ground)?;
+    for item in items {
+        // What is not in a block is drawn once, and need not be kept.
+        flat.add(Cow::Owned(item), &ground)?;
+    }
     Ok(flat.drawing)
 }
 
@@ -60,12 +65,12 @@ struct Flat<'f> {
 impl Flat<'_> {
     fn add_all(&mut self, items: &[Item], ground: &Ground) -> Result<()> {
         for item in items {
-            self.add(item, ground)?;
+            self.add(Cow::Borrowed(item), ground)?;
         }
         Ok(())
     }
 
-    fn add(&mut self, item: &Item, ground: &Ground) -> Result<()> {
+    fn add(&mut self, item: Cow<'_, Item>, ground: &Ground) -> Result<()> {
         self.count(item.line)?;
         let layer = match &ground.layer {
             Some(layer) if &*item.layer == "0" => layer,
@@ -99,6 +104,10 @@ impl Flat<'_> {
         };
         if let Some(reason) = left_out {
             self.ignore(origin, reason);
+            return Ok(());
+        }
+        if let Cow::Owned(Item { what: What::Path(path), .. }) = item {
+            self.draw(origin, path);
             return Ok(());
         }
         match &item.what {

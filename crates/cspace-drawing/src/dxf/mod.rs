@@ -20,6 +20,5 @@ use crate::drawing::Drawing;
 
 /// The drawing in the bytes of a file; of all layers that are drawn, or of those of these names.
 pub(crate) fn read(bytes: &[u8], layers: &[String]) -> Result<Drawing, DxfError> {
-    let file = file::read(bytes)?;
-    insert::flatten(&file, layers)
+    insert::flatten(file::read(bytes)?, layers)
 }

@@ -27,7 +27,7 @@ pub(crate) use read::no_json;
 
 pub use error::ModelError;
 pub(crate) use read::from_text;
-pub use read::{from_json, from_toml, read};
+pub use read::{MOST_PARTS, from_json, from_toml, read};
 pub use slips::{Slip, slips};
 pub use snap::{Snapped, snap};
 pub use to_json::to_json;

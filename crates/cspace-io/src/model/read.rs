@@ -21,7 +21,7 @@ const LARGEST_TOML: u64 = 16 << 20;
 const LARGEST_JSON: u64 = 64 << 20;
 
 /// The most parts of a model: a file that lists no pairs stands for every two.
-const MOST_PARTS: usize = 1000;
+pub const MOST_PARTS: usize = 1000;
 
 /// Keys of the file itself. `$schema` is for editors, which complete and check the file by the schema it names.
 const KEYS: [&str; 6] = ["name", "unit", "part", "joint", "pair", "$schema"];

@@ -26,6 +26,14 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     for drawing in &args.drawings {
         imported.push(read(args, drawing)?);
     }
+    let count: usize = imported.iter().map(|o| o.parts.len()).sum();
+    if count > model::MOST_PARTS {
+        return Err(Failure::input(format_args!(
+            "{count} outlines make as many parts, more than {}",
+            model::MOST_PARTS
+        ))
+        .help("read some layers alone with --layer, or make one part of all with --part NAME"));
+    }
     let unit = unit(args, &imported)?;
     let mechanism = Mechanism {
         name: name(&args.drawings[0]),
