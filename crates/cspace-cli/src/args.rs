@@ -229,6 +229,9 @@ pub(crate) struct SliceArgs {
     /// Pictures: the position x,y at which the parts are shown beside the slice [default: as drawn, or the nearest contact]
     #[arg(long, value_name = "X,Y", value_parser = position, allow_hyphen_values = true)]
     pub(crate) at: Option<(f64, f64)>,
+    /// The version of DXF, where the name after -o ends in .dxf
+    #[arg(long, value_enum, value_name = "VERSION")]
+    pub(crate) dxf: Option<DxfChoice>,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
 }
@@ -295,11 +298,26 @@ pub(crate) struct PlayArgs {
 pub(crate) struct DrawArgs {
     #[command(flatten)]
     pub(crate) common: Common,
+    /// Write SVG of the outlines alone, to scale
+    #[arg(long)]
+    pub(crate) outlines: bool,
+    /// The version of DXF
+    #[arg(long, value_enum, value_name = "VERSION")]
+    pub(crate) dxf: Option<DxfChoice>,
     /// The configuration of the pair: x,y,theta, or u,v on fixed axes; what touches there is marked [default: as drawn]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) at: Option<String>,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
+}
+
+/// Versions of DXF.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DxfChoice {
+    /// R12, which every program reads
+    R12,
+    /// R2000
+    R2000,
 }
 
 #[derive(Debug, Args)]
@@ -590,7 +608,11 @@ by a point and the normal of the fixed part. A cross with a long and a short
 arm is the x and y axis of a part's frame, a ring the pivot of a part that
 turns, a double arrow the direction of one that slides. With --labels all
 vertices are numbered as in the file, loop and index from 0. Without -o the
-picture is SVG on standard output.";
+picture is SVG on standard output.
+
+FILE may be a drawing too: what of it makes no part is red. An output that ends
+in .dxf has the outlines alone, arcs as arcs, each part on a layer of its name;
+so has SVG with --outlines.";
 
 const CLASSIFY: &str = "\
 Examples:

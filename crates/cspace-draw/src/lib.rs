@@ -55,7 +55,7 @@ mod view;
 pub use error::PictureError;
 pub use format::PictureFormat;
 pub use options::{Labels, PictureOptions};
-pub use parts::{ContactMark, PartsPicture, PlacedPart, parts};
+pub use parts::{ContactMark, PartsPicture, PlacedPart, UnusedPath, parts};
 pub use pdf::pdf;
 pub use plane::plane;
 pub use png::png;

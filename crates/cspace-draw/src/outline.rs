@@ -23,6 +23,17 @@ pub(crate) fn of_part(part: &Part, assembly_from_part: Configuration, plot: &Plo
     path
 }
 
+/// Lines and arcs from a point on, each by its end and bulge.
+pub(crate) fn of_edges(start: Point, edges: &[(Point, f64)], plot: &Plot) -> Path {
+    let mut path = Path::new();
+    path.steps.push(Step::Move(place(plot, start)));
+    let steps = edges
+        .iter()
+        .map(|&(to, bulge)| step(place(plot, to), bulge));
+    path.steps.extend(steps);
+    path
+}
+
 /// Appends a curve to a path that is at its start.
 pub(crate) fn append(path: &mut Path, geometry: &CurveGeometry, plot: &Plot) {
     match *geometry {

@@ -7,7 +7,7 @@ use crate::colour::{INK, MARK, part as colours};
 use crate::labels::Placed;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
-use crate::outline::{extent, of_part, place, points, with_margin};
+use crate::outline::{extent, of_edges, of_part, place, points, with_margin};
 use crate::plot::{AxisLabel, Plot, title};
 use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
 use crate::ticks::brief;
@@ -36,6 +36,17 @@ pub struct ContactMark {
     pub label: String,
 }
 
+/// Something of a drawing that is in no part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnusedPath {
+    /// Where it starts.
+    pub start: Point,
+    /// Where each line or arc ends, and its bulge.
+    pub edges: Vec<(Point, f64)>,
+    /// What it is.
+    pub label: String,
+}
+
 /// What is shown of parts.
 #[derive(Debug, Clone, Default)]
 pub struct PartsPicture<'a> {
@@ -45,6 +56,12 @@ pub struct PartsPicture<'a> {
     pub joints: Vec<JointEntry>,
     /// Where they touch.
     pub contacts: Vec<ContactMark>,
+    /// Whether the parts are those of a drawing, which says nothing of motions.
+    pub is_drawing: bool,
+    /// What of a drawing is in no part, in red.
+    pub unused: Vec<UnusedPath>,
+    /// Places of a drawing where something is wrong, and what; marked in red.
+    pub faults: Vec<(Point, String)>,
     /// Said below the picture, such as the configuration.
     pub remarks: Vec<String>,
 }
@@ -112,6 +129,11 @@ pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
             all.push(center);
         }
     }
+    for path in &picture.unused {
+        all.push(path.start);
+        all.extend(path.edges.iter().map(|e| e.0));
+    }
+    all.extend(picture.faults.iter().map(|f| f.0));
     let [x, y] = extent(&all, 0.0);
     let size = (x.1 - x.0).max(y.1 - y.0);
     [with_margin(x, 0.06 * size), with_margin(y, 0.06 * size)]
@@ -158,6 +180,7 @@ pub(crate) fn draw(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plo
     for contact in &picture.contacts {
         contact_sign(items, contact, plot, &mut placed);
     }
+    faults(items, picture, plot, &mut placed);
     if labels == Labels::None {
         return;
     }
@@ -310,6 +333,35 @@ fn contact_sign(items: &mut Vec<Item>, contact: &ContactMark, plot: &Plot, place
     placed.keep(Area::new(at.x - 0.5 * em, at.y - 0.5 * em, em, em));
 }
 
+/// What is wrong with a drawing.
+fn faults(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plot, placed: &mut Placed) {
+    let em = plot.em;
+    for unused in &picture.unused {
+        items.push(Item::Shape {
+            path: of_edges(unused.start, &unused.edges, plot),
+            fill: None,
+            stroke: Some(Stroke {
+                colour: MARK,
+                width: 0.18 * em,
+            }),
+            title: Some(unused.label.clone()),
+        });
+    }
+    for (p, label) in &picture.faults {
+        let at = place(plot, *p);
+        items.push(Item::Shape {
+            path: Path::circle(at, 0.7 * em),
+            fill: None,
+            stroke: Some(Stroke {
+                colour: MARK,
+                width: 0.18 * em,
+            }),
+            title: Some(label.clone()),
+        });
+        placed.keep(Area::new(at.x - em, at.y - em, 2.0 * em, 2.0 * em));
+    }
+}
+
 /// Vertices by loop and index, beside the corner where there is room.
 fn number_vertices(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot, placed: &mut Placed) {
     let em = plot.em;
@@ -344,11 +396,26 @@ pub(crate) fn entries(picture: &PartsPicture<'_>, options: &PictureOptions) -> V
     let mut all: Vec<(Sign, String)> = (picture.parts.iter())
         .map(|p| {
             let (fill, edge) = colours(p.number);
-            let said = format!("{}: {}", p.part.name(), moves(p.axis, options));
+            let said = match picture.is_drawing {
+                true => p.part.name().to_owned(),
+                false => format!("{}: {}", p.part.name(), moves(p.axis, options)),
+            };
             (Sign::Field(fill, edge), said)
         })
         .collect();
     all.extend((picture.contacts.iter()).map(|c| (Sign::Mark(MARK), c.label.clone())));
+    if !picture.unused.is_empty() {
+        all.push((Sign::Line(MARK), "not used".to_owned()));
+    }
+    // One sentence for each kind of fault.
+    let mut said: Vec<&str> = picture.faults.iter().map(|f| f.1.as_str()).collect();
+    said.sort_unstable();
+    said.dedup();
+    all.extend(
+        said.iter()
+            .take(6)
+            .map(|f| (Sign::Mark(MARK), (*f).to_owned())),
+    );
     let plain = Sign::Line(Colour(255, 255, 255));
     all.extend(picture.remarks.iter().map(|r| (plain, r.clone())));
     all

@@ -34,10 +34,12 @@ mod path_map;
 mod points;
 mod read;
 mod svg;
+mod write;
 
 pub use affine::Affine;
 pub use curve::{Curve, EllipseArc, Spline, SplineError};
 pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem, Unit};
 pub use error::DrawingError;
-pub use outlines::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings};
+pub use outlines::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings, Survey};
 pub use read::{Source, is_drawing, read};
+pub use write::{Drawn, DxfVersion, dxf, svg};

@@ -1,11 +1,13 @@
 //! Parts from drawings.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::Arc;
 
 use cspace::{Part, PartError, Point, Vertex};
 
 use crate::affine::Affine;
-use crate::drawing::{Drawing, Ignored, Origin, Path, Piece, Problem, Unit};
+use crate::drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem, Unit};
 use crate::error::DrawingError;
 use crate::fit::{self, NotFitted, Outline, Sided};
 use crate::join::{self, Chain, Joined};
@@ -83,6 +85,17 @@ pub struct Outlines {
     pub tiny: usize,
 }
 
+/// What a drawing shows, and what of it cannot be used.
+#[derive(Debug, Clone)]
+pub struct Survey {
+    /// The parts.
+    pub parts: Vec<Part>,
+    /// The entities that would be outlines, but are in no part.
+    pub unused: Vec<Entity>,
+    /// Why.
+    pub problems: Vec<Problem>,
+}
+
 /// How well lines and arcs were fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FittedReport {
@@ -107,19 +120,49 @@ impl Drawing {
     /// if loops cross or touch.
     pub fn outlines(&self, settings: &Settings) -> Result<Outlines, DrawingError> {
         check(settings)?;
-        if settings.scale == 1.0 {
-            return Making::new(self, settings)?.make();
+        Making::new(&self.scaled(settings.scale), settings)?.make()
+    }
+
+    /// The parts that the drawing shows, and what of it cannot be used: for a picture of both.
+    ///
+    /// # Errors
+    /// If the settings or the coordinates are beyond use.
+    pub fn survey(&self, settings: &Settings) -> Result<Survey, DrawingError> {
+        check(settings)?;
+        let settings = Settings {
+            partial: true,
+            ..settings.clone()
+        };
+        let scaled = self.scaled(settings.scale);
+        let mut making = Making::new(&scaled, &settings)?;
+        let outlines = making.outlines();
+        let parts = making.parts(outlines);
+        let mut unused: Vec<u32> = making.unused.clone();
+        unused.sort_unstable();
+        unused.dedup();
+        Ok(Survey {
+            parts: parts.0,
+            unused: (unused.iter())
+                .map(|&e| scaled.entities[e as usize].clone())
+                .collect(),
+            problems: making.told,
+        })
+    }
+
+    fn scaled(&self, scale: f64) -> Cow<'_, Self> {
+        if scale == 1.0 {
+            return Cow::Borrowed(self);
         }
         let mut scaled = self.clone();
         let map = Affine {
-            x: Affine::IDENTITY.x * settings.scale,
-            y: Affine::IDENTITY.y * settings.scale,
+            x: Affine::IDENTITY.x * scale,
+            y: Affine::IDENTITY.y * scale,
             origin: Point::ORIGIN,
         };
         for entity in &mut scaled.entities {
             entity.path = entity.path.mapped(&map);
         }
-        Making::new(&scaled, settings)?.make()
+        Cow::Owned(scaled)
     }
 
     /// The diagonal of the box of all ends and some points of curves.
@@ -175,8 +218,12 @@ struct Making<'d> {
     settings: &'d Settings,
     fit: f64,
     joined: Joined<'d>,
-    /// What cannot be used.
+    /// What cannot be used, and is an error.
     problems: Vec<Problem>,
+    /// What cannot be used, and is left out.
+    told: Vec<Problem>,
+    /// Entities that would be outlines.
+    unused: Vec<u32>,
     ignored: Vec<Ignored>,
     report: FittedReport,
 }
@@ -184,7 +231,8 @@ struct Making<'d> {
 impl<'d> Making<'d> {
     fn new(drawing: &'d Drawing, settings: &'d Settings) -> Result<Self, DrawingError> {
         let size = drawing.size();
-        if !drawing.entities.is_empty() && !(size > 0.0 && size.is_finite()) {
+        let has_size = size > 0.0 && size.is_finite();
+        if !has_size && !drawing.entities.is_empty() {
             let message = "its coordinates are beyond computing, or all are the same";
             let help = "check the file, and its unit of length";
             return Err(DrawingError::file(message, help));
@@ -198,12 +246,15 @@ impl<'d> Making<'d> {
             fit: settings.fit.unwrap_or(DEFAULT_FIT * size),
             joined,
             problems: Vec::new(),
+            told: Vec::new(),
+            unused: Vec::new(),
             ignored: drawing.ignored.clone(),
             report: FittedReport::default(),
         };
         for problem in problems {
             making.refuse(problem);
         }
+        making.leave_out_chains();
         Ok(making)
     }
 
@@ -213,47 +264,41 @@ impl<'d> Making<'d> {
             self.problems.push(problem);
             return;
         }
-        let Problem {
-            origin,
-            with,
-            reason,
-            ..
-        } = problem;
-        for origin in [origin].into_iter().chain(with) {
-            let reason = reason.clone().into();
-            self.ignored.push(Ignored { origin, reason });
+        for origin in [&problem.origin].into_iter().chain(&problem.with) {
+            self.ignored.push(Ignored {
+                origin: origin.clone(),
+                reason: problem.reason.clone().into(),
+            });
+        }
+        self.told.push(problem);
+    }
+
+    /// Lists what is in open chains; their ends are listed already.
+    fn leave_out_chains(&mut self) {
+        self.unused = core::mem::take(&mut self.joined.unused);
+        if !self.settings.partial {
+            return;
+        }
+        let key = |o: &Origin| (o.line, Arc::as_ptr(&o.handle));
+        let listed: HashSet<(usize, *const str)> =
+            self.ignored.iter().map(|i| key(&i.origin)).collect();
+        let mut entities = self.unused.clone();
+        entities.sort_unstable();
+        entities.dedup();
+        for entity in entities {
+            let origin = &self.drawing.entities[entity as usize].origin;
+            if !listed.contains(&key(origin)) {
+                self.ignored.push(Ignored {
+                    origin: origin.clone(),
+                    reason: "it is in a chain that is not closed".into(),
+                });
+            }
         }
     }
 
     fn make(mut self) -> Result<Outlines, DrawingError> {
-        let chains = core::mem::take(&mut self.joined.loops);
-        let sided = self.settings.side != FitSide::Both;
-        let mut loops: Vec<(Outline, Option<Chain<'d>>)> = Vec::with_capacity(chains.len());
-        let mut lone: Vec<Lone> = Vec::with_capacity(chains.len());
-        for chain in chains {
-            if let Some((outline, alone)) = self.fitted(&chain, Sided::Both) {
-                // A chain that is not fitted again is not kept.
-                let again = (sided && !outline.curves.is_empty()).then_some(chain);
-                loops.push((outline, again));
-                lone.push(alone);
-            }
-        }
-        let groups = nest(&lone);
-        if sided {
-            self.refit(&mut loops, &mut lone, &groups);
-        }
-        drop(lone);
-        for (outline, _) in &loops {
-            self.report.pieces += outline.pieces;
-            self.report.deviation = self.report.deviation.max(outline.deviation);
-            self.report.kink = self.report.kink.max(outline.kink);
-        }
-        let curves: HashSet<u32> = (loops.iter())
-            .flat_map(|l| l.0.curves.iter().copied())
-            .collect();
-        self.report.curves = curves.len();
-        let mut outlines: Vec<Outline> = loops.into_iter().map(|l| l.0).collect();
-        let parts = self.parts(&mut outlines, groups);
+        let nested = self.outlines();
+        let (parts, outlines) = self.parts(nested);
         if !self.problems.is_empty() {
             return Err(DrawingError::Entities(self.problems));
         }
@@ -271,6 +316,36 @@ impl<'d> Making<'d> {
             merged: self.joined.merged,
             tiny: self.joined.tiny,
         })
+    }
+
+    /// The loops, and which are parts together.
+    fn outlines(&mut self) -> (Vec<Outline>, Vec<Vec<usize>>) {
+        let chains = core::mem::take(&mut self.joined.loops);
+        let sided = self.settings.side != FitSide::Both;
+        let mut loops: Vec<(Outline, Option<Chain<'d>>)> = Vec::with_capacity(chains.len());
+        let mut lone: Vec<Lone> = Vec::with_capacity(chains.len());
+        for chain in chains {
+            if let Some((outline, alone)) = self.fitted(&chain, Sided::Both) {
+                // A chain that is not fitted again is not kept.
+                let again = (sided && !outline.curves.is_empty()).then_some(chain);
+                loops.push((outline, again));
+                lone.push(alone);
+            }
+        }
+        let groups = nest(&lone);
+        if sided {
+            self.refit(&mut loops, &mut lone, &groups);
+        }
+        for (outline, _) in &loops {
+            self.report.pieces += outline.pieces;
+            self.report.deviation = self.report.deviation.max(outline.deviation);
+            self.report.kink = self.report.kink.max(outline.kink);
+        }
+        let curves: HashSet<u32> = (loops.iter())
+            .flat_map(|l| l.0.curves.iter().copied())
+            .collect();
+        self.report.curves = curves.len();
+        (loops.into_iter().map(|l| l.0).collect(), groups)
     }
 
     /// The loop of a chain, checked by itself.
@@ -295,6 +370,7 @@ impl<'d> Making<'d> {
                     reason: format!("no lines and arcs within {:.2e} of it were found", self.fit),
                     help: "give a larger fit".to_owned(),
                 };
+                self.unused.push(at.entity);
                 self.refuse(problem);
                 return None;
             }
@@ -306,6 +382,7 @@ impl<'d> Making<'d> {
             }
             Err(error) => {
                 let problem = self.no_part(&error, &[&outline]);
+                self.unused.extend(&outline.entities);
                 self.refuse(problem);
                 None
             }
@@ -338,12 +415,16 @@ impl<'d> Making<'d> {
         }
     }
 
-    fn parts(&mut self, outlines: &mut [Outline], groups: Vec<Vec<usize>>) -> Vec<Part> {
+    /// The parts; the outlines are given back without their vertices.
+    fn parts(
+        &mut self,
+        (mut outlines, groups): (Vec<Outline>, Vec<Vec<usize>>),
+    ) -> (Vec<Part>, Vec<Outline>) {
         let groups = match &self.settings.one_part {
             Some(_) if !groups.is_empty() => vec![groups.into_iter().flatten().collect()],
             _ => groups,
         };
-        let names = self.names(outlines, &groups);
+        let names = self.names(&outlines, &groups);
         let mut parts = Vec::with_capacity(groups.len());
         for (group, name) in groups.iter().zip(names) {
             let vertices: Vec<Vec<Vertex>> = (group.iter())
@@ -354,11 +435,13 @@ impl<'d> Making<'d> {
                 Err(error) => {
                     let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
                     let problem = self.no_part(&error, &of);
+                    let entities = of.iter().flat_map(|o| &o.entities).copied();
+                    self.unused.extend(entities);
                     self.refuse(problem);
                 }
             }
         }
-        parts
+        (parts, outlines)
     }
 
     /// A part is called as the block that all of its outer loop is in, the layer, or the drawing; with a number where

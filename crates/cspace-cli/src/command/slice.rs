@@ -7,8 +7,9 @@ use cspace::{
     PairClass, PairSpace, Point, Slice,
 };
 use cspace_draw::{PictureFormat, SlicesPicture, slices};
+use cspace_drawing::Drawn;
 
-use super::draw::at_configuration;
+use super::draw::{at_configuration, check_version, is_dxf, write_outlines};
 use crate::args::{Format, SliceArgs};
 use crate::failure::Failure;
 use crate::output;
@@ -20,6 +21,12 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
     let output = common.result.output.as_deref();
     let format = picture::format(output);
+    check_version(args.dxf, output)?;
+    if is_dxf(output) {
+        common.result.refuse_format()?;
+        args.picture.refuse()?;
+        return outline(args);
+    }
     if format.is_some() {
         common.result.refuse_format()?;
     } else {
@@ -53,6 +60,27 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
         }
     };
     output::write(output, &bytes)
+}
+
+/// The boundary of free space as a drawing.
+fn outline(args: &SliceArgs) -> Result<(), Failure> {
+    let subject = Subject::open(&args.common)?;
+    let pair = subject.one_pair(&args.common, None)?;
+    if !pair.is_planar() {
+        return Err(Failure::input(format_args!(
+            "the plane of two motions, of the pair {}, has curves that are no arcs",
+            pair.names()
+        ))
+        .help("write it as a picture: let the name after -o end in .svg, .png or .pdf"));
+    }
+    let Some(theta) = args.theta else {
+        return Err(Failure::input("slice needs an orientation")
+            .help("give --theta T, in radians or such as 18deg"));
+    };
+    let name = format!("{} about {}", pair.moving().name(), pair.fixed().name());
+    let drawn = Drawn::slice(&name, &pair.slice(theta)?);
+    let output = args.common.result.output.as_deref();
+    write_outlines(output, &[drawn], pair.unit_label(), args.dxf)
 }
 
 /// The slice, its regions numbered as `compute` lists them, and the parts beside it.

@@ -1,6 +1,6 @@
 //! Arcs of ellipses.
 
-use core::f64::consts::FRAC_PI_4;
+use core::f64::consts::{FRAC_PI_4, TAU};
 
 use cspace::{Point, Vector};
 
@@ -32,7 +32,7 @@ impl EllipseArc {
         let is_round =
             (uu - vv).abs() <= 2.0 * ROUND * uu && self.u.dot(self.v).abs() <= ROUND * uu;
         let sweep = (self.to - self.from) * self.u.cross(self.v).signum();
-        (is_round && sweep.abs() < 6.283).then(|| (sweep / 4.0).tan())
+        (is_round && sweep.abs() < TAU * (1.0 - ROUND)).then(|| (sweep / 4.0).tan())
     }
 
     /// Spans of at most an eighth of a turn.

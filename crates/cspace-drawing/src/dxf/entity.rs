@@ -232,8 +232,7 @@ impl<'r, 'a> Reader<'r, 'a> {
     /// What follows an entity and belongs to it, up to SEQEND.
     fn attached(&mut self, kind: &[u8]) -> Result<Vec<Vec<Group<'a>>>> {
         let mut attached = Vec::new();
-        loop {
-            let Some(next) = self.next else { break };
+        while let Some(next) = self.next {
             if next.text() == b"SEQEND" {
                 self.advance()?;
                 break;
@@ -417,7 +416,7 @@ fn ellipse(record: &Record<'_, '_>) -> Result<What> {
     let u = major.to_vector();
     let ratio = record.real(40)?.unwrap_or(1.0);
     let v = if behind { u.right() } else { u.left() } * ratio;
-    if !(u.cross(v).abs() > 0.0) {
+    if u.cross(v) == 0.0 {
         return Ok(What::problem(
             Some(center),
             "an axis of it has no length",

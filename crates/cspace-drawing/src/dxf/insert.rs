@@ -106,7 +106,11 @@ impl Flat<'_> {
             self.ignore(origin, reason);
             return Ok(());
         }
-        if let Cow::Owned(Item { what: What::Path(path), .. }) = item {
+        if let Cow::Owned(Item {
+            what: What::Path(path),
+            ..
+        }) = item
+        {
             self.draw(origin, path);
             return Ok(());
         }
@@ -222,7 +226,7 @@ impl Flat<'_> {
                 self.count(origin.line)?;
                 let step = insert.steps[0] * f64::from(column) + insert.steps[1] * f64::from(row);
                 let mut map = insert.map;
-                map.origin = map.origin + step;
+                map.origin += step;
                 let inner = Ground {
                     map: ground.map.after(&map).after(&base),
                     layer: Some(Arc::clone(&origin.layer)),

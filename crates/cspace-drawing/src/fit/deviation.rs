@@ -78,7 +78,7 @@ pub(crate) fn of_others(others: &Run, run: &Run, fitted: &Fitted) -> Option<f64>
 }
 
 /// The point of a line or an arc that is nearest to a point.
-fn nearest_on((p, q, bulge): (Point, Point, f64), at: Point) -> Point {
+pub(super) fn nearest_on((p, q, bulge): (Point, Point, f64), at: Point) -> Point {
     let chord = q - p;
     if bulge == 0.0 {
         let s = (at - p).dot(chord) / chord.length_squared();

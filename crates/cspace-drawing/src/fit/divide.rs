@@ -104,12 +104,15 @@ impl Arcs {
                 .joint(from)
                 .distance(run.joint(longest))
                 .max(f64::MIN_POSITIVE);
-            let leaving = of_this.last().map_or(0.0, |a| a.angles[0] - f64::midpoint(a.lo, a.hi));
+            let leaving = of_this
+                .last()
+                .map_or(0.0, |a| a.angles[0] - f64::midpoint(a.lo, a.hi));
             arcs.cell.push((CELL * width / length, leaving));
             arcs.from.push(of_this);
         }
         // The end of an open run has no piece of its own.
-        arcs.cell.push(arcs.cell.last().map_or((1.0, 0.0), |c| (c.0, 0.0)));
+        arcs.cell
+            .push(arcs.cell.last().map_or((1.0, 0.0), |c| (c.0, 0.0)));
         arcs
     }
 

@@ -15,6 +15,8 @@ mod divide;
 mod profile;
 mod run;
 mod tangent;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use chain::{NotFitted, Outline, Sided, outline};
 pub(crate) use deviation::of_others as deviation_of;
@@ -73,7 +75,10 @@ fn merged(mut fitted: Fitted, is_closed: bool) -> Fitted {
             _ if is_closed => fitted.vertices[0].point(),
             _ => fitted.end,
         };
-        let chords = [first.point().distance(second.point()), second.point().distance(next)];
+        let chords = [
+            first.point().distance(second.point()),
+            second.point().distance(next),
+        ];
         let sweeps = [first.bulge, second.bulge].map(|b| 4.0 * b.atan());
         let curvature = |k: usize| 2.0 * (sweeps[k] / 2.0).sin() / chords[k];
         let apart = (curvature(0) - curvature(1)).abs() * chords[0].min(chords[1]);

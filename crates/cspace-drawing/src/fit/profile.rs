@@ -190,9 +190,9 @@ fn run(points: &[Point], is_closed: bool, tolerance: f64, scatters: bool, band: 
     };
     let mut normals = Vec::with_capacity(n);
     let mut joints = Vec::with_capacity(n);
-    for i in 0..n {
+    for (i, point) in points.iter().enumerate() {
         let smooth = scatters.then(|| smoothed(&at, i, tolerance)).flatten();
-        let (joint, direction) = smooth.unwrap_or_else(|| (points[i], direction(&at, i as isize)));
+        let (joint, direction) = smooth.unwrap_or_else(|| (*point, direction(&at, i as isize)));
         joints.push(joint);
         normals.push(direction.left());
     }
@@ -275,7 +275,7 @@ fn parabola(points: &[(f64, f64)]) -> Option<[f64; 3]> {
     // Gauss, without exchange of rows: the matrix is positive.
     for i in 0..3 {
         let pivot = m[i][i];
-        if !(pivot > 1e-12) {
+        if pivot.is_nan() || pivot <= 1e-12 {
             return None;
         }
         for j in 0..3 {
@@ -343,7 +343,7 @@ fn meeting(before: (Vertex, Point), after: (Vertex, Point)) -> Option<Point> {
             return None;
         }
         let step = (na.right() * db - nb.right() * da) * (1.0 / det);
-        at = at + step;
+        at += step;
         if !at.is_finite() || step.length() < 1e-15 * gap {
             break;
         }

@@ -44,7 +44,7 @@ pub(super) fn make(run: &Run, division: &Division, with_lines: bool) -> Option<M
     let rows = chain.rows();
     let kink = rows.iter().map(|r| r.error.abs()).fold(0.0, f64::max);
     // What has not converged is no chain of tangent pieces.
-    if !(kink <= 1e3 * SMOOTH) {
+    if kink.is_nan() || kink > 1e3 * SMOOTH {
         return None;
     }
     let vertices: Vec<Vertex> = (0..chain.half.len())
@@ -235,7 +235,7 @@ impl<'r> Pieces<'r> {
             return None;
         }
         for (joint, by) in self.joints.iter_mut().zip(places) {
-            *joint = *joint + by * share;
+            *joint += by * share;
         }
         for (half, by) in self.half.iter_mut().zip(halves) {
             *half += by * share;
@@ -272,12 +272,12 @@ impl<'r> Pieces<'r> {
         let mut now = dot(&rest, &search);
         let goal = 1e-28 * now;
         for _ in 0..4 * n + 10 {
-            if !(now > goal) {
+            if now.is_nan() || now <= goal {
                 break;
             }
             let image = self.product(rows, &search);
             let curvature = dot(&search, &image);
-            if !(curvature > 0.0) {
+            if curvature.is_nan() || curvature <= 0.0 {
                 break;
             }
             let length = now / curvature;

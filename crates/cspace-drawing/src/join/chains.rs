@@ -54,6 +54,8 @@ pub(super) fn collect<'d>(
             continue;
         }
         let chain = follow(pieces, end(i, side), &mut is_done);
+        let entities = chain.iter().map(|&e| pieces.segments[of_end(e).0].entity);
+        joined.unused.extend(entities);
         let last = chain[chain.len() - 1];
         let ends = [end(i, side), last ^ 1];
         if !ends.iter().any(|&e| ambiguous.contains(&of_end(e).0)) {

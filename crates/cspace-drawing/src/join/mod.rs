@@ -32,6 +32,8 @@ pub(crate) struct Joined<'d> {
     pub(crate) merged: usize,
     /// How many pieces had no length, or less than would be joined.
     pub(crate) tiny: usize,
+    /// The entities of chains that are not closed.
+    pub(crate) unused: Vec<u32>,
     /// Chains that are not closed, and ends that may be joined in several ways.
     pub(crate) problems: Vec<Problem>,
 }

@@ -85,7 +85,10 @@ fn errors_name_the_place_and_say_what_to_do() {
         &error(&part("a", "loops = 3")),
         &["`loops` is the number 3", "a list"],
     );
-    says(&error(&part("a", "dxf = \"a.dxf\"")), &["DXF", "loops"]);
+    says(
+        &error(&part("a", "dxf = \"a.dxf\"")),
+        &["m.toml:3:7", "a.dxf: it cannot be read", "check the path"],
+    );
     says(&error(&part("a", "loops = []")), &["part 0 \"a\""]);
     says(
         &error(&part("a", "loops = [[[0, 0], [1, 0], [1]]]")),
@@ -375,8 +378,8 @@ fn one_outline_for_each_part() {
             ],
         );
         says(
-            &with(&format!("{drawing} = \"a.{drawing}\"")),
-            &["m.toml:3:1", "not read yet"],
+            &with(&format!("{drawing} = \"a.txt\"")),
+            &["m.toml:3:7", "a.txt", &format!(".{drawing}")],
         );
     }
     says(
@@ -516,8 +519,8 @@ fn suggestions_are_keys_that_are_taken() {
     };
     let two = format!("{}{}", part(""), part("").replace("\"a\"", "\"b\""));
     for (text, suggests) in [
-        (part("dfx = \"a.dxf\""), None),
-        (part("laier = \"0\""), None),
+        (part("dfx = \"a.dxf\""), Some("dxf")),
+        (part("laier = \"0\""), Some("layer")),
         (part("moton = { type = \"fixed\" }"), Some("motion")),
         (part("motion = { type = \"fixed\", centre = [0, 0] }"), None),
         (

@@ -1,12 +1,18 @@
 //! `cspace draw`.
 
+mod drawing;
+mod outlines;
+
 use cspace::{
     Axis, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation, Vector,
 };
+pub(crate) use outlines::{check_version, is_dxf, write as write_outlines};
+
 use cspace_draw::{ContactMark, PartsPicture, PictureFormat, PlacedPart, parts};
 
 use crate::args::DrawArgs;
 use crate::failure::Failure;
+use crate::output;
 use crate::picture::{self, Plane};
 use crate::subject::{Chosen, Subject, near};
 use crate::wording::length;
@@ -15,6 +21,12 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let common = &args.common;
     common.result.refuse_format()?;
     let output = common.result.output.as_deref();
+    let is_drawing = cspace_drawing::is_drawing(&common.file);
+    check_version(args.dxf, output)?;
+    if is_dxf(output) || args.outlines {
+        check_outlines(args, is_drawing)?;
+        return outlines::of_model(args);
+    }
     let format = match (output, picture::format(output)) {
         (_, Some(format)) => format,
         // Standard output takes the format that is text.
@@ -25,9 +37,13 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
                 "{}: the extension does not tell what to write",
                 path.display()
             ))
-            .help("let the name end in .svg, .png or .pdf"));
+            .help("let the name end in .svg, .png, .pdf or .dxf"));
         }
     };
+    if is_drawing {
+        output::check_apart(output, &common.file)?;
+        return drawing::run(args, format);
+    }
     let subject = Subject::open(common)?;
     subject.warn();
     let one = common.pair.is_some() || args.at.is_some();
@@ -50,6 +66,23 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
         .picture
         .options(Plane::Positions, title, subject.unit())?;
     picture::write(output, format, &parts(&drawn, &options))
+}
+
+/// Outlines are those of models, and written as SVG or DXF.
+fn check_outlines(args: &DrawArgs, is_drawing: bool) -> Result<(), Failure> {
+    let output = args.common.result.output.as_deref();
+    if is_drawing {
+        return Err(
+            Failure::input("the outlines of a drawing are those of the model made of it")
+                .help("make the model with `cspace import`, and draw that"),
+        );
+    }
+    let is_svg = picture::format(output) == Some(PictureFormat::Svg);
+    if args.outlines && !is_svg && output.is_some_and(|p| p.as_os_str() != "-") {
+        return Err(Failure::input("--outlines is about SVG")
+            .help("let the name after -o end in .svg, or in .dxf without --outlines"));
+    }
+    Ok(())
 }
 
 /// All parts as they are drawn.

@@ -1,0 +1,75 @@
+//! Outlines alone, as DXF or SVG.
+
+use std::path::Path;
+
+use cspace::Coordinates;
+use cspace_drawing::{Drawn, DxfVersion, Unit};
+
+use super::{assembly, at_configuration};
+use crate::args::{DrawArgs, DxfChoice};
+use crate::failure::Failure;
+use crate::output;
+use crate::subject::Subject;
+
+/// Whether a file's name asks for DXF.
+pub(crate) fn is_dxf(path: Option<&Path>) -> bool {
+    (path.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("dxf"))
+}
+
+/// Refuses a version of DXF where none is written.
+pub(crate) fn check_version(dxf: Option<DxfChoice>, path: Option<&Path>) -> Result<(), Failure> {
+    if dxf.is_none() || is_dxf(path) {
+        return Ok(());
+    }
+    Err(Failure::input("--dxf is about DXF").help("let the name after -o end in .dxf"))
+}
+
+/// Writes outlines as the file's name says.
+pub(crate) fn write(
+    path: Option<&Path>,
+    drawn: &[Drawn],
+    unit: Option<&str>,
+    version: Option<DxfChoice>,
+) -> Result<(), Failure> {
+    let unit = unit.and_then(Unit::of_label);
+    let text = if is_dxf(path) {
+        let version = match version {
+            Some(DxfChoice::R12) => DxfVersion::R12,
+            Some(DxfChoice::R2000) | None => DxfVersion::R2000,
+        };
+        cspace_drawing::dxf(drawn, unit, version)
+    } else {
+        cspace_drawing::svg(drawn, unit)
+    };
+    output::write(path, text.as_bytes())
+}
+
+/// The parts of a model, or a pair at a configuration.
+pub(super) fn of_model(args: &DrawArgs) -> Result<(), Failure> {
+    let common = &args.common;
+    let output = common.result.output.as_deref();
+    if let Some(option) = args.picture.given() {
+        return Err(Failure::input(format_args!("{option} is about pictures"))
+            .help("outlines are written to scale: leave the option out"));
+    }
+    let subject = Subject::open(common)?;
+    let pair;
+    let picture = match &subject {
+        Subject::Model { model, .. } if common.pair.is_none() && args.at.is_none() => {
+            assembly(model)
+        }
+        _ => {
+            pair = subject.one_pair(common, None)?;
+            let at = match &args.at {
+                Some(text) => pair.coordinates("--at", text)?,
+                None if pair.is_on_axes() => Coordinates::Axes { u: 0.0, v: 0.0 },
+                None => Coordinates::Planar(cspace::Configuration::default()),
+            };
+            at_configuration(&pair, at)
+        }
+    };
+    let drawn: Vec<Drawn> = (picture.parts.iter())
+        .map(|p| Drawn::part(p.part).moved(p.assembly_from_part))
+        .collect();
+    write(output, &drawn, subject.unit(), args.dxf)
+}
