@@ -109,7 +109,7 @@ pub struct Origin {
     pub layer: Arc<str>,
     /// The handle of a DXF entity or the id of an SVG element; empty where it has none.
     pub handle: Arc<str>,
-    /// The blocks it is inserted with, the outermost first.
+    /// The blocks it is inserted with, or the named groups and elements of SVG that it is in, the outermost first.
     pub blocks: Arc<[Arc<str>]>,
     /// The line of the file, counted from 1; 0 where a file has none.
     pub line: usize,
@@ -133,6 +133,8 @@ pub struct Problem {
     pub with: Vec<Origin>,
     /// Where, in the drawing's coordinates.
     pub at: Option<Point>,
+    /// Where the other end is of something that has two.
+    pub to: Option<Point>,
     /// What is wrong.
     pub reason: String,
     /// What to do.

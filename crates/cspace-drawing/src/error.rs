@@ -2,9 +2,8 @@
 
 use core::fmt;
 
-use cspace::Point;
-
 use crate::drawing::{Origin, Problem};
+use crate::shown;
 
 /// Why a drawing makes no parts.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,15 +66,15 @@ impl core::error::Error for DrawingError {}
 impl fmt::Display for Origin {
     /// `LINE 2F on layer "outline", line 120`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.kind)?;
+        f.write_str(shown::start(&self.kind).trim_matches('"'))?;
         if !self.handle.is_empty() {
-            write!(f, " {}", self.handle)?;
+            write!(f, " {}", shown::start(&self.handle).trim_matches('"'))?;
         }
         if !self.layer.is_empty() {
-            write!(f, " on layer {:?}", &*self.layer)?;
+            write!(f, " on layer {}", shown::start(&self.layer))?;
         }
-        if let Some(block) = self.blocks.last() {
-            write!(f, " in block {:?}", &**block)?;
+        if let Some(block) = self.blocks.last().filter(|b| **b != self.handle) {
+            write!(f, " in block {}", shown::start(block))?;
         }
         if self.line > 0 {
             write!(f, " (line {})", self.line)?;
@@ -95,8 +94,8 @@ impl fmt::Display for Problem {
         if self.with.len() > MOST {
             write!(f, " and {} more", self.with.len() - MOST)?;
         }
-        if let Some(Point { x, y }) = self.at {
-            write!(f, ", at ({x:?}, {y:?})")?;
+        if let Some(at) = self.at {
+            write!(f, ", at {}", shown::point(at))?;
         }
         write!(f, ": {}", self.reason)
     }

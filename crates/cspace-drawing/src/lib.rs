@@ -33,6 +33,7 @@ mod outlines;
 mod path_map;
 mod points;
 mod read;
+mod shown;
 mod svg;
 mod write;
 

@@ -10,6 +10,22 @@ pub(crate) struct Lone {
     pub(crate) first: Point,
 }
 
+/// Whether a loop is within another. Loops that cross, as parts of an assembly do, are not within each other.
+fn holds(outer: &Part, inner: &Part) -> bool {
+    /// Vertices that are looked at; those of loops that cross are on both sides soon.
+    const MOST: usize = 256;
+    let (o, i) = (outer.bounds(), inner.bounds());
+    let is_in_box =
+        o.min.x < i.min.x && o.min.y < i.min.y && o.max.x > i.max.x && o.max.y > i.max.y;
+    let vertices = inner.loops()[0].vertices();
+    let step = vertices.len().div_ceil(MOST);
+    is_in_box
+        && vertices
+            .iter()
+            .step_by(step)
+            .all(|v| outer.contains(v.point()))
+}
+
 /// Outermost loops with the holes in them, by number; an island in a hole is outermost again. In the order of the loops.
 pub(crate) fn nest(loops: &[Lone]) -> Vec<Vec<usize>> {
     let tree = RTree::bulk_load(
@@ -28,7 +44,7 @@ pub(crate) fn nest(loops: &[Lone]) -> Vec<Vec<usize>> {
             let at = [l.first.x, l.first.y];
             tree.locate_in_envelope_intersecting(AABB::from_point(at))
                 .map(|r| r.data)
-                .filter(|&j| j != i && loops[j].part.contains(l.first))
+                .filter(|&j| j != i && holds(&loops[j].part, &l.part))
                 .collect()
         })
         .collect();

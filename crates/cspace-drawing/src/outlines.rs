@@ -77,6 +77,8 @@ pub struct Outlines {
     pub joined: Vec<(f64, Point)>,
     /// What was fitted.
     pub fitted: FittedReport,
+    /// Outlines of two parts that cross or touch, if there are any: parts may, but a drawing may be wrong.
+    pub crossing: Option<Problem>,
     /// How many pieces were drawn twice, or lay within others.
     pub duplicates: usize,
     /// How many pieces overlapped others and were made one with them.
@@ -298,6 +300,7 @@ impl<'d> Making<'d> {
 
     fn make(mut self) -> Result<Outlines, DrawingError> {
         let nested = self.outlines();
+        let crossing = self.crossing(&nested);
         let (parts, outlines) = self.parts(nested);
         if !self.problems.is_empty() {
             return Err(DrawingError::Entities(self.problems));
@@ -311,6 +314,7 @@ impl<'d> Making<'d> {
             used: self.used(&outlines),
             ignored: self.ignored,
             joined: self.joined.gaps,
+            crossing,
             fitted: self.report,
             duplicates: self.joined.duplicates,
             merged: self.joined.merged,
@@ -367,6 +371,7 @@ impl<'d> Making<'d> {
                     origin: self.drawing.entities[at.entity as usize].origin.clone(),
                     with: Vec::new(),
                     at: Some(at.at),
+                    to: None,
                     reason: format!("no lines and arcs within {:.2e} of it were found", self.fit),
                     help: "give a larger fit".to_owned(),
                 };
@@ -413,6 +418,17 @@ impl<'d> Making<'d> {
                 }
             }
         }
+    }
+
+    /// Where outermost loops cross or touch.
+    fn crossing(&self, (outlines, groups): &(Vec<Outline>, Vec<Vec<usize>>)) -> Option<Problem> {
+        if groups.len() < 2 || self.settings.one_part.is_some() {
+            return None;
+        }
+        let outer: Vec<&Outline> = groups.iter().map(|g| &outlines[g[0]]).collect();
+        let vertices = outer.iter().map(|o| o.vertices.clone()).collect();
+        let error = Part::new("", vertices).err()?;
+        Some(self.no_part(&error, &outer))
     }
 
     /// The parts; the outlines are given back without their vertices.
@@ -584,6 +600,7 @@ impl<'d> Making<'d> {
                 .collect(),
             origin: first.unwrap_or_default(),
             at,
+            to: None,
             reason,
             help,
         }

@@ -10,6 +10,7 @@ use super::names::folded;
 use super::tables::Hidden;
 use crate::affine::Affine;
 use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
+use crate::shown;
 
 /// The most entities that inserting blocks may make, those left out included: ten times what a large drawing has.
 const MOST_ENTITIES: usize = 2_000_000;
@@ -128,6 +129,7 @@ impl Flat<'_> {
                 origin,
                 with: Vec::new(),
                 at: fault.at.map(|p| ground.map.point(p)),
+                to: None,
                 reason: fault.reason.clone(),
                 help: fault.help.to_owned(),
             }),
@@ -183,6 +185,7 @@ impl Flat<'_> {
                 origin: origin.clone(),
                 with: Vec::new(),
                 at,
+                to: None,
                 reason,
                 help: help.to_owned(),
             });
@@ -191,19 +194,19 @@ impl Flat<'_> {
         let name = &insert.block;
         let Some(block) = self.file.blocks.get(&folded(name)) else {
             return refuse(
-                format!("there is no block {name:?}"),
+                format!("there is no block {}", shown::start(name)),
                 "export the drawing with its blocks",
             );
         };
         if block.is_external && block.items.is_empty() {
             return refuse(
-                format!("the block {name:?} is in another file"),
+                format!("the block {} is in another file", shown::start(name)),
                 "bind the external reference before the drawing is exported",
             );
         }
         if self.open.contains(&core::ptr::from_ref(block)) {
             return refuse(
-                format!("the block {name:?} is inserted in itself"),
+                format!("the block {} is inserted in itself", shown::start(name)),
                 "remove the insert from the block",
             );
         }

@@ -9,6 +9,7 @@ use rstar::primitives::GeomWithData;
 use super::pieces::{End, Pieces, Segment, Shape, end, of_end};
 use super::{Joined, origin_of};
 use crate::drawing::{Drawing, Problem};
+use crate::shown;
 
 /// Pieces end to end, the last ending where the first starts.
 #[derive(Debug)]
@@ -62,7 +63,7 @@ pub(super) fn collect<'d>(
             open.push(ends);
         }
     }
-    tell_open(pieces, drawing, &open, joined);
+    tell_open(pieces, drawing, &open, round / super::ROUND, joined);
     for i in (0..pieces.segments.len()).filter(alive) {
         if is_done[i] {
             continue;
@@ -126,7 +127,13 @@ impl Chain<'_> {
 }
 
 /// Every open chain is a problem; what to do depends on how far its ends are from the nearest other ones.
-fn tell_open(pieces: &Pieces<'_>, drawing: &Drawing, open: &[[End; 2]], joined: &mut Joined<'_>) {
+fn tell_open(
+    pieces: &Pieces<'_>,
+    drawing: &Drawing,
+    open: &[[End; 2]],
+    size: f64,
+    joined: &mut Joined<'_>,
+) {
     type Near = GeomWithData<[f64; 2], End>;
     let at = |e: End| {
         let p = pieces.point(e);
@@ -138,6 +145,8 @@ fn tell_open(pieces: &Pieces<'_>, drawing: &Drawing, open: &[[End; 2]], joined: 
             .map(|&e| Near::new(at(e), e))
             .collect(),
     );
+    /// Gaps smaller than that share of the drawing may be meant to be closed.
+    const SMALL: f64 = 0.01;
     for ends in open {
         let nearest = |e: End| {
             (tree.nearest_neighbor_iter(at(e)).find(|n| n.data != e))
@@ -154,18 +163,24 @@ fn tell_open(pieces: &Pieces<'_>, drawing: &Drawing, open: &[[End; 2]], joined: 
         if pieces.segments[a].entity != pieces.segments[b].entity {
             with.push(origin_of(drawing, pieces.segments[b].entity).clone());
         }
-        let (x, y) = (to.x, to.y);
         joined.problems.push(Problem {
             origin: origin_of(drawing, pieces.segments[a].entity).clone(),
             with,
             at: Some(from),
+            to: Some(to),
             reason: format!(
-                "the chain from here to ({x:?}, {y:?}) is open: its ends are {gap:.3e} from the nearest other ones"
+                "the chain from here to {} is open: its ends are {} from the nearest other ones",
+                shown::point(to),
+                shown::number(gap)
             ),
-            help: format!(
-                "close the gap in the drawing, or join it with --join {:.2e} (in a model: join); leave out by --layer what is no outline",
-                1.01 * gap
-            ),
+            help: if gap < SMALL * size {
+                format!(
+                    "close the gap in the drawing, or join it with --join {gap} (in a model: join = {gap})",
+                    gap = shown::number(1.01 * gap)
+                )
+            } else {
+                "close it in the drawing; if it is no outline, remove it, or read the other layers alone with --layer".to_owned()
+            },
         });
     }
 }

@@ -112,6 +112,7 @@ fn problem(pieces: &Pieces<'_>, drawing: &Drawing, ends: &[End]) -> Problem {
         origin: origins.next().unwrap_or_default(),
         with: origins.collect(),
         at: Some(at),
+        to: None,
         reason: format!("{} ends meet here, and which belong together cannot be told", ends.len()),
         help: "remove what is no outline, or read its layers alone with --layer; for ends that are only near, give a smaller --join".to_owned(),
     }

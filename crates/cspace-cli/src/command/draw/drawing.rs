@@ -51,7 +51,12 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
             .collect(),
         unused: survey.unused.iter().map(unused).collect(),
         faults: (survey.problems.iter())
-            .filter_map(|p| Some((p.at?, p.reason.clone())))
+            .flat_map(|p| {
+                [p.at, p.to]
+                    .into_iter()
+                    .flatten()
+                    .map(|at| (at, p.reason.clone()))
+            })
             .collect(),
         is_drawing: true,
         ..PartsPicture::default()

@@ -55,6 +55,11 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
             return Ok(());
         }
     }
+    for problem in imported.iter().filter_map(|o| o.crossing.as_ref()) {
+        failure::note(format_args!(
+            "parts overlap as they are drawn: {problem}; if they are one part, or holes, mend the drawing"
+        ));
+    }
     let report = report::Report::new(&mechanism, &imported);
     let bytes = match args.format {
         Format::Text => report.text(&args.drawings, &imported).into_bytes(),
