@@ -42,5 +42,5 @@ pub use curve::{Curve, EllipseArc, Spline, SplineError};
 pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem, Unit};
 pub use error::DrawingError;
 pub use outlines::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings, Survey};
-pub use read::{Source, is_drawing, read};
+pub use read::{Format, Source, from_bytes, is_drawing, read};
 pub use write::{Drawn, DxfVersion, dxf, svg};

@@ -22,12 +22,35 @@ pub struct Source {
 
 /// Whether a file's extension is that of a drawing.
 pub fn is_drawing(path: &Path) -> bool {
-    matches!(extension(path).as_str(), "dxf" | "svg" | "csv")
+    Format::of_extension(path).is_some()
 }
 
 fn extension(path: &Path) -> String {
     let extension = path.extension().unwrap_or_default();
     extension.to_string_lossy().to_ascii_lowercase()
+}
+
+/// Formats of drawings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// DXF, text or binary.
+    Dxf,
+    /// SVG.
+    Svg,
+    /// Points in CSV.
+    Points,
+}
+
+impl Format {
+    /// The format that a file's extension names: dxf, svg or csv.
+    pub fn of_extension(path: &Path) -> Option<Self> {
+        Some(match extension(path).as_str() {
+            "dxf" => Self::Dxf,
+            "svg" => Self::Svg,
+            "csv" => Self::Points,
+            _ => return None,
+        })
+    }
 }
 
 /// Reads a drawing; its extension tells the format.
@@ -36,30 +59,39 @@ fn extension(path: &Path) -> String {
 /// If the file cannot be read, or is no drawing. What cannot be used of a drawing is told by [`Drawing::outlines`].
 pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingError> {
     let path = path.as_ref();
-    let mut drawing = match extension(path).as_str() {
-        "dxf" => dxf::read(&bytes(path)?, &source.layers).map_err(|e| DrawingError::File {
-            line: Some(e.line),
-            message: e.message,
-            help: e.help,
-        })?,
-        "csv" => points::read(&bytes(path)?)?,
-        "svg" => svg::read(&bytes(path)?, source)?,
-        "dwg" => {
+    let Some(format) = Format::of_extension(path) else {
+        let extension = extension(path);
+        if extension == "dwg" {
             let help = "save the drawing as DXF in the program that made it";
             return Err(DrawingError::file("DWG files are not read", help));
         }
-        other => {
-            let message = format!("the extension {other:?} is not that of a drawing");
-            return Err(DrawingError::file(
-                message,
-                "drawings end in .dxf, .svg or .csv",
-            ));
-        }
+        let message = format!("the extension {extension:?} is not that of a drawing");
+        return Err(DrawingError::file(
+            message,
+            "drawings end in .dxf, .svg or .csv",
+        ));
     };
+    let mut drawing = from_bytes(&bytes(path)?, format, source)?;
     drawing.name = (path.file_stem())
         .map(|s| s.to_string_lossy().into_owned())
         .unwrap_or_default();
     Ok(drawing)
+}
+
+/// The drawing in the bytes of a file; it has no name.
+///
+/// # Errors
+/// If the bytes are no drawing of the format.
+pub fn from_bytes(bytes: &[u8], format: Format, source: &Source) -> Result<Drawing, DrawingError> {
+    match format {
+        Format::Dxf => dxf::read(bytes, &source.layers).map_err(|e| DrawingError::File {
+            line: Some(e.line),
+            message: e.message,
+            help: e.help,
+        }),
+        Format::Svg => svg::read(bytes, source),
+        Format::Points => points::read(bytes),
+    }
 }
 
 /// The bytes of a regular file: a pipe might never say anything, a device might never end.

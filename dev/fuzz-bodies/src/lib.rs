@@ -7,6 +7,7 @@
 //! | target | input | judged by |
 //! |---|---|---|
 //! | `model_reader` | text, or a shipped model with edits | written and read again it is the same; errors are one line of text |
+//! | `dxf_reader`, `svg_reader`, `points_reader` | bytes, or a drawing with edits | parts written as DXF are read again as they were; errors say what to do |
 //! | `predicates` | numbers that favour ties | exact arithmetic on dyadic rationals |
 //! | `slice` | two parts and an orientation | brute force on positions, and an area with certain bounds |
 //! | `pipeline` | two parts, perhaps of a family | brute force on configurations, slices from scratch, closedness |
@@ -21,6 +22,7 @@
 mod area;
 mod axes;
 pub mod draw;
+mod drawing;
 pub mod exact;
 mod finding;
 mod pipeline;
@@ -40,7 +42,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 4] = [
+pub const TARGETS: [Target; 7] = [
     Target {
         name: "model_reader",
         run: reader::run,
@@ -56,6 +58,18 @@ pub const TARGETS: [Target; 4] = [
     Target {
         name: "pipeline",
         run: pipeline::run,
+    },
+    Target {
+        name: "dxf_reader",
+        run: drawing::dxf_reader,
+    },
+    Target {
+        name: "svg_reader",
+        run: drawing::svg_reader,
+    },
+    Target {
+        name: "points_reader",
+        run: drawing::points_reader,
     },
 ];
 

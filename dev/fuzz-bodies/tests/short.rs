@@ -53,7 +53,7 @@ fn short(name: &str, inputs: usize, least: u64) {
     for k in 0..inputs {
         let mut data = vec![0; rng.random_range(1..BYTES)];
         rng.fill_bytes(&mut data);
-        if name == "model_reader" {
+        if name.ends_with("_reader") {
             // Edits of a text that was right: random bytes are no text.
             data[0] = 0xff;
         }
@@ -68,6 +68,21 @@ fn short(name: &str, inputs: usize, least: u64) {
 #[test]
 fn model_reader() {
     short("model_reader", 3000, 9000);
+}
+
+#[test]
+fn dxf_reader() {
+    short("dxf_reader", 1500, 1500);
+}
+
+#[test]
+fn svg_reader() {
+    short("svg_reader", 1500, 1500);
+}
+
+#[test]
+fn points_reader() {
+    short("points_reader", 800, 800);
 }
 
 #[test]

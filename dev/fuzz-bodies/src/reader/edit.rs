@@ -60,10 +60,15 @@ const ODD: [&str; 44] = [
 pub(super) fn edited(bytes: &mut Bytes<'_>) -> String {
     let chosen = bytes.below(BASES.len());
     let mut text = BASES[chosen].clone().into_bytes();
-    for _ in 0..=bytes.below(MOST) {
-        edit(&mut text, bytes);
-    }
+    edit_some(&mut text, bytes);
     String::from_utf8_lossy(&text).into_owned()
+}
+
+/// Some edits.
+pub(crate) fn edit_some(text: &mut Vec<u8>, bytes: &mut Bytes<'_>) {
+    for _ in 0..=bytes.below(MOST) {
+        edit(text, bytes);
+    }
 }
 
 fn edit(text: &mut Vec<u8>, bytes: &mut Bytes<'_>) {

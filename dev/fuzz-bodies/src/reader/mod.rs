@@ -1,7 +1,7 @@
 //! Reading files: models in TOML and JSON, and saved spaces.
 
 mod bases;
-mod edit;
+pub(crate) mod edit;
 
 use cspace::Mechanism;
 use cspace::{Coordinates, PairSpace};
