@@ -11,6 +11,7 @@ mod evaluate;
 mod helpers;
 #[cfg(unix)]
 mod hostile;
+mod import;
 mod meshes;
 mod new;
 mod play;

@@ -64,6 +64,13 @@ fn answers_are_as_their_schemas_say() {
             is_told(command, &json(&[command, &file]));
         }
     }
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../cspace-drawing/tests/drawings"
+    );
+    for name in ["small_gaps.dxf", "texts_and_dimensions.dxf", "shapes.svg"] {
+        is_told("import", &json(&["import", &format!("{folder}/{name}")]));
+    }
     let (planar, axes) = (model("ratchet_pawl"), model("gears_on_shafts"));
     is_told("slice", &json(&["slice", &planar, "--theta", "0.2"]));
     is_told("compute", &json(&["compute", &planar, "--theta=-0.1,0.1"]));

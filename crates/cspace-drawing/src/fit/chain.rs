@@ -208,6 +208,7 @@ fn sample(
         joints: None,
         normals,
         is_closed,
+        is_measured: false,
         ends,
         band,
     }

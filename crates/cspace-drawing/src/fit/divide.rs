@@ -346,9 +346,11 @@ fn in_window(
     Some(path)
 }
 
-/// Samples of a piece at which others may begin, at least; and of a run.
+/// Samples of a piece at which others may begin, at least; and of a run, and of one through measured points, which may go over
+/// from a line into an arc at any of them.
 const PER_PIECE: usize = 32;
-const PER_RUN: usize = 400;
+const PER_RUN: usize = 96;
+const PER_PROFILE: usize = 400;
 
 /// The best division of a run within a band of this half width, tangent but for what small changes will mend. `pieces` is
 /// about how many there will be.
@@ -358,7 +360,12 @@ const PER_RUN: usize = 400;
 pub(super) fn divide(run: &Run, pieces: usize, width: f64) -> Option<Division> {
     let n = run.points.len();
     let tested = Tested::new(run, n / (PER_PIECE * pieces));
-    let stride = n / PER_RUN.max(PER_PIECE * pieces);
+    let least = if run.is_measured {
+        PER_PROFILE
+    } else {
+        PER_RUN
+    };
+    let stride = n / least.max(PER_PIECE * pieces);
     if stride < 2 {
         return over(run, &tested, (0..n).collect(), width);
     }

@@ -201,6 +201,7 @@ fn run(points: &[Point], is_closed: bool, tolerance: f64, scatters: bool, band: 
         normals,
         joints: scatters.then_some(joints),
         is_closed,
+        is_measured: true,
         ends: [RunEnd::Free; 2],
         band,
     }

@@ -12,6 +12,8 @@ pub(crate) struct Run {
     /// Unit vectors to the left of the direction of travel.
     pub(crate) normals: Vec<Vector>,
     pub(crate) is_closed: bool,
+    /// Whether the samples are measured points, and not those of a curve.
+    pub(crate) is_measured: bool,
     /// What is known of the directions at the ends of an open run.
     pub(crate) ends: [RunEnd; 2],
     pub(crate) band: Band,

@@ -98,6 +98,7 @@ fn run(case: &Case, n: usize, band: Band) -> Run {
         normals,
         joints: None,
         is_closed: case.is_closed,
+        is_measured: false,
         ends: [RunEnd::Free; 2],
         band,
     }

@@ -362,28 +362,36 @@ def involute_flank(base, outer, side, at, steps):
     return points
 
 
-def gear(msp, teeth, module=2.0, pressure=math.radians(20)):
+def gear(msp, teeth, center=(0, 0), phase=0.0, thinner=0.0, layer="0", module=2.0, pressure=math.radians(20)):
     """Involute flanks as splines through points, tips and roots as arcs, as gear generators draw them."""
+    center = Vec2(center)
+    at = {"layer": layer}
     pitch = module * teeth / 2
     base, outer, root = pitch * math.cos(pressure), pitch + module, pitch - 1.25 * module
-    half = PI / (2 * teeth) + math.tan(pressure) - pressure
+    half = PI / (2 * teeth) + math.tan(pressure) - pressure - thinner / pitch
     for k in range(teeth):
-        turn = 2 * PI * k / teeth
+        turn = phase + 2 * PI * k / teeth
         right = involute_flank(base, outer, 1, turn - half, 12)
         left = involute_flank(base, outer, -1, turn + half, 12)
         for flank in (right, left):
-            msp.add_spline_control_frame(flank, degree=3)
-            msp.add_line(flank[0].normalize(root), flank[0])
+            msp.add_cad_spline_control_frame([center + p for p in flank], dxfattribs=at)
+            msp.add_line(center + flank[0].normalize(root), center + flank[0], at)
         tips = [math.degrees(p[-1].angle) for p in (right, left)]
-        msp.add_arc((0, 0), outer, *tips)
+        msp.add_arc(center, outer, *tips, dxfattribs=at)
         nexts = [math.degrees(left[0].angle), math.degrees(right[0].rotate(2 * PI / teeth).angle)]
-        msp.add_arc((0, 0), root, *nexts)
-    msp.add_circle((0, 0), 4)
+        msp.add_arc(center, root, *nexts, dxfattribs=at)
+    msp.add_circle(center, 4, at)
 
 
 doc, msp = new("R2000")
 gear(msp, 18)
 save("gear_splines", doc, [], fitted=36, loops=2, within=1e-3)
+# Two gears that mesh, with some play between their teeth.
+doc, msp = new("R2000")
+doc.header["$INSUNITS"] = 4
+gear(msp, 18, thinner=0.02, layer="GEAR")
+gear(msp, 24, center=(42, 0), phase=PI + PI / 24, thinner=0.02, layer="MATE")
+save("gear_pair", doc, [], fitted=84, within=1e-3)
 
 # -- SVG
 def svg(name, body, parts, head='width="100mm" height="80mm" viewBox="0 0 100 80"', within=1e-9, **more):

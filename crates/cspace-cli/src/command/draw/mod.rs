@@ -37,7 +37,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
                 "{}: the extension does not tell what to write",
                 path.display()
             ))
-            .help("let the name end in .svg, .png, .pdf or .dxf"));
+            .help("let the name end in .svg, .png or .pdf, or in .dxf for the outlines alone"));
         }
     };
     if is_drawing {

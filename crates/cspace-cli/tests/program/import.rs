@@ -1,0 +1,297 @@
+//! `cspace import`, drawings in models, and drawings that are written.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::helpers::{cspace, fails, json, model, printed};
+
+fn drawing(name: &str) -> String {
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../cspace-drawing/tests/drawings"
+    );
+    format!("{folder}/{name}")
+}
+
+/// Two gears drawn by splines, each on its layer, as a generator exports them.
+fn gears(folder: &std::path::Path) -> String {
+    fs::copy(drawing("gear_pair.dxf"), folder.join("gears.dxf")).unwrap();
+    let part = |name: &str, layer: &str, x: f64| {
+        format!(
+            "[[part]]\nname = \"{name}\"\ndxf = \"gears.dxf\"\nlayer = \"{layer}\"\nfit = 0.002\n\
+             motion = {{ type = \"revolute\", center = [{x}, 0] }}\n"
+        )
+    };
+    let text = format!(
+        "unit = \"mm\"\n{}{}",
+        part("gear", "GEAR", 0.0),
+        part("mate", "MATE", 42.0)
+    );
+    let path = folder.join("gears.toml");
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// The gears turn each other: 24 teeth against 18, with the play that was drawn.
+#[test]
+fn gears_from_a_drawing_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = gears(folder.path());
+    let info = json(&["info", &model]);
+    assert_eq!(info["parts"][0]["symmetry"], 18);
+    assert_eq!(info["parts"][1]["symmetry"], 24);
+    let step = std::f64::consts::TAU / 18.0 / 7.0;
+    let rows: Vec<Vec<f64>> = (0..20)
+        .flat_map(|k| {
+            let u = f64::from(k) * step;
+            // Meshing; and ahead by twice the play.
+            [vec![u, -0.75 * u], vec![u + 0.005, -0.75 * u]]
+        })
+        .collect();
+    let classes = crate::helpers::classes(&[&model], "u,v", &rows);
+    for pair in classes.chunks(2) {
+        assert_eq!(pair, ["free", "blocked"]);
+    }
+}
+
+#[test]
+fn models_are_written_as_toml_and_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let blocks = drawing("blocks.dxf");
+    let answers: Vec<Value> = ["a.toml", "a.json"]
+        .map(|name| {
+            let path = folder.path().join(name);
+            let path = path.to_str().unwrap();
+            let report = json(&["import", &blocks, "--unit", "m", "-o", path]);
+            assert_eq!(report["parts"].as_array().unwrap().len(), 4);
+            assert_eq!(report["used"]["LWPOLYLINE"], 4);
+            let mut info = json(&["info", path]);
+            assert_eq!(info["parts"][1]["name"], "PAWL 2");
+            assert_eq!(info["unit"], "m");
+            info.as_object_mut().unwrap().remove("model");
+            info
+        })
+        .into();
+    assert_eq!(answers[0], answers[1]);
+}
+
+#[test]
+fn what_was_done_is_printed() {
+    let text = printed(&["import", &drawing("texts_and_dimensions.dxf")]);
+    for words in [
+        "4 lines, 0 arcs",
+        "1 LWPOLYLINE",
+        "left out",
+        "1 MTEXT",
+        "a text",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let text = printed(&["import", &drawing("overlapping.dxf")]);
+    assert!(
+        text.contains("2 merged with what they overlapped"),
+        "{text}"
+    );
+}
+
+fn open_chain(folder: &std::path::Path) -> String {
+    let line = |x: f64, y: f64, to: f64| {
+        format!("0\nLINE\n5\nA{x}\n8\nedge\n10\n{x}\n20\n{y}\n11\n{to}\n21\n{y}\n")
+    };
+    let text = format!(
+        "0\nSECTION\n2\nENTITIES\n{}{}0\nCIRCLE\n8\nhole\n10\n5\n20\n5\n40\n2\n0\nENDSEC\n0\nEOF\n",
+        line(0.0, 0.0, 10.0),
+        line(1.0, 0.05, -5.0)
+    );
+    let path = folder.join("open.dxf");
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn what_cannot_be_used_is_told_or_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = open_chain(folder.path());
+    fails(
+        cspace(&["import", &path]),
+        2,
+        &[
+            "open.dxf",
+            "LINE A0",
+            "layer \"edge\"",
+            "line 5",
+            "(0, 0)",
+            "open",
+            "2 things",
+            "--partial",
+        ],
+    );
+    let report = json(&["import", &path, "--partial"]);
+    assert_eq!(report["parts"].as_array().unwrap().len(), 1);
+    let handles: Vec<&str> = (report["ignored"].as_array().unwrap().iter())
+        .map(|i| i["handle"].as_str().unwrap())
+        .collect();
+    assert_eq!(handles, ["A0", "A1"]);
+    let picture = folder.path().join("open.svg");
+    cspace(&["draw", &path, "-q", "-o", picture.to_str().unwrap()])
+        .assert()
+        .success();
+    let picture = fs::read_to_string(picture).unwrap();
+    assert!(picture.contains("not used") && picture.contains("LINE A0"));
+}
+
+#[test]
+fn units_are_told_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy(drawing("unit_in.dxf"), folder.path().join("pin.dxf")).unwrap();
+    let path = folder.path().join("pin.toml");
+    let with = |keys: &str| {
+        let text = format!("unit = \"mm\"\n[[part]]\nname = \"pin\"\ndxf = \"pin.dxf\"\n{keys}");
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    fails(
+        cspace(&["info", &with("")]),
+        2,
+        &[
+            "pin.toml:4:",
+            "the drawing is in in, the model in mm",
+            "scale = 25.4",
+        ],
+    );
+    let info = json(&["info", &with("scale = 25.4\n")]);
+    let area = info["parts"][0]["area"].as_f64().unwrap();
+    assert!((area - std::f64::consts::PI * 25.4 * 25.4).abs() < 1e-9);
+}
+
+/// What is written as DXF is read again to the last bit; as SVG, to rounding.
+#[test]
+fn outlines_are_written_and_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for name in ["ratchet_mechanism", "geneva", "knee", "snap_fastener"] {
+        let file = model(name);
+        let mechanism = cspace_io::model::read(&file).unwrap();
+        for (out, args) in [
+            ("new.dxf", &[][..]),
+            ("old.dxf", &["--dxf", "r12"]),
+            ("plain.svg", &["--outlines"]),
+        ] {
+            let out = at(out);
+            let args = [&["draw", &file, "-o", &out], args].concat();
+            cspace(&args).assert().success();
+            for entry in &mechanism.parts {
+                let part = &entry.part;
+                let (source, is_svg) = match out.ends_with("svg") {
+                    true => (
+                        cspace_drawing::Source {
+                            id: Some(part.name().to_owned()),
+                            ..Default::default()
+                        },
+                        true,
+                    ),
+                    false => (
+                        cspace_drawing::Source {
+                            layers: vec![part.name().replace(' ', "_"), part.name().to_owned()],
+                            ..Default::default()
+                        },
+                        false,
+                    ),
+                };
+                let settings = cspace_drawing::Settings {
+                    one_part: Some(part.name().to_owned()),
+                    ..Default::default()
+                };
+                let again = cspace_drawing::read(&out, &source)
+                    .and_then(|d| d.outlines(&settings))
+                    .unwrap();
+                let again = &again.parts[0];
+                for (a, b) in part.loops().iter().zip(again.loops()) {
+                    for (v, w) in a.vertices().iter().zip(b.vertices()) {
+                        let apart = (v.x - w.x)
+                            .abs()
+                            .max((v.y - w.y).abs())
+                            .max((v.bulge - w.bulge).abs());
+                        assert!(
+                            apart <= if is_svg { 1e-12 * part.size() } else { 0.0 },
+                            "{name}: {v:?} {w:?}"
+                        );
+                    }
+                }
+                assert_eq!(part.loops().len(), again.loops().len());
+            }
+        }
+    }
+}
+
+/// The boundary of free space of two discs is a circle, and so is its drawing.
+#[test]
+fn slices_are_written_as_dxf() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("discs.toml");
+    let disc = |name: &str, r: f64| {
+        format!("[[part]]\nname = \"{name}\"\nloops = [{{ circle = {r}, at = [0, 0] }}]\n")
+    };
+    fs::write(&model, disc("a", 3.0) + &disc("b", 2.0)).unwrap();
+    let out = folder.path().join("slice.dxf");
+    cspace(&[
+        "slice",
+        model.to_str().unwrap(),
+        "--theta",
+        "0.3",
+        "-o",
+        out.to_str().unwrap(),
+    ])
+    .assert()
+    .success();
+    let report = json(&["import", out.to_str().unwrap()]);
+    let area = report["parts"][0]["area"].as_f64().unwrap();
+    assert!(
+        (area - 25.0 * std::f64::consts::PI).abs() < 1e-9,
+        "{report}"
+    );
+}
+
+#[test]
+fn usage_is_checked() {
+    let file = drawing("rings.dxf");
+    let out = |name: &str| std::env::temp_dir().join(name).to_str().unwrap().to_owned();
+    fails(cspace(&["import"]), 2, &["DRAWING"]);
+    fails(
+        cspace(&["import", &file, "-o", &out("a.txt")]),
+        2,
+        &[".toml or .json"],
+    );
+    fails(
+        cspace(&["import", &file, "--join", "0"]),
+        2,
+        &["positive length"],
+    );
+    fails(
+        cspace(&["import", "none.dxf"]),
+        2,
+        &["none.dxf", "cannot be read"],
+    );
+    fails(cspace(&["import", &file, "-o", &file]), 2, &["rings.dxf"]);
+    fails(
+        cspace(&["import", &file, "--layer", "none"]),
+        2,
+        &["no closed outline", "not asked for"],
+    );
+    fails(
+        cspace(&["draw", &file, "-o", &out("a.dxf")]),
+        2,
+        &["import"],
+    );
+    fails(
+        cspace(&["draw", &file, "--at", "0,0,0"]),
+        2,
+        &["--at", "drawing"],
+    );
+    fails(
+        cspace(&["draw", &model("gears"), "--dxf", "r12", "-o", &out("a.svg")]),
+        2,
+        &["--dxf"],
+    );
+}
