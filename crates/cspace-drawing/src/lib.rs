@@ -34,6 +34,7 @@ mod path_map;
 mod points;
 mod read;
 mod shown;
+mod source;
 mod svg;
 mod write;
 
@@ -42,5 +43,6 @@ pub use curve::{Curve, EllipseArc, Spline, SplineError};
 pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem, Unit};
 pub use error::DrawingError;
 pub use outlines::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings, Survey};
-pub use read::{Format, Source, from_bytes, is_drawing, read};
+pub use read::{Format, from_bytes, is_drawing, read};
+pub use source::Source;
 pub use write::{Drawn, DxfVersion, dxf, svg};

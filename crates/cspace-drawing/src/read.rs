@@ -6,19 +6,11 @@ use std::path::Path;
 
 use crate::drawing::Drawing;
 use crate::error::DrawingError;
+use crate::source::Source;
 use crate::{dxf, points, svg};
 
 /// The largest file read, in bytes: some millions of entities.
 const LARGEST: u64 = 512 << 20;
-
-/// What of a file is read.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Source {
-    /// Of a DXF file these layers alone; all that are drawn where there are none.
-    pub layers: Vec<String>,
-    /// Of an SVG file the element of this id alone.
-    pub id: Option<String>,
-}
 
 /// Whether a file's extension is that of a drawing.
 pub fn is_drawing(path: &Path) -> bool {

@@ -1,13 +1,11 @@
 //! The sections of a DXF file.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
-use cspace::Point;
-
-use super::entity::{Item, Reader};
+use super::entity::Reader;
 use super::error::{DxfError, Result};
 use super::groups::Groups;
+use super::item::{Block, Item};
 use super::names::{Names, folded};
 use super::tables::{Layers, read_header, read_tables};
 use crate::drawing::Unit;
@@ -18,16 +16,6 @@ pub(super) struct File {
     pub(super) layers: Layers,
     /// By folded name.
     pub(super) blocks: HashMap<String, Block>,
-    pub(super) items: Vec<Item>,
-}
-
-/// Entities that are inserted together.
-pub(super) struct Block {
-    pub(super) name: Arc<str>,
-    /// The point of the block that comes to the point of insertion.
-    pub(super) base: Point,
-    /// Whether the entities are in another file.
-    pub(super) is_external: bool,
     pub(super) items: Vec<Item>,
 }
 

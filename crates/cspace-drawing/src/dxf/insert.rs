@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::entity::{Insert, Item, What};
 use super::error::{DxfError, Result};
-use super::file::{Block, File};
+use super::file::File;
+use super::item::{Block, Insert, Item, What};
 use super::names::folded;
 use super::tables::Hidden;
 use crate::affine::Affine;

@@ -1,7 +1,7 @@
 //! Drawings in DXF: text and binary, of R12 to R2018.
 //!
 //! A file is read group by group ([`groups`]). Its tables tell which layers are drawn ([`tables`]), its entities become
-//! paths in coordinates of their own block ([`entity`], [`polyline`], [`spline`]), and inserting the blocks makes a flat
+//! paths in coordinates of their own block ([`entity`], [`shapes`], [`polyline`], [`spline`]), and inserting the blocks makes a flat
 //! drawing of them ([`insert`]).
 
 mod entity;
@@ -9,8 +9,11 @@ mod error;
 mod file;
 mod groups;
 mod insert;
+mod item;
 mod names;
 mod polyline;
+mod record;
+mod shapes;
 mod spline;
 mod tables;
 

@@ -2,9 +2,10 @@
 
 use cspace::Point;
 
-use super::entity::{Record, What, faced, heights_differ, not_flat, tilted};
 use super::error::Result;
 use super::groups::Group;
+use super::item::What;
+use super::record::{Record, faced, heights_differ, not_flat, tilted};
 use crate::drawing::Path;
 
 /// LWPOLYLINE: vertices with bulges, one after the other.

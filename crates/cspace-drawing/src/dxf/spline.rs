@@ -2,8 +2,9 @@
 
 use cspace::{Point, Vector};
 
-use super::entity::{Record, What, heights_differ, not_flat};
 use super::error::Result;
+use super::item::What;
+use super::record::{Record, heights_differ, not_flat};
 use crate::curve::{Curve, Spline, interpolate};
 use crate::drawing::{Path, Piece};
 

@@ -4,7 +4,8 @@ use core::f64::consts::PI;
 
 use cspace::{Point, Vector, Vertex};
 
-use super::fit;
+use super::deviation::of_others;
+use super::pieces::fit;
 use super::run::{Band, Run, RunEnd};
 use crate::curve::Curve;
 use crate::join::{Chain, ChainPiece, Shape};
@@ -157,7 +158,7 @@ fn add_run(
     };
     // Samples of the same curve between those it was fitted to say what is reported.
     let between = sample(parts, 3 * per_span, is_closed, ends, band);
-    let deviation = super::deviation_of(&between, &run, &fitted).unwrap_or(fitted.deviation);
+    let deviation = of_others(&between, &run, &fitted).unwrap_or(fitted.deviation);
     let entity_of = |vertex: &Vertex| {
         let nearest = run.points.iter().enumerate().min_by(|a, b| {
             let apart = |p: &Point| p.distance(vertex.point());

@@ -2,7 +2,7 @@
 
 use cspace::{Point, Vertex};
 
-use super::Fitted;
+use super::fitted::Fitted;
 use super::run::Run;
 
 /// The least and the largest distance of the pieces from the samples, to the left of the direction of travel. None if a

@@ -12,6 +12,8 @@ mod bulges;
 mod chain;
 mod deviation;
 mod divide;
+mod fitted;
+mod pieces;
 mod profile;
 mod run;
 mod tangent;
@@ -19,77 +21,4 @@ mod tangent;
 mod tests;
 
 pub(crate) use chain::{NotFitted, Outline, Sided, outline};
-pub(crate) use deviation::of_others as deviation_of;
 pub(crate) use profile::profile;
-use run::Run;
-
-use cspace::{Point, Vertex};
-
-/// Lines and arcs fitted to a run.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Fitted {
-    /// The start of every piece, with its bulge; the end of an open run is not among them.
-    pub(crate) vertices: Vec<Vertex>,
-    /// Where an open run ends.
-    pub(crate) end: Point,
-    /// How far the samples are from the pieces, at most.
-    pub(crate) deviation: f64,
-    /// The largest angle between two pieces, in radians.
-    pub(crate) kink: f64,
-}
-
-/// How much narrower the band is made for each next try, and how often: small changes that make pieces tangent take some of
-/// it, and a band of a share s asks for s^(-1/3) times the pieces.
-const NARROWER: f64 = 0.96;
-const TRIES: usize = 24;
-
-/// Fits lines and arcs to a run. None if the samples do not allow it: they are too coarse for the tolerance.
-pub(crate) fn fit(run: &Run) -> Option<Fitted> {
-    let pieces = divide::roughly(run);
-    let mut width = 0.999 * run.band.width();
-    for _ in 0..TRIES {
-        if let Some(division) = divide::divide(run, pieces, width) {
-            for with_lines in [true, false] {
-                let made = tangent::make(run, &division, with_lines);
-                if let Some(made) = made.filter(|m| run.band.holds(m)) {
-                    return Some(merged(made.fitted, run.is_closed));
-                }
-            }
-        }
-        width *= NARROWER;
-    }
-    None
-}
-
-/// The same without joints of pieces that lie on one line or circle: a closed run may have been begun on one.
-fn merged(mut fitted: Fitted, is_closed: bool) -> Fitted {
-    /// How near curvatures are that are the same, as a share of what bends the shorter piece by its own length.
-    const SAME: f64 = 1e-9;
-    let mut i = usize::from(!is_closed);
-    while i < fitted.vertices.len() && fitted.vertices.len() > 2 {
-        let n = fitted.vertices.len();
-        let before = (i + n - 1) % n;
-        let (first, second) = (fitted.vertices[before], fitted.vertices[i]);
-        let next = match i + 1 {
-            j if j < n => fitted.vertices[j].point(),
-            _ if is_closed => fitted.vertices[0].point(),
-            _ => fitted.end,
-        };
-        let chords = [
-            first.point().distance(second.point()),
-            second.point().distance(next),
-        ];
-        let sweeps = [first.bulge, second.bulge].map(|b| 4.0 * b.atan());
-        let curvature = |k: usize| 2.0 * (sweeps[k] / 2.0).sin() / chords[k];
-        let apart = (curvature(0) - curvature(1)).abs() * chords[0].min(chords[1]);
-        let sweep = sweeps[0] + sweeps[1];
-        // Half circles are enough for any circle.
-        if apart > SAME || sweep.abs() > core::f64::consts::PI + SAME {
-            i += 1;
-            continue;
-        }
-        fitted.vertices[before].bulge = (sweep / 4.0).tan();
-        fitted.vertices.remove(i);
-    }
-    fitted
-}

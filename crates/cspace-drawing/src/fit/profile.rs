@@ -7,7 +7,7 @@
 use cspace::{Point, Vector, Vertex};
 
 use super::chain::{Outline, Sided};
-use super::fit;
+use super::pieces::fit;
 use super::run::{Band, Run, RunEnd};
 
 /// How far directions are measured from a point, in tolerances: over that length points within the tolerance show a

@@ -74,10 +74,11 @@ impl Band {
         self.hi.max(-self.lo)
     }
 
-    pub(super) fn holds(&self, made: &super::tangent::Made) -> bool {
+    /// Whether pieces whose least and largest distances to the left are these stay within it.
+    pub(super) fn holds(&self, range: [f64; 2]) -> bool {
         // The ends of a run are on the curve, whatever the band.
         let round = 1e-9 * self.tolerance();
-        made.range[0] >= self.lo.min(0.0) - round && made.range[1] <= self.hi.max(0.0) + round
+        range[0] >= self.lo.min(0.0) - round && range[1] <= self.hi.max(0.0) + round
     }
 }
 

@@ -9,10 +9,10 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::{Point, Vector, Vertex};
 
-use super::Fitted;
 use super::bulges::{Tested, allowed};
 use super::deviation::range;
 use super::divide::Division;
+use super::fitted::Fitted;
 use super::run::{Run, RunEnd};
 
 /// Pieces made tangent, and how far the samples are from them: the least and the largest distance to the left.

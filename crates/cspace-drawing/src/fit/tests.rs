@@ -4,8 +4,9 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::{Point, Vector};
 
+use super::fitted::Fitted;
+use super::pieces::fit;
 use super::run::{Band, Run, RunEnd};
-use super::{Fitted, fit};
 
 /// A curve by a parameter from 0 to 1.
 struct Case {

@@ -2,32 +2,13 @@
 
 use std::collections::HashSet;
 
-use cspace::Point;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
-use super::pieces::{End, Pieces, Segment, Shape, end, of_end};
-use super::{Joined, origin_of};
+use super::joined::{Chain, ChainPiece, Joined, origin_of};
+use super::pieces::{End, Pieces, ROUND, Segment, Shape, end, of_end};
 use crate::drawing::{Drawing, Problem};
 use crate::shown;
-
-/// Pieces end to end, the last ending where the first starts.
-#[derive(Debug)]
-pub(crate) struct Chain<'d> {
-    pub(crate) pieces: Vec<ChainPiece<'d>>,
-}
-
-/// A piece in the direction in which its chain is travelled.
-#[derive(Debug, Clone)]
-pub(crate) struct ChainPiece<'d> {
-    pub(crate) start: Point,
-    pub(crate) end: Point,
-    /// The shape, as drawn.
-    pub(crate) shape: Shape<'d>,
-    /// Whether it is travelled from its end to its start.
-    pub(crate) is_backward: bool,
-    pub(crate) entity: u32,
-}
 
 impl Segment<'_> {
     pub(super) fn is_line(&self) -> bool {
@@ -63,7 +44,7 @@ pub(super) fn collect<'d>(
             open.push(ends);
         }
     }
-    tell_open(pieces, drawing, &open, round / super::ROUND, joined);
+    tell_open(pieces, drawing, &open, round / ROUND, joined);
     for i in (0..pieces.segments.len()).filter(alive) {
         if is_done[i] {
             continue;
@@ -107,22 +88,6 @@ fn piece<'d>(pieces: &Pieces<'d>, entered: End) -> ChainPiece<'d> {
         },
         is_backward,
         entity: segment.entity,
-    }
-}
-
-impl Chain<'_> {
-    /// Whether it goes somewhere and back the same way.
-    fn encloses_nothing(&self, round: f64) -> bool {
-        match &self.pieces[..] {
-            [one] => !matches!(one.shape, Shape::Curve(_)),
-            [a, b] => match (a.shape, b.shape) {
-                (Shape::Edge(x), Shape::Edge(y)) => {
-                    (x + y).abs() * a.start.distance(a.end) <= round
-                }
-                _ => false,
-            },
-            _ => false,
-        }
     }
 }
 

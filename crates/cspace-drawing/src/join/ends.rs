@@ -6,8 +6,8 @@ use cspace::Point;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
+use super::joined::{Joined, origin_of};
 use super::pieces::{End, Pieces, end, of_end};
-use super::{Joined, origin_of};
 use crate::drawing::{Drawing, Problem};
 
 /// More ends at one place than that are not told apart.

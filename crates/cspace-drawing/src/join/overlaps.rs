@@ -8,7 +8,7 @@ use std::collections::HashSet;
 
 use cspace::{Point, Vector};
 
-use super::Joined;
+use super::joined::Joined;
 use super::pieces::{End, Pieces, Shape, end, of_end};
 
 /// The kind of arcs; lines are of kind 0 or 1, by their direction.

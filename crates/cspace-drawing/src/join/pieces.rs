@@ -5,6 +5,9 @@ use cspace::Point;
 use crate::curve::Curve;
 use crate::drawing::{Drawing, Piece};
 
+/// Rounding of coordinates in files, as a share of the drawing's size: what is nearer than that is one place.
+pub(crate) const ROUND: f64 = 1e-9;
+
 /// An end of a piece: twice its number, and one more for where it ends.
 pub(super) type End = u32;
 
@@ -74,10 +77,7 @@ impl<'d> Pieces<'d> {
             }
             let path = &from.path;
             let closes = path.closed || path.end() == path.start;
-            if closes
-                && segments.len() > first
-                && path.end().distance(path.start) <= super::ROUND * size
-            {
+            if closes && segments.len() > first && path.end().distance(path.start) <= ROUND * size {
                 let last = segments.len() - 1;
                 segments[last].links[1] = Some(end(first, 0));
                 segments[first].links[0] = Some(end(last, 1));

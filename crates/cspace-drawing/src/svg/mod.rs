@@ -14,7 +14,7 @@ use roxmltree::{Document, ParsingOptions};
 
 use crate::drawing::Drawing;
 use crate::error::DrawingError;
-use crate::read::Source;
+use crate::source::Source;
 
 /// The most elements of a file, those of its own entities included.
 const MOST_NODES: u32 = 4_000_000;

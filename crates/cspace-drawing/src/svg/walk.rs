@@ -14,7 +14,7 @@ use super::style::{Sheet, Style};
 use crate::affine::Affine;
 use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem, Unit};
 use crate::error::DrawingError;
-use crate::read::Source;
+use crate::source::Source;
 
 /// The most elements that are drawn, those that are used again included.
 const MOST_ELEMENTS: usize = 2_000_000;

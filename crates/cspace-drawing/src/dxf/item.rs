@@ -1,0 +1,75 @@
+//! What a DXF file has: entities, and blocks of them.
+
+use std::sync::Arc;
+
+use cspace::{Point, Vector};
+
+use crate::affine::Affine;
+use crate::drawing::Path;
+
+/// An entity of a file.
+#[derive(Clone)]
+pub(super) struct Item {
+    pub(super) kind: Arc<str>,
+    pub(super) layer: Arc<str>,
+    pub(super) handle: Arc<str>,
+    pub(super) line: usize,
+    /// Whether it is on a sheet of paper, not in the drawing itself.
+    pub(super) on_paper: bool,
+    pub(super) is_invisible: bool,
+    pub(super) what: What,
+}
+
+/// What an entity is.
+#[derive(Clone)]
+pub(super) enum What {
+    Path(Path),
+    Insert(Box<Insert>),
+    /// No outline, and why.
+    Ignored(&'static str),
+    /// An outline that cannot be used.
+    Problem(Box<Fault>),
+}
+
+/// Why an entity cannot be used.
+#[derive(Clone)]
+pub(super) struct Fault {
+    pub(super) at: Option<Point>,
+    pub(super) reason: String,
+    pub(super) help: &'static str,
+}
+
+impl What {
+    pub(super) fn problem(
+        at: Option<Point>,
+        reason: impl Into<String>,
+        help: &'static str,
+    ) -> Self {
+        Self::Problem(Box::new(Fault {
+            at,
+            reason: reason.into(),
+            help,
+        }))
+    }
+}
+
+/// A block that is inserted, once or in rows and columns.
+#[derive(Clone)]
+pub(super) struct Insert {
+    pub(super) block: Arc<str>,
+    /// From the block's coordinates, its base point at the origin, to those the insert is in.
+    pub(super) map: Affine,
+    /// The steps from column to column and from row to row.
+    pub(super) steps: [Vector; 2],
+    pub(super) counts: [u32; 2],
+}
+
+/// Entities that are inserted together.
+pub(super) struct Block {
+    pub(super) name: Arc<str>,
+    /// The point of the block that comes to the point of insertion.
+    pub(super) base: Point,
+    /// Whether the entities are in another file.
+    pub(super) is_external: bool,
+    pub(super) items: Vec<Item>,
+}

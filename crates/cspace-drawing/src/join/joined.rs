@@ -1,0 +1,63 @@
+//! What joining makes of a drawing.
+
+use cspace::Point;
+
+use super::pieces::Shape;
+use crate::drawing::{Drawing, Origin, Problem};
+
+/// Pieces end to end, the last ending where the first starts.
+#[derive(Debug)]
+pub(crate) struct Chain<'d> {
+    pub(crate) pieces: Vec<ChainPiece<'d>>,
+}
+
+/// A piece in the direction in which its chain is travelled.
+#[derive(Debug, Clone)]
+pub(crate) struct ChainPiece<'d> {
+    pub(crate) start: Point,
+    pub(crate) end: Point,
+    /// The shape, as drawn.
+    pub(crate) shape: Shape<'d>,
+    /// Whether it is travelled from its end to its start.
+    pub(crate) is_backward: bool,
+    pub(crate) entity: u32,
+}
+
+impl Chain<'_> {
+    /// Whether it goes somewhere and back the same way.
+    pub(super) fn encloses_nothing(&self, round: f64) -> bool {
+        match &self.pieces[..] {
+            [one] => !matches!(one.shape, Shape::Curve(_)),
+            [a, b] => match (a.shape, b.shape) {
+                (Shape::Edge(x), Shape::Edge(y)) => {
+                    (x + y).abs() * a.start.distance(a.end) <= round
+                }
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+}
+
+/// What was done to make loops of a drawing.
+#[derive(Debug, Default)]
+pub(crate) struct Joined<'d> {
+    pub(crate) loops: Vec<Chain<'d>>,
+    /// The gaps that were closed, wider than rounding, and where.
+    pub(crate) gaps: Vec<(f64, Point)>,
+    /// How many pieces were drawn twice, or lay within others.
+    pub(crate) duplicates: usize,
+    /// How many pieces overlapped others and were made one with them.
+    pub(crate) merged: usize,
+    /// How many pieces had no length, or less than would be joined.
+    pub(crate) tiny: usize,
+    /// The entities of chains that are not closed.
+    pub(crate) unused: Vec<u32>,
+    /// Chains that are not closed, and ends that may be joined in several ways.
+    pub(crate) problems: Vec<Problem>,
+}
+
+/// Where an entity comes from.
+pub(super) fn origin_of(drawing: &Drawing, entity: u32) -> &Origin {
+    &drawing.entities[entity as usize].origin
+}
