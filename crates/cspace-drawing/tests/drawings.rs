@@ -37,7 +37,13 @@ fn check(name: &str, outlines: &Outlines, expected: &Value) {
     if !parts.is_empty() {
         assert_eq!(outlines.parts.len(), parts.len(), "{name}: parts");
     }
-    for (part, expected) in outlines.parts.iter().zip(parts) {
+    for (k, expected) in parts.iter().enumerate() {
+        // Parts with names may come in any order.
+        let named = expected["name"].as_str();
+        let part = match named.and_then(|n| outlines.parts.iter().find(|p| p.name() == n)) {
+            Some(part) => part,
+            None => &outlines.parts[k],
+        };
         let lines = part.edges().filter(|e| e.is_line()).count();
         let found = [
             ("area", part.area()),

@@ -393,6 +393,67 @@ gear(msp, 18, thinner=0.02, layer="GEAR")
 gear(msp, 24, center=(42, 0), phase=PI + PI / 24, thinner=0.02, layer="MATE")
 save("gear_pair", doc, [], fitted=84, within=1e-3)
 
+# -- random outlines, each on a layer of its name
+chance = __import__("random").Random(23)
+
+
+def random_outline(center):
+    """A star of lines and arcs; its vertices with bulges, area and perimeter."""
+    n = chance.randint(3, 9)
+    angles = [2 * PI * (k + 0.6 * chance.random()) / n for k in range(n)]
+    vertices = [(center[0] + r * math.cos(t), center[1] + r * math.sin(t), chance.choice([0, 0, 1]) * chance.uniform(-0.12, 0.3))
+                for t in angles for r in [chance.uniform(4, 10)]]
+    area = around = 0
+    for (x0, y0, b), (x1, y1, _) in zip(vertices, vertices[1:] + vertices[:1]):
+        chord = math.hypot(x1 - x0, y1 - y0)
+        area += (x0 * y1 - x1 * y0) / 2
+        if b:
+            sweep = 4 * math.atan(b)
+            r = chord / (2 * math.sin(sweep / 2))
+            area += r * r / 2 * (sweep - math.sin(sweep))
+            around += abs(r * sweep)
+        else:
+            around += chord
+    arcs = sum(1 for v in vertices if v[2])
+    return vertices, area, around, n - arcs, arcs
+
+
+def add_loose(msp, vertices, layer):
+    """Its lines and arcs one by one, in any order and direction."""
+    pieces = list(zip(vertices, vertices[1:] + vertices[:1]))
+    chance.shuffle(pieces)
+    for (x0, y0, b), (x1, y1, _) in pieces:
+        if b == 0:
+            ends = [(x0, y0), (x1, y1)]
+            chance.shuffle(ends)
+            msp.add_line(*ends, {"layer": layer})
+        else:
+            center, start, end, radius = ezdxf.math.bulge_to_arc((x0, y0), (x1, y1), b)
+            msp.add_arc(center, radius, math.degrees(start), math.degrees(end), dxfattribs={"layer": layer})
+
+
+for version, form in [("R12", "loose"), ("R2018", "loose"), ("R12", "polyline"), ("R2007", "polyline"), ("R2000", "block")]:
+    doc, msp = new(version)
+    parts = []
+    for k in range(40):
+        vertices, area, around, lines, arcs = random_outline((25 * (k % 8), 25 * (k // 8)))
+        layer = f"PART_{k}"
+        factor = 1
+        if form == "loose":
+            add_loose(msp, vertices, layer)
+        elif form == "polyline" and version == "R12":
+            msp.add_polyline2d(vertices, format="xyb", close=True, dxfattribs={"layer": layer})
+        elif form == "polyline":
+            msp.add_lwpolyline(vertices, format="xyb", close=True, dxfattribs={"layer": layer})
+        else:
+            factor = chance.uniform(0.5, 2)
+            block = doc.blocks.new(layer, base_point=vertices[0][:2])
+            add_loose(block, vertices, "0")
+            msp.add_blockref(layer, (50 * (k % 8), 50 * (k // 8)), {
+                "rotation": chance.uniform(0, 360), "xscale": factor, "yscale": chance.choice([-1, 1]) * factor})
+        parts.append(part(abs(area) * factor**2, around * factor, lines=lines, arcs=arcs, name=layer))
+    save(f"random_{form}_{version.lower()}", doc, parts, binary=version == "R2018", within=1e-9)
+
 # -- SVG
 def svg(name, body, parts, head='width="100mm" height="80mm" viewBox="0 0 100 80"', within=1e-9, **more):
     path = HERE / f"{name}.svg"

@@ -1,0 +1,301 @@
+//! The way from a drawing to parts.
+
+use std::collections::{BTreeMap, HashSet};
+use std::sync::Arc;
+
+use cspace::{Part, Point, Vertex};
+
+use super::names::names;
+use super::refusal::no_part;
+use super::result::{FittedReport, Outlines};
+use super::settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
+use crate::drawing::{Drawing, Ignored, Origin, Problem};
+use crate::error::DrawingError;
+use crate::fit::{self, NotFitted, Outline, Sided};
+use crate::join::{self, Chain, Joined};
+use crate::nest::{Lone, nest};
+
+/// A drawing on its way to parts.
+pub(super) struct Making<'d> {
+    drawing: &'d Drawing,
+    settings: &'d Settings,
+    fit: f64,
+    joined: Joined<'d>,
+    /// What cannot be used, and is an error.
+    problems: Vec<Problem>,
+    /// What cannot be used, and is left out.
+    pub(super) told: Vec<Problem>,
+    /// Entities that would be outlines.
+    pub(super) unused: Vec<u32>,
+    ignored: Vec<Ignored>,
+    report: FittedReport,
+}
+
+impl<'d> Making<'d> {
+    pub(super) fn new(drawing: &'d Drawing, settings: &'d Settings) -> Result<Self, DrawingError> {
+        let size = drawing.size();
+        let has_size = size > 0.0 && size.is_finite();
+        if !has_size && !drawing.entities.is_empty() {
+            let message = "its coordinates are beyond computing, or all are the same";
+            let help = "check the file, and its unit of length";
+            return Err(DrawingError::file(message, help));
+        }
+        let mut joined = join::join(drawing, size, settings.join.unwrap_or(DEFAULT_JOIN * size));
+        let mut problems = drawing.problems.clone();
+        problems.append(&mut joined.problems);
+        let mut making = Self {
+            drawing,
+            settings,
+            fit: settings.fit.unwrap_or(DEFAULT_FIT * size),
+            joined,
+            problems: Vec::new(),
+            told: Vec::new(),
+            unused: Vec::new(),
+            ignored: drawing.ignored.clone(),
+            report: FittedReport::default(),
+        };
+        for problem in problems {
+            making.refuse(problem);
+        }
+        making.leave_out_chains();
+        Ok(making)
+    }
+
+    /// An error, or something left out.
+    fn refuse(&mut self, problem: Problem) {
+        if !self.settings.partial {
+            self.problems.push(problem);
+            return;
+        }
+        for origin in [&problem.origin].into_iter().chain(&problem.with) {
+            self.ignored.push(Ignored {
+                origin: origin.clone(),
+                reason: problem.reason.clone().into(),
+            });
+        }
+        self.told.push(problem);
+    }
+
+    /// Lists what is in open chains; their ends are listed already.
+    fn leave_out_chains(&mut self) {
+        self.unused = core::mem::take(&mut self.joined.unused);
+        if !self.settings.partial {
+            return;
+        }
+        let key = |o: &Origin| (o.line, Arc::as_ptr(&o.handle));
+        let listed: HashSet<(usize, *const str)> =
+            self.ignored.iter().map(|i| key(&i.origin)).collect();
+        let mut entities = self.unused.clone();
+        entities.sort_unstable();
+        entities.dedup();
+        for entity in entities {
+            let origin = &self.drawing.entities[entity as usize].origin;
+            if !listed.contains(&key(origin)) {
+                self.ignored.push(Ignored {
+                    origin: origin.clone(),
+                    reason: "it is in a chain that is not closed".into(),
+                });
+            }
+        }
+    }
+
+    /// The parts, or what cannot be used.
+    pub(super) fn make(mut self) -> Result<Outlines, DrawingError> {
+        let nested = self.outlines();
+        let crossing = self.crossing(&nested);
+        let (parts, outlines) = self.parts(nested);
+        if !self.problems.is_empty() {
+            return Err(DrawingError::Entities(self.problems));
+        }
+        if parts.is_empty() {
+            return Err(self.nothing());
+        }
+        Ok(Outlines {
+            parts,
+            unit: self.drawing.unit,
+            used: self.used(&outlines),
+            ignored: self.ignored,
+            joined: self.joined.gaps,
+            crossing,
+            fitted: self.report,
+            duplicates: self.joined.duplicates,
+            merged: self.joined.merged,
+            tiny: self.joined.tiny,
+        })
+    }
+
+    /// The loops, and which are parts together.
+    pub(super) fn outlines(&mut self) -> (Vec<Outline>, Vec<Vec<usize>>) {
+        let chains = core::mem::take(&mut self.joined.loops);
+        let sided = self.settings.side != FitSide::Both;
+        let mut loops: Vec<(Outline, Option<Chain<'d>>)> = Vec::with_capacity(chains.len());
+        let mut lone: Vec<Lone> = Vec::with_capacity(chains.len());
+        for chain in chains {
+            if let Some((outline, alone)) = self.fitted(&chain, Sided::Both) {
+                // A chain that is not fitted again is not kept.
+                let again = (sided && !outline.curves.is_empty()).then_some(chain);
+                loops.push((outline, again));
+                lone.push(alone);
+            }
+        }
+        let groups = nest(&lone);
+        if sided {
+            self.refit(&mut loops, &mut lone, &groups);
+        }
+        for (outline, _) in &loops {
+            self.report.pieces += outline.pieces;
+            self.report.deviation = self.report.deviation.max(outline.deviation);
+            self.report.kink = self.report.kink.max(outline.kink);
+        }
+        let curves: HashSet<u32> = (loops.iter())
+            .flat_map(|l| l.0.curves.iter().copied())
+            .collect();
+        self.report.curves = curves.len();
+        (loops.into_iter().map(|l| l.0).collect(), groups)
+    }
+
+    /// The loop of a chain, checked by itself.
+    fn fitted(&mut self, chain: &Chain<'_>, sided: Sided) -> Option<(Outline, Lone)> {
+        let made = if self.drawing.is_measured {
+            let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();
+            let first = NotFitted {
+                entity: chain.pieces[0].entity,
+                at: points[0],
+            };
+            fit::profile(&points, self.fit, sided, first.entity).ok_or(first)
+        } else {
+            fit::outline(chain, self.fit, sided)
+        };
+        let outline = match made {
+            Ok(outline) => outline,
+            Err(at) => {
+                let problem = Problem {
+                    origin: self.drawing.entities[at.entity as usize].origin.clone(),
+                    with: Vec::new(),
+                    at: Some(at.at),
+                    to: None,
+                    reason: format!("no lines and arcs within {:.2e} of it were found", self.fit),
+                    help: "give a larger fit".to_owned(),
+                };
+                self.unused.push(at.entity);
+                self.refuse(problem);
+                return None;
+            }
+        };
+        match Part::new("", vec![outline.vertices.clone()]) {
+            Ok(part) => {
+                let first = outline.vertices.first()?.point();
+                Some((outline, Lone { part, first }))
+            }
+            Err(error) => {
+                let problem = no_part(self.drawing, &error, &[&outline]);
+                self.unused.extend(&outline.entities);
+                self.refuse(problem);
+                None
+            }
+        }
+    }
+
+    /// Fits again where the side matters, now that it is known which side is material.
+    fn refit(
+        &mut self,
+        loops: &mut [(Outline, Option<Chain<'d>>)],
+        lone: &mut [Lone],
+        groups: &[Vec<usize>],
+    ) {
+        for group in groups {
+            for (k, &i) in group.iter().enumerate() {
+                let Some(chain) = loops[i].1.take() else {
+                    continue;
+                };
+                // Outermost loops have material inside, holes outside; a loop that turns left has its inside on the left.
+                let is_outer = k == 0;
+                let left_is_inside = !lone[i].part.loops()[0].is_reversed();
+                let material_is_left = is_outer == left_is_inside;
+                let left = material_is_left == (self.settings.side == FitSide::Inside);
+                let sided = if left { Sided::Left } else { Sided::Right };
+                if let Some((outline, alone)) = self.fitted(&chain, sided) {
+                    loops[i].0 = outline;
+                    lone[i] = alone;
+                }
+            }
+        }
+    }
+
+    /// Where outermost loops cross or touch.
+    fn crossing(&self, (outlines, groups): &(Vec<Outline>, Vec<Vec<usize>>)) -> Option<Problem> {
+        if groups.len() < 2 || self.settings.one_part.is_some() {
+            return None;
+        }
+        let outer: Vec<&Outline> = groups.iter().map(|g| &outlines[g[0]]).collect();
+        let vertices = outer.iter().map(|o| o.vertices.clone()).collect();
+        let error = Part::new("", vertices).err()?;
+        Some(no_part(self.drawing, &error, &outer))
+    }
+
+    /// The parts; the outlines are given back without their vertices.
+    pub(super) fn parts(
+        &mut self,
+        (mut outlines, groups): (Vec<Outline>, Vec<Vec<usize>>),
+    ) -> (Vec<Part>, Vec<Outline>) {
+        let groups = match &self.settings.one_part {
+            Some(_) if !groups.is_empty() => vec![groups.into_iter().flatten().collect()],
+            _ => groups,
+        };
+        let names = names(
+            self.drawing,
+            self.settings.one_part.as_deref(),
+            &outlines,
+            &groups,
+        );
+        let mut parts = Vec::with_capacity(groups.len());
+        for (group, name) in groups.iter().zip(names) {
+            let vertices: Vec<Vec<Vertex>> = (group.iter())
+                .map(|&i| core::mem::take(&mut outlines[i].vertices))
+                .collect();
+            match Part::new(name, vertices) {
+                Ok(part) => parts.push(part),
+                Err(error) => {
+                    let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
+                    let problem = no_part(self.drawing, &error, &of);
+                    let entities = of.iter().flat_map(|o| &o.entities).copied();
+                    self.unused.extend(entities);
+                    self.refuse(problem);
+                }
+            }
+        }
+        (parts, outlines)
+    }
+
+    fn used(&self, outlines: &[Outline]) -> BTreeMap<String, usize> {
+        let mut is_used = vec![false; self.drawing.entities.len()];
+        for &entity in outlines.iter().flat_map(|o| &o.entities) {
+            is_used[entity as usize] = true;
+        }
+        let mut used = BTreeMap::new();
+        for (entity, _) in self
+            .drawing
+            .entities
+            .iter()
+            .zip(&is_used)
+            .filter(|(_, u)| **u)
+        {
+            *used.entry(entity.origin.kind.to_string()).or_default() += 1;
+        }
+        used
+    }
+
+    fn nothing(&self) -> DrawingError {
+        let left_out = match self.ignored.len() {
+            0 => String::new(),
+            n => format!(
+                "; {n} entities were left out, the first, a {}, because: {}",
+                self.ignored[0].origin.kind, self.ignored[0].reason
+            ),
+        };
+        DrawingError::file(
+            format!("the drawing has no closed outline{left_out}"),
+            "draw outlines with lines, arcs, polylines or splines, and check the layers",
+        )
+    }
+}

@@ -1,0 +1,103 @@
+//! Parts from drawings.
+
+mod making;
+mod names;
+mod refusal;
+mod result;
+mod settings;
+
+use std::borrow::Cow;
+
+use cspace::Point;
+
+pub use result::{FittedReport, Outlines, Survey};
+pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
+
+use crate::affine::Affine;
+use crate::drawing::{Drawing, Path, Piece};
+use crate::error::DrawingError;
+use making::Making;
+use settings::check;
+
+impl Drawing {
+    /// The parts that the drawing shows.
+    ///
+    /// Loose pieces are joined to loops, what is drawn twice is taken once, curves become tangent lines and arcs, and loops
+    /// within loops are holes.
+    ///
+    /// # Errors
+    /// If anything cannot be used, such as a chain that is not closed, unless that is to be left out; if nothing is left; or
+    /// if loops cross or touch.
+    pub fn outlines(&self, settings: &Settings) -> Result<Outlines, DrawingError> {
+        check(settings)?;
+        Making::new(&self.scaled(settings.scale), settings)?.make()
+    }
+
+    /// The parts that the drawing shows, and what of it cannot be used: for a picture of both.
+    ///
+    /// # Errors
+    /// If the settings or the coordinates are beyond use.
+    pub fn survey(&self, settings: &Settings) -> Result<Survey, DrawingError> {
+        check(settings)?;
+        let settings = Settings {
+            partial: true,
+            ..settings.clone()
+        };
+        let scaled = self.scaled(settings.scale);
+        let mut making = Making::new(&scaled, &settings)?;
+        let outlines = making.outlines();
+        let parts = making.parts(outlines);
+        let mut unused: Vec<u32> = making.unused.clone();
+        unused.sort_unstable();
+        unused.dedup();
+        Ok(Survey {
+            parts: parts.0,
+            unused: (unused.iter())
+                .map(|&e| scaled.entities[e as usize].clone())
+                .collect(),
+            problems: making.told,
+        })
+    }
+
+    fn scaled(&self, scale: f64) -> Cow<'_, Self> {
+        if scale == 1.0 {
+            return Cow::Borrowed(self);
+        }
+        let mut scaled = self.clone();
+        let map = Affine {
+            x: Affine::IDENTITY.x * scale,
+            y: Affine::IDENTITY.y * scale,
+            origin: Point::ORIGIN,
+        };
+        for entity in &mut scaled.entities {
+            entity.path = entity.path.mapped(&map);
+        }
+        Cow::Owned(scaled)
+    }
+
+    /// The diagonal of the box of all ends and some points of curves.
+    pub fn size(&self) -> f64 {
+        let mut lo = [f64::INFINITY; 2];
+        let mut hi = [f64::NEG_INFINITY; 2];
+        for p in self.entities.iter().flat_map(|e| points(&e.path)) {
+            lo = [lo[0].min(p.x), lo[1].min(p.y)];
+            hi = [hi[0].max(p.x), hi[1].max(p.y)];
+        }
+        if lo[0] <= hi[0] {
+            (hi[0] - lo[0]).hypot(hi[1] - lo[1])
+        } else {
+            0.0
+        }
+    }
+}
+
+fn points(path: &Path) -> impl Iterator<Item = Point> {
+    let of_piece = |piece: &Piece| match piece {
+        Piece::Edge { to, .. } => vec![*to],
+        Piece::Curve(curve) => (0..curve.spans())
+            .flat_map(|span| [0.5, 1.0].map(|s| curve.at(span, s).0))
+            .collect(),
+    };
+    let pieces: Vec<Point> = path.pieces.iter().flat_map(of_piece).collect();
+    [path.start].into_iter().chain(pieces)
+}

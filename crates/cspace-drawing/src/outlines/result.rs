@@ -1,0 +1,56 @@
+//! What is made of a drawing.
+
+use std::collections::BTreeMap;
+
+use cspace::{Part, Point};
+
+use crate::drawing::{Entity, Ignored, Problem, Unit};
+
+/// The parts of a drawing, and how they came about.
+#[derive(Debug, Clone)]
+pub struct Outlines {
+    /// The parts, in the order of their outermost loops in the file.
+    pub parts: Vec<Part>,
+    /// The unit that the file names.
+    pub unit: Option<Unit>,
+    /// How many entities of each type the parts are made of.
+    pub used: BTreeMap<String, usize>,
+    /// What was left out.
+    pub ignored: Vec<Ignored>,
+    /// The gaps that were closed, and where.
+    pub joined: Vec<(f64, Point)>,
+    /// What was fitted.
+    pub fitted: FittedReport,
+    /// Outlines of two parts that cross or touch, if there are any: parts may, but a drawing may be wrong.
+    pub crossing: Option<Problem>,
+    /// How many pieces were drawn twice, or lay within others.
+    pub duplicates: usize,
+    /// How many pieces overlapped others and were made one with them.
+    pub merged: usize,
+    /// How many pieces had no length.
+    pub tiny: usize,
+}
+
+/// What a drawing shows, and what of it cannot be used.
+#[derive(Debug, Clone)]
+pub struct Survey {
+    /// The parts.
+    pub parts: Vec<Part>,
+    /// The entities that would be outlines, but are in no part.
+    pub unused: Vec<Entity>,
+    /// Why.
+    pub problems: Vec<Problem>,
+}
+
+/// How well lines and arcs were fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FittedReport {
+    /// The number of curves.
+    pub curves: usize,
+    /// The number of lines and arcs they became.
+    pub pieces: usize,
+    /// How far these are from the curves, at most.
+    pub deviation: f64,
+    /// The largest angle between neighbours that should be tangent, in radians; rounding.
+    pub kink: f64,
+}
