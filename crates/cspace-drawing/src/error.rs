@@ -10,7 +10,7 @@ use crate::shown;
 pub enum DrawingError {
     /// The file cannot be read, or is no drawing of its kind.
     File {
-        /// The line of the file, counted from 1; of a binary file the byte. None for the file as a whole.
+        /// The line of the file, counted from 1; none for the file as a whole, and for one without lines.
         line: Option<usize>,
         /// What is wrong.
         message: String,

@@ -138,7 +138,11 @@ impl<'r, 'a> Reader<'r, 'a> {
             kind: self.names.get(kind),
             layer: self.names.get(layer),
             handle: self.names.own(handle),
-            line: first.line,
+            line: if self.groups.has_lines() {
+                first.line
+            } else {
+                0
+            },
             on_paper: record.integer(67)?.unwrap_or(0) != 0,
             is_invisible: record.integer(60)?.unwrap_or(0) != 0,
             what: What::Ignored("it is no outline"),

@@ -5,6 +5,11 @@ use super::error::{DxfError, Result};
 /// What a binary file begins with.
 const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
+/// Whether the bytes of a file are those of binary DXF.
+pub(crate) fn is_binary(bytes: &[u8]) -> bool {
+    bytes.starts_with(SENTINEL)
+}
+
 /// A code and its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Group<'a> {
@@ -129,6 +134,11 @@ impl<'a> Groups<'a> {
             line: 1,
             form,
         }
+    }
+
+    /// Whether lines can be told: binary files have none.
+    pub(super) fn has_lines(&self) -> bool {
+        self.form == Form::Text
     }
 
     /// The line that is read next, or the byte.

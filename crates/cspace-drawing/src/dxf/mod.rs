@@ -18,6 +18,7 @@ mod spline;
 mod tables;
 
 pub(crate) use error::DxfError;
+pub(crate) use groups::is_binary;
 
 use crate::drawing::Drawing;
 

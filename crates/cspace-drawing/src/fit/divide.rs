@@ -137,14 +137,16 @@ impl Arcs {
     /// The cell of an angle at a candidate; none of one that is far off.
     fn cell(&self, candidate: usize, delta: f64) -> Option<i32> {
         let (width, around) = self.of(candidate);
-        let cell = (EVEN * ((delta - around) / (EVEN * width)).asinh()).round();
+        let even = (delta - around) / (EVEN * width);
+        let cell = (EVEN * even / (1.0 + even.abs() / EVEN)).round();
         (cell.abs() <= f64::from(CELLS)).then_some(cell as i32)
     }
 
     /// The angle in the middle of a cell.
     fn angle(&self, candidate: usize, cell: i32) -> f64 {
         let (width, around) = self.of(candidate);
-        around + EVEN * (f64::from(cell) / EVEN).sinh() * width
+        let cell = f64::from(cell) / EVEN;
+        around + EVEN * cell / (1.0 - cell.abs() / EVEN) * width
     }
 
     fn from(&self, candidate: usize) -> &[Arc] {
@@ -355,9 +357,11 @@ const PER_PROFILE: usize = 400;
 /// The best division of a run within a band of this half width, tangent but for what small changes will mend. `pieces` is
 /// about how many there will be.
 ///
-/// Where there are many samples joints are first sought at some of them, and then again with all those near the ones found:
-/// where a line goes over into an arc it matters at which.
+/// Where there are many samples joints are first sought at some of them, and then again with more of those near the ones found,
+/// down to every one: where a line goes over into an arc it matters at which.
 pub(super) fn divide(run: &Run, pieces: usize, width: f64) -> Option<Division> {
+    /// How much finer samples are looked at near joints, each time.
+    const FINER: usize = 16;
     let n = run.points.len();
     let tested = Tested::new(run, n / (PER_PIECE * pieces));
     let least = if run.is_measured {
@@ -365,22 +369,27 @@ pub(super) fn divide(run: &Run, pieces: usize, width: f64) -> Option<Division> {
     } else {
         PER_RUN
     };
-    let stride = n / least.max(PER_PIECE * pieces);
-    if stride < 2 {
-        return over(run, &tested, (0..n).collect(), width);
+    let mut stride = (n / least.max(PER_PIECE * pieces)).max(1);
+    let grid: Vec<usize> = (0..n).step_by(stride).chain([n - 1]).collect();
+    let mut candidates = grid.clone();
+    loop {
+        candidates.sort_unstable();
+        candidates.dedup();
+        let division = over(run, &tested, candidates, width)?;
+        if stride == 1 {
+            return Some(division);
+        }
+        let finer = (stride / FINER).max(1);
+        candidates = grid.clone();
+        for joint in division.joints {
+            let near = (joint + n - 2 * stride..=joint + n + 2 * stride).step_by(finer);
+            candidates.extend(near.filter_map(|i| match run.is_closed {
+                true => Some(i % n),
+                false => i.checked_sub(n).filter(|&i| i < n),
+            }));
+        }
+        stride = finer;
     }
-    let mut candidates: Vec<usize> = (0..n).step_by(stride).chain([n - 1]).collect();
-    let coarse = over(run, &tested, candidates.clone(), width)?;
-    for joint in coarse.joints {
-        let near = joint + n - 2 * stride..=joint + n + 2 * stride;
-        candidates.extend(near.filter_map(|i| match run.is_closed {
-            true => Some(i % n),
-            false => i.checked_sub(n).filter(|&i| i < n),
-        }));
-    }
-    candidates.sort_unstable();
-    candidates.dedup();
-    over(run, &tested, candidates, width)
 }
 
 fn over(run: &Run, tested: &Tested, candidates: Vec<usize>, width: f64) -> Option<Division> {
@@ -418,7 +427,11 @@ fn closed(arcs: &Arcs) -> Option<Division> {
                 .is_none_or(|b| p.halves.len() < b.halves.len())
         };
         if let Some(tried) = tried.filter(is_better) {
+            let is_enough = 2 * tried.halves.len() <= around.halves.len();
             best = Some(tried);
+            if is_enough {
+                break;
+            }
         }
     }
     best.map(|path| path.division(arcs))

@@ -21,4 +21,4 @@ mod tangent;
 mod tests;
 
 pub(crate) use chain::{NotFitted, Outline, Sided, outline};
-pub(crate) use profile::profile;
+pub(crate) use profile::{profile, scatter};

@@ -163,7 +163,7 @@ fn turn(points: &[Point], i: usize, reach: f64) -> f64 {
 }
 
 /// How far points are from the cubic through their neighbours, by the median: of clean points next to nothing.
-fn scatter(points: &[Point]) -> f64 {
+pub(crate) fn scatter(points: &[Point]) -> f64 {
     let n = points.len();
     if n < 5 {
         return 0.0;

@@ -14,6 +14,7 @@ use crate::error::DrawingError;
 use crate::fit::{self, NotFitted, Outline, Sided};
 use crate::join::{self, Chain, Joined};
 use crate::nest::{Lone, nest};
+use crate::shown;
 
 /// A drawing on its way to parts.
 pub(super) struct Making<'d> {
@@ -169,16 +170,7 @@ impl<'d> Making<'d> {
         let outline = match made {
             Ok(outline) => outline,
             Err(at) => {
-                let problem = Problem {
-                    origin: self.drawing.entities[at.entity as usize].origin.clone(),
-                    with: Vec::new(),
-                    at: Some(at.at),
-                    to: None,
-                    reason: format!("no lines and arcs within {:.2e} of it were found", self.fit),
-                    help: "give a larger fit".to_owned(),
-                };
-                self.unused.push(at.entity);
-                self.refuse(problem);
+                self.refuse_fit(chain, at);
                 return None;
             }
         };
@@ -194,6 +186,39 @@ impl<'d> Making<'d> {
                 None
             }
         }
+    }
+
+    /// Says that nothing was fitted, and of points that scatter how much they do.
+    fn refuse_fit(&mut self, chain: &Chain<'_>, at: NotFitted) {
+        /// Of points that scatter independently few are farther off than that many times the median.
+        const FARTHEST: f64 = 4.0;
+        let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();
+        let scatter = if self.drawing.is_measured {
+            fit::scatter(&points)
+        } else {
+            0.0
+        };
+        let problem = Problem {
+            origin: self.drawing.entities[at.entity as usize].origin.clone(),
+            with: Vec::new(),
+            at: Some(at.at),
+            to: None,
+            reason: format!(
+                "no lines and arcs within {} of it were found",
+                shown::number(self.fit)
+            ),
+            help: if FARTHEST * scatter > self.fit {
+                format!(
+                    "give a larger fit: the points scatter by about {}, which asks for {} or more",
+                    shown::number(scatter),
+                    shown::number(FARTHEST * scatter)
+                )
+            } else {
+                "give a larger fit".to_owned()
+            },
+        };
+        self.unused.push(at.entity);
+        self.refuse(problem);
     }
 
     /// Fits again where the side matters, now that it is known which side is material.
