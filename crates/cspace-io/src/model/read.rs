@@ -57,8 +57,14 @@ pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelErro
             "" => "the name has no extension".to_owned(),
             _ => format!("the extension .{extension} is not that of a model file"),
         };
+        let help = match extension.as_str() {
+            "dxf" | "svg" | "csv" => {
+                "make a model of the drawing first: cspace import DRAWING -o MODEL.toml"
+            }
+            _ => "model files end in .toml or .json",
+        };
         return Err(ModelError::of_file(message)
-            .with_help("model files end in .toml or .json")
+            .with_help(help)
             .in_file(&path.display().to_string()));
     }
     from_text(path, &read_text(path, largest(path))?)
