@@ -8,6 +8,7 @@ mod chains;
 mod ends;
 mod joined;
 mod overlaps;
+mod paths;
 mod pieces;
 
 pub(crate) use joined::{Chain, ChainPiece, Joined};

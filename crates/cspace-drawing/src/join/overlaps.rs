@@ -9,6 +9,7 @@ use std::collections::HashSet;
 use cspace::{Point, Vector};
 
 use super::joined::Joined;
+use super::paths::remove_repeated;
 use super::pieces::{End, Pieces, Shape, end, of_end};
 
 /// The kind of arcs; lines are of kind 0 or 1, by their direction.
@@ -49,6 +50,7 @@ impl Laid {
 }
 
 pub(super) fn merge(pieces: &mut Pieces<'_>, round: f64, joined: &mut Joined<'_>) {
+    joined.duplicates += remove_repeated(pieces, round);
     same_curves(pieces, joined);
     let Some(middle) = middle(pieces) else { return };
     let mut laid: Vec<Laid> = (0..pieces.segments.len())
@@ -243,6 +245,15 @@ fn unite(
         };
         // Where both end together the one that is kept is joined to what the other was joined to.
         let together = [(lo - from).abs() <= slack, (hi - to).abs() <= slack];
+        // What goes on in its path stays if the other cannot stand for it: paths side by side share an edge, and each
+        // needs it.
+        let is_needed = |side: usize| {
+            let stands = together[side] && pieces.linked(kept[side]).is_none();
+            pieces.linked(dropped[side]).is_some() && !stands
+        };
+        if is_needed(0) || is_needed(1) {
+            return false;
+        }
         let moved: Vec<(End, End)> = (0..2)
             .filter(|&side| together[side] && pieces.linked(kept[side]).is_none())
             .filter_map(|side| Some((kept[side], pieces.linked(dropped[side])?)))

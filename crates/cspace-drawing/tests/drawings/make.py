@@ -236,6 +236,14 @@ area_of = plate["area"] - 9 * PI + PI / 2
 save("polylines_drawn_twice", doc, [part(plate["area"] - 9 * PI, perimeter + 6 * PI, loops=2),
                                     part(PI / 2, 4.844224110273838)], within=2e-3, fitted=1)
 
+doc, msp = new("R2000")
+# Parts side by side, one of them drawn twice, the second time from another vertex and the other way around.
+for x in (0, 10, 20):
+    msp.add_lwpolyline([(x, 0), (x + 10, 0), (x + 10, 10), (x, 10)], close=True, dxfattribs={"layer": f"at {x}"})
+msp.add_lwpolyline([(20, 10), (20, 0), (10, 0), (10, 10)], close=True, dxfattribs={"layer": "again"})
+msp.add_line((3, 0), (8, 0))
+save("side_by_side", doc, [part(100, 40, lines=4, arcs=0, name=f"at {x}") for x in (0, 10, 20)], removed={"duplicates": 5})
+
 # -- loose ends
 doc, msp = new("R2000")
 loose_slot(msp, gap=2e-5)
