@@ -166,6 +166,25 @@ impl ContactSpace {
         &self.data.patches
     }
 
+    /// The contact curve of a patch at an orientation from its first to its last: the positions of the moving part, with free
+    /// space on the right. `None` at other orientations, and if there is no such patch.
+    ///
+    /// ```
+    /// use cspace::{ContactSpace, Options, Part};
+    /// let coin = |r| Part::circle("coin", (0.0, 0.0), r);
+    /// let space = ContactSpace::compute(&coin(2.0)?, &coin(1.0)?, &Options::default())?;
+    /// let theta = 0.5 * (space.patches()[0].lo + space.patches()[0].hi);
+    /// let middle = space.curve_at(0, theta).ok_or("coins touch")?.point(0.5);
+    /// assert!((middle.to_vector().length() - 3.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn curve_at(&self, patch: u32, theta: f64) -> Option<CurveGeometry> {
+        let patch = self.data.patches.get(patch as usize)?;
+        (patch.lo..=patch.hi)
+            .contains(&theta)
+            .then(|| self.curve(patch, theta))
+    }
+
     /// A patch with what it can be asked. `None` if there is no such patch.
     pub fn patch(&self, index: u32) -> Option<PatchRef<'_>> {
         let patch = self.data.patches.get(index as usize)?;

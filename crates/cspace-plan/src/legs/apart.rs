@@ -1,0 +1,227 @@
+//! How far two pieces are apart over an interval of time: a lower bound, and the distance in the middle.
+//!
+//! The distance along a common normal is a smooth function of time. With its value and slope in the middle and a bound on its
+//! second derivative, Taylor's theorem bounds it over the interval; the bound is off by the square of the interval.
+
+use cspace::{Point, Vector};
+
+use super::pose::{Mover, Placed};
+use super::shape::{Shape, beyond};
+
+/// Directions and places are taken to belong to a piece up to this far beyond its end (radians; parts of a length), so that
+/// rounding makes no gap between one piece and the next.
+const ROUNDING: f64 = 1e-12;
+
+/// What is known of a distance over an interval of time.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Apart {
+    /// It is nowhere less.
+    pub(super) least: f64,
+    /// In the middle of the interval; infinite where the pieces have no common normal there.
+    pub(super) here: f64,
+}
+
+impl Apart {
+    const NONE: Self = Self {
+        least: f64::INFINITY,
+        here: f64::INFINITY,
+    };
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            least: self.least.min(other.least),
+            here: self.here.min(other.here),
+        }
+    }
+}
+
+/// The distance of two moving points: its value, and bounds on what it can be.
+struct Between {
+    direction: Vector,
+    value: f64,
+    least: f64,
+    most: f64,
+    /// By how much the direction turns at most, radians.
+    turns: f64,
+}
+
+fn between(a: Mover, b: Mover, half: f64) -> Between {
+    let way = b.at - a.at;
+    let value = way.length();
+    let direction = if value > 0.0 {
+        way * (1.0 / value)
+    } else {
+        Vector::ZERO
+    };
+    let relative = b.velocity - a.velocity;
+    let bend = a.bend + b.bend;
+    let slope = direction.dot(relative).abs();
+    let speed = relative.length() + bend * half;
+    let shortest = value - speed * half;
+    // The second derivative is |D'⊥|² / |D| + u·D'', of which the first is not negative.
+    let least = shortest.max(value - (slope + 0.5 * bend * half) * half);
+    let (most, turns) = if shortest > 0.0 {
+        let curve = bend + speed * speed / shortest;
+        let most = (slope + 0.5 * curve * half).min(speed) * half;
+        (value + most, speed * half / shortest)
+    } else {
+        (value + speed * half, f64::INFINITY)
+    };
+    Between {
+        direction,
+        value,
+        least,
+        most,
+        turns,
+    }
+}
+
+/// A bound on the distance of two discs.
+pub(super) fn discs(
+    (a, p, r): (&Placed, Point, f64),
+    (b, q, s): (&Placed, Point, f64),
+    half: f64,
+) -> f64 {
+    between(a.point(p), b.point(q), half).least - r - s
+}
+
+/// How far two pieces are apart.
+pub(super) fn pieces(a: (&Placed, &Shape), b: (&Placed, &Shape), half: f64) -> Apart {
+    match (a.1, b.1) {
+        (Shape::Circle { .. }, Shape::Circle { .. }) => circles(a, b, half),
+        (Shape::Circle { .. }, Shape::Segment { .. }) => circle_and_segment(a, b, half),
+        (Shape::Segment { .. }, Shape::Circle { .. }) => circle_and_segment(b, a, half),
+        // The end of one, which is a piece of its own.
+        (Shape::Segment { .. }, Shape::Segment { .. }) => Apart::NONE,
+    }
+}
+
+/// Whether a normal meets an arc: surely not within the interval, and whether it does in the middle.
+fn misses(from: f64, sweep: f64, direction: f64, turns: f64) -> (bool, bool) {
+    let off = beyond(from, sweep, direction);
+    (off > turns + ROUNDING, off <= ROUNDING)
+}
+
+fn circles(a: (&Placed, &Shape), b: (&Placed, &Shape), half: f64) -> Apart {
+    let (
+        Shape::Circle {
+            center: p,
+            radius: r,
+            from: from_a,
+            sweep: sweep_a,
+        },
+        Shape::Circle {
+            center: q,
+            radius: s,
+            from: from_b,
+            sweep: sweep_b,
+        },
+    ) = (*a.1, *b.1)
+    else {
+        return Apart::NONE;
+    };
+    let d = between(a.0.point(p), b.0.point(q), half);
+    let angle = d.direction.angle();
+    let sides = |radius: f64| -> &'static [f64] { if radius > 0.0 { &[1.0, -1.0] } else { &[1.0] } };
+    let mut all = Apart::NONE;
+    for &i in sides(r) {
+        // The first circle is met in direction i·u from its centre, the second in −j·u.
+        let heading = |sign: f64| if sign > 0.0 { angle } else { angle + core::f64::consts::PI };
+        let (never_a, now_a) = if r > 0.0 {
+            misses(
+                from_a,
+                sweep_a,
+                heading(i) - a.0.angle,
+                d.turns + a.0.turning.abs() * half,
+            )
+        } else {
+            (false, true)
+        };
+        if never_a {
+            continue;
+        }
+        for &j in sides(s) {
+            let (never_b, now_b) = if s > 0.0 {
+                misses(
+                    from_b,
+                    sweep_b,
+                    heading(-j) - b.0.angle,
+                    d.turns + b.0.turning.abs() * half,
+                )
+            } else {
+                (false, true)
+            };
+            if never_b {
+                continue;
+            }
+            let off = i * r + j * s;
+            let least = (d.least - off).max(off - d.most).max(0.0);
+            let here = if now_a && now_b {
+                (d.value - off).abs()
+            } else {
+                f64::INFINITY
+            };
+            all = all.and(Apart { least, here });
+        }
+    }
+    all
+}
+
+fn circle_and_segment(circle: (&Placed, &Shape), segment: (&Placed, &Shape), half: f64) -> Apart {
+    let (
+        Shape::Circle {
+            center,
+            radius,
+            from,
+            sweep,
+        },
+        Shape::Segment {
+            start,
+            along,
+            length,
+        },
+    ) = (*circle.1, *segment.1)
+    else {
+        return Apart::NONE;
+    };
+    let c = segment.0.seen(circle.0.point(center), half);
+    let way = c.at - start;
+    let speed = c.velocity.length() + c.bend * half;
+    let foot = way.dot(along);
+    let reach = speed * half + ROUNDING * length;
+    if foot < -reach || foot > length + reach {
+        return Apart::NONE;
+    }
+    let within = (-ROUNDING * length..=(1.0 + ROUNDING) * length).contains(&foot);
+    let normal = along.left();
+    let height = way.dot(normal);
+    let rise = (c.velocity.dot(normal).abs() + 0.5 * c.bend * half).min(speed) * half;
+    let one = |side: f64| {
+        // The circle is met at center − side · radius · normal.
+        let (never, now) = if radius > 0.0 {
+            let heading = (normal * -side).angle() + segment.0.angle - circle.0.angle;
+            let turns = (segment.0.turning - circle.0.turning).abs() * half;
+            misses(from, sweep, heading, turns)
+        } else {
+            (false, true)
+        };
+        if never {
+            return Apart::NONE;
+        }
+        let value = height - side * radius;
+        Apart {
+            least: (value.abs() - rise).max(0.0),
+            here: if now && within {
+                value.abs()
+            } else {
+                f64::INFINITY
+            },
+        }
+    };
+    let first = one(1.0);
+    if radius > 0.0 {
+        first.and(one(-1.0))
+    } else {
+        first
+    }
+}

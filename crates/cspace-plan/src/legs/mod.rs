@@ -1,0 +1,15 @@
+//! How far two parts are apart while they move.
+//!
+//! A leg is a motion of constant rates of all coordinates. The least distance of the two boundaries along it is found by branch
+//! and bound over pairs of discs around pieces of the boundaries and over time; no bound is sampled. It knows the parts
+//! alone, and nothing of their contact space: a path that it passes is free whatever the space says.
+
+mod apart;
+mod pose;
+mod scene;
+mod search;
+mod shape;
+mod tree;
+
+pub use scene::{Coords, Near, Scene};
+pub use search::Nearest;

@@ -1,0 +1,329 @@
+//! Branch and bound over pairs of discs and over time.
+
+use cspace::{Point, Vector};
+
+use super::apart::{Apart, discs, pieces};
+use super::pose::{Placed, Pose};
+use super::scene::Near;
+use super::shape::{Shape, beyond};
+use super::tree::{Holds, Node, Tree};
+
+/// A least distance is right to this share of it.
+const RELATIVE: f64 = 1e-9;
+/// Distances are rounded by this share of the parts' size.
+const ROUNDING: f64 = 1e-15;
+/// Boundaries nearer than so many roundings touch.
+const LEAST: f64 = 64.0;
+/// Intervals of time are halved down to this share of a leg.
+const NARROWEST: f64 = 1e-12;
+
+/// Where the boundaries are nearest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// Their distance, in the model's unit of length.
+    pub distance: f64,
+    /// When, as a share of the leg.
+    pub time: f64,
+    /// The edges of the fixed and of the moving part, counted through all loops; of a vertex that which begins there.
+    pub edges: (u32, u32),
+}
+
+/// A search along one leg.
+pub(super) struct Search<'a> {
+    fixed: &'a Tree,
+    moving: &'a Tree,
+    poses: (Pose, Pose),
+    rounding: f64,
+}
+
+/// An interval of time with the poses in its middle.
+struct Over {
+    middle: f64,
+    half: f64,
+    fixed: Placed,
+    moving: Placed,
+}
+
+/// What is sought: less than the best, or than a limit.
+struct Best {
+    found: Nearest,
+    /// What is not less is passed over.
+    limit: f64,
+    /// Whether anything less than the limit ends the search.
+    decides: bool,
+    ended: bool,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        fixed: &'a Tree,
+        moving: &'a Tree,
+        poses: (Pose, Pose),
+        size: f64,
+    ) -> Self {
+        Self {
+            fixed,
+            moving,
+            poses,
+            rounding: ROUNDING * size,
+        }
+    }
+
+    fn over(&self, lo: f64, hi: f64) -> Over {
+        let middle = 0.5 * (lo + hi);
+        Over {
+            middle,
+            half: 0.5 * (hi - lo),
+            fixed: self.poses.0.at(middle),
+            moving: self.poses.1.at(middle),
+        }
+    }
+
+    fn node(&self, pair: (u32, u32)) -> (&'a Node, &'a Node) {
+        (
+            &self.fixed.nodes[pair.0 as usize],
+            &self.moving.nodes[pair.1 as usize],
+        )
+    }
+
+    fn bound(&self, over: &Over, pair: (u32, u32)) -> f64 {
+        let (a, b) = self.node(pair);
+        discs(
+            (&over.fixed, a.middle, a.reach),
+            (&over.moving, b.middle, b.reach),
+            over.half,
+        )
+    }
+
+    fn roots(&self) -> (u32, u32) {
+        (self.fixed.root(), self.moving.root())
+    }
+
+    /// The distance at one time.
+    pub(super) fn at(&self, time: f64) -> Nearest {
+        let mut best = Best::least(f64::INFINITY);
+        let over = self.over(time, time);
+        self.visit(&over, self.roots(), &mut best);
+        best.found
+    }
+
+    /// The least distance for times from 0 to 1.
+    pub(super) fn least(&self) -> Nearest {
+        let first = [0.0, 1.0, 0.5]
+            .into_iter()
+            .map(|t| self.at(t))
+            .min_by(|a, b| a.distance.total_cmp(&b.distance));
+        let mut best = Best::least(f64::INFINITY);
+        if let Some(first) = first {
+            best.take(first, self.rounding);
+        }
+        self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
+        best.found
+    }
+
+    /// Whether the distance is more than a limit for times from 0 to 1.
+    pub(super) fn is_apart(&self, limit: f64) -> bool {
+        let mut best = Best {
+            decides: true,
+            ..Best::least(limit.max(LEAST * self.rounding))
+        };
+        self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
+        !best.ended
+    }
+
+    /// Goes through what may be nearer than the best.
+    fn visit(&self, over: &Over, pair: (u32, u32), best: &mut Best) {
+        if best.ended || self.bound(over, pair) >= best.limit {
+            return;
+        }
+        let (a, b) = self.node(pair);
+        let moved = {
+            let (p, q) = (over.fixed.point(a.middle), over.moving.point(b.middle));
+            ((q.velocity - p.velocity).length() + (p.bend + q.bend) * over.half) * over.half
+        };
+        match (a.holds, b.holds) {
+            (Holds::Piece(i), Holds::Piece(j)) => self.look(over, (i, j), best),
+            _ if moved > a.reach + b.reach && over.half > NARROWEST => {
+                for part in self.halves(over) {
+                    self.visit(&part, pair, best);
+                }
+            }
+            (Holds::Nodes(c, d), _) if a.reach >= b.reach || matches!(b.holds, Holds::Piece(_)) => {
+                self.both(over, [(c, pair.1), (d, pair.1)], best);
+            }
+            (_, Holds::Nodes(c, d)) => {
+                self.both(over, [(pair.0, c), (pair.0, d)], best);
+            }
+            // The one that is left: a piece against nodes that are smaller.
+            (Holds::Nodes(c, d), Holds::Piece(_)) => {
+                self.both(over, [(c, pair.1), (d, pair.1)], best);
+            }
+        }
+    }
+
+    /// The nearer pair first.
+    fn both(&self, over: &Over, pairs: [(u32, u32); 2], best: &mut Best) {
+        let [first, second] = pairs;
+        let (p, q) = (self.bound(over, first), self.bound(over, second));
+        let order = if p <= q { pairs } else { [second, first] };
+        for pair in order {
+            self.visit(over, pair, best);
+        }
+    }
+
+    fn halves(&self, over: &Over) -> [Over; 2] {
+        let (lo, hi) = (over.middle - over.half, over.middle + over.half);
+        [self.over(lo, over.middle), self.over(over.middle, hi)]
+    }
+
+    /// Two pieces over an interval, which is halved until it is known whether they are nearer than the best.
+    fn look(&self, over: &Over, pair: (u32, u32), best: &mut Best) {
+        let (a, b) = (
+            &self.fixed.pieces[pair.0 as usize],
+            &self.moving.pieces[pair.1 as usize],
+        );
+        let Apart { least, here } = pieces(
+            (&over.fixed, &a.shape),
+            (&over.moving, &b.shape),
+            over.half,
+        );
+        if here < best.limit {
+            let found = Nearest {
+                distance: here,
+                time: over.middle,
+                edges: (a.edge, b.edge),
+            };
+            best.take(found, self.rounding);
+        }
+        if best.ended || least >= best.limit {
+            return;
+        }
+        if over.half <= NARROWEST {
+            // What is not known here is as good as found.
+            if best.decides && over.half > 0.0 {
+                best.ended = true;
+            }
+            return;
+        }
+        for part in self.halves(over) {
+            self.look(&part, pair, best);
+        }
+    }
+
+    /// Calls `with` for every two pieces nearer than a distance at the start.
+    pub(super) fn within(&self, distance: f64, mut with: impl FnMut(Near)) {
+        let over = self.over(0.0, 0.0);
+        let mut stack = vec![self.roots()];
+        while let Some(pair) = stack.pop() {
+            if self.bound(&over, pair) >= distance {
+                continue;
+            }
+            let (a, b) = self.node(pair);
+            match (a.holds, b.holds) {
+                (Holds::Piece(i), Holds::Piece(j)) => {
+                    self.normals(&over, (i, j), distance, &mut with);
+                }
+                (Holds::Nodes(c, d), _) => stack.extend([(c, pair.1), (d, pair.1)]),
+                (_, Holds::Nodes(c, d)) => stack.extend([(pair.0, c), (pair.0, d)]),
+            }
+        }
+    }
+
+    /// The common normals of two pieces that are shorter than a distance.
+    fn normals(&self, over: &Over, pair: (u32, u32), distance: f64, with: &mut impl FnMut(Near)) {
+        let (a, b) = (
+            &self.fixed.pieces[pair.0 as usize],
+            &self.moving.pieces[pair.1 as usize],
+        );
+        let back = |placed: &Placed, p: Point| {
+            Point::ORIGIN + placed.turn.inverse() * (p - placed.at)
+        };
+        let mut take = |p: Point, q: Point| {
+            let way = q - p;
+            let length = way.length();
+            if length >= distance || length == 0.0 {
+                return;
+            }
+            with(Near {
+                distance: length,
+                gradient: [0.0; 3],
+                pieces: (a.edge, b.edge),
+                points: (back(&over.fixed, p), back(&over.moving, q)),
+                direction: way * (1.0 / length),
+            });
+        };
+        // Points of a circle in a direction and against it, where they belong to it.
+        let on = |placed: &Placed, shape: &Shape, direction: Vector| -> Vec<Point> {
+            let Shape::Circle { center, radius, from, sweep } = *shape else {
+                return Vec::new();
+            };
+            let middle = placed.point(center).at;
+            if radius == 0.0 {
+                return vec![middle];
+            }
+            [direction, -direction]
+                .into_iter()
+                .filter(|d| beyond(from, sweep, d.angle() - placed.angle) == 0.0)
+                .map(|d| middle + d * radius)
+                .collect()
+        };
+        match (&a.shape, &b.shape) {
+            (Shape::Circle { center: c, .. }, Shape::Circle { center: d, .. }) => {
+                let way = over.moving.point(*d).at - over.fixed.point(*c).at;
+                let length = way.length();
+                if length == 0.0 {
+                    return;
+                }
+                let unit = way * (1.0 / length);
+                for p in on(&over.fixed, &a.shape, unit) {
+                    for q in on(&over.moving, &b.shape, unit) {
+                        take(p, q);
+                    }
+                }
+            }
+            (circle @ Shape::Circle { .. }, Shape::Segment { start, along, length }) => {
+                let (s, d) = (over.moving.point(*start).at, over.moving.turn * *along);
+                for p in on(&over.fixed, circle, d.left()) {
+                    let foot = (p - s).dot(d);
+                    if (0.0..=*length).contains(&foot) {
+                        take(p, s + d * foot);
+                    }
+                }
+            }
+            (Shape::Segment { start, along, length }, circle @ Shape::Circle { .. }) => {
+                let (s, d) = (over.fixed.point(*start).at, over.fixed.turn * *along);
+                for q in on(&over.moving, circle, d.left()) {
+                    let foot = (q - s).dot(d);
+                    if (0.0..=*length).contains(&foot) {
+                        take(s + d * foot, q);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Best {
+    fn least(limit: f64) -> Self {
+        Self {
+            found: Nearest {
+                distance: f64::INFINITY,
+                time: 0.0,
+                edges: (0, 0),
+            },
+            limit,
+            decides: false,
+            ended: false,
+        }
+    }
+
+    fn take(&mut self, found: Nearest, rounding: f64) {
+        self.found = found;
+        if self.decides {
+            self.ended = true;
+        } else {
+            self.limit = (found.distance * (1.0 - RELATIVE)).min(found.distance - rounding);
+        }
+    }
+}

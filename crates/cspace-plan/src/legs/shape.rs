@@ -1,0 +1,107 @@
+//! What a part is made of for measuring distances: circles with a range of directions, and segments.
+//!
+//! A vertex is a circle of radius 0. So there are two kinds of least distance: between two circles along the line of their
+//! centres, and between a circle and a line along the line's normal. A line is nearest to a line at an end of one of them.
+
+use core::f64::consts::TAU;
+
+use cspace::{Edge, Part, Point, Vector};
+
+/// A piece of a part's boundary, in the part's own frame.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Shape {
+    /// A circle, on which the directions from `from` counter-clockwise by `sweep` (radians) belong to the part.
+    Circle {
+        center: Point,
+        radius: f64,
+        from: f64,
+        sweep: f64,
+    },
+    /// A segment from a point along a unit direction.
+    Segment {
+        start: Point,
+        along: Vector,
+        length: f64,
+    },
+}
+
+/// A piece with what is needed to pass it over.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece {
+    pub(super) shape: Shape,
+    /// A disc that holds it.
+    pub(super) middle: Point,
+    pub(super) reach: f64,
+    /// Its edge, counted through all loops; of a vertex the edge that begins there.
+    pub(super) edge: u32,
+}
+
+impl Piece {
+    /// The vertices and edges of a part, with an offset taken from every point.
+    pub(super) fn all(part: &Part, origin: Vector) -> Vec<Self> {
+        let mut all = Vec::new();
+        for (edge, e) in (0u32..).zip(part.edges()) {
+            let moved = Edge {
+                start: e.start - origin,
+                end: e.end - origin,
+                ..e
+            };
+            all.push(Self {
+                shape: Shape::Circle {
+                    center: moved.start,
+                    radius: 0.0,
+                    from: 0.0,
+                    sweep: TAU,
+                },
+                middle: moved.start,
+                reach: 0.0,
+                edge,
+            });
+            all.push(Self::of(&moved, edge));
+        }
+        all
+    }
+
+    fn of(e: &Edge, edge: u32) -> Self {
+        let middle = e.start.midpoint(e.end);
+        let chord = e.end - e.start;
+        let length = chord.length();
+        // An arc of less than half a turn is within the disc over its chord; of others all of the circle is taken.
+        if e.is_line() {
+            return Self {
+                shape: Shape::Segment {
+                    start: e.start,
+                    along: chord * (1.0 / length),
+                    length,
+                },
+                middle,
+                reach: 0.5 * length,
+                edge,
+            };
+        }
+        let (center, radius, sweep) = (e.center(), e.radius(), e.sweep());
+        let first = if sweep > 0.0 { e.start } else { e.end };
+        let half = sweep.abs() <= core::f64::consts::PI;
+        Self {
+            shape: Shape::Circle {
+                center,
+                radius,
+                from: (first - center).angle(),
+                sweep: sweep.abs(),
+            },
+            middle: if half { middle } else { center },
+            reach: if half { 0.5 * length } else { radius },
+            edge,
+        }
+    }
+}
+
+/// How far a direction is outside of those from `from` by `sweep`, in radians; 0 within.
+pub(super) fn beyond(from: f64, sweep: f64, direction: f64) -> f64 {
+    let turned = (direction - from).rem_euclid(TAU);
+    if turned <= sweep {
+        0.0
+    } else {
+        (turned - sweep).min(TAU - turned)
+    }
+}
