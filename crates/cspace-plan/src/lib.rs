@@ -1,5 +1,16 @@
 //! Paths between configurations of planar parts, or the proof that there is none.
+//!
+//! A contact space knows whether two configurations can be joined: they can if and only if they are in the same free region.
+//! [`Planner`] answers with a path whose legs are motions of constant rates, each with a clearance that is certain ([`legs`]), or
+//! with what keeps the two apart.
 
+mod answer;
 pub mod legs;
+mod off_contact;
+mod path;
+mod planner;
 mod push;
 mod route;
+
+pub use answer::{Answer, Blocked, Enclosed, Narrow, Path, Verdict};
+pub use planner::{PlanError, Planner, Wishes};

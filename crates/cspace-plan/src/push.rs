@@ -2,39 +2,72 @@
 
 use crate::legs::{Coords, Near};
 
-/// The direction, of unit length where turning counts by its lever, in which the least of the distances grows the most: the
-/// point nearest to zero of the convex hull of their gradients (the steepest ascent of a minimum). `None` if there is none.
-pub(crate) fn ascent(near: &[Near], levers: Coords, _within: f64) -> Option<Coords> {
-    /// Steps of the search for the nearest point.
-    const STEPS: usize = 200;
-    /// Gradients this small balance each other.
-    const NONE: f64 = 1e-9;
-    // In lengths: by x, y and the lever of θ.
-    let scaled: Vec<Coords> = near
+/// Steps of the search for the best mixture of gradients.
+const STEPS: usize = 400;
+/// Where it has come to within this share of the best.
+const RELATIVE: f64 = 1e-13;
+
+/// The displacement δ by which the least of the distances grows the most, less what it costs: it maximises
+///
+/// ```text
+/// min (dᵢ + gᵢ · δ) − |δ|² / 2 reach
+/// ```
+///
+/// with gradients g in lengths, where turning counts by its lever, and δ across a direction if one is given (a proximal step of
+/// steepest ascent). Where several distances balance each other it comes to the place between them at once. `None` where none
+/// can grow.
+pub(crate) fn rise(
+    near: &[Near],
+    levers: Coords,
+    across: Option<Coords>,
+    reach: f64,
+) -> Option<Coords> {
+    let normal = across.and_then(|t| unit(core::array::from_fn(|k| t[k] * levers[k])));
+    let gradients: Vec<Coords> = near
         .iter()
-        .map(|n| core::array::from_fn(|k| if levers[k] > 0.0 { n.gradient[k] / levers[k] } else { 0.0 }))
+        .map(|n| {
+            let g: Coords = core::array::from_fn(|k| {
+                if levers[k] > 0.0 { n.gradient[k] / levers[k] } else { 0.0 }
+            });
+            let along = normal.map_or(0.0, |t| dot(&g, &t));
+            core::array::from_fn(|k| g[k] - normal.map_or(0.0, |t| t[k]) * along)
+        })
         .collect();
-    let dot = |a: &Coords, b: &Coords| -> f64 { (0..3).map(|k| a[k] * b[k]).sum() };
-    let mut point = *scaled.first()?;
+    let mut shares = vec![0.0; near.len()];
+    // The dual: shares λ of the gradients that minimise reach |Σ λ g|² / 2 + Σ λ d. It begins with the nearest.
+    let first = (0..near.len()).min_by(|&i, &j| near[i].distance.total_cmp(&near[j].distance))?;
+    shares[first] = 1.0;
+    let mut sum = gradients[first];
     for _ in 0..STEPS {
-        let lowest = scaled.iter().min_by(|a, b| dot(a, &point).total_cmp(&dot(b, &point)))?;
-        let way: Coords = core::array::from_fn(|k| lowest[k] - point[k]);
-        let square = dot(&way, &way);
-        let gain = -dot(&point, &way);
-        if square == 0.0 || gain <= 1e-12 * dot(&point, &point).max(NONE) {
+        let slope = |i: usize| reach * dot(&gradients[i], &sum) + near[i].distance;
+        let best = (0..near.len()).min_by(|&i, &j| slope(i).total_cmp(&slope(j)))?;
+        let worst = (0..near.len())
+            .filter(|&i| shares[i] > 0.0)
+            .max_by(|&i, &j| slope(i).total_cmp(&slope(j)))?;
+        let gain = slope(worst) - slope(best);
+        let way: Coords = core::array::from_fn(|k| gradients[best][k] - gradients[worst][k]);
+        let bend = reach * dot(&way, &way);
+        if gain <= RELATIVE * near[first].distance {
             break;
         }
-        let share = (gain / square).min(1.0);
-        point = core::array::from_fn(|k| point[k] + way[k] * share);
+        let moved = if bend > 0.0 { (gain / bend).min(shares[worst]) } else { shares[worst] };
+        shares[best] += moved;
+        shares[worst] -= moved;
+        sum = core::array::from_fn(|k| {
+            (0..near.len()).map(|i| shares[i] * gradients[i][k]).sum()
+        });
     }
-    let length = dot(&point, &point).sqrt();
-    (length > NONE).then(|| {
-        core::array::from_fn(|k| {
-            if levers[k] > 0.0 {
-                point[k] / (length * levers[k])
-            } else {
-                0.0
-            }
-        })
+    let grows = sum.iter().any(|s| s.abs() > 0.0);
+    grows.then(|| {
+        core::array::from_fn(|k| if levers[k] > 0.0 { reach * sum[k] / levers[k] } else { 0.0 })
     })
+}
+
+fn dot(a: &Coords, b: &Coords) -> f64 {
+    (0..3).map(|k| a[k] * b[k]).sum()
+}
+
+fn unit(a: Coords) -> Option<Coords> {
+    let length = dot(&a, &a).sqrt();
+    (length > 0.0).then(|| a.map(|x| x / length))
 }

@@ -55,6 +55,11 @@ impl Placed {
         }
     }
 
+    /// The point of the part, in its own frame, that is at a place.
+    pub(super) fn back(&self, p: Point) -> Point {
+        Point::ORIGIN + self.turn.inverse() * (p - self.at)
+    }
+
     /// The part's frame seen from a point that moves: the point in that frame, with its velocity there and a bound on how
     /// fast that changes, over times up to `half` away.
     pub(super) fn seen(&self, p: Mover, half: f64) -> Mover {

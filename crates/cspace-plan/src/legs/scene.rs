@@ -1,6 +1,8 @@
 //! Two parts with their motions, to be asked for distances.
 
-use cspace::{AxisMotion, Coordinates, Part, Point, QueryError, PairSpace, Vector, Configuration};
+use cspace::{
+    AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError, Vector,
+};
 
 use super::pose::Pose;
 use super::search::{Nearest, Search};
@@ -19,27 +21,45 @@ pub struct Scene {
     /// How far a point of the moving part moves at most, for a unit of each coordinate.
     levers: Coords,
     size: f64,
+    parts: (Part, Part),
+    /// Least and greatest of each coordinate.
+    limits: [(f64, f64); 3],
 }
 
 impl Scene {
-    /// The parts of a pair with the motions of its class.
-    pub fn of(space: &PairSpace) -> Self {
+    /// The parts of a pair with the motions of its class, and their limits.
+    ///
+    /// # Errors
+    /// Of a lower pair, whose parts are in contact for ever.
+    pub fn of(space: &PairSpace) -> Result<Self, QueryError> {
+        const NONE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
         match space {
+            PairSpace::Lower(_) => Err(QueryError::Permanent),
             PairSpace::FixedAxes(space) => {
                 let (a, b) = space.axes();
-                Self::new(space.fixed(), space.moving(), Some((a.motion, b.motion)))
+                let limits = [a, b].map(|axis| match axis.motion {
+                    AxisMotion::Fixed => (0.0, 0.0),
+                    _ => axis.range.unwrap_or(NONE),
+                });
+                let mut scene = Self::new(space.fixed(), space.moving(), Some((a.motion, b.motion)));
+                scene.limits = [limits[0], limits[1], (0.0, 0.0)];
+                Ok(scene)
             }
-            _ => Self::new(space.fixed(), space.moving(), None),
+            PairSpace::Planar(space) => {
+                let mut scene = Self::new(space.fixed(), space.moving(), None);
+                let window = space.window();
+                if !window.full_turn {
+                    scene.limits[2] = (window.lo, window.hi);
+                }
+                Ok(scene)
+            }
         }
     }
 
-    /// Two parts, the moving one planar, or each on an axis.
+    /// Two parts, the moving one planar, or each on an axis. Motions have no limits.
     pub fn new(fixed: &Part, moving: &Part, motions: Option<(AxisMotion, AxisMotion)>) -> Self {
-        let origin = |motion: AxisMotion| match motion {
-            AxisMotion::Revolute { center } => center.to_vector(),
-            _ => Vector::ZERO,
-        };
-        let origins = motions.map_or((Vector::ZERO, Vector::ZERO), |(a, b)| (origin(a), origin(b)));
+        let parts = (fixed.clone(), moving.clone());
+        let origins = origins(motions);
         let fixed = Tree::new(Piece::all(fixed, origins.0));
         let moving = Tree::new(Piece::all(moving, origins.1));
         let reach = |tree: &Tree| {
@@ -63,7 +83,43 @@ impl Scene {
             moving,
             motions,
             levers,
+            parts,
+            limits: [(f64::NEG_INFINITY, f64::INFINITY); 3],
         }
+    }
+
+    /// Least and greatest of each coordinate: the window of orientations, the ranges of motion.
+    pub fn limits(&self) -> [(f64, f64); 3] {
+        self.limits
+    }
+
+    /// The nearest coordinates within the limits.
+    pub fn within_limits(&self, at: Coords) -> Coords {
+        core::array::from_fn(|k| at[k].clamp(self.limits[k].0, self.limits[k].1))
+    }
+
+    /// Whether the parts overlap at a configuration at which their boundaries do not meet: then a loop of one is within the
+    /// other.
+    pub fn overlaps(&self, at: Coords) -> bool {
+        let (a, b) = self.poses(at, at);
+        let (a, b) = (a.at(0.0), b.at(0.0));
+        let (origin_a, origin_b) = origins(self.motions);
+        let (fixed, moving) = &self.parts;
+        let starts = |part: &Part| -> Vec<Point> {
+            (part.loops().iter())
+                .filter_map(|l| l.vertices().first().map(|v| v.point()))
+                .collect()
+        };
+        // A point q of a part is at its placed frame's image of q less the origin of its axis.
+        let mut within = starts(moving).into_iter().any(|q| {
+            let at = b.point(q - origin_b).at;
+            fixed.contains(a.back(at) + origin_a)
+        });
+        within |= starts(fixed).into_iter().any(|q| {
+            let at = a.point(q - origin_a).at;
+            moving.contains(b.back(at) + origin_b)
+        });
+        within
     }
 
     /// How far a point of a part moves at most, for a unit of each coordinate: lengths, in the model's unit.
@@ -162,19 +218,26 @@ impl Scene {
         let mut found = Vec::new();
         still.within(within, |near| found.push(near));
         // The rates of the distances when one coordinate goes on alone.
-        for (k, share) in [0, 1, 2].into_iter().map(|k| (k, 1.0)) {
-            if self.motions.is_some() && k == 2 {
-                continue;
-            }
+        let coordinates = if self.motions.is_some() { 2 } else { 3 };
+        for k in 0..coordinates {
             let mut to = at;
-            to[k] += share;
+            to[k] += 1.0;
             let (a, b) = self.poses(at, to);
             for near in &mut found {
-                near.gradient[k] = near.rate(&self.fixed, &self.moving, (&a, &b));
+                near.gradient[k] = near.rate((&a, &b));
             }
         }
         found
     }
+}
+
+/// The points of the two parts that are the origins of their placed frames: what they turn about.
+fn origins(motions: Option<(AxisMotion, AxisMotion)>) -> (Vector, Vector) {
+    let origin = |motion: AxisMotion| match motion {
+        AxisMotion::Revolute { center } => center.to_vector(),
+        _ => Vector::ZERO,
+    };
+    motions.map_or((Vector::ZERO, Vector::ZERO), |(a, b)| (origin(a), origin(b)))
 }
 
 /// Two pieces that are near each other.
@@ -184,7 +247,8 @@ pub struct Near {
     pub distance: f64,
     /// How it changes with each coordinate.
     pub gradient: Coords,
-    pub(super) pieces: (u32, u32),
+    /// The features of the fixed and of the moving part.
+    pub features: (FeatureName, FeatureName),
     /// The nearest points, each in its part's own frame.
     pub(super) points: (Point, Point),
     /// From the one on the fixed part to the other, of unit length.
@@ -192,14 +256,20 @@ pub struct Near {
 }
 
 impl Near {
-    fn rate(&self, _: &Tree, _: &Tree, poses: (&Pose, &Pose)) -> f64 {
+    /// Two features that touch, whose distance changes by a gradient.
+    pub(crate) fn growing(gradient: Coords, features: (FeatureName, FeatureName)) -> Self {
+        Self {
+            distance: 0.0,
+            gradient,
+            features,
+            points: (Point::ORIGIN, Point::ORIGIN),
+            direction: Vector::ZERO,
+        }
+    }
+
+    fn rate(&self, poses: (&Pose, &Pose)) -> f64 {
         let (a, b) = (poses.0.at(0.0), poses.1.at(0.0));
         let relative = b.point(self.points.1).velocity - a.point(self.points.0).velocity;
         self.direction.dot(relative)
-    }
-
-    /// The edges of the fixed and of the moving part, counted through all loops; of a vertex that which begins there.
-    pub fn pieces(&self) -> (u32, u32) {
-        self.pieces
     }
 }

@@ -1,6 +1,6 @@
 //! Branch and bound over pairs of discs and over time.
 
-use cspace::{Point, Vector};
+use cspace::{FeatureName, Point, Vector};
 
 use super::apart::{Apart, discs, pieces};
 use super::pose::{Placed, Pose};
@@ -24,8 +24,8 @@ pub struct Nearest {
     pub distance: f64,
     /// When, as a share of the leg.
     pub time: f64,
-    /// The edges of the fixed and of the moving part, counted through all loops; of a vertex that which begins there.
-    pub edges: (u32, u32),
+    /// The features of the fixed and of the moving part that are nearest; none where there are none.
+    pub features: Option<(FeatureName, FeatureName)>,
 }
 
 /// A search along one leg.
@@ -191,7 +191,7 @@ impl<'a> Search<'a> {
             let found = Nearest {
                 distance: here,
                 time: over.middle,
-                edges: (a.edge, b.edge),
+                features: Some((a.name, b.name)),
             };
             best.take(found, self.rounding);
         }
@@ -235,9 +235,6 @@ impl<'a> Search<'a> {
             &self.fixed.pieces[pair.0 as usize],
             &self.moving.pieces[pair.1 as usize],
         );
-        let back = |placed: &Placed, p: Point| {
-            Point::ORIGIN + placed.turn.inverse() * (p - placed.at)
-        };
         let mut take = |p: Point, q: Point| {
             let way = q - p;
             let length = way.length();
@@ -247,8 +244,8 @@ impl<'a> Search<'a> {
             with(Near {
                 distance: length,
                 gradient: [0.0; 3],
-                pieces: (a.edge, b.edge),
-                points: (back(&over.fixed, p), back(&over.moving, q)),
+                features: (a.name, b.name),
+                points: (over.fixed.back(p), over.moving.back(q)),
                 direction: way * (1.0 / length),
             });
         };
@@ -310,7 +307,7 @@ impl Best {
             found: Nearest {
                 distance: f64::INFINITY,
                 time: 0.0,
-                edges: (0, 0),
+                features: None,
             },
             limit,
             decides: false,

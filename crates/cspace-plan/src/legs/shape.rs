@@ -5,7 +5,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Edge, Part, Point, Vector};
+use cspace::{Edge, FeatureKind, FeatureName, Part, Point, Vector};
 
 /// A piece of a part's boundary, in the part's own frame.
 #[derive(Debug, Clone, Copy)]
@@ -32,37 +32,56 @@ pub(super) struct Piece {
     /// A disc that holds it.
     pub(super) middle: Point,
     pub(super) reach: f64,
-    /// Its edge, counted through all loops; of a vertex the edge that begins there.
-    pub(super) edge: u32,
+    pub(super) name: FeatureName,
 }
 
 impl Piece {
     /// The vertices and edges of a part, with an offset taken from every point.
     pub(super) fn all(part: &Part, origin: Vector) -> Vec<Self> {
         let mut all = Vec::new();
-        for (edge, e) in (0u32..).zip(part.edges()) {
-            let moved = Edge {
-                start: e.start - origin,
-                end: e.end - origin,
-                ..e
-            };
-            all.push(Self {
-                shape: Shape::Circle {
-                    center: moved.start,
-                    radius: 0.0,
-                    from: 0.0,
-                    sweep: TAU,
-                },
-                middle: moved.start,
-                reach: 0.0,
-                edge,
-            });
-            all.push(Self::of(&moved, edge));
+        for (loop_index, boundary) in (0u32..).zip(part.loops()) {
+            let count = boundary.vertices().len();
+            for e in boundary.edges() {
+                let moved = Edge {
+                    start: e.start - origin,
+                    end: e.end - origin,
+                    ..e
+                };
+                let name = |kind, index: usize| FeatureName {
+                    kind,
+                    loop_index,
+                    index: index as u32,
+                };
+                let begins = if boundary.is_reversed() {
+                    (e.index + 1) % count
+                } else {
+                    e.index
+                };
+                let kind = if e.is_line() {
+                    FeatureKind::Line
+                } else if e.bulge > 0.0 {
+                    FeatureKind::ConvexArc
+                } else {
+                    FeatureKind::ConcaveArc
+                };
+                all.push(Self {
+                    shape: Shape::Circle {
+                        center: moved.start,
+                        radius: 0.0,
+                        from: 0.0,
+                        sweep: TAU,
+                    },
+                    middle: moved.start,
+                    reach: 0.0,
+                    name: name(FeatureKind::Vertex, begins),
+                });
+                all.push(Self::of(&moved, name(kind, e.index)));
+            }
         }
         all
     }
 
-    fn of(e: &Edge, edge: u32) -> Self {
+    fn of(e: &Edge, name: FeatureName) -> Self {
         let middle = e.start.midpoint(e.end);
         let chord = e.end - e.start;
         let length = chord.length();
@@ -76,7 +95,7 @@ impl Piece {
                 },
                 middle,
                 reach: 0.5 * length,
-                edge,
+                name,
             };
         }
         let (center, radius, sweep) = (e.center(), e.radius(), e.sweep());
@@ -91,7 +110,7 @@ impl Piece {
             },
             middle: if half { middle } else { center },
             reach: if half { 0.5 * length } else { radius },
-            edge,
+            name,
         }
     }
 }

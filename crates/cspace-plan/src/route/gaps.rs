@@ -9,7 +9,7 @@ use cspace::{AxisMotion, FixedAxesSpace};
 
 use crate::legs::{Coords, Scene};
 
-use super::piece::Piece;
+use super::piece::{Piece, Straight};
 
 /// Free space as gaps between contact curves: over an interval of one coordinate, x here, each is an interval of the other, y.
 #[derive(Debug)]
@@ -37,8 +37,8 @@ pub(crate) struct Through<'a> {
     shift: [f64; 2],
 }
 
-impl Through<'_> {
-    pub(super) fn at(&self, s: f64) -> Coords {
+impl Piece for Through<'_> {
+    fn at(&self, s: f64, _: f64) -> Coords {
         let fraction = self.fractions.0 + (self.fractions.1 - self.fractions.0) * s;
         let (a, b) = self.shares;
         // By the middle of the gap.
@@ -130,7 +130,7 @@ impl<'a> Gaps<'a> {
     }
 
     /// A way from one free configuration to another of the same region, whose end differs from `to` by whole turns.
-    pub(crate) fn way(&self, from: Coords, to: Coords) -> Option<Vec<Piece<'a>>> {
+    pub(crate) fn way(&self, from: Coords, to: Coords) -> Option<Vec<Box<dyn Piece + 'a>>> {
         // What is beyond the extent is free all the way there.
         let inside = |c: Coords| -> Coords {
             core::array::from_fn(|k| {
@@ -150,12 +150,14 @@ impl<'a> Gaps<'a> {
         shift[self.x] = TAU * f64::from(turned.0 - goal_turns.0);
         shift[1 - self.x] = TAU * f64::from(turned.1 - goal_turns.1);
         let moved = |c: Coords| -> Coords { core::array::from_fn(|k| c[k] + shift[k]) };
-        let mut pieces = vec![Piece::Straight { from, to: first }];
-        pieces.extend(walk.into_iter().map(Piece::Gap));
-        pieces.push(Piece::Straight {
+        let mut pieces: Vec<Box<dyn Piece + 'a>> = vec![Box::new(Straight { from, to: first })];
+        for through in walk {
+            pieces.push(Box::new(through));
+        }
+        pieces.push(Box::new(Straight {
             from: moved(last),
             to: moved(to),
-        });
+        }));
         Some(pieces)
     }
 
@@ -210,7 +212,7 @@ impl<'a> Gaps<'a> {
                 shares: (a.1, b.1),
                 shift: [0.0; 2],
             }
-            .at(s)
+            .at(s, 1.0)
         };
         let places = [0.0, 0.5, 1.0].map(through);
         (places.windows(2))

@@ -13,19 +13,19 @@ const KEPT: f64 = 0.1;
 
 /// The configurations between which all legs are free, from the start of the first piece to the end of the last. `None` if
 /// there is no such path to rounding.
-pub(crate) fn join(scene: &Scene, pieces: &[Piece<'_>]) -> Option<Vec<Coords>> {
+pub(crate) fn join(scene: &Scene, pieces: &[Box<dyn Piece + '_>]) -> Option<Vec<Coords>> {
     let joiner = Joiner { scene };
     let (first, last) = (pieces.first()?, pieces.last()?);
     let mut path = vec![first.at(0.0, 1.0)];
     let mut begins = 0.0;
     for pair in pieces.windows(2) {
-        let (a, b) = (&pair[0], &pair[1]);
+        let (a, b) = (pair[0].as_ref(), pair[1].as_ref());
         let (margin, bridge) = joiner.across(a, b)?;
         joiner.within(a, (begins, 1.0 - margin), &mut path, HALVINGS)?;
         path.extend(bridge);
         begins = margin;
     }
-    joiner.within(last, (begins, 1.0), &mut path, HALVINGS)?;
+    joiner.within(last.as_ref(), (begins, 1.0), &mut path, HALVINGS)?;
     path.dedup();
     Some(path)
 }
@@ -41,7 +41,7 @@ impl Joiner<'_> {
     }
 
     /// From near the end of one piece to near the start of the next: how near, and the configurations up to there.
-    fn across(&self, a: &Piece<'_>, b: &Piece<'_>) -> Option<(f64, Vec<Coords>)> {
+    fn across(&self, a: &dyn Piece, b: &dyn Piece) -> Option<(f64, Vec<Coords>)> {
         let mut margin = 0.5;
         for _ in 0..HALVINGS {
             if let Some(bridge) = self.bridge((a, 1.0 - margin), (b, margin)) {
@@ -53,7 +53,7 @@ impl Joiner<'_> {
     }
 
     /// From one place to another, down to some height, across, and up again.
-    fn bridge(&self, (a, s): (&Piece<'_>, f64), (b, t): (&Piece<'_>, f64)) -> Option<Vec<Coords>> {
+    fn bridge(&self, (a, s): (&dyn Piece, f64), (b, t): (&dyn Piece, f64)) -> Option<Vec<Coords>> {
         HEIGHTS.iter().find_map(|&height| {
             let ends = (a.at(s, height), b.at(t, height));
             let way = [a.at(s, 1.0), ends.0, ends.1, b.at(t, 1.0)];
@@ -65,7 +65,7 @@ impl Joiner<'_> {
     /// Adds the way along a piece between two places; it is at the first of them.
     fn within(
         &self,
-        piece: &Piece<'_>,
+        piece: &dyn Piece,
         (s, t): (f64, f64),
         path: &mut Vec<Coords>,
         left: u32,

@@ -6,17 +6,19 @@
 //!           ╰──╯          the space, so the straight way comes back through each surface it enters.
 //! ```
 //!
-//! `surface.rs` finds the way along S over patches and links, `piece.rs` says where it goes, a little off the surface, and
-//! `join.rs` makes legs of it. Pairs with fixed axes have gaps instead of surfaces (`gaps.rs`).
+//! `surfaces.rs` finds the surfaces in the way, `surface.rs` the way along one over patches and links, `above.rs` says where that
+//! goes, a little off the surface, and `join.rs` makes legs of it. Pairs with fixed axes have gaps instead of surfaces (`gaps.rs`).
 
+mod above;
 mod gaps;
 mod join;
-mod lift;
 mod piece;
 mod planar;
+mod station;
 mod surface;
+mod surfaces;
 
 pub(crate) use gaps::Gaps;
 pub(crate) use join::join;
-pub(crate) use lift::off_contact;
+pub(crate) use piece::{Piece, along};
 pub(crate) use planar::Planar;

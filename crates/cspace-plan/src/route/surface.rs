@@ -4,12 +4,12 @@ use core::cmp::Ordering;
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BinaryHeap};
 
-use cspace::{CurveGeometry, Point};
+use cspace::Point;
 
 use crate::legs::Coords;
 
-use super::piece::{Across, Station, share_of};
 use super::planar::Planar;
+use super::station::{Across, Station, share_of};
 
 /// Links are passed this share of their length away from their ends.
 const MARGIN: f64 = 0.25;
@@ -47,11 +47,6 @@ impl Ord for Open {
 }
 
 impl Planar<'_> {
-    /// The contact curve of a patch at an orientation in its numbering.
-    pub(super) fn curve(&self, patch: u32, theta: f64) -> Option<CurveGeometry> {
-        self.space().curve_at(patch, theta)
-    }
-
     /// The configuration at a station.
     fn place(&self, patch: u32, at: Station, turn: f64) -> Coords {
         let p = self

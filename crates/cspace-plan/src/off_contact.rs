@@ -1,0 +1,57 @@
+//! Off a contact, into free space.
+
+use cspace::{Coordinates, PairSpace, QueryError};
+
+use crate::legs::{Coords, Near, Scene};
+use crate::push::rise;
+
+/// Steps are at most this share of the parts' size.
+const LONGEST: f64 = 0.25;
+/// And are halved at most so often: below lies what rounding does to contacts.
+const HALVINGS: u32 = 44;
+/// Contacts within so many resolutions are left together.
+const TOUCHING: f64 = 8.0;
+/// The leg is tested from this share of it on; before, it goes where all contact functions grow.
+const FIRST: f64 = 1e-3;
+
+/// A free configuration near one in contact, with the leg between them free but for its start. `None` if there is none nearby:
+/// the contacts leave no room, to the resolution.
+pub(crate) fn off_contact(
+    space: &PairSpace,
+    scene: &Scene,
+    at: Coordinates,
+) -> Result<Option<Coords>, QueryError> {
+    let resolution = space.resolution();
+    let numbers = scene.numbers(at)?;
+    let mut touching = Vec::new();
+    for (patch, _) in space.contacts(at, TOUCHING * resolution)? {
+        let patch = space.patch(patch)?;
+        let value = patch.contact()?.evaluate(at)?;
+        let (fixed, moving) = patch.features()?;
+        // All begin at no distance: where they lead is a matter of their gradients.
+        touching.push(Near::growing(value.gradient, (fixed.name, moving.name)));
+    }
+    let Some(direction) = rise(&touching, scene.levers(), None, 1.0) else {
+        return Ok(None);
+    };
+    let mut step = LONGEST * scene.size();
+    let mut best: Option<(f64, Coords)> = None;
+    for _ in 0..HALVINGS {
+        let ahead = |share: f64| -> Coords {
+            scene.within_limits(core::array::from_fn(|k| {
+                numbers[k] + direction[k] * step * share
+            }))
+        };
+        let to = ahead(1.0);
+        let clearance = scene.clearance(to);
+        if best.is_none_or(|b| clearance > b.0)
+            && clearance > 2.0 * TOUCHING * resolution
+            && scene.is_apart(ahead(FIRST), to, 0.1 * FIRST * clearance)
+            && !scene.overlaps(to)
+        {
+            best = Some((clearance, to));
+        }
+        step *= 0.5;
+    }
+    Ok(best.map(|b| b.1))
+}

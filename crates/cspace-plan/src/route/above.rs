@@ -1,0 +1,82 @@
+//! Above a patch: a little off the surface of the contact space, in free space.
+
+use cspace::Vector;
+
+use crate::legs::Coords;
+
+use super::piece::Piece;
+use super::planar::Planar;
+use super::station::{Across, Station};
+
+/// The clearance above a patch is at least this share of the height.
+const KEPT: f64 = 0.9;
+/// Heights are at most this share of the parts' size.
+const HIGHEST: f64 = 0.25;
+/// And are halved at most so often: below lies what rounding does to contacts.
+const HALVINGS: u32 = 44;
+
+/// A way above a patch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Above<'a> {
+    pub(super) planar: &'a Planar<'a>,
+    pub(super) across: Across,
+}
+
+impl Piece for Above<'_> {
+    fn at(&self, s: f64, height: f64) -> Coords {
+        self.lifted(self.station(s), height)
+    }
+}
+
+impl Above<'_> {
+    /// From the entry to the middle of the patch and to the exit: the edges of a patch are places where little is free.
+    fn station(&self, s: f64) -> Station {
+        /// The middle keeps this share of the orientations away from both ends.
+        const MARGIN: f64 = 0.1;
+        let patch = &self.planar.space().patches()[self.across.patch as usize];
+        let Across { entry, exit, .. } = self.across;
+        let margin = MARGIN * (patch.hi - patch.lo);
+        let middle = Station {
+            theta: (0.5 * (entry.theta + exit.theta)).clamp(patch.lo + margin, patch.hi - margin),
+            share: 0.5,
+        };
+        let (a, b, t) = if s <= 0.5 {
+            (entry, middle, 2.0 * s)
+        } else {
+            (middle, exit, 2.0 * s - 1.0)
+        };
+        Station {
+            theta: a.theta + (b.theta - a.theta) * t,
+            share: a.share + (b.share - a.share) * t,
+        }
+    }
+
+    /// The configuration above a station: along the normal, as high as the patch itself stays the nearest contact, times a
+    /// share.
+    fn lifted(&self, station: Station, share: f64) -> Coords {
+        let theta = station.theta + self.across.turn;
+        let Some(curve) = self.planar.curve(self.across.patch, station.theta) else {
+            return [f64::NAN; 3];
+        };
+        let (p, normal) = (
+            curve.point(station.share),
+            curve.free_normal(station.share),
+        );
+        let above = |h: f64| [p.x + normal.x * h, p.y + normal.y * h, theta];
+        above(share * self.height(normal, above))
+    }
+
+    fn height(&self, normal: Vector, above: impl Fn(f64) -> Coords) -> f64 {
+        if normal == Vector::ZERO {
+            return 0.0;
+        }
+        let mut height = HIGHEST * self.planar.scene.size();
+        for _ in 0..HALVINGS {
+            if self.planar.scene.clearance(above(height)) >= KEPT * height {
+                return height;
+            }
+            height *= 0.5;
+        }
+        height
+    }
+}
