@@ -69,14 +69,17 @@ pub struct Planner<'a> {
 
 #[derive(Debug)]
 enum Ways<'a> {
-    Planar(Planar<'a>),
+    Planar(Box<Planar<'a>>),
     Axes(Gaps<'a>),
 }
 
 /// Where a path begins or ends.
 enum End {
     /// In a region; a configuration in contact is left by a leg.
-    Free { region: RegionId, leg: Option<Coords> },
+    Free {
+        region: RegionId,
+        leg: Option<Coords>,
+    },
     Blocked,
 }
 
@@ -88,7 +91,7 @@ impl<'a> Planner<'a> {
     pub fn new(space: &'a PairSpace) -> Result<Self, PlanError> {
         let scene = Scene::of(space).map_err(PlanError::Pair)?;
         let ways = match space {
-            PairSpace::Planar(space) => Ways::Planar(Planar::new(space, scene.clone())),
+            PairSpace::Planar(space) => Ways::Planar(Box::new(Planar::new(space, scene.clone()))),
             PairSpace::FixedAxes(space) => Ways::Axes(Gaps::new(space, &scene)),
             PairSpace::Lower(_) => return Err(PlanError::Pair(QueryError::Permanent)),
         };
@@ -123,11 +126,18 @@ impl<'a> Planner<'a> {
         };
         let regions = (region(&start), region(&goal));
         let verdict = match (start, goal) {
-            (End::Blocked, _) => {
-                Verdict::FromBlocked(self.blocked(from).map_err(PlanError::From)?)
-            }
+            (End::Blocked, _) => Verdict::FromBlocked(self.blocked(from).map_err(PlanError::From)?),
             (_, End::Blocked) => Verdict::ToBlocked(self.blocked(to).map_err(PlanError::To)?),
-            (End::Free { region: a, leg: leave }, End::Free { region: b, leg: arrive }) => {
+            (
+                End::Free {
+                    region: a,
+                    leg: leave,
+                },
+                End::Free {
+                    region: b,
+                    leg: arrive,
+                },
+            ) => {
                 if a == b {
                     let from = self.scene.numbers(from).map_err(PlanError::From)?;
                     let to = self.scene.numbers(to).map_err(PlanError::To)?;
@@ -170,7 +180,7 @@ impl<'a> Planner<'a> {
         (to, arrive): (Coords, Option<Coords>),
     ) -> Option<Legs<'_>> {
         /// Places are moved so often for more clearance, by a share that is worth a move.
-        const ROUNDS: usize = 48;
+        const ROUNDS: usize = 10;
         const GAIN: f64 = 0.05;
         let (first, last) = (leave.unwrap_or(from), arrive.unwrap_or(to));
         let between = self.between(first, last)?;
@@ -199,7 +209,11 @@ impl<'a> Planner<'a> {
                 let (shift, ahead) = if lo.is_finite() {
                     let into = |theta: f64| ((lo - theta) / TAU).ceil();
                     let inside = |theta: f64| {
-                        if theta >= lo && theta <= hi { 0.0 } else { into(theta) }
+                        if theta >= lo && theta <= hi {
+                            0.0
+                        } else {
+                            into(theta)
+                        }
                     };
                     (inside(from[2]), inside(to[2]))
                 } else {

@@ -27,7 +27,11 @@ pub(crate) fn rise(
         .iter()
         .map(|n| {
             let g: Coords = core::array::from_fn(|k| {
-                if levers[k] > 0.0 { n.gradient[k] / levers[k] } else { 0.0 }
+                if levers[k] > 0.0 {
+                    n.gradient[k] / levers[k]
+                } else {
+                    0.0
+                }
             });
             let along = normal.map_or(0.0, |t| dot(&g, &t));
             core::array::from_fn(|k| g[k] - normal.map_or(0.0, |t| t[k]) * along)
@@ -50,16 +54,24 @@ pub(crate) fn rise(
         if gain <= RELATIVE * near[first].distance {
             break;
         }
-        let moved = if bend > 0.0 { (gain / bend).min(shares[worst]) } else { shares[worst] };
+        let moved = if bend > 0.0 {
+            (gain / bend).min(shares[worst])
+        } else {
+            shares[worst]
+        };
         shares[best] += moved;
         shares[worst] -= moved;
-        sum = core::array::from_fn(|k| {
-            (0..near.len()).map(|i| shares[i] * gradients[i][k]).sum()
-        });
+        sum = core::array::from_fn(|k| (0..near.len()).map(|i| shares[i] * gradients[i][k]).sum());
     }
     let grows = sum.iter().any(|s| s.abs() > 0.0);
     grows.then(|| {
-        core::array::from_fn(|k| if levers[k] > 0.0 { reach * sum[k] / levers[k] } else { 0.0 })
+        core::array::from_fn(|k| {
+            if levers[k] > 0.0 {
+                reach * sum[k] / levers[k]
+            } else {
+                0.0
+            }
+        })
     })
 }
 

@@ -122,11 +122,18 @@ fn circles(a: (&Placed, &Shape), b: (&Placed, &Shape), half: f64) -> Apart {
     };
     let d = between(a.0.point(p), b.0.point(q), half);
     let angle = d.direction.angle();
-    let sides = |radius: f64| -> &'static [f64] { if radius > 0.0 { &[1.0, -1.0] } else { &[1.0] } };
+    let sides =
+        |radius: f64| -> &'static [f64] { if radius > 0.0 { &[1.0, -1.0] } else { &[1.0] } };
     let mut all = Apart::NONE;
     for &i in sides(r) {
         // The first circle is met in direction i·u from its centre, the second in −j·u.
-        let heading = |sign: f64| if sign > 0.0 { angle } else { angle + core::f64::consts::PI };
+        let heading = |sign: f64| {
+            if sign > 0.0 {
+                angle
+            } else {
+                angle + core::f64::consts::PI
+            }
+        };
         let (never_a, now_a) = if r > 0.0 {
             misses(
                 from_a,

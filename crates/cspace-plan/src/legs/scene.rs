@@ -41,7 +41,8 @@ impl Scene {
                     AxisMotion::Fixed => (0.0, 0.0),
                     _ => axis.range.unwrap_or(NONE),
                 });
-                let mut scene = Self::new(space.fixed(), space.moving(), Some((a.motion, b.motion)));
+                let mut scene =
+                    Self::new(space.fixed(), space.moving(), Some((a.motion, b.motion)));
                 scene.limits = [limits[0], limits[1], (0.0, 0.0)];
                 Ok(scene)
             }
@@ -202,7 +203,7 @@ impl Scene {
         self.search(at, at).at(0.0)
     }
 
-    /// The least distance of the boundaries along a leg, right to a billionth.
+    /// The least distance of the boundaries along a leg, right to a millionth.
     pub fn least(&self, from: Coords, to: Coords) -> Nearest {
         self.search(from, to).least()
     }
@@ -237,7 +238,9 @@ fn origins(motions: Option<(AxisMotion, AxisMotion)>) -> (Vector, Vector) {
         AxisMotion::Revolute { center } => center.to_vector(),
         _ => Vector::ZERO,
     };
-    motions.map_or((Vector::ZERO, Vector::ZERO), |(a, b)| (origin(a), origin(b)))
+    motions.map_or((Vector::ZERO, Vector::ZERO), |(a, b)| {
+        (origin(a), origin(b))
+    })
 }
 
 /// Two pieces that are near each other.

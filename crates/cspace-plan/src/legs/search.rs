@@ -9,7 +9,7 @@ use super::shape::{Shape, beyond};
 use super::tree::{Holds, Node, Tree};
 
 /// A least distance is right to this share of it.
-const RELATIVE: f64 = 1e-9;
+const RELATIVE: f64 = 1e-6;
 /// Distances are rounded by this share of the parts' size.
 const ROUNDING: f64 = 1e-15;
 /// Boundaries nearer than so many roundings touch.
@@ -55,12 +55,7 @@ struct Best {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(
-        fixed: &'a Tree,
-        moving: &'a Tree,
-        poses: (Pose, Pose),
-        size: f64,
-    ) -> Self {
+    pub(super) fn new(fixed: &'a Tree, moving: &'a Tree, poses: (Pose, Pose), size: f64) -> Self {
         Self {
             fixed,
             moving,
@@ -182,11 +177,8 @@ impl<'a> Search<'a> {
             &self.fixed.pieces[pair.0 as usize],
             &self.moving.pieces[pair.1 as usize],
         );
-        let Apart { least, here } = pieces(
-            (&over.fixed, &a.shape),
-            (&over.moving, &b.shape),
-            over.half,
-        );
+        let Apart { least, here } =
+            pieces((&over.fixed, &a.shape), (&over.moving, &b.shape), over.half);
         if here < best.limit {
             let found = Nearest {
                 distance: here,
@@ -251,7 +243,13 @@ impl<'a> Search<'a> {
         };
         // Points of a circle in a direction and against it, where they belong to it.
         let on = |placed: &Placed, shape: &Shape, direction: Vector| -> Vec<Point> {
-            let Shape::Circle { center, radius, from, sweep } = *shape else {
+            let Shape::Circle {
+                center,
+                radius,
+                from,
+                sweep,
+            } = *shape
+            else {
                 return Vec::new();
             };
             let middle = placed.point(center).at;
@@ -278,7 +276,14 @@ impl<'a> Search<'a> {
                     }
                 }
             }
-            (circle @ Shape::Circle { .. }, Shape::Segment { start, along, length }) => {
+            (
+                circle @ Shape::Circle { .. },
+                Shape::Segment {
+                    start,
+                    along,
+                    length,
+                },
+            ) => {
                 let (s, d) = (over.moving.point(*start).at, over.moving.turn * *along);
                 for p in on(&over.fixed, circle, d.left()) {
                     let foot = (p - s).dot(d);
@@ -287,7 +292,14 @@ impl<'a> Search<'a> {
                     }
                 }
             }
-            (Shape::Segment { start, along, length }, circle @ Shape::Circle { .. }) => {
+            (
+                Shape::Segment {
+                    start,
+                    along,
+                    length,
+                },
+                circle @ Shape::Circle { .. },
+            ) => {
                 let (s, d) = (over.fixed.point(*start).at, over.fixed.turn * *along);
                 for q in on(&over.moving, circle, d.left()) {
                     let foot = (q - s).dot(d);

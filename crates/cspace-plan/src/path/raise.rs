@@ -1,4 +1,4 @@
-//! More clearance where a path is narrow.
+//! More clearance along a path.
 
 use crate::legs::{Coords, Near};
 use crate::push::rise;
@@ -8,89 +8,102 @@ use super::legs::Legs;
 
 /// Distances up to so many times the least are looked at: what is farther is not in the way of a step.
 const LOOK: f64 = 3.0;
-/// Steps are made shorter so often before none is found.
-const TRIES: u32 = 14;
-/// A place this near to the end of a leg, as a share of it, is its end.
-const AT_END: f64 = 1e-3;
+/// A leg keeps this share of the clearance at its ends while places are moved.
+const KEPT: f64 = 0.25;
+/// A leg that has less than this share is divided.
+const DIVIDED: f64 = 0.75;
+/// Steps are made longer by this after one that was taken, and shorter after one that was not.
+const LONGER: f64 = 2.0;
+const SHORTER: f64 = 0.25;
+/// A place is left alone when its steps are shorter than this share of its clearance.
+const SHORTEST: f64 = 1e-3;
+/// A path is divided into no more places.
+const MOST: usize = 256;
+
+/// A place of a path that is moved.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    at: Coords,
+    clearance: f64,
+    /// How far it is moved at most.
+    reach: f64,
+    /// Whether it, or one beside it, was moved since it was looked at.
+    open: bool,
+}
 
 impl Legs<'_> {
-    /// Moves the path where it is narrowest, across its direction, until no place that is the narrowest of its leg can be moved for
-    /// a share `gain` more, or so many places were moved.
+    /// Moves all places across the path, towards more clearance, so many times or until none gains a share `gain`; legs that
+    /// come nearer than their ends are divided.
     pub(crate) fn raise(&mut self, rounds: usize, gain: f64) {
-        let mut done = vec![false; self.narrowest.len()];
-        let mut reach = self.scene.size();
-        for _ in 0..rounds {
-            let open = (0..self.narrowest.len()).filter(|&leg| !done[leg]);
-            let narrowest = |&leg: &usize| self.narrowest[leg].distance;
-            let Some(leg) = open.min_by(|a, b| narrowest(a).total_cmp(&narrowest(b))) else {
-                return;
-            };
-            let time = self.narrowest[leg].time;
-            let last = self.places.len() - 1;
-            let place = if time <= AT_END {
-                leg
-            } else if time >= 1.0 - AT_END {
-                leg + 1
-            } else {
-                let at = along(self.places[leg], self.places[leg + 1], time);
-                self.insert(leg + 1, at);
-                done.insert(leg, false);
-                leg + 1
-            };
-            if place == 0 || place == last && time >= 1.0 - AT_END {
-                // No path from there has more.
-                done[leg] = true;
-                continue;
-            }
-            if self.push(place, &mut reach, gain) {
-                done[place - 1] = false;
-                done[place] = false;
-            } else {
-                done[place - 1] = true;
-                done[place] = true;
-            }
-        }
-    }
-
-    fn insert(&mut self, place: usize, at: Coords) {
-        self.places.insert(place, at);
-        let before = self.scene.least(self.places[place - 1], at);
-        let after = self.scene.least(at, self.places[place + 1]);
-        self.narrowest[place - 1] = before;
-        self.narrowest.insert(place, after);
-    }
-
-    /// Moves a place so that both of its legs have more clearance.
-    fn push(&mut self, place: usize, reach: &mut f64, gain: f64) -> bool {
         let scene = self.scene;
-        let levers = scene.levers();
-        let (before, at, after) = (
-            self.places[place - 1],
-            self.places[place],
-            self.places[place + 1],
-        );
-        let tangent: Coords = core::array::from_fn(|k| after[k] - before[k]);
-        let had = self.narrowest[place - 1]
-            .distance
-            .min(self.narrowest[place].distance);
-        let near: Vec<Near> = scene.near(at, LOOK * scene.clearance(at).max(had));
-        *reach = (4.0 * *reach).min(scene.size());
-        for _ in 0..TRIES {
-            if let Some(step) = rise(&near, levers, Some(tangent), *reach) {
-                let to = scene.within_limits(core::array::from_fn(|k| at[k] + step[k]));
-                let wanted = had * (1.0 + gain);
-                if scene.clearance(to) > wanted
-                    && scene.is_apart(before, to, wanted)
-                    && scene.is_apart(to, after, wanted)
-                {
-                    self.places[place] = to;
-                    self.narrowest[place - 1] = scene.least(before, to);
-                    self.narrowest[place] = scene.least(to, after);
-                    return true;
+        let place = |at: Coords| Place {
+            at,
+            clearance: scene.clearance(at),
+            reach: scene.size(),
+            open: true,
+        };
+        let mut places: Vec<Place> = self.places.iter().copied().map(place).collect();
+        for _ in 0..rounds {
+            let mut moved = false;
+            for i in 1..places.len().saturating_sub(1) {
+                if places[i].open {
+                    moved |= self.push(&mut places, i, gain);
                 }
             }
-            *reach *= 0.25;
+            let mut divided = Vec::with_capacity(places.len());
+            let mut room = MOST.saturating_sub(places.len());
+            for pair in places.windows(2) {
+                divided.push(pair[0]);
+                let least = DIVIDED * pair[0].clearance.min(pair[1].clearance);
+                if room > 0
+                    && (pair[0].open || pair[1].open)
+                    && !scene.is_apart(pair[0].at, pair[1].at, least)
+                {
+                    let mut between = place(along(pair[0].at, pair[1].at, 0.5));
+                    between.reach = pair[0].reach.min(pair[1].reach).max(between.clearance);
+                    divided.push(between);
+                    room -= 1;
+                    moved = true;
+                }
+            }
+            divided.extend(places.last());
+            places = divided;
+            if !moved {
+                break;
+            }
         }
-        false
+        *self = Self::new(scene, places.into_iter().map(|p| p.at).collect());
+    }
+
+    /// Moves one place.
+    fn push(&self, places: &mut [Place], i: usize, gain: f64) -> bool {
+        let scene = self.scene;
+        let (before, here, after) = (places[i - 1], places[i], places[i + 1]);
+        let tangent: Coords = core::array::from_fn(|k| after.at[k] - before.at[k]);
+        let near: Vec<Near> = scene.near(here.at, LOOK * here.clearance);
+        let step = rise(&near, scene.levers(), Some(tangent), here.reach);
+        let taken = step.and_then(|step| {
+            let to = scene.within_limits(core::array::from_fn(|k| here.at[k] + step[k]));
+            let clearance = scene.clearance(to);
+            let free = |beside: &Place| {
+                scene.is_apart(beside.at, to, KEPT * clearance.min(beside.clearance))
+            };
+            (clearance > here.clearance * (1.0 + gain) && free(&before) && free(&after))
+                .then_some((to, clearance))
+        });
+        if let Some((to, clearance)) = taken {
+            places[i].at = to;
+            places[i].clearance = clearance;
+            places[i].reach *= LONGER;
+            places[i - 1].open = true;
+            places[i + 1].open = true;
+        } else {
+            places[i].reach *= SHORTER;
+            if here.reach < SHORTEST * here.clearance {
+                places[i].open = false;
+                places[i].reach = here.clearance;
+            }
+        }
+        true
     }
 }

@@ -58,10 +58,7 @@ impl Above<'_> {
         let Some(curve) = self.planar.curve(self.across.patch, station.theta) else {
             return [f64::NAN; 3];
         };
-        let (p, normal) = (
-            curve.point(station.share),
-            curve.free_normal(station.share),
-        );
+        let (p, normal) = (curve.point(station.share), curve.free_normal(station.share));
         let above = |h: f64| [p.x + normal.x * h, p.y + normal.y * h, theta];
         above(share * self.height(normal, above))
     }

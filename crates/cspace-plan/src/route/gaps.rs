@@ -89,8 +89,9 @@ impl<'a> Gaps<'a> {
             }
         }
         let (a, b) = space.axes();
-        let circle =
-            |axis: cspace::Axis| matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none();
+        let circle = |axis: cspace::Axis| {
+            matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
+        };
         let circles = [circle(a), circle(b)];
         Self {
             gaps,
@@ -103,6 +104,7 @@ impl<'a> Gaps<'a> {
     }
 
     /// Where a configuration is: band, gap, turns of x and y, fraction and share.
+    #[allow(clippy::type_complexity)]
     fn locate(&self, at: Coords) -> Option<(usize, (i32, i32), (f64, f64))> {
         let y = 1 - self.x;
         for (range, (lo, hi)) in &self.bands {
@@ -134,7 +136,12 @@ impl<'a> Gaps<'a> {
         // What is beyond the extent is free all the way there.
         let inside = |c: Coords| -> Coords {
             core::array::from_fn(|k| {
-                let open = k < 2 && !if k == self.x { self.circles.0 } else { self.circles.1 };
+                let open = k < 2
+                    && !if k == self.x {
+                        self.circles.0
+                    } else {
+                        self.circles.1
+                    };
                 if open {
                     c[k].clamp(self.extent[k].0, self.extent[k].1)
                 } else {
@@ -216,7 +223,11 @@ impl<'a> Gaps<'a> {
         };
         let places = [0.0, 0.5, 1.0].map(through);
         (places.windows(2))
-            .map(|w| (0..2).map(|k| self.levers[k] * (w[1][k] - w[0][k]).abs()).sum::<f64>())
+            .map(|w| {
+                (0..2)
+                    .map(|k| self.levers[k] * (w[1][k] - w[0][k]).abs())
+                    .sum::<f64>()
+            })
             .sum()
     }
 
@@ -297,5 +308,5 @@ fn brought(t: f64, (lo, hi): (f64, f64), circle: bool) -> Option<(f64, i32)> {
         return Some((t, 0));
     }
     let turns = ((t - lo) / TAU).floor();
-    turns.is_finite().then(|| (t - TAU * turns, turns as i32))
+    turns.is_finite().then_some((t - TAU * turns, turns as i32))
 }

@@ -26,7 +26,11 @@ pub(super) fn share_of(curve: &CurveGeometry, at: Point) -> f64 {
     let on_chord = |start: Point, end: Point| {
         let way = end - start;
         let share = (at - start).dot(way) / way.length_squared();
-        if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }
+        if share.is_finite() {
+            share.clamp(0.0, 1.0)
+        } else {
+            0.0
+        }
     };
     match *curve {
         CurveGeometry::Arc {

@@ -131,9 +131,14 @@ impl Planar<'_> {
         let space = self.space();
         let mut side = |next: u32, (lo, hi): (f64, f64), (leave, enter): (f64, f64)| {
             let lo = self.brought(patch, lo);
-            let hi = lo + (hi - lo).min(space.patches()[patch as usize].hi - lo).max(0.0);
+            let hi = lo
+                + (hi - lo)
+                    .min(space.patches()[patch as usize].hi - lo)
+                    .max(0.0);
             let margin = MARGIN * (hi - lo);
-            let theta = from.theta.clamp(lo + margin, (hi - margin).max(lo + margin));
+            let theta = from
+                .theta
+                .clamp(lo + margin, (hi - margin).max(lo + margin));
             let there = self.brought(next, theta);
             with(
                 next,

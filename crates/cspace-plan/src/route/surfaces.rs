@@ -23,8 +23,8 @@ impl Planar<'_> {
             c
         };
         let mut next = 0;
-        while let Some((k, &(hit, patch, _))) = (crossings.iter().enumerate().skip(next))
-            .find(|(_, c)| c.2)
+        while let Some((k, &(hit, patch, _))) =
+            (crossings.iter().enumerate().skip(next)).find(|(_, c)| c.2)
         {
             let surface = self.component[patch as usize];
             let (last, &(leaves, exit, _)) = (crossings.iter().enumerate().skip(k + 1))
@@ -39,7 +39,10 @@ impl Planar<'_> {
             // The walk may have gone around: orientations go on from where it ends.
             turn = walk.last()?.turn - goal.1;
             for across in walk {
-                pieces.push(Box::new(Above { planar: self, across }));
+                pieces.push(Box::new(Above {
+                    planar: self,
+                    across,
+                }));
             }
             time = leaves;
             next = last + 1;
