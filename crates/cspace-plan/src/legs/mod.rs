@@ -5,11 +5,13 @@
 //! alone, and nothing of their contact space: a path that it passes is free whatever the space says.
 
 mod apart;
+mod near;
 mod pose;
 mod scene;
 mod search;
 mod shape;
 mod tree;
 
-pub use scene::{Coords, Near, Scene};
+pub use near::{Coords, Near};
+pub use scene::Scene;
 pub use search::Nearest;

@@ -3,8 +3,8 @@
 use cspace::{FeatureName, Point, Vector};
 
 use super::apart::{Apart, discs, pieces};
+use super::near::Near;
 use super::pose::{Placed, Pose};
-use super::scene::Near;
 use super::shape::{Shape, beyond};
 use super::tree::{Holds, Node, Tree};
 
