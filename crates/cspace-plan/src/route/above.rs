@@ -10,6 +10,8 @@ use super::station::{Across, Station};
 
 /// The clearance above a patch is at least this share of the height.
 const KEPT: f64 = 0.9;
+/// The way up is tested from this share of the height on; below, it leaves the patch alone.
+const FIRST: f64 = 1e-3;
 /// Heights are at most this share of the parts' size.
 const HIGHEST: f64 = 0.25;
 /// And are halved at most so often: below lies what rounding does to contacts.
@@ -68,8 +70,13 @@ impl Above<'_> {
             return 0.0;
         }
         let mut height = HIGHEST * self.planar.scene.size();
+        let scene = &self.planar.scene;
         for _ in 0..HALVINGS {
-            if self.planar.scene.clearance(above(height)) >= KEPT * height {
+            let (low, high) = (above(FIRST * height), above(height));
+            // Distances have no sign: on the way up nothing is passed through.
+            if scene.clearance(high) >= KEPT * height
+                && scene.is_apart(low, high, 0.5 * FIRST * height)
+            {
                 return height;
             }
             height *= 0.5;
