@@ -10,12 +10,10 @@ use super::station::{Across, Station};
 
 /// The clearance above a patch is at least this share of the height.
 const KEPT: f64 = 0.9;
-/// The way up is tested from this share of the height on; below, it leaves the patch alone.
-const FIRST: f64 = 1e-3;
 /// Heights are at most this share of the parts' size.
 const HIGHEST: f64 = 0.25;
-/// And are halved at most so often: below lies what rounding does to contacts.
-const HALVINGS: u32 = 44;
+/// And at least this share: below lies what rounding does to contacts.
+const LOWEST: f64 = 1e-14;
 
 /// A way above a patch.
 #[derive(Debug, Clone, Copy)]
@@ -65,21 +63,20 @@ impl Above<'_> {
         above(share * self.height(normal, above))
     }
 
+    /// Goes up by the clearance there is, which passes through nothing: distances have no sign.
     fn height(&self, normal: Vector, above: impl Fn(f64) -> Coords) -> f64 {
         if normal == Vector::ZERO {
             return 0.0;
         }
-        let mut height = HIGHEST * self.planar.scene.size();
         let scene = &self.planar.scene;
-        for _ in 0..HALVINGS {
-            let (low, high) = (above(FIRST * height), above(height));
-            // Distances have no sign: on the way up nothing is passed through.
-            if scene.clearance(high) >= KEPT * height
-                && scene.is_apart(low, high, 0.5 * FIRST * height)
-            {
-                return height;
+        let (lowest, highest) = (LOWEST * scene.size(), HIGHEST * scene.size());
+        let mut height = lowest;
+        while height < highest {
+            let next = height * (1.0 + KEPT);
+            if scene.clearance(above(next)) < KEPT * next {
+                break;
             }
-            height *= 0.5;
+            height = next;
         }
         height
     }
