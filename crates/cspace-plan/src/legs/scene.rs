@@ -1,6 +1,6 @@
 //! Two parts with their motions, to be asked for distances.
 
-use cspace::{AxisMotion, Configuration, Coordinates, PairSpace, Part, Point, QueryError, Vector};
+use cspace::{AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError, Vector};
 
 use super::near::{Coords, Near};
 use super::pose::Pose;
@@ -197,6 +197,15 @@ impl Scene {
     /// The same, with the edges that are nearest.
     pub fn nearest(&self, at: Coords) -> Nearest {
         self.search(at, at).at(0.0)
+    }
+
+    /// The nearest edges but for two that are passed over.
+    pub(crate) fn nearest_but(
+        &self,
+        at: Coords,
+        passed: Option<(FeatureName, FeatureName)>,
+    ) -> Nearest {
+        self.search(at, at).at_but(0.0, passed)
     }
 
     /// The least distance of the boundaries along a leg, right to a millionth.

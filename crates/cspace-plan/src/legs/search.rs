@@ -52,6 +52,8 @@ struct Best {
     /// Whether anything less than the limit ends the search.
     decides: bool,
     ended: bool,
+    /// Features that are passed over.
+    passed: Option<(FeatureName, FeatureName)>,
 }
 
 impl<'a> Search<'a> {
@@ -96,7 +98,19 @@ impl<'a> Search<'a> {
 
     /// The distance at one time.
     pub(super) fn at(&self, time: f64) -> Nearest {
-        let mut best = Best::least(f64::INFINITY);
+        self.at_but(time, None)
+    }
+
+    /// The distance at one time, but for two features that are passed over.
+    pub(super) fn at_but(
+        &self,
+        time: f64,
+        passed: Option<(FeatureName, FeatureName)>,
+    ) -> Nearest {
+        let mut best = Best {
+            passed,
+            ..Best::least(f64::INFINITY)
+        };
         let over = self.over(time, time);
         self.visit(&over, self.roots(), &mut best);
         best.found
@@ -177,6 +191,9 @@ impl<'a> Search<'a> {
             &self.fixed.pieces[pair.0 as usize],
             &self.moving.pieces[pair.1 as usize],
         );
+        if best.passed == Some((a.name, b.name)) {
+            return;
+        }
         let Apart { least, here } =
             pieces((&over.fixed, &a.shape), (&over.moving, &b.shape), over.half);
         if here < best.limit {
@@ -324,6 +341,7 @@ impl Best {
             limit,
             decides: false,
             ended: false,
+            passed: None,
         }
     }
 

@@ -6,17 +6,17 @@ use crate::route::along;
 
 use super::legs::Legs;
 
-/// Distances up to so many times the least are looked at: what is farther is not in the way of a step.
-const LOOK: f64 = 3.0;
 /// A leg keeps this share of the clearance at its ends while places are moved.
 const KEPT: f64 = 0.25;
 /// A leg that has less than this share is divided.
 const DIVIDED: f64 = 0.75;
 /// Steps are made longer by this after one that was taken, and shorter after one that was not.
-const LONGER: f64 = 2.0;
+const LONGER: f64 = 4.0;
 const SHORTER: f64 = 0.25;
-/// A place is left alone when its steps are shorter than this share of its clearance.
-const SHORTEST: f64 = 1e-3;
+/// So many lengths of a step are tried at once.
+const TRIED: usize = 8;
+/// A first step is at most this share of the parts' size.
+const FIRST: f64 = 0.1;
 /// A path is divided into no more places.
 const MOST: usize = 256;
 
@@ -39,7 +39,7 @@ impl Legs<'_> {
         let place = |at: Coords| Place {
             at,
             clearance: scene.clearance(at),
-            reach: scene.size(),
+            reach: FIRST * scene.size(),
             open: true,
         };
         let mut places: Vec<Place> = self.places.iter().copied().map(place).collect();
@@ -80,30 +80,30 @@ impl Legs<'_> {
         let scene = self.scene;
         let (before, here, after) = (places[i - 1], places[i], places[i + 1]);
         let tangent: Coords = core::array::from_fn(|k| after.at[k] - before.at[k]);
-        let near: Vec<Near> = scene.near(here.at, LOOK * here.clearance);
-        let step = rise(&near, scene.levers(), Some(tangent), here.reach);
-        let taken = step.and_then(|step| {
+        let mut reach = here.reach;
+        for _ in 0..TRIED {
+            // A step changes distances by its length at most: what is farther does not become the nearest.
+            let near: Vec<Near> = scene.near(here.at, here.clearance + 2.0 * reach);
+            let Some(step) = rise(&near, scene.levers(), Some(tangent), reach) else {
+                break;
+            };
             let to = scene.within_limits(core::array::from_fn(|k| here.at[k] + step[k]));
             let clearance = scene.clearance(to);
             let free = |beside: &Place| {
                 scene.is_apart(beside.at, to, KEPT * clearance.min(beside.clearance))
             };
-            (clearance > here.clearance * (1.0 + gain) && free(&before) && free(&after))
-                .then_some((to, clearance))
-        });
-        if let Some((to, clearance)) = taken {
-            places[i].at = to;
-            places[i].clearance = clearance;
-            places[i].reach *= LONGER;
-            places[i - 1].open = true;
-            places[i + 1].open = true;
-        } else {
-            places[i].reach *= SHORTER;
-            if here.reach < SHORTEST * here.clearance {
-                places[i].open = false;
-                places[i].reach = here.clearance;
+            if clearance > here.clearance * (1.0 + gain) && free(&before) && free(&after) {
+                places[i].at = to;
+                places[i].clearance = clearance;
+                places[i].reach = reach * LONGER;
+                places[i - 1].open = true;
+                places[i + 1].open = true;
+                return true;
             }
+            reach *= SHORTER;
         }
-        true
+        places[i].open = false;
+        places[i].reach = here.clearance;
+        false
     }
 }

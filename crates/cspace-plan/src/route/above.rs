@@ -4,7 +4,7 @@ use cspace::Vector;
 
 use crate::legs::Coords;
 
-use super::piece::Piece;
+use super::piece::{Lifted, Piece};
 use super::planar::Planar;
 use super::station::{Across, Station};
 
@@ -23,8 +23,8 @@ pub(super) struct Above<'a> {
 }
 
 impl Piece for Above<'_> {
-    fn at(&self, s: f64, height: f64) -> Coords {
-        self.lifted(self.station(s), height)
+    fn at(&self, s: f64) -> Lifted {
+        self.lifted(self.station(s))
     }
 }
 
@@ -51,16 +51,22 @@ impl Above<'_> {
         }
     }
 
-    /// The configuration above a station: along the normal, as high as the patch itself stays the nearest contact, times a
-    /// share.
-    fn lifted(&self, station: Station, share: f64) -> Coords {
+    /// The configuration above a station: along the normal, as high as the patch itself stays the nearest contact.
+    fn lifted(&self, station: Station) -> Lifted {
         let theta = station.theta + self.across.turn;
         let Some(curve) = self.planar.curve(self.across.patch, station.theta) else {
-            return [f64::NAN; 3];
+            let nowhere = [f64::NAN; 3];
+            return Lifted {
+                low: nowhere,
+                high: nowhere,
+            };
         };
         let (p, normal) = (curve.point(station.share), curve.free_normal(station.share));
         let above = |h: f64| [p.x + normal.x * h, p.y + normal.y * h, theta];
-        above(share * self.height(normal, above))
+        Lifted {
+            low: above(0.0),
+            high: above(self.height(normal, above)),
+        }
     }
 
     /// Goes up by the clearance there is, which passes through nothing: distances have no sign.
@@ -70,9 +76,11 @@ impl Above<'_> {
         }
         let scene = &self.planar.scene;
         let (lowest, highest) = (LOWEST * scene.size(), HIGHEST * scene.size());
-        let mut height = lowest;
+        // Half way to what else is there, this contact is the nearest.
+        let others = scene.nearest_but(above(0.0), self.planar.features(self.across.patch));
+        let mut height = (0.5 * KEPT * others.distance).clamp(lowest, highest);
         while height < highest {
-            let next = height * (1.0 + KEPT);
+            let next = (height * (1.0 + KEPT)).min(highest);
             if scene.clearance(above(next)) < KEPT * next {
                 break;
             }

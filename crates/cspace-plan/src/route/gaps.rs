@@ -9,7 +9,7 @@ use cspace::{AxisMotion, FixedAxesSpace};
 
 use crate::legs::{Coords, Scene};
 
-use super::piece::{Piece, Straight};
+use super::piece::{Lifted, Piece, Straight};
 
 /// Free space as gaps between contact curves: over an interval of one coordinate, x here, each is an interval of the other, y.
 #[derive(Debug)]
@@ -38,7 +38,14 @@ pub(crate) struct Through<'a> {
 }
 
 impl Piece for Through<'_> {
-    fn at(&self, s: f64, _: f64) -> Coords {
+    fn at(&self, s: f64) -> Lifted {
+        let at = self.place(s);
+        Lifted { low: at, high: at }
+    }
+}
+
+impl Through<'_> {
+    fn place(&self, s: f64) -> Coords {
         let fraction = self.fractions.0 + (self.fractions.1 - self.fractions.0) * s;
         let (a, b) = self.shares;
         // By the middle of the gap.
@@ -219,7 +226,7 @@ impl<'a> Gaps<'a> {
                 shares: (a.1, b.1),
                 shift: [0.0; 2],
             }
-            .at(s, 1.0)
+            .place(s)
         };
         let places = [0.0, 0.5, 1.0].map(through);
         (places.windows(2))

@@ -16,7 +16,7 @@ const KEPT: f64 = 0.1;
 pub(crate) fn join(scene: &Scene, pieces: &[Box<dyn Piece + '_>]) -> Option<Vec<Coords>> {
     let joiner = Joiner { scene };
     let (first, last) = (pieces.first()?, pieces.last()?);
-    let mut path = vec![first.at(0.0, 1.0)];
+    let mut path = vec![first.at(0.0).at(1.0)];
     let mut begins = 0.0;
     for pair in pieces.windows(2) {
         let (a, b) = (pair[0].as_ref(), pair[1].as_ref());
@@ -54,9 +54,9 @@ impl Joiner<'_> {
 
     /// From one place to another, down to some height, across, and up again.
     fn bridge(&self, (a, s): (&dyn Piece, f64), (b, t): (&dyn Piece, f64)) -> Option<Vec<Coords>> {
+        let (from, to) = (a.at(s), b.at(t));
         HEIGHTS.iter().find_map(|&height| {
-            let ends = (a.at(s, height), b.at(t, height));
-            let way = [a.at(s, 1.0), ends.0, ends.1, b.at(t, 1.0)];
+            let way = [from.at(1.0), from.at(height), to.at(height), to.at(1.0)];
             let free = (way.windows(2)).all(|leg| leg[0] == leg[1] || self.is_free(leg[0], leg[1]));
             free.then(|| way[1..].to_vec())
         })

@@ -4,9 +4,28 @@ use crate::legs::Coords;
 
 /// A piece of a way, run through by a parameter from 0 to 1.
 pub(crate) trait Piece {
-    /// The configuration at a parameter. A piece along a surface keeps off it, as far as there is room, times a share of that
-    /// height.
-    fn at(&self, s: f64, height: f64) -> Coords;
+    /// The place at a parameter.
+    fn at(&self, s: f64) -> Lifted;
+}
+
+/// A place of a way. One on a surface is lifted off it, as far as there is room.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Lifted {
+    /// On the surface.
+    pub(super) low: Coords,
+    /// Off it.
+    pub(super) high: Coords,
+}
+
+impl Lifted {
+    /// The configuration at a share of the height.
+    pub(crate) fn at(&self, height: f64) -> Coords {
+        if height == 1.0 {
+            self.high
+        } else {
+            along(self.low, self.high, height)
+        }
+    }
 }
 
 /// A straight piece.
@@ -17,8 +36,9 @@ pub(super) struct Straight {
 }
 
 impl Piece for Straight {
-    fn at(&self, s: f64, _: f64) -> Coords {
-        along(self.from, self.to, s)
+    fn at(&self, s: f64) -> Lifted {
+        let at = along(self.from, self.to, s);
+        Lifted { low: at, high: at }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{ContactSpace, CurveGeometry, Point};
+use cspace::{ContactSpace, CurveGeometry, FeatureName, Point};
 
 use crate::legs::{Coords, Scene};
 
@@ -43,6 +43,12 @@ impl<'a> Planar<'a> {
 
     pub(super) fn space(&self) -> &'a ContactSpace {
         self.space
+    }
+
+    /// The features of a patch, of the fixed and of the moving part.
+    pub(super) fn features(&self, patch: u32) -> Option<(FeatureName, FeatureName)> {
+        let p = self.space.patches().get(patch as usize)?;
+        Some((p.fixed, p.moving))
     }
 
     /// Where a configuration is on a patch, and by how much its orientation is more than the patch counts it.
