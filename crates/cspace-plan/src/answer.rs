@@ -10,6 +10,17 @@ pub struct Answer {
     pub verdict: Verdict,
     /// The free regions of start and goal; none where the parts overlap.
     pub regions: (Option<RegionId>, Option<RegionId>),
+    /// Where the widest way is narrowest, if it was asked for and there is a way.
+    pub bottleneck: Option<Bottleneck>,
+}
+
+/// Where the widest way is narrowest.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Bottleneck {
+    /// Where that is.
+    pub narrow: Narrow,
+    /// No way has more clearance than this, in the model's unit of length.
+    pub most: f64,
 }
 
 /// Whether there is a way.
@@ -19,6 +30,8 @@ pub enum Verdict {
     Path(Path),
     /// There is none: start and goal are in different free regions.
     NoPath(Enclosed),
+    /// There is none with the clearance that was asked for; the [`Answer::bottleneck`] says why.
+    TooNarrow,
     /// The parts overlap at the start.
     FromBlocked(Blocked),
     /// The parts overlap at the goal.

@@ -11,6 +11,8 @@ mod path;
 mod planner;
 mod push;
 mod route;
+mod widest;
 
-pub use answer::{Answer, Blocked, Enclosed, Narrow, Path, Verdict};
-pub use planner::{PlanError, Planner, Wishes};
+pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
+pub use planner::{Clearance, PlanError, Planner, Wishes};
+pub use widest::grown;

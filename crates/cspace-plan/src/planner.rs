@@ -3,13 +3,17 @@
 use core::f64::consts::TAU;
 use std::collections::BTreeSet;
 
-use cspace::{Coordinates, FeatureName, Location, Metric, PairSpace, QueryError, RegionId};
+use cspace::{
+    ComputeError, Coordinates, FeatureName, Location, Metric, PairError, PairSpace, Progress,
+    QueryError, RegionId, Stage,
+};
 
-use crate::answer::{Answer, Blocked, Enclosed, Narrow, Path, Verdict};
+use crate::answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
 use crate::legs::{Coords, Scene};
 use crate::off_contact::off_contact;
 use crate::path::{Legs, divided};
 use crate::route::{Gaps, Piece, Planar, join};
+use crate::widest::{Until, Wider, widen};
 
 /// Why a question has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -24,11 +28,50 @@ pub enum PlanError {
     /// The pair cannot be asked.
     #[error(transparent)]
     Pair(QueryError),
+    /// The pair with the moving part grown cannot be computed, or the computation was interrupted.
+    #[error("the pair with the moving part grown: {0}")]
+    Grown(#[from] PairError),
+}
+
+/// How much clearance a path is to have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Clearance {
+    /// As much as is found without growing the moving part: often half of what is possible, or more.
+    Quick,
+    /// At least half of what is possible.
+    Half,
+    /// At least so much, in the model's unit of length.
+    AtLeast(f64),
+    /// As much as is possible.
+    Widest,
+}
+
+impl Clearance {
+    /// When a way is wide enough; none if it need not be wide.
+    fn until(self) -> Option<Until> {
+        match self {
+            Self::Quick => None,
+            Self::Half => Some(Until::Half),
+            Self::AtLeast(least) => Some(Until::AtLeast(least)),
+            Self::Widest => Some(Until::Widest),
+        }
+    }
+}
+
+/// Computations are neither shown nor stopped.
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
 }
 
 /// What is asked of a path beside being free.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wishes {
+    /// How much clearance it has.
+    pub clearance: Clearance,
     /// No leg changes a coordinate by more: x, y and θ, or u, v and nothing; infinite for no limit.
     pub steps: [f64; 3],
 }
@@ -36,6 +79,7 @@ pub struct Wishes {
 impl Default for Wishes {
     fn default() -> Self {
         Self {
+            clearance: Clearance::Half,
             steps: [f64::INFINITY; 3],
         }
     }
@@ -72,6 +116,9 @@ enum Ways<'a> {
     Planar(Box<Planar<'a>>),
     Axes(Gaps<'a>),
 }
+
+/// Legs of a widest way that are joined keep this share of its clearance.
+const WIDEST: f64 = 1.0 - 1e-9;
 
 /// Where a path begins or ends.
 enum End {
@@ -118,39 +165,136 @@ impl<'a> Planner<'a> {
         to: Coordinates,
         wishes: &Wishes,
     ) -> Result<Answer, PlanError> {
+        self.plan_with(from, to, wishes, &Silent)
+    }
+
+    /// As [`plan`](Self::plan), telling `progress` of the computations with the moving part grown.
+    ///
+    /// # Errors
+    /// As [`plan`](Self::plan); and what `progress` returns.
+    pub fn plan_with(
+        &self,
+        from: Coordinates,
+        to: Coordinates,
+        wishes: &Wishes,
+        progress: &dyn Progress,
+    ) -> Result<Answer, PlanError> {
         let start = self.end(from).map_err(PlanError::From)?;
         let goal = self.end(to).map_err(PlanError::To)?;
         let region = |end: &End| match end {
             End::Free { region, .. } => Some(*region),
             End::Blocked => None,
         };
-        let regions = (region(&start), region(&goal));
-        let verdict = match (start, goal) {
+        let mut answer = Answer {
+            verdict: Verdict::TooNarrow,
+            regions: (region(&start), region(&goal)),
+            bottleneck: None,
+        };
+        answer.verdict = match (start, goal) {
             (End::Blocked, _) => Verdict::FromBlocked(self.blocked(from).map_err(PlanError::From)?),
             (_, End::Blocked) => Verdict::ToBlocked(self.blocked(to).map_err(PlanError::To)?),
-            (
-                End::Free {
-                    region: a,
-                    leg: leave,
-                },
-                End::Free {
-                    region: b,
-                    leg: arrive,
-                },
-            ) => {
-                if a == b {
-                    let from = self.scene.numbers(from).map_err(PlanError::From)?;
-                    let to = self.scene.numbers(to).map_err(PlanError::To)?;
-                    match self.path((from, leave), (to, arrive)) {
-                        Some(legs) => Verdict::Path(self.told(&legs, wishes)),
-                        None => Verdict::Unknown(self.doubtful()),
-                    }
-                } else {
-                    Verdict::NoPath(self.enclosed(a, b).map_err(PlanError::Pair)?)
+            (End::Free { region: a, .. }, End::Free { region: b, .. }) if a != b => {
+                Verdict::NoPath(self.enclosed(a, b).map_err(PlanError::Pair)?)
+            }
+            (End::Free { leg: leave, .. }, End::Free { leg: arrive, .. }) => {
+                let from = self.scene.numbers(from).map_err(PlanError::From)?;
+                let to = self.scene.numbers(to).map_err(PlanError::To)?;
+                let (first, last) = (leave.unwrap_or(from), arrive.unwrap_or(to));
+                let Some(wider) = self.wider(first, last, wishes.clearance, progress)? else {
+                    answer.verdict = Verdict::Unknown(self.doubtful());
+                    return Ok(answer);
+                };
+                let narrow = self.narrow(&Legs::new(&self.scene, wider.places.clone()));
+                let too_narrow = match wishes.clearance {
+                    Clearance::AtLeast(least) => wider.clearance < least,
+                    _ => false,
+                };
+                if too_narrow || wishes.clearance == Clearance::Widest {
+                    let most = wider.most;
+                    answer.bottleneck = Some(Bottleneck { narrow, most });
                 }
+                if too_narrow {
+                    return Ok(answer);
+                }
+                let kept = match wishes.clearance {
+                    Clearance::AtLeast(least) => least,
+                    Clearance::Widest => wider.clearance * WIDEST,
+                    Clearance::Half => wider.clearance.min(0.5 * wider.most) * WIDEST,
+                    Clearance::Quick => 0.0,
+                };
+                let legs = Legs::new(&self.scene, wider.places).shortened(kept);
+                let ends = ((from, leave.is_some()), (to, arrive.is_some()), last);
+                Verdict::Path(self.told(&self.with_ends(&legs, ends), wishes))
             }
         };
-        Ok(Answer { verdict, regions })
+        Ok(answer)
+    }
+
+    /// A way between two free configurations in the same region, as wide as is asked for or can be; `None` if none is found.
+    fn wider(
+        &self,
+        first: Coords,
+        last: Coords,
+        clearance: Clearance,
+        progress: &dyn Progress,
+    ) -> Result<Option<Wider>, PlanError> {
+        /// Where rounding hides the way, a part this much larger, as a share of the size, may show it.
+        const GROWN: [f64; 3] = [1e-9, 1e-8, 1e-7];
+        let in_grown = |space: &PairSpace| {
+            let planner = Planner::new(space).ok()?;
+            let region = |at: Coords| match space.locate(planner.scene.coordinates(at)) {
+                Ok(Location::Free(region)) => Some(region),
+                _ => None,
+            };
+            if region(first)? != region(last)? {
+                return None;
+            }
+            planner.raised(first, last)
+        };
+        let until = |until: Until, ways: Vec<Coords>| {
+            widen(self.space, &self.scene, ways, until, progress, in_grown)
+        };
+        let Some(ways) = self.raised(first, last) else {
+            for share in GROWN {
+                let least = Until::AtLeast(share * self.scene.size());
+                let found = until(least, Vec::new())?;
+                if !found.places.is_empty() {
+                    return Ok(Some(found));
+                }
+            }
+            return Ok(None);
+        };
+        Ok(Some(match clearance.until() {
+            None => Wider::of(&self.scene, ways),
+            Some(wide) => {
+                let found = until(wide, ways)?;
+                match wide {
+                    // Then how much there is.
+                    Until::AtLeast(least) if found.clearance < least => {
+                        until(Until::Widest, found.places)?
+                    }
+                    _ => found,
+                }
+            }
+        }))
+    }
+
+    /// A path with the legs that leave and come to contacts.
+    fn with_ends(
+        &self,
+        legs: &Legs<'_>,
+        ((from, leaves), (to, arrives), last): ((Coords, bool), (Coords, bool), Coords),
+    ) -> Legs<'_> {
+        let mut places = legs.places().to_vec();
+        let end = places.last().copied().unwrap_or(last);
+        if leaves {
+            places.insert(0, from);
+        }
+        if arrives {
+            // The goal as often around as the place before it.
+            places.push(core::array::from_fn(|k| to[k] + (end[k] - last[k])));
+        }
+        Legs::new(&self.scene, places)
     }
 
     fn end(&self, at: Coordinates) -> Result<End, QueryError> {
@@ -173,29 +317,14 @@ impl<'a> Planner<'a> {
         })
     }
 
-    /// A path, with the legs that leave and come to contacts.
-    fn path(
-        &self,
-        (from, leave): (Coords, Option<Coords>),
-        (to, arrive): (Coords, Option<Coords>),
-    ) -> Option<Legs<'_>> {
+    /// A way between two free configurations, moved to where it has more clearance.
+    fn raised(&self, first: Coords, last: Coords) -> Option<Vec<Coords>> {
         /// Places are moved so often for more clearance, by a share that is worth a move.
         const ROUNDS: usize = 10;
         const GAIN: f64 = 0.05;
-        let (first, last) = (leave.unwrap_or(from), arrive.unwrap_or(to));
-        let between = self.between(first, last)?;
-        let end = *between.last()?;
-        let mut legs = Legs::new(&self.scene, between);
+        let mut legs = Legs::new(&self.scene, self.between(first, last)?);
         legs.raise(ROUNDS, GAIN);
-        let mut places = legs.shortened().places().to_vec();
-        if leave.is_some() {
-            places.insert(0, from);
-        }
-        if arrive.is_some() {
-            // The goal as often around as the place before it.
-            places.push(core::array::from_fn(|k| to[k] + (end[k] - last[k])));
-        }
-        Some(Legs::new(&self.scene, places))
+        Some(legs.places().to_vec())
     }
 
     /// The configurations of a path from one free configuration to another in the same region.
@@ -242,7 +371,16 @@ impl<'a> Planner<'a> {
     fn told(&self, legs: &Legs<'_>, wishes: &Wishes) -> Path {
         let at = |c: Coords| self.scene.coordinates(c);
         let places = divided(legs.places(), wishes.steps);
-        let narrowest = match legs.narrowest() {
+        let narrowest = self.narrow(legs);
+        Path {
+            configurations: places.into_iter().map(at).collect(),
+            narrowest,
+        }
+    }
+
+    fn narrow(&self, legs: &Legs<'_>) -> Narrow {
+        let at = |c: Coords| self.scene.coordinates(c);
+        match legs.narrowest() {
             Some((c, found)) => Narrow {
                 clearance: found.distance,
                 at: at(c),
@@ -253,10 +391,6 @@ impl<'a> Planner<'a> {
                 at: at([0.0; 3]),
                 features: None,
             },
-        };
-        Path {
-            configurations: places.into_iter().map(at).collect(),
-            narrowest,
         }
     }
 

@@ -1,6 +1,8 @@
 //! Two parts with their motions, to be asked for distances.
 
-use cspace::{AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError, Vector};
+use cspace::{
+    AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError, Vector,
+};
 
 use super::near::{Coords, Near};
 use super::pose::Pose;

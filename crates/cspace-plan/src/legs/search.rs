@@ -102,11 +102,7 @@ impl<'a> Search<'a> {
     }
 
     /// The distance at one time, but for two features that are passed over.
-    pub(super) fn at_but(
-        &self,
-        time: f64,
-        passed: Option<(FeatureName, FeatureName)>,
-    ) -> Nearest {
+    pub(super) fn at_but(&self, time: f64, passed: Option<(FeatureName, FeatureName)>) -> Nearest {
         let mut best = Best {
             passed,
             ..Best::least(f64::INFINITY)

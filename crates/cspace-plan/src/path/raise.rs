@@ -17,6 +17,8 @@ const SHORTER: f64 = 0.25;
 const TRIED: usize = 8;
 /// A first step is at most this share of the parts' size.
 const FIRST: f64 = 0.1;
+/// Clearance of more than this share of the parts' size is enough, if both ends of the path have no more.
+const ENOUGH: f64 = 0.1;
 /// A path is divided into no more places.
 const MOST: usize = 256;
 
@@ -43,10 +45,12 @@ impl Legs<'_> {
             open: true,
         };
         let mut places: Vec<Place> = self.places.iter().copied().map(place).collect();
+        let ends = [places.first(), places.last()].map(|p| p.map_or(0.0, |p| p.clearance));
+        let enough = (ENOUGH * scene.size()).max(ends[0].min(ends[1]));
         for _ in 0..rounds {
             let mut moved = false;
             for i in 1..places.len().saturating_sub(1) {
-                if places[i].open {
+                if places[i].open && places[i].clearance < enough {
                     moved |= self.push(&mut places, i, gain);
                 }
             }
@@ -54,7 +58,7 @@ impl Legs<'_> {
             let mut room = MOST.saturating_sub(places.len());
             for pair in places.windows(2) {
                 divided.push(pair[0]);
-                let least = DIVIDED * pair[0].clearance.min(pair[1].clearance);
+                let least = DIVIDED * pair[0].clearance.min(pair[1].clearance).min(enough);
                 if room > 0
                     && (pair[0].open || pair[1].open)
                     && !scene.is_apart(pair[0].at, pair[1].at, least)

@@ -8,8 +8,9 @@ use super::legs::Legs;
 const KEPT: f64 = 0.5;
 
 impl<'a> Legs<'a> {
-    /// The path with as few legs between its places as can be, each with at least half the clearance of those that it replaces.
-    pub(crate) fn shortened(&self) -> Legs<'a> {
+    /// The path with as few legs between its places as can be, each with at least half the clearance of those that it
+    /// replaces, and at least a given clearance.
+    pub(crate) fn shortened(&self, clearance: f64) -> Legs<'a> {
         let scene: &'a Scene = self.scene;
         let last = self.places.len() - 1;
         let mut kept = vec![self.places[0]];
@@ -20,7 +21,11 @@ impl<'a> Legs<'a> {
                     .iter()
                     .map(|n| n.distance)
                     .fold(f64::INFINITY, f64::min);
-                scene.is_apart(self.places[here], self.places[to], KEPT * least)
+                scene.is_apart(
+                    self.places[here],
+                    self.places[to],
+                    (KEPT * least).max(clearance),
+                )
             };
             let next = farthest(here, last, reaches);
             kept.push(self.places[next]);
