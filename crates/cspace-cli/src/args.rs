@@ -43,6 +43,9 @@ pub(crate) enum Command {
     /// Move from a configuration by a displacement, to the first contact
     #[command(after_long_help = MOVE)]
     Move(MoveArgs),
+    /// Find a way from one configuration to another, or tell that there is none
+    #[command(after_long_help = PLAN)]
+    Plan(PlanArgs),
     /// Tell how far the parts go from a configuration in each direction
     #[command(after_long_help = PLAY)]
     Play(PlayArgs),
@@ -335,6 +338,47 @@ pub(crate) struct MoveArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+    /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
+    #[arg(
+        long,
+        value_name = "C",
+        allow_hyphen_values = true,
+        required_unless_present = "check"
+    )]
+    pub(crate) from: Option<String>,
+    /// The configuration to come to
+    #[arg(
+        long,
+        value_name = "C",
+        allow_hyphen_values = true,
+        required_unless_present = "check"
+    )]
+    pub(crate) to: Option<String>,
+    /// The path whose smallest clearance is largest, and its bottleneck
+    #[arg(long, conflicts_with_all = ["clearance", "check"])]
+    pub(crate) widest: bool,
+    /// A path with at least this clearance, in the model's unit [default: half of what is possible]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, conflicts_with = "check")]
+    pub(crate) clearance: Option<f64>,
+    /// No leg turns by more than this, in radians or such as 18deg
+    #[arg(long, value_name = "A", value_parser = turn, allow_hyphen_values = true, conflicts_with = "check")]
+    pub(crate) turn: Option<f64>,
+    /// No leg moves along a coordinate by more than this, in the model's unit
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true, conflicts_with = "check")]
+    pub(crate) travel: Option<f64>,
+    /// Judge the path in this file instead: configurations in rows, with the columns x,y,theta or u,v
+    #[arg(long, value_name = "PATH.csv", conflicts_with_all = ["from", "to"])]
+    pub(crate) check: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) common: Common,
@@ -498,6 +542,16 @@ fn distance(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "give a length, 0 or more".to_owned())
 }
 
+fn turn(text: &str) -> Result<f64, String> {
+    angle::parse(text).and_then(|a| {
+        if a > 0.0 {
+            Ok(a)
+        } else {
+            Err("give a positive angle".to_owned())
+        }
+    })
+}
+
 fn length(text: &str) -> Result<f64, String> {
     text.parse::<f64>()
         .ok()
@@ -582,6 +636,25 @@ slice just above it is shown. A pair with fixed axes has no orientation to
 choose: the plane of its two motions (u, v) is shown. With -o OUT.svg, .png or
 .pdf a picture is written, with the parts beside it to scale at the position
 --at; any other OUT gets the text or JSON.";
+
+const PLAN: &str = "\
+Examples:
+  cspace plan models/peg_hole.toml --from 0,60,0 --to=0,-10,0
+  cspace plan models/ball_in_c.toml --from 0,0,0 --to 60,0,0 --widest
+  cspace plan models/peg_hole.toml --from 0,60,0 --to=0,-10,0 -o way.csv
+  cspace plan models/peg_hole.toml --check way.csv --format json
+
+The answer is a path of motions of constant rates, each of them checked, or
+no-path: start and goal are in different free regions, with what encloses the
+smaller; or from-blocked, to-blocked: the parts overlap there, and the nearest
+free configuration. It is certain: there is no way that is not found. `unknown`
+is the answer only at doubtful orientations, which are told. The path has at
+least half the clearance that is possible; --widest and --clearance ask for
+more. Angles run on and are not taken modulo a turn.
+
+-o OUT writes the path as .csv, the whole answer as .json, or a picture of the
+way as .svg, .png or .pdf; the answer is printed as well, but for .json. --check
+judges a path by the two outlines alone, without their contact space.";
 
 const PLAY: &str = "\
 Examples:

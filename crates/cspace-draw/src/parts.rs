@@ -52,6 +52,8 @@ pub struct UnusedPath {
 pub struct PartsPicture<'a> {
     /// The parts, the last on top.
     pub parts: Vec<PlacedPart<'a>>,
+    /// Where parts are on their way: outlines alone, below the parts.
+    pub swept: Vec<PlacedPart<'a>>,
     /// The joints between them, in the assembly.
     pub joints: Vec<JointEntry>,
     /// Where they touch.
@@ -121,7 +123,7 @@ pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
 
 /// What of the plane is seen: the parts, the origin if it is near, pivots and contacts, and a margin.
 pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
-    let mut all: Vec<Point> = (picture.parts.iter())
+    let mut all: Vec<Point> = (picture.parts.iter().chain(&picture.swept))
         .flat_map(|p| points(p.part, p.assembly_from_part))
         .collect();
     for p in &picture.parts {
@@ -143,6 +145,10 @@ pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
 pub(crate) fn draw(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plot, labels: Labels) {
     let em = plot.em;
     let path = |p: &PlacedPart<'_>| of_part(p.part, p.assembly_from_part, plot);
+    for p in &picture.swept {
+        let colour = colours(p.number).1;
+        items.push(Item::drawn(path(p), colour, 0.04 * em));
+    }
     for p in &picture.parts {
         items.push(Item::filled(path(p), colours(p.number).0));
     }

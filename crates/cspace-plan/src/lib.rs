@@ -5,6 +5,7 @@
 //! with what keeps the two apart.
 
 mod answer;
+mod check;
 pub mod legs;
 mod off_contact;
 mod path;
@@ -14,5 +15,6 @@ mod route;
 mod widest;
 
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
+pub use check::{Checked, Meeting, check};
 pub use planner::{Clearance, PlanError, Planner, Wishes};
 pub use widest::grown;

@@ -12,8 +12,10 @@ pub(crate) mod info;
 pub(crate) mod man;
 pub(crate) mod motion;
 pub(crate) mod new;
+pub(crate) mod plan;
 pub(crate) mod play;
 mod regions;
+mod rows;
 mod several;
 pub(crate) mod slice;
 

@@ -98,7 +98,7 @@ impl Chosen<'_> {
         .map_err(|e| self.failure(&e))
     }
 
-    pub(super) fn failure(&self, error: &PairError) -> Failure {
+    pub(crate) fn failure(&self, error: &PairError) -> Failure {
         let failure = |make: fn(core::fmt::Arguments<'_>) -> Failure| {
             make(format_args!("pair {}: {error}", self.names()))
         };

@@ -1,7 +1,8 @@
 //! Two parts with their motions, to be asked for distances.
 
 use cspace::{
-    AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError, Vector,
+    Axis, AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError,
+    Vector,
 };
 
 use super::near::{Coords, Near};
@@ -9,6 +10,8 @@ use super::pose::Pose;
 use super::search::{Nearest, Search};
 use super::shape::Piece;
 use super::tree::Tree;
+
+const UNLIMITED: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Two parts and how their coordinates move them.
 #[derive(Debug, Clone)]
@@ -30,34 +33,27 @@ impl Scene {
     /// # Errors
     /// Of a lower pair, whose parts are in contact for ever.
     pub fn of(space: &PairSpace) -> Result<Self, QueryError> {
-        const NONE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
         match space {
             PairSpace::Lower(_) => Err(QueryError::Permanent),
             PairSpace::FixedAxes(space) => {
-                let (a, b) = space.axes();
-                let limits = [a, b].map(|axis| match axis.motion {
-                    AxisMotion::Fixed => (0.0, 0.0),
-                    _ => axis.range.unwrap_or(NONE),
-                });
-                let mut scene =
-                    Self::new(space.fixed(), space.moving(), Some((a.motion, b.motion)));
-                scene.limits = [limits[0], limits[1], (0.0, 0.0)];
-                Ok(scene)
+                Ok(Self::new(space.fixed(), space.moving(), Some(space.axes())))
             }
             PairSpace::Planar(space) => {
-                let mut scene = Self::new(space.fixed(), space.moving(), None);
                 let window = space.window();
-                if !window.full_turn {
-                    scene.limits[2] = (window.lo, window.hi);
-                }
-                Ok(scene)
+                let scene = Self::new(space.fixed(), space.moving(), None);
+                Ok(if window.full_turn {
+                    scene
+                } else {
+                    scene.with_window((window.lo, window.hi))
+                })
             }
         }
     }
 
-    /// Two parts, the moving one planar, or each on an axis. Motions have no limits.
-    pub fn new(fixed: &Part, moving: &Part, motions: Option<(AxisMotion, AxisMotion)>) -> Self {
+    /// Two parts, the moving one planar, or each on an axis with its range.
+    pub fn new(fixed: &Part, moving: &Part, axes: Option<(Axis, Axis)>) -> Self {
         let parts = (fixed.clone(), moving.clone());
+        let motions = axes.map(|(a, b)| (a.motion, b.motion));
         let origins = origins(motions);
         let fixed = Tree::new(Piece::all(fixed, origins.0));
         let moving = Tree::new(Piece::all(moving, origins.1));
@@ -75,6 +71,16 @@ impl Scene {
             None => [1.0, 1.0, reach(&moving)],
             Some((a, b)) => [lever(a, &fixed), lever(b, &moving), 0.0],
         };
+        let limits = match axes {
+            None => [UNLIMITED; 3],
+            Some((a, b)) => {
+                let [a, b] = [a, b].map(|axis| match axis.motion {
+                    AxisMotion::Fixed => (0.0, 0.0),
+                    _ => axis.range.unwrap_or(UNLIMITED),
+                });
+                [a, b, (0.0, 0.0)]
+            }
+        };
         let extent = |tree: &Tree| tree.nodes.last().map_or(0.0, |n| 2.0 * n.reach);
         Self {
             size: extent(&fixed).max(extent(&moving)),
@@ -83,8 +89,15 @@ impl Scene {
             motions,
             levers,
             parts,
-            limits: [(f64::NEG_INFINITY, f64::INFINITY); 3],
+            limits,
         }
+    }
+
+    /// The same with orientations from the first to the second alone, radians.
+    #[must_use]
+    pub fn with_window(mut self, window: (f64, f64)) -> Self {
+        self.limits[2] = window;
+        self
     }
 
     /// Least and greatest of each coordinate: the window of orientations, the ranges of motion.
@@ -208,6 +221,19 @@ impl Scene {
         passed: Option<(FeatureName, FeatureName)>,
     ) -> Nearest {
         self.search(at, at).at_but(0.0, passed)
+    }
+
+    /// The points of the boundaries that are nearest, of the fixed and of the moving part, in the frame of the assembly.
+    pub fn nearest_points(&self, at: Coords) -> Option<(Point, Point)> {
+        /// More than rounding.
+        const SLACK: f64 = 1e-6;
+        let distance = self.clearance(at);
+        let near = (self.near(at, distance * (1.0 + SLACK) + self.size * f64::EPSILON))
+            .into_iter()
+            .min_by(|a, b| a.distance.total_cmp(&b.distance))?;
+        let (a, _) = self.poses(at, at);
+        let on_fixed = a.at(0.0).point(near.points.0).at;
+        Some((on_fixed, on_fixed + near.direction * near.distance))
     }
 
     /// The least distance of the boundaries along a leg, right to a millionth.

@@ -1,7 +1,6 @@
 //! `cspace classify`.
 
 mod columns;
-mod rows;
 
 use core::f64::consts::TAU;
 use std::io::Read;
@@ -12,12 +11,12 @@ use cspace_io::shown;
 use rayon::prelude::*;
 
 use crate::args::{ClassifyArgs, Column, Format};
+use crate::command::rows::{Rows, read};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
 use columns::Answer;
-use rows::{Rows, read};
 
 /// From so many rows on it pays to prepare the space for them: that takes about as long as so many rows without.
 const MANY: usize = 4096;
@@ -46,7 +45,12 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         return Err(failure.help("divide them, and classify one part after the other"));
     }
     let columns = columns(args)?;
-    let rows = read(&bytes, &pair, common.result.format(), &columns)?;
+    let rows = read(
+        ("standard input", &bytes),
+        &pair,
+        common.result.format(),
+        &columns,
+    )?;
     let space = pair.space()?;
     let touch = args.touch.unwrap_or_else(|| space.resolution());
     let answers = answers(&pair, &space, &rows, &columns, touch)?;

@@ -19,15 +19,17 @@ enum Columns {
 }
 
 /// The rows as given, and the configurations they mean.
-pub(super) struct Rows {
-    pub(super) header: csv::StringRecord,
-    pub(super) records: Vec<csv::StringRecord>,
-    pub(super) configurations: Vec<Coordinates>,
+pub(crate) struct Rows {
+    pub(crate) header: csv::StringRecord,
+    pub(crate) records: Vec<csv::StringRecord>,
+    pub(crate) configurations: Vec<Coordinates>,
 }
 
 /// Reads all rows; nothing is computed before all of them are understood.
-pub(super) fn read(
-    bytes: &[u8],
+///
+/// `source` is what the rows are read from, for messages.
+pub(crate) fn read(
+    (source, bytes): (&str, &[u8]),
     pair: &Chosen<'_>,
     format: Format,
     answers: &[Column],
@@ -39,24 +41,27 @@ pub(super) fn read(
         // Rows of other lengths are told apart below: those of blanks alone are none.
         .flexible(true)
         .from_reader(bytes);
-    let header = reader.headers().map_err(|e| unreadable(&e))?.clone();
-    no_answers(&header, answers)?;
+    let header = reader
+        .headers()
+        .map_err(|e| unreadable(source, &e))?
+        .clone();
+    no_answers(source, &header, answers)?;
     if format == Format::Json {
-        named_once(&header)?;
+        named_once(source, &header)?;
     }
-    let columns = columns(&header, pair)?;
+    let columns = columns(source, &header, pair)?;
     let window = pair.window();
     let turns = pair.turns();
     let mut records = Vec::new();
     let mut configurations = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|e| unreadable(&e))?;
+        let record = record.map_err(|e| unreadable(source, &e))?;
         if record.iter().all(str::is_empty) && record.len() == 1 {
             continue;
         }
         let line = record.position().map_or(0, csv::Position::line);
         if record.len() != header.len() {
-            return Err(unequal(line, record.len(), header.len()));
+            return Err(unequal(source, line, record.len(), header.len()));
         }
         let number = |at: usize, is_angle: bool| {
             let text = record.get(at).unwrap_or_default();
@@ -68,7 +73,7 @@ pub(super) fn read(
             };
             value.map_err(|why| {
                 Failure::input(format_args!(
-                    "standard input, line {line}, column {}: {why}",
+                    "{source}, line {line}, column {}: {why}",
                     header.get(at).unwrap_or_default()
                 ))
                 .help("give a finite number; angles are in radians, or have a unit such as 18deg")
@@ -89,7 +94,7 @@ pub(super) fn read(
             let turned = c.theta + TAU * ((lo - c.theta) / TAU).ceil();
             if turned > hi {
                 return Err(Failure::input(format_args!(
-                    "standard input, line {line}: theta {} is outside the orientations from {} to {} of the pair {}",
+                    "{source}, line {line}: theta {} is outside the orientations from {} to {} of the pair {}",
                     shown::number(c.theta),
                     shown::number(lo),
                     shown::number(hi),
@@ -108,18 +113,18 @@ pub(super) fn read(
     })
 }
 
-fn unreadable(error: &csv::Error) -> Failure {
+fn unreadable(source: &str, error: &csv::Error) -> Failure {
     let line = error.position().map_or(0, csv::Position::line);
     let message = match error.kind() {
         csv::ErrorKind::Utf8 { .. } => "the text is not UTF-8".to_owned(),
         _ => error.to_string(),
     };
-    Failure::input(format_args!("standard input, line {line}: {message}")).help(ONE_IN_A_ROW)
+    Failure::input(format_args!("{source}, line {line}: {message}")).help(ONE_IN_A_ROW)
 }
 
-fn unequal(line: u64, found: usize, named: usize) -> Failure {
+fn unequal(source: &str, line: u64, found: usize, named: usize) -> Failure {
     Failure::input(format_args!(
-        "standard input, line {line}: {found} values, where the first row names {named} columns"
+        "{source}, line {line}: {found} values, where the first row names {named} columns"
     ))
     .help(ONE_IN_A_ROW)
 }
@@ -127,13 +132,13 @@ fn unequal(line: u64, found: usize, named: usize) -> Failure {
 const ONE_IN_A_ROW: &str = "give one configuration in each row, values separated by commas";
 
 /// The answer would have the column twice, and nobody could tell which is which.
-fn no_answers(header: &csv::StringRecord, answers: &[Column]) -> Result<(), Failure> {
+fn no_answers(source: &str, header: &csv::StringRecord, answers: &[Column]) -> Result<(), Failure> {
     let twice = answers
         .iter()
         .find(|a| header.iter().any(|name| name == a.name()));
     if let Some(answer) = twice {
         return Err(Failure::input(format_args!(
-            "standard input, line 1: there is a column `{}`, which the answer adds",
+            "{source}, line 1: there is a column `{}`, which the answer adds",
             answer.name()
         ))
         .help("leave the column out, or give it another name"));
@@ -141,30 +146,34 @@ fn no_answers(header: &csv::StringRecord, answers: &[Column]) -> Result<(), Fail
     Ok(())
 }
 
-fn named_twice(name: &str) -> Failure {
+fn named_twice(source: &str, name: &str) -> Failure {
     Failure::input(format_args!(
-        "standard input, line 1: the column {} is named twice",
+        "{source}, line 1: the column {} is named twice",
         shown::cut(name)
     ))
     .help("name every column once")
 }
 
 /// An object has a key once: of columns of one name all but the last would be lost.
-fn named_once(header: &csv::StringRecord) -> Result<(), Failure> {
+fn named_once(source: &str, header: &csv::StringRecord) -> Result<(), Failure> {
     let mut names = BTreeSet::new();
     match header.iter().find(|name| !names.insert(*name)) {
-        Some(name) => Err(named_twice(name)),
+        Some(name) => Err(named_twice(source, name)),
         None => Ok(()),
     }
 }
 
-fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Failure> {
+fn columns(
+    source: &str,
+    header: &csv::StringRecord,
+    pair: &Chosen<'_>,
+) -> Result<Columns, Failure> {
     let find = |name: &str| {
         let mut places = header.iter().enumerate().filter(|(_, h)| *h == name);
         match (places.next(), places.next()) {
             (Some((at, _)), None) => Ok(Some(at)),
             (None, _) => Ok(None),
-            (Some(_), Some(_)) => Err(named_twice(name)),
+            (Some(_), Some(_)) => Err(named_twice(source, name)),
         }
     };
     let planar = (find("x")?, find("y")?, find("theta")?);
@@ -184,7 +193,7 @@ fn columns(header: &csv::StringRecord, pair: &Chosen<'_>) -> Result<Columns, Fai
                 ""
             };
             let failure = Failure::input(format_args!(
-                "standard input, line 1: the columns are {}, and a configuration of the {class} pair {}{method} is {wanted}",
+                "{source}, line 1: the columns are {}, and a configuration of the {class} pair {}{method} is {wanted}",
                 shown::quoted(&found.join(",")),
                 pair.names()
             ));

@@ -1,0 +1,245 @@
+//! `cspace plan`.
+
+mod answer;
+mod picture;
+
+use std::fmt::{self, Write};
+use std::path::Path;
+use std::time::Instant;
+
+use cspace::Coordinates;
+use cspace_plan::legs::Scene;
+use cspace_plan::{Clearance, PlanError, Planner, Wishes, check};
+
+use crate::args::{Format, PlanArgs};
+use crate::command::rows;
+use crate::failure::Failure;
+use crate::output;
+use crate::picture::format;
+use crate::progress::Bar;
+use crate::subject::{Chosen, Subject};
+use crate::wording::{angle, count, length};
+
+use answer::{Name, Parts, Told};
+
+pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
+    let common = &args.common;
+    let output = common.result.output.as_deref();
+    let picture = format(output);
+    if picture.is_none() {
+        args.picture.refuse()?;
+        common.result.check_answer()?;
+    }
+    let subject = Subject::open(common)?;
+    let pair = subject.one_pair(common, args.window.theta)?;
+    let told = match &args.check {
+        Some(path) => checked(&pair, path)?,
+        None => planned(args, &pair)?,
+    };
+    let answer = match common.result.format() {
+        Format::Json => super::json(&told)?,
+        Format::Text => {
+            let mut text = String::new();
+            describe(&mut text, &pair, &told).map_err(Failure::work)?;
+            text.into_bytes()
+        }
+    };
+    // A path and a picture are written beside the answer.
+    if let Some(format) = picture {
+        picture::write(args, &pair, &told, format)?;
+    } else if is_csv(output) {
+        output::write(output, &as_csv(&pair, &told.path)?)?;
+    } else {
+        return output::write(output, &answer);
+    }
+    output::write(None, &answer)
+}
+
+fn is_csv(path: Option<&Path>) -> bool {
+    (path.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("csv"))
+}
+
+fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
+    let given = |option: &str, text: &Option<String>| match text {
+        Some(text) => pair.coordinates(option, text),
+        None => Err(Failure::input(format_args!("{option} is missing"))),
+    };
+    let from = given("--from", &args.from)?;
+    let to = given("--to", &args.to)?;
+    let clearance = match args.clearance {
+        Some(least) => Clearance::AtLeast(least),
+        None if args.widest => Clearance::Widest,
+        None => Clearance::Half,
+    };
+    let (turn, travel) = (
+        args.turn.unwrap_or(f64::INFINITY),
+        args.travel.unwrap_or(f64::INFINITY),
+    );
+    let (u_turns, v_turns) = pair.turns();
+    let limit = |turns: bool| if turns { turn } else { travel };
+    let steps = if pair.is_on_axes() {
+        [limit(u_turns), limit(v_turns), f64::INFINITY]
+    } else {
+        [travel, travel, turn]
+    };
+    let space = pair.space()?;
+    let failed = |error: PlanError| match &error {
+        PlanError::From(e) => pair.unanswered("--from", e),
+        PlanError::To(e) => pair.unanswered("--to", e),
+        PlanError::Pair(e) => pair.unanswered("--from", e),
+        PlanError::Grown(e) => pair.failure(e),
+        _ => Failure::work(error),
+    };
+    let begin = Instant::now();
+    let planner = Planner::new(&space).map_err(failed)?;
+    let answer = Bar::new(pair.names())
+        .watch(|bar| planner.plan_with(from, to, &Wishes { clearance, steps }, bar))
+        .map_err(failed)?;
+    Ok(Told::planned(&space, answer, begin.elapsed().as_secs_f64()))
+}
+
+fn checked(pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
+    pair.check_window()?;
+    let source = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|e| {
+        Failure::input(format_args!("{source}: {e}"))
+            .help("give a file as `cspace plan -o PATH.csv` writes it")
+    })?;
+    let rows = rows::read((&source, &bytes), pair, Format::Text, &[])?;
+    if rows.configurations.is_empty() {
+        return Err(
+            Failure::input(format_args!("{source}: there is no configuration"))
+                .help("give one configuration in each row, below the names of the columns"),
+        );
+    }
+    let axes = if pair.is_on_axes() { pair.axes() } else { None };
+    let mut scene = Scene::new(pair.fixed(), pair.moving(), axes);
+    if let Some(window) = pair.window() {
+        scene = scene.with_window(window);
+    }
+    let begin = Instant::now();
+    let found = check(&scene, &rows.configurations).map_err(|e| pair.unanswered(&source, &e))?;
+    let parts = Parts {
+        fixed: pair.fixed(),
+        moving: pair.moving(),
+    };
+    let seconds = begin.elapsed().as_secs_f64();
+    Ok(Told::checked(parts, rows.configurations, &found, seconds))
+}
+
+/// The configurations of a path, in full precision.
+fn as_csv(pair: &Chosen<'_>, path: &[Coordinates]) -> Result<Vec<u8>, Failure> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let header: &[&str] = if pair.is_on_axes() {
+        &["u", "v"]
+    } else {
+        &["x", "y", "theta"]
+    };
+    writer.write_record(header).map_err(Failure::work)?;
+    for at in path {
+        let numbers = match *at {
+            Coordinates::Planar(c) => vec![c.x, c.y, c.theta],
+            Coordinates::Axes { u, v } => vec![u, v],
+        };
+        writer.serialize(numbers).map_err(Failure::work)?;
+    }
+    writer.into_inner().map_err(Failure::work)
+}
+
+fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
+    let unit = pair.unit();
+    match told.verdict {
+        Name::Path => {
+            let legs = told.path.len().saturating_sub(1);
+            writeln!(text, "path: {}", count(legs, "leg", "legs"))?;
+            for &at in &told.path {
+                writeln!(text, "  {}", pair.place(at))?;
+            }
+        }
+        Name::NoPath => writeln!(text, "no-path")?,
+        Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
+        Name::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
+        Name::Unknown => writeln!(
+            text,
+            "unknown: no way was found, and none is excluded, at doubtful orientations"
+        )?,
+    }
+    if let (Some(clearance), Some(place)) = (told.clearance, &told.narrowest) {
+        writeln!(text, "clearance {}{unit}", length(clearance))?;
+        writeln!(text, "  at       {}", pair.place(place.at))?;
+        if let Some(features) = place.features {
+            writeln!(text, "  there    {}", near(pair, features))?;
+        }
+    }
+    if let Some(b) = &told.bottleneck {
+        writeln!(
+            text,
+            "bottleneck {}{unit}: no way has more than {}{unit}",
+            length(b.clearance),
+            length(b.most)
+        )?;
+        writeln!(text, "  at       {}", pair.place(b.place.at))?;
+        if let Some(features) = b.place.features {
+            writeln!(text, "  there    {}", near(pair, features))?;
+        }
+    }
+    if let Some(enclosed) = &told.enclosed {
+        /// More of them tell nothing new.
+        const MOST: usize = 12;
+        writeln!(
+            text,
+            "start and goal are in different regions; region {} is enclosed by {}:",
+            enclosed.region,
+            count(enclosed.patches, "contact patch", "contact patches")
+        )?;
+        for &features in enclosed.features.iter().take(MOST) {
+            writeln!(text, "  {}", pair.touch(features))?;
+        }
+        let more = enclosed.features.len().saturating_sub(MOST);
+        if more > 0 {
+            let pairs = count(more, "more pair of features", "more pairs of features");
+            writeln!(text, "  {pairs}")?;
+        }
+    }
+    if let Some(blocked) = &told.blocked {
+        if let Some(features) = blocked.features {
+            writeln!(text, "  overlap  {}", near(pair, features))?;
+        }
+        if let (Some(depth), Some(at)) = (blocked.depth, blocked.nearest) {
+            writeln!(
+                text,
+                "  free     {}, {}{unit} away",
+                pair.place(at),
+                length(depth)
+            )?;
+        }
+    }
+    if let Some(hit) = &told.contact {
+        writeln!(
+            text,
+            "contact on leg {} after {:.6} % of it",
+            hit.leg + 1,
+            100.0 * hit.fraction
+        )?;
+        writeln!(text, "  at       {}", pair.place(hit.place.at))?;
+        if let Some(features) = hit.place.features {
+            writeln!(text, "  there    {}", pair.touch(features))?;
+        }
+    }
+    for &(lo, hi) in &told.doubtful {
+        writeln!(text, "  doubtful {} to {}", angle(lo), angle(hi))?;
+    }
+    Ok(())
+}
+
+/// Two features that are near each other, in words.
+fn near(pair: &Chosen<'_>, (fixed, moving): crate::subject::FeaturePair) -> String {
+    let (a, b) = (pair.fixed(), pair.moving());
+    format!(
+        "{} of {} and {} of {}",
+        a.feature_text(fixed),
+        a.name(),
+        b.feature_text(moving),
+        b.name()
+    )
+}

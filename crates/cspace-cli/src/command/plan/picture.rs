@@ -1,0 +1,117 @@
+//! A picture of a path: the parts at start and goal, the swept part at steps, where it is narrowest.
+
+use cspace::{Configuration, Coordinates};
+use cspace_draw::{ContactMark, PartsPicture, PictureFormat, parts};
+use cspace_plan::legs::Scene;
+
+use crate::args::PlanArgs;
+use crate::command::draw::at_configuration;
+use crate::failure::Failure;
+use crate::picture::{self, Plane};
+use crate::subject::Chosen;
+use crate::wording::length;
+
+use super::answer::{Place, Told};
+
+/// So many outlines are shown along a path.
+const STEPS: usize = 40;
+
+pub(super) fn write(
+    args: &PlanArgs,
+    pair: &Chosen<'_>,
+    told: &Told,
+    format: PictureFormat,
+) -> Result<(), Failure> {
+    let axes = if pair.is_on_axes() { pair.axes() } else { None };
+    let scene = Scene::new(pair.fixed(), pair.moving(), axes);
+    let mut drawn = PartsPicture::default();
+    let ends = [told.path.first(), told.path.last()];
+    let shown: Vec<Coordinates> = if let [Some(&from), Some(&to)] = ends {
+        vec![from, to]
+    } else {
+        // Without a path, what was asked about.
+        let given = [("--from", &args.from), ("--to", &args.to)];
+        let given = given
+            .into_iter()
+            .filter_map(|(o, t)| Some((o, t.as_ref()?)));
+        given
+            .map(|(option, text)| pair.coordinates(option, text))
+            .collect::<Result<_, _>>()?
+    };
+    for (k, &at) in shown.iter().enumerate() {
+        let [fixed, moving] = &at_configuration(pair, at).parts[..] else {
+            continue;
+        };
+        // A part that stands still is drawn once.
+        if k == 0 || fixed.assembly_from_part != Configuration::default() {
+            drawn.parts.push(*fixed);
+        }
+        drawn.parts.push(*moving);
+    }
+    for at in steps(&scene, &told.path) {
+        for part in at_configuration(pair, at).parts {
+            let stands = part.number == 0 && part.assembly_from_part == Configuration::default();
+            if !stands {
+                drawn.swept.push(part);
+            }
+        }
+    }
+    let narrow = (told.narrowest.as_ref().zip(told.clearance))
+        .map(|(place, clearance)| (place, format!("clearance {}", length(clearance))));
+    let hit = (told.contact.as_ref()).map(|hit| (&hit.place, "contact".to_owned()));
+    if let Some((place, label)) = narrow.or(hit) {
+        mark(&mut drawn, pair, &scene, place, label)?;
+    }
+    let options = (args.picture).options(Plane::Positions, pair.title(), pair.unit_label())?;
+    let output = args.common.result.output.as_deref();
+    picture::write(output, format, &parts(&drawn, &options))
+}
+
+/// The parts where the path is narrowest, and the points that are nearest there.
+fn mark<'a>(
+    drawn: &mut PartsPicture<'a>,
+    pair: &'a Chosen<'_>,
+    scene: &Scene,
+    place: &Place,
+    label: String,
+) -> Result<(), Failure> {
+    drawn.swept.extend(at_configuration(pair, place.at).parts);
+    let numbers = (scene.numbers(place.at)).map_err(|e| pair.unanswered("the path", &e))?;
+    if let Some((on_fixed, on_moving)) = scene.nearest_points(numbers) {
+        drawn.contacts.push(ContactMark {
+            at: on_fixed,
+            normal: on_moving - on_fixed,
+            label,
+        });
+    }
+    drawn
+        .remarks
+        .push(format!("narrowest at {}", pair.place(place.at)));
+    Ok(())
+}
+
+/// Configurations along a path, evenly by how far its points move.
+fn steps(scene: &Scene, path: &[Coordinates]) -> Vec<Coordinates> {
+    let places: Vec<[f64; 3]> = path
+        .iter()
+        .filter_map(|&at| scene.numbers(at).ok())
+        .collect();
+    let levers = scene.levers();
+    let long = |leg: &[[f64; 3]]| -> f64 {
+        (0..3)
+            .map(|k| (levers[k] * (leg[1][k] - leg[0][k])).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    let whole: f64 = places.windows(2).map(long).sum();
+    let mut found = Vec::new();
+    for leg in places.windows(2) {
+        let count = (STEPS as f64 * long(leg) / whole).ceil().max(1.0) as usize;
+        for i in 0..count {
+            let s = i as f64 / count as f64;
+            let at = core::array::from_fn(|k| leg[0][k] + (leg[1][k] - leg[0][k]) * s);
+            found.push(scene.coordinates(at));
+        }
+    }
+    found
+}

@@ -1,0 +1,163 @@
+//! Whether a given path is free, by the distances of the parts alone.
+
+use core::f64::consts::TAU;
+
+use cspace::{Coordinates, FeatureName, QueryError};
+use serde::Serialize;
+
+use crate::answer::Narrow;
+use crate::legs::{Coords, Scene};
+use crate::path::Legs;
+use crate::route::along;
+
+/// A path may begin and end in contact: its first and last leg are judged from this share of them on.
+const END: f64 = 1e-3;
+/// The time of a first contact is found by so many halvings.
+const HALVINGS: usize = 60;
+
+/// What becomes of a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub enum Checked {
+    /// The parts never overlap.
+    Free(Narrow),
+    /// They overlap at the first configuration.
+    FromBlocked,
+    /// They overlap at the last configuration.
+    ToBlocked,
+    /// They meet on the way.
+    Meets(Meeting),
+}
+
+/// Where a path meets a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Meeting {
+    /// The leg, counted from 0.
+    pub leg: usize,
+    /// The share of the leg that is free.
+    pub fraction: f64,
+    /// The configuration.
+    pub at: Coordinates,
+    /// The features of the fixed and of the moving part that meet.
+    pub features: Option<(FeatureName, FeatureName)>,
+}
+
+/// Judges a path of motions of constant rates between configurations, without a contact space.
+///
+/// It may begin and end in contact, and touch nowhere else.
+///
+/// # Errors
+/// If there is no configuration, or one is in the coordinates of another class, not finite, or outside the window or the ranges of
+/// motion.
+///
+/// ```
+/// use cspace::{Configuration, Coordinates, Part};
+/// use cspace_plan::{Checked, check, legs::Scene};
+/// let post = Part::circle("post", (0.0, 0.0), 1.0)?;
+/// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0)?;
+/// let scene = Scene::new(&post, &block, None);
+/// let at = |x, y| Coordinates::Planar(Configuration::new(x, y, 0.0));
+/// let Checked::Free(past) = check(&scene, &[at(-4.0, 2.5), at(4.0, 2.5)])? else {
+///     return Err("the block goes past the post".into());
+/// };
+/// assert!((past.clearance - 0.5).abs() < 1e-5);
+/// let Checked::Meets(hit) = check(&scene, &[at(-4.0, 0.0), at(4.0, 0.0)])? else {
+///     return Err("the block hits the post".into());
+/// };
+/// assert!((hit.fraction - 0.25).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn check(scene: &Scene, path: &[Coordinates]) -> Result<Checked, QueryError> {
+    let places = (path.iter())
+        .map(|&at| scene.numbers(at))
+        .collect::<Result<Vec<_>, _>>()?;
+    if places.iter().flatten().any(|c| !c.is_finite()) {
+        return Err(QueryError::Outside);
+    }
+    if (0..3).any(|k| is_outside(scene, &places, k)) {
+        return Err(QueryError::Outside);
+    }
+    let (Some(&first), Some(&last)) = (places.first(), places.last()) else {
+        return Err(QueryError::Outside);
+    };
+    let is_blocked = |at: Coords| scene.clearance(at) > 0.0 && scene.overlaps(at);
+    if is_blocked(first) {
+        return Ok(Checked::FromBlocked);
+    }
+    if is_blocked(last) {
+        return Ok(Checked::ToBlocked);
+    }
+    // Distances have no sign: the middle of what is judged is free where it is free somewhere.
+    let mut known_free = scene.clearance(first) > 0.0;
+    let count = places.len().saturating_sub(1);
+    for (leg, ends) in places.windows(2).enumerate() {
+        let share = |end: bool, s: f64| if end { s } else { 0.0 };
+        let from = along(ends[0], ends[1], share(leg == 0, END));
+        let to = along(ends[1], ends[0], share(leg + 1 == count, END));
+        if !known_free {
+            if scene.clearance(from) > 0.0 && scene.overlaps(from) {
+                return Ok(Checked::FromBlocked);
+            }
+            known_free = true;
+        }
+        if !scene.is_apart(from, to, 0.0) {
+            return Ok(Checked::Meets(meeting(
+                scene,
+                leg,
+                (ends[0], ends[1]),
+                (from, to),
+            )));
+        }
+    }
+    let legs = Legs::new(scene, places);
+    Ok(match legs.narrowest() {
+        Some((at, found)) => Checked::Free(Narrow {
+            clearance: found.distance,
+            at: scene.coordinates(at),
+            features: found.features,
+        }),
+        None => Checked::FromBlocked,
+    })
+}
+
+/// Whether a coordinate leaves its limits; of a window of orientations, by whichever turn.
+fn is_outside(scene: &Scene, places: &[Coords], k: usize) -> bool {
+    /// Angles that were taken modulo a turn are rounded so far, radians.
+    const ROUNDING: f64 = 1e-12;
+    let (lo, hi) = scene.limits()[k];
+    let first = places.first().map_or(lo, |p| p[k]);
+    let turns = if k == 2 && lo.is_finite() {
+        TAU * ((lo - ROUNDING - first) / TAU).ceil()
+    } else {
+        0.0
+    };
+    (places.iter()).any(|p| p[k] + turns < lo - ROUNDING || p[k] + turns > hi + ROUNDING)
+}
+
+/// Where a leg first meets a contact, between two places of it.
+fn meeting(
+    scene: &Scene,
+    leg: usize,
+    whole: (Coords, Coords),
+    (from, to): (Coords, Coords),
+) -> Meeting {
+    let (mut free, mut met) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (free + met);
+        if scene.is_apart(from, along(from, to, middle), 0.0) {
+            free = middle;
+        } else {
+            met = middle;
+        }
+    }
+    let at = along(from, to, free);
+    let length: f64 = (0..3).map(|k| (whole.1[k] - whole.0[k]).powi(2)).sum();
+    let done: f64 = (0..3)
+        .map(|k| (at[k] - whole.0[k]) * (whole.1[k] - whole.0[k]))
+        .sum();
+    Meeting {
+        leg,
+        fraction: if length > 0.0 { done / length } else { 0.0 },
+        at: scene.coordinates(at),
+        features: scene.nearest(at).features,
+    }
+}
