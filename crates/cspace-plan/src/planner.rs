@@ -118,7 +118,7 @@ enum Ways<'a> {
 }
 
 /// Legs of a widest way that are joined keep this share of its clearance.
-const WIDEST: f64 = 1.0 - 1e-9;
+const WIDEST: f64 = 1.0 - 1e-6;
 
 /// Where a path begins or ends.
 enum End {

@@ -110,9 +110,12 @@ impl Scene {
         core::array::from_fn(|k| at[k].clamp(self.limits[k].0, self.limits[k].1))
     }
 
-    /// Whether the parts overlap at a configuration at which their boundaries do not meet: then a loop of one is within the
-    /// other.
+    /// Whether the parts overlap at a configuration at which they do not just touch: their boundaries cross, or a loop of one is
+    /// within the other.
     pub fn overlaps(&self, at: Coords) -> bool {
+        if self.search(at, at).crosses() {
+            return true;
+        }
         let (a, b) = self.poses(at, at);
         let (a, b) = (a.at(0.0), b.at(0.0));
         let (origin_a, origin_b) = origins(self.motions);
@@ -204,7 +207,8 @@ impl Scene {
         Search::new(&self.fixed, &self.moving, self.poses(from, to), self.size)
     }
 
-    /// The least distance of the boundaries at a configuration, in the model's unit of length.
+    /// The least distance of the boundaries at a configuration, in the model's unit of length; where they cross, how far some vertex
+    /// or normal is from doing so.
     pub fn clearance(&self, at: Coords) -> f64 {
         self.search(at, at).at(0.0).distance
     }

@@ -3,6 +3,7 @@
 use cspace::{FeatureName, Point, Vector};
 
 use super::apart::{Apart, discs, pieces};
+use super::meet::meet;
 use super::near::Near;
 use super::pose::{Placed, Pose};
 use super::shape::{Shape, beyond};
@@ -52,6 +53,8 @@ struct Best {
     /// Whether anything less than the limit ends the search.
     decides: bool,
     ended: bool,
+    /// What is found is right to this share of it.
+    relative: f64,
     /// Features that are passed over.
     passed: Option<(FeatureName, FeatureName)>,
 }
@@ -105,6 +108,7 @@ impl<'a> Search<'a> {
     pub(super) fn at_but(&self, time: f64, passed: Option<(FeatureName, FeatureName)>) -> Nearest {
         let mut best = Best {
             passed,
+            relative: 0.0,
             ..Best::least(f64::INFINITY)
         };
         let over = self.over(time, time);
@@ -213,6 +217,30 @@ impl<'a> Search<'a> {
         for part in self.halves(over) {
             self.look(&part, pair, best);
         }
+    }
+
+    /// Whether the boundaries cross at the start.
+    pub(super) fn crosses(&self) -> bool {
+        let over = self.over(0.0, 0.0);
+        let mut stack = vec![self.roots()];
+        while let Some(pair) = stack.pop() {
+            if self.bound(&over, pair) > 0.0 {
+                continue;
+            }
+            let (a, b) = self.node(pair);
+            match (a.holds, b.holds) {
+                (Holds::Piece(i), Holds::Piece(j)) => {
+                    let a = &self.fixed.pieces[i as usize];
+                    let b = &self.moving.pieces[j as usize];
+                    if meet((&over.fixed, &a.shape), (&over.moving, &b.shape)) {
+                        return true;
+                    }
+                }
+                (Holds::Nodes(c, d), _) => stack.extend([(c, pair.1), (d, pair.1)]),
+                (_, Holds::Nodes(c, d)) => stack.extend([(pair.0, c), (pair.0, d)]),
+            }
+        }
+        false
     }
 
     /// Calls `with` for every two pieces nearer than a distance at the start.
@@ -337,6 +365,7 @@ impl Best {
             limit,
             decides: false,
             ended: false,
+            relative: RELATIVE,
             passed: None,
         }
     }
@@ -346,7 +375,7 @@ impl Best {
         if self.decides {
             self.ended = true;
         } else {
-            self.limit = (found.distance * (1.0 - RELATIVE)).min(found.distance - rounding);
+            self.limit = (found.distance * (1.0 - self.relative)).min(found.distance - rounding);
         }
     }
 }

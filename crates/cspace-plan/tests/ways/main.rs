@@ -1,0 +1,5 @@
+//! Ways, judged by what knows nothing of contact spaces.
+
+mod distances;
+mod random;
+mod thresholds;
