@@ -5,12 +5,17 @@
 
 use cspace::{Point, Vector};
 
+use super::flat::Flat;
+use super::flats::flats;
 use super::pose::{Mover, Placed};
 use super::shape::{Shape, beyond};
 
 /// Directions and places are taken to belong to a piece up to this far beyond its end (radians; parts of a length), so that
 /// rounding makes no gap between one piece and the next.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
+
+/// A point for which |n − k w| is less may be as near to the centre of a flat arc as to the arc.
+const LEAST_STRETCH: f64 = 0.5;
 
 /// What is known of a distance over an interval of time.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +27,7 @@ pub(super) struct Apart {
 }
 
 impl Apart {
-    const NONE: Self = Self {
+    pub(super) const NONE: Self = Self {
         least: f64::INFINITY,
         here: f64::INFINITY,
     };
@@ -89,10 +94,9 @@ pub(super) fn discs(
 pub(super) fn pieces(a: (&Placed, &Shape), b: (&Placed, &Shape), half: f64) -> Apart {
     match (a.1, b.1) {
         (Shape::Circle { .. }, Shape::Circle { .. }) => circles(a, b, half),
-        (Shape::Circle { .. }, Shape::Segment { .. }) => circle_and_segment(a, b, half),
-        (Shape::Segment { .. }, Shape::Circle { .. }) => circle_and_segment(b, a, half),
-        // The end of one, which is a piece of its own.
-        (Shape::Segment { .. }, Shape::Segment { .. }) => Apart::NONE,
+        (Shape::Circle { .. }, Shape::Flat(flat)) => circle_and_flat(a, (b.0, flat), half),
+        (Shape::Flat(flat), Shape::Circle { .. }) => circle_and_flat(b, (a.0, flat), half),
+        (Shape::Flat(first), Shape::Flat(second)) => flats((a.0, first), (b.0, second), half),
     }
 }
 
@@ -174,40 +178,49 @@ fn circles(a: (&Placed, &Shape), b: (&Placed, &Shape), half: f64) -> Apart {
     all
 }
 
-fn circle_and_segment(circle: (&Placed, &Shape), segment: (&Placed, &Shape), half: f64) -> Apart {
-    let (
-        Shape::Circle {
-            center,
-            radius,
-            from,
-            sweep,
-        },
-        Shape::Segment {
-            start,
-            along,
-            length,
-        },
-    ) = (*circle.1, *segment.1)
+fn circle_and_flat(
+    circle: (&Placed, &Shape),
+    (placed, flat): (&Placed, &Flat),
+    half: f64,
+) -> Apart {
+    let Shape::Circle {
+        center,
+        radius,
+        from,
+        sweep,
+    } = *circle.1
     else {
         return Apart::NONE;
     };
-    let c = segment.0.seen(circle.0.point(center), half);
-    let way = c.at - start;
+    let c = placed.seen(circle.0.point(center), half);
+    let at = flat.seen(c.at);
     let speed = c.velocity.length() + c.bend * half;
-    let foot = way.dot(along);
-    let reach = speed * half + ROUNDING * length;
-    if foot < -reach || foot > length + reach {
+    let k = flat.curvature.abs();
+    // While the centre moves it does not come near that of the arc.
+    let stretch = at.stretch - k * speed * half;
+    if stretch < LEAST_STRETCH {
+        // As far away as the arc's own centre: what is farther than its ends and not nearer.
+        let apart = (c.at - flat.middle).length() - 2.0 * flat.half - radius - speed * half;
+        return Apart {
+            least: apart.max(0.0),
+            here: f64::INFINITY,
+        };
+    }
+    let far = (c.at - flat.middle).length() + speed * half;
+    let reach = speed * half * (1.0 + k * far) / (stretch * stretch) + ROUNDING * flat.half;
+    if at.foot.abs() > flat.half + reach {
         return Apart::NONE;
     }
-    let within = (-ROUNDING * length..=(1.0 + ROUNDING) * length).contains(&foot);
-    let normal = along.left();
-    let height = way.dot(normal);
-    let rise = (c.velocity.dot(normal).abs() + 0.5 * c.bend * half).min(speed) * half;
+    let within = flat.has(at.foot, ROUNDING);
+    // The height has slope 1 across the arc, and bends with it.
+    let bend = c.bend + k * speed * speed / stretch;
+    let rise = (c.velocity.dot(at.up).abs() + 0.5 * bend * half).min(speed) * half;
     let one = |side: f64| {
-        // The circle is met at center − side · radius · normal.
+        // The circle is met at center − side · radius · up.
         let (never, now) = if radius > 0.0 {
-            let heading = (normal * -side).angle() + segment.0.angle - circle.0.angle;
-            let turns = (segment.0.turning - circle.0.turning).abs() * half;
+            let heading = (at.up * -side).angle() + placed.angle - circle.0.angle;
+            let turns =
+                (placed.turning - circle.0.turning).abs() * half + k * speed * half / stretch;
             misses(from, sweep, heading, turns)
         } else {
             (false, true)
@@ -215,7 +228,7 @@ fn circle_and_segment(circle: (&Placed, &Shape), segment: (&Placed, &Shape), hal
         if never {
             return Apart::NONE;
         }
-        let value = height - side * radius;
+        let value = at.height - side * radius;
         Apart {
             least: (value.abs() - rise).max(0.0),
             here: if now && within {

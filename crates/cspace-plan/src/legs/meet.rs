@@ -1,16 +1,18 @@
 //! Whether two pieces meet at a configuration.
 
-use cspace::{Point, Vector};
+use cspace::Vector;
 
+use super::flat::Flat;
+use super::flats::cross;
 use super::pose::Placed;
 use super::shape::{Shape, beyond};
 
 /// Whether two pieces meet. Vertices are left to the edges beside them.
 pub(super) fn meet(a: (&Placed, &Shape), b: (&Placed, &Shape)) -> bool {
     match (a.1, b.1) {
-        (Shape::Segment { .. }, Shape::Segment { .. }) => segments(a, b),
-        (Shape::Circle { .. }, Shape::Segment { .. }) => circle_and_segment(a, b),
-        (Shape::Segment { .. }, Shape::Circle { .. }) => circle_and_segment(b, a),
+        (Shape::Flat(first), Shape::Flat(second)) => cross((a.0, first), (b.0, second)),
+        (Shape::Circle { .. }, Shape::Flat(flat)) => circle_and_flat(a, (b.0, flat)),
+        (Shape::Flat(flat), Shape::Circle { .. }) => circle_and_flat(b, (a.0, flat)),
         (Shape::Circle { .. }, Shape::Circle { .. }) => circles(a, b),
     }
 }
@@ -20,52 +22,37 @@ fn is_on(placed: &Placed, shape: &Shape, direction: Vector) -> bool {
         Shape::Circle { from, sweep, .. } => {
             beyond(from, sweep, direction.angle() - placed.angle) == 0.0
         }
-        Shape::Segment { .. } => false,
+        Shape::Flat(_) => false,
     }
 }
 
-fn segments(a: (&Placed, &Shape), b: (&Placed, &Shape)) -> bool {
-    let ends = |(placed, shape): (&Placed, &Shape)| -> Option<[Point; 2]> {
-        match *shape {
-            Shape::Segment {
-                start,
-                along,
-                length,
-            } => Some([start, start + along * length].map(|p| placed.point(p).at)),
-            Shape::Circle { .. } => None,
-        }
-    };
-    let (Some([p, q]), Some([r, s])) = (ends(a), ends(b)) else {
+fn circle_and_flat(circle: (&Placed, &Shape), (placed, flat): (&Placed, &Flat)) -> bool {
+    let Shape::Circle { center, radius, .. } = *circle.1 else {
         return false;
     };
-    let side = |from: Point, to: Point, at: Point| (to - from).cross(at - from);
-    side(p, q, r) * side(p, q, s) < 0.0 && side(r, s, p) * side(r, s, q) < 0.0
-}
-
-fn circle_and_segment(circle: (&Placed, &Shape), segment: (&Placed, &Shape)) -> bool {
-    let (
-        Shape::Circle { center, radius, .. },
-        Shape::Segment {
-            start,
-            along,
-            length,
-        },
-    ) = (*circle.1, *segment.1)
-    else {
-        return false;
-    };
-    let (c, s) = (circle.0.point(center).at, segment.0.point(start).at);
-    let d = segment.0.turn * along;
-    let foot = (c - s).dot(d);
-    let height = (c - s).dot(d.left());
-    let half = radius * radius - height * height;
-    if radius == 0.0 || half <= 0.0 {
+    if radius == 0.0 {
         return false;
     }
-    [foot - half.sqrt(), foot + half.sqrt()]
-        .into_iter()
-        .filter(|t| (0.0..=length).contains(t))
-        .any(|t| is_on(circle.0, circle.1, s + d * t - c))
+    // In the frame of the arc, whose circle is at y = k (x² + y²) / 2 beside its middle.
+    let c = placed.back(circle.0.point(center).at);
+    let seen = flat.seen(c);
+    if seen.height.abs() >= radius {
+        return false;
+    }
+    // Half the chord that the two circles share, of which the one has a tiny curvature: along its tangent at the foot.
+    let k = flat.curvature;
+    let (h, r) = (seen.height, radius);
+    let lower = 0.5 * k * (r * r - h * h) / (1.0 - k * h);
+    let beside = r * r - (h - lower).powi(2);
+    if beside <= 0.0 {
+        return false;
+    }
+    let tangent = -seen.up.left();
+    [1.0, -1.0].into_iter().any(|side| {
+        let p = c - seen.up * (h - lower) + tangent * (side * beside.sqrt());
+        let on = flat.seen(p);
+        flat.has(on.foot, 0.0) && is_on(circle.0, circle.1, placed.turn * (p - c))
+    })
 }
 
 fn circles(a: (&Placed, &Shape), b: (&Placed, &Shape)) -> bool {

@@ -5,8 +5,11 @@
 //! alone, and nothing of their contact space: a path that it passes is free whatever the space says.
 
 mod apart;
+mod flat;
+mod flats;
 mod meet;
 mod near;
+mod normals;
 mod pose;
 mod scene;
 mod search;

@@ -1,12 +1,12 @@
 //! Branch and bound over pairs of discs and over time.
 
-use cspace::{FeatureName, Point, Vector};
+use cspace::FeatureName;
 
 use super::apart::{Apart, discs, pieces};
 use super::meet::meet;
 use super::near::Near;
+use super::normals::normals;
 use super::pose::{Placed, Pose};
-use super::shape::{Shape, beyond};
 use super::tree::{Holds, Node, Tree};
 
 /// A least distance is right to this share of it.
@@ -268,11 +268,11 @@ impl<'a> Search<'a> {
             &self.fixed.pieces[pair.0 as usize],
             &self.moving.pieces[pair.1 as usize],
         );
-        let mut take = |p: Point, q: Point| {
+        for (p, q) in normals((&over.fixed, &a.shape), (&over.moving, &b.shape)) {
             let way = q - p;
             let length = way.length();
             if length >= distance || length == 0.0 {
-                return;
+                continue;
             }
             with(Near {
                 distance: length,
@@ -281,75 +281,6 @@ impl<'a> Search<'a> {
                 points: (over.fixed.back(p), over.moving.back(q)),
                 direction: way * (1.0 / length),
             });
-        };
-        // Points of a circle in a direction and against it, where they belong to it.
-        let on = |placed: &Placed, shape: &Shape, direction: Vector| -> Vec<Point> {
-            let Shape::Circle {
-                center,
-                radius,
-                from,
-                sweep,
-            } = *shape
-            else {
-                return Vec::new();
-            };
-            let middle = placed.point(center).at;
-            if radius == 0.0 {
-                return vec![middle];
-            }
-            [direction, -direction]
-                .into_iter()
-                .filter(|d| beyond(from, sweep, d.angle() - placed.angle) == 0.0)
-                .map(|d| middle + d * radius)
-                .collect()
-        };
-        match (&a.shape, &b.shape) {
-            (Shape::Circle { center: c, .. }, Shape::Circle { center: d, .. }) => {
-                let way = over.moving.point(*d).at - over.fixed.point(*c).at;
-                let length = way.length();
-                if length == 0.0 {
-                    return;
-                }
-                let unit = way * (1.0 / length);
-                for p in on(&over.fixed, &a.shape, unit) {
-                    for q in on(&over.moving, &b.shape, unit) {
-                        take(p, q);
-                    }
-                }
-            }
-            (
-                circle @ Shape::Circle { .. },
-                Shape::Segment {
-                    start,
-                    along,
-                    length,
-                },
-            ) => {
-                let (s, d) = (over.moving.point(*start).at, over.moving.turn * *along);
-                for p in on(&over.fixed, circle, d.left()) {
-                    let foot = (p - s).dot(d);
-                    if (0.0..=*length).contains(&foot) {
-                        take(p, s + d * foot);
-                    }
-                }
-            }
-            (
-                Shape::Segment {
-                    start,
-                    along,
-                    length,
-                },
-                circle @ Shape::Circle { .. },
-            ) => {
-                let (s, d) = (over.fixed.point(*start).at, over.fixed.turn * *along);
-                for q in on(&over.moving, circle, d.left()) {
-                    let foot = (q - s).dot(d);
-                    if (0.0..=*length).contains(&foot) {
-                        take(s + d * foot, q);
-                    }
-                }
-            }
-            _ => {}
         }
     }
 }

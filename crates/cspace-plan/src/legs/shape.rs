@@ -1,11 +1,17 @@
-//! What a part is made of for measuring distances: circles with a range of directions, and segments.
+//! What a part is made of for measuring distances: circles with a range of directions, and lines and flat arcs.
 //!
-//! A vertex is a circle of radius 0. So there are two kinds of least distance: between two circles along the line of their
-//! centres, and between a circle and a line along the line's normal. A line is nearest to a line at an end of one of them.
+//! A vertex is a circle of radius 0. So there are three kinds of least distance: between two circles along the line of their
+//! centres, between a circle and a flat arc along the normal of the arc, and between two flat arcs (`flats.rs`).
 
 use core::f64::consts::TAU;
 
 use cspace::{Edge, FeatureKind, FeatureName, Part, Point, Vector};
+
+use super::flat::Flat;
+
+/// An arc is flat if its radius is so many sizes of its part or more: from its centre, distances would be rounded by as many
+/// roundings, and its points seem to be bent off their ways by as much.
+const FLAT: f64 = 128.0;
 
 /// A piece of a part's boundary, in the part's own frame.
 #[derive(Debug, Clone, Copy)]
@@ -17,12 +23,8 @@ pub(super) enum Shape {
         from: f64,
         sweep: f64,
     },
-    /// A segment from a point along a unit direction.
-    Segment {
-        start: Point,
-        along: Vector,
-        length: f64,
-    },
+    /// A line or a flat arc.
+    Flat(Flat),
 }
 
 /// A piece with what is needed to pass it over.
@@ -39,6 +41,8 @@ impl Piece {
     /// The vertices and edges of a part, with an offset taken from every point.
     pub(super) fn all(part: &Part, origin: Vector) -> Vec<Self> {
         let mut all = Vec::new();
+        let bounds = part.bounds();
+        let flat = FLAT * (bounds.max - bounds.min).length();
         for (loop_index, boundary) in (0u32..).zip(part.loops()) {
             let count = boundary.vertices().len();
             for e in boundary.edges() {
@@ -75,24 +79,20 @@ impl Piece {
                     reach: 0.0,
                     name: name(FeatureKind::Vertex, begins),
                 });
-                all.push(Self::of(&moved, name(kind, e.index)));
+                all.push(Self::of(&moved, name(kind, e.index), flat));
             }
         }
         all
     }
 
-    fn of(e: &Edge, name: FeatureName) -> Self {
+    fn of(e: &Edge, name: FeatureName, flat: f64) -> Self {
         let middle = e.start.midpoint(e.end);
         let chord = e.end - e.start;
         let length = chord.length();
         // An arc of less than half a turn is within the disc over its chord; of others all of the circle is taken.
-        if e.is_line() {
+        if e.is_line() || e.radius() >= flat {
             return Self {
-                shape: Shape::Segment {
-                    start: e.start,
-                    along: chord * (1.0 / length),
-                    length,
-                },
+                shape: Shape::Flat(Flat::of(e)),
                 middle,
                 reach: 0.5 * length,
                 name,

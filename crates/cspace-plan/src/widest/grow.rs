@@ -4,7 +4,7 @@ use cspace::part::tolerance::RESOLUTION;
 use cspace::{CurveGeometry, Part, PartError, Slice, Vertex};
 
 /// The part grown by a radius, in the model's unit of length: the Minkowski sum with a disc. Its boundary is the slice of the part
-/// and the disc: where the disc's centre touches the part from outside.
+/// and the disc: where the disc's centre touches the part from outside, right to the resolution of slices.
 ///
 /// # Errors
 /// If the radius is not positive and finite, or the grown outline is none that a part can have.
@@ -14,7 +14,7 @@ use cspace::{CurveGeometry, Part, PartError, Slice, Vertex};
 /// let square = Part::rectangle("square", (0.0, 0.0), 2.0, 2.0)?;
 /// let grown = cspace_plan::grown(&square, 0.5)?;
 /// // Its own area, four sides 0.5 wide, and a disc at the corners.
-/// assert!((grown.area() - (4.0 + 4.0 + 0.25 * core::f64::consts::PI)).abs() < 1e-12);
+/// assert!((grown.area() - (4.0 + 4.0 + 0.25 * core::f64::consts::PI)).abs() < 1e-9);
 /// # Ok::<(), cspace::PartError>(())
 /// ```
 pub fn grown(part: &Part, radius: f64) -> Result<Part, PartError> {

@@ -54,9 +54,13 @@ fn asked(seed: u64, pairs: u64, places: usize) -> Seen {
             ..Wishes::default()
         };
         let name = &drawn.name;
+        let t0 = std::time::Instant::now();
         let answer = planner
             .plan(Coordinates::Planar(from), Coordinates::Planar(to), &wishes)
             .unwrap();
+        if std::env::var("DBG").is_ok() {
+            eprintln!("{number} {name} {:?} {:?}", t0.elapsed(), wishes.clearance);
+        }
         match answer.verdict {
             Verdict::Path(path) => {
                 seen.paths += 1;
