@@ -125,10 +125,17 @@ pub(super) fn flats(a: (&Placed, &Flat), b: (&Placed, &Flat), half: f64) -> Apar
     let second = brought(a, b);
     let (_, phi) = angle(a.1, &second);
     let turning = (b.0.turning - a.0.turning).abs() * half;
-    if phi.abs() > a.1.turn() + second.turn() + turning + ROUNDING * ROUNDING.sqrt() {
+    // Angles are as certain as the ends of the arcs.
+    let parallel = (a.1.turn() + second.turn()) * (1.0 + ROUNDING) + f64::EPSILON;
+    if phi.abs() > parallel + turning {
         return Apart::NONE;
     }
     let (nearest, here) = distance(a.1, &second);
+    let here = if phi.abs() > parallel {
+        f64::INFINITY
+    } else {
+        here
+    };
     // No point of the second arc moves faster in the frame of the first.
     let moved = a.0.seen(b.0.point(b.1.middle), half);
     let speed = moved.velocity.length()

@@ -10,6 +10,7 @@ mod flats;
 mod meet;
 mod near;
 mod normals;
+mod pieces;
 mod pose;
 mod scene;
 mod search;

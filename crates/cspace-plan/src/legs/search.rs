@@ -2,10 +2,11 @@
 
 use cspace::FeatureName;
 
-use super::apart::{Apart, discs, pieces};
+use super::apart::Apart;
 use super::meet::meet;
 use super::near::Near;
 use super::normals::normals;
+use super::pieces::{discs, pieces};
 use super::pose::{Placed, Pose};
 use super::tree::{Holds, Node, Tree};
 

@@ -11,7 +11,7 @@ use super::flat::Flat;
 
 /// An arc is flat if its radius is so many sizes of its part or more: from its centre, distances would be rounded by as many
 /// roundings, and its points seem to be bent off their ways by as much.
-const FLAT: f64 = 128.0;
+const FLAT: f64 = 8.0;
 
 /// A piece of a part's boundary, in the part's own frame.
 #[derive(Debug, Clone, Copy)]

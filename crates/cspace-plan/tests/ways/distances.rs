@@ -35,7 +35,12 @@ fn clearances_and_least_distances_are_those_of_brute_force() {
             Coordinates::Axes { .. } => unreachable!("a planar pair"),
         };
         let least = scene.least(from, to);
-        assert!((scene.clearance(along(least.time)) - least.distance).abs() < 1e-9 * size);
+        let at_least = scene.nearest(along(least.time));
+        assert!(
+            (at_least.distance - least.distance).abs() < 1e-9 * size,
+            "pair {number} ({}): {least:?} {at_least:?}",
+            drawn.name
+        );
         // By another kernel; it measures what is free alone.
         let mut nearest = f64::INFINITY;
         let mut free = true;

@@ -1,16 +1,22 @@
 //! Random pairs with random starts and goals: every path by brute force, every "no" by a flood fill in boxes.
 
-use cspace::{Configuration, Coordinates, Options, PairSpace, Relation};
+use cspace::{Configuration, Coordinates, Options, PairSpace, Relation, Window};
 use cspace_load::draw::Source;
-use cspace_oracle::Oracle;
+use cspace_oracle::{Case, Fill, Oracle};
 use cspace_plan::{Checked, Clearance, Planner, Verdict, Wishes, check};
 use rand::Rng;
+
+/// Boxes of a flood fill are divided so often, and larger pairs take it too long.
+const DEPTH: u32 = 5;
+const MOST_EDGES: usize = 24;
 
 /// How many verdicts of each kind there were.
 #[derive(Debug, Default, Clone, Copy)]
 struct Seen {
     paths: usize,
     none: usize,
+    /// Of these, so many by a flood fill.
+    filled: usize,
     blocked: usize,
     unknown: usize,
 }
@@ -35,17 +41,20 @@ fn asked(seed: u64, pairs: u64, places: usize) -> Seen {
         let oracle = Oracle::new(fixed, moving);
         let size = oracle.size();
         let (lo, hi) = case.window.unwrap_or((-4.0, 4.0));
-        let mut somewhere = || {
-            let mut at = |half: f64| rng.random_range(-half..half) * size;
-            let (x, y) = (at(0.6), at(0.6));
-            Configuration::new(x, y, rng.random_range(lo..hi))
-        };
-        // Half of them are to be free.
-        let mut free = || {
-            let tries = (0..50).map(|_| somewhere());
+        // Where it is drawn one part often is within the other: a third of the starts is near there.
+        let mut free = |near: bool| {
+            let somewhere = || {
+                let close = 10f64.powf(rng.random_range(-6.0..-0.5));
+                let (half, turn) = if near { (close, close) } else { (0.6, 4.0) };
+                let mut at = |half: f64| rng.random_range(-half..half) * size;
+                let (x, y) = (at(half), at(half));
+                let (lo, hi) = (lo.max(-turn), hi.min(turn));
+                (lo < hi).then(|| Configuration::new(x, y, rng.random_range(lo..hi)))
+            };
+            let tries = core::iter::repeat_with(somewhere).take(50).flatten();
             tries.into_iter().find(|&c| !oracle.judge(c).overlap)
         };
-        let (Some(from), Some(to)) = (free(), free()) else {
+        let (Some(from), Some(to)) = (free(number % 3 == 0), free(number % 6 == 0)) else {
             continue;
         };
         let planner = Planner::new(&space).unwrap();
@@ -54,13 +63,9 @@ fn asked(seed: u64, pairs: u64, places: usize) -> Seen {
             ..Wishes::default()
         };
         let name = &drawn.name;
-        let t0 = std::time::Instant::now();
         let answer = planner
             .plan(Coordinates::Planar(from), Coordinates::Planar(to), &wishes)
             .unwrap();
-        if std::env::var("DBG").is_ok() {
-            eprintln!("{number} {name} {:?} {:?}", t0.elapsed(), wishes.clearance);
-        }
         match answer.verdict {
             Verdict::Path(path) => {
                 seen.paths += 1;
@@ -78,7 +83,13 @@ fn asked(seed: u64, pairs: u64, places: usize) -> Seen {
                     &format!("pair {number} of {seed} ({name})"),
                 );
             }
-            Verdict::NoPath(_) => seen.none += 1,
+            Verdict::NoPath(_) => {
+                seen.none += 1;
+                if fixed.edges().count() + moving.edges().count() <= MOST_EDGES {
+                    seen.filled += 1;
+                    filled(&case, &space, &format!("pair {number} of {seed} ({name})"));
+                }
+            }
             Verdict::FromBlocked(_) | Verdict::ToBlocked(_) => {
                 // Brute force calls a contact free.
                 seen.blocked += 1;
@@ -99,6 +110,17 @@ fn asked(seed: u64, pairs: u64, places: usize) -> Seen {
         }
     }
     seen
+}
+
+/// The free regions are those of a flood fill in boxes that brute force proves to be free or blocked.
+fn filled(case: &Case, space: &PairSpace, name: &str) {
+    let PairSpace::Planar(space) = space else {
+        unreachable!("a planar pair")
+    };
+    let Window { lo, hi, full_turn } = space.window();
+    let fill = Fill::new(case, (lo, hi), full_turn, DEPTH);
+    let compared = fill.compare(space.free_regions().len(), |c| space.region_at(c));
+    assert!(compared.wrong.is_empty(), "{name}: {:?}", compared.wrong);
 }
 
 /// No configuration along a path overlaps.
@@ -122,8 +144,8 @@ fn judged(oracle: &Oracle, path: &[Coordinates], places: usize, name: &str) {
 
 #[test]
 fn random_ways_are_free() {
-    let seen = asked(2411, 150, 500);
-    assert!(seen.paths > 60 && seen.none > 3, "{seen:?}");
+    let seen = asked(2411, 500, 300);
+    assert!(seen.paths > 300 && seen.filled > 3, "{seen:?}");
 }
 
 #[test]
