@@ -639,9 +639,10 @@ choose: the plane of its two motions (u, v) is shown. With -o OUT.svg, .png or
 
 const PLAN: &str = "\
 Examples:
-  cspace plan models/peg_hole.toml --from 0,60,0 --to=0,-10,0
-  cspace plan models/ball_in_c.toml --from 0,0,0 --to 60,0,0 --widest
-  cspace plan models/peg_hole.toml --from 0,60,0 --to=0,-10,0 -o way.csv
+  cspace plan models/peg_hole.toml --from 40,30,90deg --to 0,2,0
+  cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 --widest
+  cspace plan models/ball_in_c.toml --from 0,0,0 --to 60,0,0
+  cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 -o way.csv
   cspace plan models/peg_hole.toml --check way.csv --format json
 
 The answer is a path of motions of constant rates, each of them checked, or

@@ -11,7 +11,7 @@ use cspace::{
 use crate::answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
 use crate::legs::{Coords, Scene};
 use crate::off_contact::off_contact;
-use crate::path::{Legs, divided};
+use crate::path::{Legs, MOST_LEGS, divided};
 use crate::route::{Gaps, Piece, Planar, join};
 use crate::widest::{Until, Wider, widen};
 
@@ -31,6 +31,9 @@ pub enum PlanError {
     /// The pair with the moving part grown cannot be computed, or the computation was interrupted.
     #[error("the pair with the moving part grown: {0}")]
     Grown(#[from] PairError),
+    /// The legs are to be so short that they are too many.
+    #[error("the legs of the path would be more than {0}: let each be longer")]
+    TooManyLegs(f64),
 }
 
 /// How much clearance a path is to have.
@@ -158,7 +161,8 @@ impl<'a> Planner<'a> {
     /// A path from one configuration to another, or that there is none.
     ///
     /// # Errors
-    /// If a configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
+    /// If a configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion; if legs
+    /// are to be so short that they are too many.
     pub fn plan(
         &self,
         from: Coordinates,
@@ -224,7 +228,7 @@ impl<'a> Planner<'a> {
                 };
                 let legs = Legs::new(&self.scene, wider.places).shortened(kept);
                 let ends = ((from, leave.is_some()), (to, arrive.is_some()), last);
-                Verdict::Path(self.told(&self.with_ends(&legs, ends), wishes))
+                Verdict::Path(self.told(&self.with_ends(&legs, ends), wishes)?)
             }
         };
         Ok(answer)
@@ -368,14 +372,14 @@ impl<'a> Planner<'a> {
         Some(path)
     }
 
-    fn told(&self, legs: &Legs<'_>, wishes: &Wishes) -> Path {
+    fn told(&self, legs: &Legs<'_>, wishes: &Wishes) -> Result<Path, PlanError> {
         let at = |c: Coords| self.scene.coordinates(c);
-        let places = divided(legs.places(), wishes.steps);
-        let narrowest = self.narrow(legs);
-        Path {
+        let places =
+            divided(legs.places(), wishes.steps).ok_or(PlanError::TooManyLegs(MOST_LEGS))?;
+        Ok(Path {
             configurations: places.into_iter().map(at).collect(),
-            narrowest,
-        }
+            narrowest: self.narrow(legs),
+        })
     }
 
     fn narrow(&self, legs: &Legs<'_>) -> Narrow {

@@ -95,3 +95,8 @@ fn how_a_model_is_written() {
 fn three_first_models() {
     is_true("first-models.md", 14);
 }
+
+#[test]
+fn ways() {
+    is_true("planning.md", 7);
+}

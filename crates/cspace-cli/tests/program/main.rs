@@ -14,6 +14,7 @@ mod hostile;
 mod import;
 mod meshes;
 mod new;
+mod plan;
 mod play;
 mod questions;
 mod random;

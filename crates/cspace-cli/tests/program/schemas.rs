@@ -43,7 +43,7 @@ fn rename(object: &mut serde_json::Map<String, Value>) {
 
 fn leave_out(object: &mut serde_json::Map<String, Value>) {
     // A name may be missing; what the answer is about may not.
-    let key = ["fixed", "parts", "at", "curves", "fraction"]
+    let key = ["fixed", "parts", "at", "curves", "fraction", "verdict"]
         .into_iter()
         .find(|k| object.contains_key(*k));
     object.remove(key.unwrap());
@@ -92,4 +92,15 @@ fn answers_are_as_their_schemas_say() {
         );
         is_told("move", &json(&["move", &axes, "--from", at, "--by=0,1"]));
     }
+    let (peg, ball) = (model("peg_hole"), model("ball_in_c"));
+    let plan = |file: &str, from: &str, to: &str, more: &[&str]| {
+        let args = ["plan", file, "--from", from, "--to", to];
+        is_told("plan", &json(&[&args[..], more].concat()));
+    };
+    plan(&peg, "40,30,90deg", "0,2,0", &[]);
+    plan(&peg, "40,30,90deg", "0,2,0", &["--widest"]);
+    plan(&peg, "40,30,90deg", "0,2,0", &["--clearance", "1"]);
+    plan(&peg, "40,30,90deg", "0,-10,0", &[]);
+    plan(&ball, "0,0,0", "60,0,0", &[]);
+    plan(&axes, "0,0", "30deg,-36deg", &[]);
 }

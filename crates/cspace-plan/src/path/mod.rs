@@ -6,4 +6,4 @@ mod shorten;
 mod steps;
 
 pub(crate) use legs::Legs;
-pub(crate) use steps::divided;
+pub(crate) use steps::{MOST_LEGS, divided};

@@ -88,6 +88,9 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         PlanError::To(e) => pair.unanswered("--to", e),
         PlanError::Pair(e) => pair.unanswered("--from", e),
         PlanError::Grown(e) => pair.failure(e),
+        PlanError::TooManyLegs(_) => {
+            Failure::input(format_args!("--turn, --travel: {error}")).help("give larger ones")
+        }
         _ => Failure::work(error),
     };
     let begin = Instant::now();
@@ -155,6 +158,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             for &at in &told.path {
                 writeln!(text, "  {}", pair.place(at))?;
             }
+        }
+        Name::NoPath if told.bottleneck.is_some() => {
+            writeln!(text, "no-path: no way has the clearance that is asked for")?;
         }
         Name::NoPath => writeln!(text, "no-path")?,
         Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,

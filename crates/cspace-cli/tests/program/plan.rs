@@ -1,0 +1,171 @@
+//! `cspace plan`: paths by the formulas of the parts, what is no path, and paths that are judged.
+
+use serde_json::Value;
+
+use crate::helpers::{cspace, fails, json, model, printed};
+
+fn numbers(at: &Value) -> Vec<f64> {
+    ["x", "y", "theta", "u", "v"]
+        .iter()
+        .filter_map(|k| at.get(k)?.as_f64())
+        .collect()
+}
+
+#[test]
+fn a_peg_goes_into_its_hole_and_its_path_passes_the_check() {
+    let peg = model("peg_hole");
+    let folder = tempfile::tempdir().unwrap();
+    let way = folder.path().join("way.csv");
+    let way = way.to_str().unwrap();
+    let ends = ["--from", "40,30,90deg", "--to", "0,2,0"];
+    let told = printed(&[&["plan", &peg, "-o", way], &ends[..]].concat());
+    assert!(told.starts_with("path: "), "{told}");
+    let answer = json(&[&["plan", &peg], &ends[..]].concat());
+    let path: Vec<Vec<f64>> = answer["path"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(numbers)
+        .collect();
+    assert_eq!(path[0][..2], [40.0, 30.0]);
+    let last = path.last().unwrap();
+    let turns = last[2] / core::f64::consts::TAU;
+    assert_eq!(last[..2], [0.0, 2.0]);
+    assert!((turns - turns.round()).abs() < 1e-12);
+    // The hole is 0.1 wider than the peg: the most there can be is half of that, and half of this is asked for.
+    let clearance = answer["clearance"].as_f64().unwrap();
+    assert!((0.025..=0.05).contains(&clearance), "{clearance}");
+    // The file holds the same, and passes.
+    let rows = std::fs::read_to_string(way).unwrap();
+    assert_eq!(rows.lines().count(), path.len() + 1);
+    let checked = json(&["plan", &peg, "--check", way]);
+    assert_eq!(checked["verdict"], "path");
+    assert!((checked["clearance"].as_f64().unwrap() - clearance).abs() < 1e-5 * clearance);
+    let widest = json(&[&["plan", &peg, "--widest"], &ends[..]].concat());
+    assert!((widest["bottleneck"]["most"].as_f64().unwrap() - 0.05).abs() < 1e-7);
+    let more = json(&[&["plan", &peg, "--clearance", "0.051"], &ends[..]].concat());
+    assert_eq!(more["verdict"], "no-path");
+}
+
+#[test]
+fn a_path_through_material_is_no_path() {
+    let peg = model("peg_hole");
+    let file = tempfile::Builder::new().suffix(".csv").tempfile().unwrap();
+    let path = file.path().to_str().unwrap();
+    std::fs::write(path, "x,y,theta\n0,60,0\n20,10,0\n0,5,0\n").unwrap();
+    let answer = json(&["plan", &peg, "--check", path]);
+    assert_eq!(answer["verdict"], "no-path");
+    assert_eq!(answer["contact"]["leg"], 0);
+    // The peg is 16 below its origin, and comes down by 50 on the first leg.
+    let fraction = answer["contact"]["fraction"].as_f64().unwrap();
+    assert!((fraction - 0.84).abs() < 1e-9, "{fraction}");
+    std::fs::write(path, "x,y\n0,60\n").unwrap();
+    fails(cspace(&["plan", &peg, "--check", path]), 2, &["theta"]);
+    std::fs::write(path, "x,y,theta\n").unwrap();
+    fails(
+        cspace(&["plan", &peg, "--check", path]),
+        2,
+        &["no configuration"],
+    );
+}
+
+#[test]
+fn what_is_caged_has_no_path() {
+    let answer = json(&[
+        "plan",
+        &model("ball_in_c"),
+        "--from",
+        "0,0,0",
+        "--to",
+        "60,0,0",
+    ]);
+    assert_eq!(answer["verdict"], "no-path");
+    assert_eq!(answer["regions"]["from"], 1);
+    assert_eq!(answer["regions"]["to"], 0);
+    assert_eq!(answer["enclosed"]["region"], 1);
+    assert!(
+        !answer["enclosed"]["touching"]
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
+}
+
+#[test]
+fn blocked_ends_are_told_with_the_way_out() {
+    let peg = model("peg_hole");
+    let from = json(&["plan", &peg, "--from=0,-10,0", "--to", "0,60,0"]);
+    assert_eq!(from["verdict"], "from-blocked");
+    assert!((from["blocked"]["depth"].as_f64().unwrap() - 10.0).abs() < 1e-6);
+    let to = json(&["plan", &peg, "--from", "0,60,0", "--to=0,-10,0"]);
+    assert_eq!(to["verdict"], "to-blocked");
+}
+
+#[test]
+fn gears_turn_together_and_not_past_each_other() {
+    let gears = model("gears_on_shafts");
+    // 12 teeth on 10: half a turn back is 0.6 of a turn on.
+    let answer = json(&["plan", &gears, "--from", "0,0", "--to", "180deg,-216deg"]);
+    assert_eq!(answer["verdict"], "path");
+    for at in answer["path"].as_array().unwrap() {
+        let c = numbers(at);
+        assert!((c[1] + 1.2 * c[0]).abs() < 0.02, "{c:?}");
+    }
+    let next = json(&["plan", &gears, "--from", "0,0", "--to", "75deg,18deg"]);
+    assert_eq!(next["verdict"], "no-path");
+}
+
+#[test]
+fn pictures_of_ways_and_limits_of_legs() {
+    let peg = model("peg_hole");
+    let folder = tempfile::tempdir().unwrap();
+    let ends = ["--from", "40,30,90deg", "--to", "0,2,0"];
+    for name in ["way.svg", "way.png", "way.pdf"] {
+        let file = folder.path().join(name);
+        let file = file.to_str().unwrap();
+        printed(&[&["plan", &peg, "-o", file], &ends[..]].concat());
+        assert!(std::fs::metadata(file).unwrap().len() > 1000);
+    }
+    let steps = ["--turn", "5deg", "--travel", "4"];
+    let answer = json(&[&["plan", &peg], &ends[..], &steps[..]].concat());
+    let path: Vec<Vec<f64>> = answer["path"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(numbers)
+        .collect();
+    for leg in path.windows(2) {
+        assert!((leg[1][0] - leg[0][0]).abs() <= 4.0 + 1e-9);
+        assert!((leg[1][1] - leg[0][1]).abs() <= 4.0 + 1e-9);
+        assert!((leg[1][2] - leg[0][2]).abs() <= 5f64.to_radians() + 1e-9);
+    }
+}
+
+#[test]
+fn what_is_no_question_is_refused() {
+    let peg = model("peg_hole");
+    fails(cspace(&["plan", &peg, "--to", "0,2,0"]), 2, &["--from"]);
+    for (from, word) in [
+        ("0,60", "3 numbers"),
+        ("0,60,nan", "finite"),
+        ("0,x,0", "\"x\""),
+    ] {
+        fails(
+            cspace(&["plan", &peg, "--from", from, "--to", "0,2,0"]),
+            2,
+            &["--from", word],
+        );
+    }
+    let ends = ["--from", "0,60,0", "--to", "0,2,0"];
+    for (option, value) in [
+        ("--clearance", "-1"),
+        ("--clearance", "nan"),
+        ("--turn", "0"),
+        ("--travel", "-2"),
+        ("--travel", "1e-12"),
+    ] {
+        let given = format!("{option}={value}");
+        let args = [&["plan", &peg, &given], &ends[..]].concat();
+        fails(cspace(&args), 2, &[option]);
+    }
+}
