@@ -18,12 +18,21 @@ pub(crate) fn angle(radians: f64) -> String {
 
 /// An angle in degrees.
 pub(crate) fn degrees(radians: f64) -> String {
-    format!("{:.4} deg", shown::number(radians.to_degrees()))
+    let shown = format!("{:.4}", shown::number(radians.to_degrees()));
+    format!("{} deg", zero_without_sign(&shown))
 }
 
 /// A length, or a coordinate, to six digits after the point.
 pub(crate) fn length(x: f64) -> String {
-    format!("{:.6}", shown::number(x))
+    zero_without_sign(&format!("{:.6}", shown::number(x))).to_owned()
+}
+
+/// A number of which nothing but a sign is left is shown without it.
+fn zero_without_sign(shown: &str) -> &str {
+    match shown.strip_prefix('-') {
+        Some(digits) if digits.bytes().all(|b| matches!(b, b'0' | b'.')) => digits,
+        _ => shown,
+    }
 }
 
 /// The rotational symmetry of a part, by its fold about its own centre, and whether every rotation maps it to itself.

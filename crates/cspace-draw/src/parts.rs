@@ -399,8 +399,15 @@ fn number_vertices(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot, place
 
 /// What each part is, and what touches.
 pub(crate) fn entries(picture: &PartsPicture<'_>, options: &PictureOptions) -> Vec<(Sign, String)> {
-    let mut all: Vec<(Sign, String)> = (picture.parts.iter())
-        .map(|p| {
+    // A part at several places is told once.
+    let first = |i: usize| {
+        !picture.parts[..i]
+            .iter()
+            .any(|q| q.number == picture.parts[i].number)
+    };
+    let mut all: Vec<(Sign, String)> = (picture.parts.iter().enumerate())
+        .filter(|&(i, _)| first(i))
+        .map(|(_, p)| {
             let (fill, edge) = colours(p.number);
             let said = match picture.is_drawing {
                 true => p.part.name().to_owned(),
