@@ -63,7 +63,7 @@ fn what_is_no_dxf_is_told() {
     says(
         "a.dxf",
         entities("0\nTEXT\n8\n0\n1\nhello\n"),
-        &["1 entities were left out", "a text"],
+        &["left out are 1 because: a text"],
     );
 }
 
