@@ -26,8 +26,14 @@ fn holds(outer: &Part, inner: &Part) -> bool {
             .all(|v| outer.contains(v.point()))
 }
 
+/// The most loops around another: what is no drawing of parts may have any number, and every two of them are compared.
+pub(crate) const MOST_AROUND: usize = 256;
+
 /// Outermost loops with the holes in them, by number; an island in a hole is outermost again. In the order of the loops.
-pub(crate) fn nest(loops: &[Lone]) -> Vec<Vec<usize>> {
+///
+/// # Errors
+/// The loop with more than [`MOST_AROUND`] around it.
+pub(crate) fn nest(loops: &[Lone]) -> Result<Vec<Vec<usize>>, usize> {
     let tree = RTree::bulk_load(
         (loops.iter().enumerate())
             .map(|(i, l)| {
@@ -39,15 +45,20 @@ pub(crate) fn nest(loops: &[Lone]) -> Vec<Vec<usize>> {
             })
             .collect(),
     );
-    let around: Vec<Vec<usize>> = (loops.iter().enumerate())
-        .map(|(i, l)| {
-            let at = [l.first.x, l.first.y];
-            tree.locate_in_envelope_intersecting(AABB::from_point(at))
-                .map(|r| r.data)
-                .filter(|&j| j != i && holds(&loops[j].part, &l.part))
-                .collect()
-        })
-        .collect();
+    let mut around: Vec<Vec<usize>> = Vec::with_capacity(loops.len());
+    for (i, l) in loops.iter().enumerate() {
+        let at = [l.first.x, l.first.y];
+        let of_this: Vec<usize> = tree
+            .locate_in_envelope_intersecting(AABB::from_point(at))
+            .map(|r| r.data)
+            .filter(|&j| j != i && holds(&loops[j].part, &l.part))
+            .take(MOST_AROUND + 1)
+            .collect();
+        if of_this.len() > MOST_AROUND {
+            return Err(i);
+        }
+        around.push(of_this);
+    }
     let mut groups: Vec<Vec<usize>> = Vec::new();
     let mut group_of = vec![usize::MAX; loops.len()];
     for (i, depth) in around.iter().map(Vec::len).enumerate() {
@@ -66,5 +77,5 @@ pub(crate) fn nest(loops: &[Lone]) -> Vec<Vec<usize>> {
             group.push(i);
         }
     }
-    groups
+    Ok(groups)
 }

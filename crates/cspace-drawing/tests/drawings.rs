@@ -172,3 +172,96 @@ fn an_element_is_read_alone() {
     // The element is drawn where it is used, twice.
     assert_eq!(outlines.parts.len(), 2);
 }
+
+fn made(name: &str, content: &str) -> Outlines {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    std::fs::write(&path, content).unwrap();
+    let drawing = read(&path, &Source::default()).unwrap();
+    drawing.outlines(&Settings::default()).unwrap()
+}
+
+/// View boxes in frames of other proportions: evenly in the middle, at a side, filling the frame, or stretched.
+#[test]
+fn view_boxes_lie_as_they_are_told() {
+    let bounds = |frame: &str, inner: &str| {
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" {frame}>{inner}\
+             <rect width=\"5\" height=\"5\"/>{}</svg>",
+            if inner.is_empty() { "" } else { "</svg>" }
+        );
+        let b = made("a.svg", &text).parts[0].bounds();
+        [b.min.x, b.min.y, b.max.x, b.max.y]
+    };
+    let page = "width=\"20mm\" height=\"10mm\" viewBox=\"0 0 10 10\"";
+    assert_eq!(bounds(page, ""), [0.0, 5.0, 5.0, 10.0]);
+    let stretched = format!("{page} preserveAspectRatio=\"none\"");
+    assert_eq!(bounds(&stretched, ""), [0.0, 5.0, 10.0, 10.0]);
+    let outer = "width=\"100\" height=\"100\" viewBox=\"0 0 100 100\"";
+    for (ratio, expected) in [
+        ("xMidYMid", [5.0, 95.0, 10.0, 100.0]),
+        ("xMinYMid", [0.0, 95.0, 5.0, 100.0]),
+        ("xMaxYMin", [10.0, 95.0, 15.0, 100.0]),
+        ("none", [0.0, 95.0, 10.0, 100.0]),
+        ("xMinYMin slice", [0.0, 90.0, 10.0, 100.0]),
+        ("xMinYMid slice", [0.0, 95.0, 10.0, 105.0]),
+    ] {
+        let inner = format!(
+            "<svg width=\"20\" height=\"10\" viewBox=\"0 0 10 10\" preserveAspectRatio=\"{ratio}\">"
+        );
+        assert_eq!(bounds(outer, &inner), expected, "{ratio}");
+    }
+}
+
+/// The size that a fit is a share of is that of the loop: what else is in the drawing, far away, does not make it coarser.
+#[test]
+fn fits_are_as_fine_in_large_drawings() {
+    let ellipses = |far: f64| {
+        let ellipse = |x: f64| {
+            format!(
+                "0\nELLIPSE\n8\n0\n10\n{x}\n20\n0\n11\n1\n21\n0\n40\n0.5\n41\n0\n42\n6.283185307179586\n"
+            )
+        };
+        let body: String = [0.0, far].map(ellipse).concat();
+        made(
+            "a.dxf",
+            &format!("0\nSECTION\n2\nENTITIES\n{body}0\nENDSEC\n0\nEOF\n"),
+        )
+    };
+    for far in [5.0, 5000.0] {
+        let outlines = ellipses(far);
+        assert_eq!(outlines.parts.len(), 2);
+        assert!(outlines.fitted.deviation <= 1.001e-4 * 20.0_f64.sqrt());
+        for part in &outlines.parts {
+            let off = part.area() - std::f64::consts::FRAC_PI_2;
+            assert!(off.abs() < 1e-3, "{far}: {off}");
+        }
+    }
+}
+
+/// Where nothing is left, every reason is told: a layer that was asked for may be switched off.
+#[test]
+fn an_empty_drawing_says_why() {
+    let text = "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nA\n70\n0\n62\n-7\n0\nENDTAB\n0\nENDSEC\n\
+        0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nB\n10\n0\n20\n0\n40\n1\n0\nCIRCLE\n8\nB\n10\n9\n20\n0\n40\n1\n\
+        0\nCIRCLE\n8\nA\n10\n5\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dxf");
+    std::fs::write(&path, text).unwrap();
+    let source = Source {
+        layers: vec!["A".to_owned()],
+        ..Source::default()
+    };
+    let error = read(&path, &source)
+        .and_then(|d| d.outlines(&Settings::default()))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("2 because: its layer was not asked for"),
+        "{error}"
+    );
+    assert!(
+        error.contains("1 because: its layer is switched off"),
+        "{error}"
+    );
+}

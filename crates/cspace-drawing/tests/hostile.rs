@@ -63,7 +63,7 @@ fn what_is_no_dxf_is_told() {
     says(
         "a.dxf",
         entities("0\nTEXT\n8\n0\n1\nhello\n"),
-        &["1 entities were left out", "a text"],
+        &["left out are 1 because: a text"],
     );
 }
 
@@ -177,6 +177,50 @@ fn crowds_at_one_place_end() {
     );
 }
 
+/// Circles around one another by the thousand are no part, and are not compared every two.
+#[test]
+fn rings_without_end_are_told() {
+    let start = Instant::now();
+    let rings = |count: u32| -> String {
+        let ring = |k| format!("0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n{}\n", k + 1);
+        (0..count).map(ring).collect()
+    };
+    says(
+        "a.dxf",
+        entities(&rings(20_000)),
+        &["CIRCLE", "more than 256 outlines are around it"],
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dxf");
+    std::fs::write(&path, entities(&rings(256))).unwrap();
+    let outlines = outlines(&path).unwrap();
+    assert_eq!(outlines.parts.len(), 128);
+    assert!(
+        start.elapsed() < Duration::from_secs(60),
+        "{:?}",
+        start.elapsed()
+    );
+}
+
+/// The line of an element is found without reading the file up to it: that takes minutes here.
+#[test]
+fn many_elements_of_svg_end() {
+    let start = Instant::now();
+    let squares: String = (0..100_000)
+        .map(|k| format!("<path\n d=\"M{} {}h1v1h-1\"/>", k % 300 * 2, k / 300 * 2))
+        .collect();
+    says(
+        "a.svg",
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{squares}<path d=\"M0 x\"/></svg>"),
+        &["path (line 100001)"],
+    );
+    assert!(
+        start.elapsed() < Duration::from_secs(60),
+        "{:?}",
+        start.elapsed()
+    );
+}
+
 #[test]
 fn what_is_no_svg_is_told() {
     says("a.svg", "", &["no XML"]);
@@ -206,6 +250,11 @@ fn what_is_no_svg_is_told() {
         "a.svg",
         "<svg xmlns=\"http://www.w3.org/2000/svg\"><g transform=\"scale(0)\"><circle r=\"5\"/></g></svg>",
         &["transform"],
+    );
+    says(
+        "a.svg",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"><g style=\"transform: rotate(45deg)\"><circle r=\"5\"/></g></svg>",
+        &["moved by a style sheet"],
     );
 }
 

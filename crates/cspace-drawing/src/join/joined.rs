@@ -24,6 +24,26 @@ pub(crate) struct ChainPiece<'d> {
 }
 
 impl Chain<'_> {
+    /// The diagonal of the box of all ends and some points of curves.
+    pub(crate) fn size(&self) -> f64 {
+        let mut lo = [f64::INFINITY; 2];
+        let mut hi = [f64::NEG_INFINITY; 2];
+        let mut take = |p: Point| {
+            lo = [lo[0].min(p.x), lo[1].min(p.y)];
+            hi = [hi[0].max(p.x), hi[1].max(p.y)];
+        };
+        for piece in &self.pieces {
+            take(piece.start);
+            if let Shape::Curve(curve) = piece.shape {
+                for span in 0..curve.spans() {
+                    take(curve.at(span, 0.5).0);
+                    take(curve.at(span, 1.0).0);
+                }
+            }
+        }
+        (hi[0] - lo[0]).hypot(hi[1] - lo[1])
+    }
+
     /// Whether it goes somewhere and back the same way.
     pub(super) fn encloses_nothing(&self, round: f64) -> bool {
         match &self.pieces[..] {

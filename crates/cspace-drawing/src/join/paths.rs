@@ -12,6 +12,8 @@ struct Whole {
     /// Where an open path ends.
     end: Option<Point>,
     middle: Point,
+    /// How far the ends are from the middle, on average: rings around one another have one middle.
+    radius: f64,
 }
 
 /// Removes paths of several pieces that are those of another path, either way around; says how many pieces. Pieces that two
@@ -28,18 +30,23 @@ pub(super) fn remove_repeated(pieces: &mut Pieces<'_>, round: f64) -> usize {
         |a: &Whole, b: &Whole| a.starts.len() == b.starts.len() && near(a.middle.x, b.middle.x);
     for group in wholes.chunk_by_mut(|a, b| alike(a, b)) {
         group.sort_by(|a, b| {
-            a.middle
-                .y
-                .total_cmp(&b.middle.y)
-                .then(a.first.cmp(&b.first))
+            let radius = a.radius.total_cmp(&b.radius);
+            radius.then(a.middle.y.total_cmp(&b.middle.y))
         });
-        for group in group.chunk_by(|a, b| near(a.middle.y, b.middle.y)) {
-            let mut kept: Vec<&Whole> = Vec::new();
-            for whole in group {
-                if kept.iter().any(|k| k.is_same(whole, round)) {
-                    repeated.push((whole.first, whole.starts.len()));
-                } else {
-                    kept.push(whole);
+        // Ends that are moved by rounding move the middle as much, and change their distances by twice that.
+        for group in group.chunk_by_mut(|a, b| near(a.radius / 2.0, b.radius / 2.0)) {
+            group.sort_by(|a, b| {
+                let middle = a.middle.y.total_cmp(&b.middle.y);
+                middle.then(a.first.cmp(&b.first))
+            });
+            for group in group.chunk_by(|a, b| near(a.middle.y, b.middle.y)) {
+                let mut kept: Vec<&Whole> = Vec::new();
+                for whole in group {
+                    if kept.iter().any(|k| k.is_same(whole, round)) {
+                        repeated.push((whole.first, whole.starts.len()));
+                    } else {
+                        kept.push(whole);
+                    }
                 }
             }
         }
@@ -82,10 +89,12 @@ fn wholes(pieces: &Pieces<'_>) -> Vec<Whole> {
         let end = (!is_closed).then_some(pieces.segments[*last].ends[1]);
         let all = starts.iter().chain(&end);
         let n = starts.len() + usize::from(!is_closed);
-        let sum = all.fold((0.0, 0.0), |s, p| (s.0 + p.x, s.1 + p.y));
+        let sum = (all.clone()).fold((0.0, 0.0), |s, p| (s.0 + p.x, s.1 + p.y));
+        let middle = Point::new(sum.0 / n as f64, sum.1 / n as f64);
         wholes.push(Whole {
             first: *first,
-            middle: Point::new(sum.0 / n as f64, sum.1 / n as f64),
+            radius: all.map(|p| p.distance(middle)).sum::<f64>() / n as f64,
+            middle,
             starts,
             bulges,
             end,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cspace::{Part, Point, Vertex};
 
 use super::names::names;
-use super::refusal::no_part;
+use super::refusal::{no_part, too_deep};
 use super::result::{FittedReport, Outlines};
 use super::settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
 use crate::drawing::{Drawing, Ignored, Origin, Problem};
@@ -20,7 +20,8 @@ use crate::shown;
 pub(super) struct Making<'d> {
     drawing: &'d Drawing,
     settings: &'d Settings,
-    fit: f64,
+    /// The size of the drawing.
+    size: f64,
     joined: Joined<'d>,
     /// What cannot be used, and is an error.
     problems: Vec<Problem>,
@@ -47,7 +48,7 @@ impl<'d> Making<'d> {
         let mut making = Self {
             drawing,
             settings,
-            fit: settings.fit.unwrap_or(DEFAULT_FIT * size),
+            size,
             joined,
             problems: Vec::new(),
             told: Vec::new(),
@@ -139,7 +140,14 @@ impl<'d> Making<'d> {
                 lone.push(alone);
             }
         }
-        let groups = nest(&lone);
+        let groups = nest(&lone).unwrap_or_else(|i| {
+            let problem = too_deep(self.drawing, &loops[i].0);
+            self.refuse(problem);
+            // With --partial none of them is used: which are holes is not known.
+            self.unused
+                .extend(loops.iter().flat_map(|l| &l.0.entities).copied());
+            Vec::new()
+        });
         if sided {
             self.refit(&mut loops, &mut lone, &groups);
         }
@@ -155,6 +163,17 @@ impl<'d> Making<'d> {
         (loops.into_iter().map(|l| l.0).collect(), groups)
     }
 
+    /// How near a loop is to be to what it is fitted to: it may be a small part of a large drawing.
+    fn fit_of(&self, chain: &Chain<'_>) -> f64 {
+        self.settings.fit.unwrap_or_else(|| {
+            let size = match self.settings.one_part {
+                Some(_) => self.size,
+                None => chain.size(),
+            };
+            DEFAULT_FIT * size
+        })
+    }
+
     /// The loop of a chain, checked by itself.
     fn fitted(&mut self, chain: &Chain<'_>, sided: Sided) -> Option<(Outline, Lone)> {
         let made = if self.drawing.is_measured {
@@ -163,9 +182,9 @@ impl<'d> Making<'d> {
                 entity: chain.pieces[0].entity,
                 at: points[0],
             };
-            fit::profile(&points, self.fit, sided, first.entity).ok_or(first)
+            fit::profile(&points, self.fit_of(chain), sided, first.entity).ok_or(first)
         } else {
-            fit::outline(chain, self.fit, sided)
+            fit::outline(chain, self.fit_of(chain), sided)
         };
         let outline = match made {
             Ok(outline) => outline,
@@ -192,6 +211,7 @@ impl<'d> Making<'d> {
     fn refuse_fit(&mut self, chain: &Chain<'_>, at: NotFitted) {
         /// Of points that scatter independently few are farther off than that many times the median.
         const FARTHEST: f64 = 4.0;
+        let fit = self.fit_of(chain);
         let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();
         let scatter = if self.drawing.is_measured {
             fit::scatter(&points)
@@ -205,9 +225,9 @@ impl<'d> Making<'d> {
             to: None,
             reason: format!(
                 "no lines and arcs within {} of it were found",
-                shown::number(self.fit)
+                shown::number(fit)
             ),
-            help: if FARTHEST * scatter > self.fit {
+            help: if FARTHEST * scatter > fit {
                 format!(
                     "give a larger fit: the points scatter by about {}, which asks for {} or more",
                     shown::number(scatter),
@@ -311,12 +331,26 @@ impl<'d> Making<'d> {
     }
 
     fn nothing(&self) -> DrawingError {
-        let left_out = match self.ignored.len() {
-            0 => String::new(),
-            n => format!(
-                "; {n} entities were left out, the first, a {}, because: {}",
-                self.ignored[0].origin.kind, self.ignored[0].reason
-            ),
+        /// More reasons than that are not told.
+        const MOST_REASONS: usize = 4;
+        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+        for ignored in &self.ignored {
+            *reasons.entry(&ignored.reason).or_default() += 1;
+        }
+        let mut reasons: Vec<(&str, usize)> = reasons.into_iter().collect();
+        reasons.sort_by_key(|r| core::cmp::Reverse(r.1));
+        let mut left_out: Vec<String> = (reasons.iter().take(MOST_REASONS))
+            .map(|(reason, n)| format!("{n} because: {reason}"))
+            .collect();
+        if self.joined.tiny > 0 {
+            left_out.push(format!(
+                "{} because: ends nearer than `join` are one",
+                self.joined.tiny
+            ));
+        }
+        let left_out = match left_out.is_empty() {
+            true => String::new(),
+            false => format!("; left out are {}", left_out.join("; ")),
         };
         DrawingError::file(
             format!("the drawing has no closed outline{left_out}"),

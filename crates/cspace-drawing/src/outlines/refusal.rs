@@ -4,6 +4,7 @@ use cspace::PartError;
 
 use crate::drawing::{Drawing, Problem};
 use crate::fit::Outline;
+use crate::nest::MOST_AROUND;
 
 /// What is wrong with loops, at the entities that drew them.
 pub(super) fn no_part(drawing: &Drawing, error: &PartError, outlines: &[&Outline]) -> Problem {
@@ -61,6 +62,19 @@ pub(super) fn no_part(drawing: &Drawing, error: &PartError, outlines: &[&Outline
         to: None,
         reason,
         help,
+    }
+}
+
+/// That a loop is within more others than parts have.
+pub(super) fn too_deep(drawing: &Drawing, outline: &Outline) -> Problem {
+    let entity = outline.entities.first();
+    Problem {
+        origin: (entity.map(|&e| drawing.entities[e as usize].origin.clone())).unwrap_or_default(),
+        with: Vec::new(),
+        at: outline.vertices.first().map(|v| v.point()),
+        to: None,
+        reason: format!("more than {MOST_AROUND} outlines are around it"),
+        help: "leave out what is no outline, or read some layers alone with --layer".to_owned(),
     }
 }
 

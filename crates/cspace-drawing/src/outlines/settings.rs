@@ -5,7 +5,8 @@ use crate::error::DrawingError;
 /// How near ends are that are one, as a share of the drawing's size, unless it is said.
 pub const DEFAULT_JOIN: f64 = 1e-5;
 
-/// How far lines and arcs may be from what they are fitted to, as a share of the drawing's size, unless it is said.
+/// How far lines and arcs may be from what they are fitted to, as a share of the loop's size, or of the drawing's where it is one
+/// part, unless it is said.
 pub const DEFAULT_FIT: f64 = 1e-4;
 
 /// How a drawing is read.
@@ -15,8 +16,7 @@ pub struct Settings {
     pub scale: f64,
     /// Ends nearer than this are one, in lengths after scaling; [`DEFAULT_JOIN`] where it is not said.
     pub join: Option<f64>,
-    /// Curves and points become lines and arcs within this, in lengths after scaling; [`DEFAULT_FIT`] of the size where it
-    /// is not said.
+    /// Curves and points become lines and arcs within this, in lengths after scaling; [`DEFAULT_FIT`] where it is not said.
     pub fit: Option<f64>,
     /// On which side of the curves the lines and arcs may be.
     pub side: FitSide,

@@ -1,9 +1,10 @@
 //! Drawings in SVG.
 //!
 //! Elements are walked in document order with the transform from their coordinates to the drawing's, whose y axis points up
-//! ([`walk`]). Shapes and paths become paths ([`shapes`], [`path`]): circular arcs stay arcs, elliptical ones and Béziers are
+//! ([`walk`], [`frame`]). Shapes and paths become paths ([`shapes`], [`path`]): circular arcs stay arcs, elliptical ones and Béziers are
 //! curves to fit. What is not drawn by its style is left out ([`style`]).
 
+mod frame;
 mod length;
 mod path;
 mod shapes;

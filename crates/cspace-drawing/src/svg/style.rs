@@ -1,4 +1,4 @@
-//! What of an element's style matters: whether it is drawn at all.
+//! What of an element's style matters: whether it is drawn at all, and where it is told to be.
 
 use std::collections::HashMap;
 
@@ -16,6 +16,8 @@ pub(super) struct Style {
     pub(super) is_hidden: bool,
     /// Not drawn, and nothing within it either.
     pub(super) is_absent: bool,
+    /// Whether a style moves the element, as its attribute `transform` would.
+    pub(super) moves: bool,
 }
 
 impl Default for Style {
@@ -26,6 +28,7 @@ impl Default for Style {
             is_stroked: false,
             is_hidden: false,
             is_absent: false,
+            moves: false,
         }
     }
 }
@@ -53,7 +56,10 @@ impl Sheet {
 
     /// The style of an element within others of a style. What is nearer to the element comes last, and wins.
     pub(super) fn style(&self, node: Node<'_, '_>, outer: &Style) -> Style {
-        let mut style = outer.clone();
+        let mut style = Style {
+            moves: false,
+            ..outer.clone()
+        };
         for name in ["fill", "stroke", "display", "visibility"] {
             if let Some(value) = node.attribute(name) {
                 style.set(name, value);
@@ -85,6 +91,7 @@ impl Style {
             "fill" if value != "inherit" => self.is_filled = is_some,
             "stroke" if value != "inherit" => self.is_stroked = is_some,
             "visibility" if value != "inherit" => self.is_hidden = value != "visible",
+            "transform" | "translate" | "rotate" | "scale" => self.moves = is_some,
             "display" if value == "none" => self.is_absent = true,
             _ => {}
         }

@@ -6,13 +6,14 @@ use std::sync::Arc;
 
 use cspace::{Point, Vector};
 use roxmltree::{Document, Node};
-use svgtypes::{Transform, ViewBox};
+use svgtypes::Transform;
 
-use super::length::{physical, user_units};
+use super::frame::{frame, page};
+use super::length::user_units;
 use super::shapes::shape;
 use super::style::{Sheet, Style};
 use crate::affine::Affine;
-use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem, Unit};
+use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
 use crate::error::DrawingError;
 use crate::source::Source;
 
@@ -40,8 +41,9 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
             "check the id; ids are case-sensitive",
         ));
     }
+    let breaks = document.input_text().match_indices('\n');
     let mut walk = Walk {
-        document,
+        lines: breaks.map(|(at, _)| at + 1).collect(),
         source,
         ids,
         sheet: Sheet::of(document),
@@ -63,56 +65,6 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
     Ok(walk.drawing)
 }
 
-/// From the coordinates of the root's content to the drawing's, whose y axis points up; and the unit that the page is measured
-/// in. The origin is the lower left corner of the page; of one whose view box does not begin at 0, 0, whoever drew it has
-/// chosen the origin, and it stays.
-fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
-    let length = |name| root.attribute(name).and_then(physical);
-    let (width, height) = (length("width"), length("height"));
-    let unit = width.or(height).and_then(|l| l.1);
-    let view = root
-        .attribute("viewBox")
-        .and_then(|v| ViewBox::from_str(v).ok());
-    // Both sides in the unit of the first.
-    let side = |l: Option<(f64, Option<Unit>)>| {
-        let (number, own) = l?;
-        let factor = match (own, unit) {
-            (Some(own), Some(unit)) => own.millimetres() / unit.millimetres(),
-            _ => 1.0,
-        };
-        Some(number * factor)
-    };
-    let (width, height) = (side(width), side(height));
-    let Some(view) = view.filter(|v| v.w > 0.0 && v.h > 0.0) else {
-        // User units are pixels.
-        let scale = match (unit, root.attribute("viewBox")) {
-            (Some(unit), _) => Unit::Pixel.millimetres() / unit.millimetres(),
-            _ => 1.0,
-        };
-        let top = height.unwrap_or(0.0);
-        let map = Affine {
-            x: Vector::new(scale, 0.0),
-            y: Vector::new(0.0, -scale),
-            origin: Point::new(0.0, top),
-        };
-        return (map, unit);
-    };
-    let scales = [width.map(|w| w / view.w), height.map(|h| h / view.h)];
-    let scale = (scales.into_iter().flatten())
-        .filter(|s| *s > 0.0 && s.is_finite())
-        .fold(f64::INFINITY, f64::min);
-    let scale = if scale.is_finite() { scale } else { 1.0 };
-    let map = Affine {
-        x: Vector::new(scale, 0.0),
-        y: Vector::new(0.0, -scale),
-        origin: match (view.x, view.y) {
-            (0.0, 0.0) => Point::new(0.0, view.h * scale),
-            _ => Point::ORIGIN,
-        },
-    };
-    (map, unit)
-}
-
 /// What an element is drawn on.
 #[derive(Clone)]
 struct Ground {
@@ -127,7 +79,8 @@ struct Ground {
 }
 
 struct Walk<'d, 'i> {
-    document: &'d Document<'i>,
+    /// Where each line of the file begins.
+    lines: Vec<usize>,
     source: &'d Source,
     ids: HashMap<&'d str, Node<'d, 'i>>,
     sheet: Sheet,
@@ -186,6 +139,15 @@ impl<'d, 'i> Walk<'d, 'i> {
                     return Ok(());
                 }
             }
+        }
+        if ground.style.moves {
+            self.problem(
+                node,
+                &ground,
+                "it is moved by a style sheet, which is not followed".to_owned(),
+                "give it a transform attribute, or export the drawing as plain SVG",
+            );
+            return Ok(());
         }
         match name {
             "g" | "a" | "switch" => {
@@ -316,7 +278,8 @@ impl<'d, 'i> Walk<'d, 'i> {
     }
 
     fn line(&self, node: Node<'_, '_>) -> usize {
-        self.document.text_pos_at(node.range().start).row as usize
+        let at = node.range().start;
+        1 + self.lines.partition_point(|&begin| begin <= at)
     }
 
     fn ignore(&mut self, node: Node<'_, '_>, ground: &Ground, reason: &'static str) {
@@ -347,49 +310,6 @@ fn is_name(id: &str, kind: &str) -> bool {
     let rest = id.strip_prefix(kind).unwrap_or(id);
     let rest = rest.strip_prefix("layer").unwrap_or(rest);
     rest.chars().any(char::is_alphabetic)
-}
-
-/// The map of a frame of its own: its corner, and its view box fitted into its sides. A symbol's sides are those of the
-/// element that uses it.
-fn frame(node: Node<'_, '_>, used_by: Option<Node<'_, '_>>) -> Affine {
-    let own = |name| node.attribute(name).and_then(user_units);
-    let side = |name| {
-        let by = used_by.and_then(|n| n.attribute(name)).and_then(user_units);
-        by.or_else(|| own(name))
-    };
-    let corner = match used_by {
-        None => Vector::new(own("x").unwrap_or(0.0), own("y").unwrap_or(0.0)),
-        Some(_) => Vector::ZERO,
-    };
-    let view = node
-        .attribute("viewBox")
-        .and_then(|v| ViewBox::from_str(v).ok());
-    let Some(view) = view.filter(|v| v.w > 0.0 && v.h > 0.0) else {
-        return Affine {
-            origin: Point::ORIGIN + corner,
-            ..Affine::IDENTITY
-        };
-    };
-    let (width, height) = (side("width"), side("height"));
-    let scale = [width.map(|w| w / view.w), height.map(|h| h / view.h)]
-        .into_iter()
-        .flatten()
-        .fold(f64::INFINITY, f64::min);
-    let scale = if scale.is_finite() && scale > 0.0 {
-        scale
-    } else {
-        1.0
-    };
-    // In the middle of its frame, unless that is said otherwise, which outlines do not ask for.
-    let rest = |side: Option<f64>, own: f64| side.map_or(0.0, |s| (s - own * scale) / 2.0);
-    Affine {
-        x: Vector::new(scale, 0.0),
-        y: Vector::new(0.0, scale),
-        origin: Point::new(
-            corner.x + rest(width, view.w) - view.x * scale,
-            corner.y + rest(height, view.h) - view.y * scale,
-        ),
-    }
 }
 
 fn transform(text: &str) -> Result<Affine, String> {
