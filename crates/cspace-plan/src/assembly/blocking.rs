@@ -40,7 +40,9 @@ impl Blocking {
         let mut contacts = Vec::new();
         for a in 0..units.of.len() {
             for b in a + 1..units.of.len() {
-                for (&i, &j) in (units.of[a].iter()).flat_map(|i| units.of[b].iter().map(move |j| (i, j))) {
+                for (&i, &j) in
+                    (units.of[a].iter()).flat_map(|i| units.of[b].iter().map(move |j| (i, j)))
+                {
                     let scene = Scene::new(&units.parts[i], &units.parts[j], None);
                     let lever = scene.levers()[2].max(f64::MIN_POSITIVE);
                     for near in scene.near([0.0; 3], TOUCHING * units.gap) {
@@ -49,8 +51,16 @@ impl Blocking {
                             continue;
                         };
                         // Both move alike: what the second gains by a motion is what the first loses.
-                        contacts.push(Contact { moving: b, staying: a, gradient: g });
-                        contacts.push(Contact { moving: a, staying: b, gradient: g.map(|c| -c) });
+                        contacts.push(Contact {
+                            moving: b,
+                            staying: a,
+                            gradient: g,
+                        });
+                        contacts.push(Contact {
+                            moving: a,
+                            staying: b,
+                            gradient: g.map(|c| -c),
+                        });
                     }
                 }
             }

@@ -35,7 +35,9 @@ pub enum AssemblyError {
         most: f64,
     },
     /// A part is too small for the gap.
-    #[error("part {part}: an edge is too short, or an arc too small, for a gap of {gap:e}; give a smaller one")]
+    #[error(
+        "part {part}: an edge is too short, or an arc too small, for a gap of {gap:e}; give a smaller one"
+    )]
     TooSmall {
         /// Its name.
         part: String,

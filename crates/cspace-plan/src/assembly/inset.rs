@@ -18,7 +18,10 @@ pub(super) fn inset(part: &Part, distance: f64) -> Result<Option<Part>, PartErro
         let mut starts = Vec::with_capacity(n);
         for (i, after) in edges.iter().enumerate() {
             let before = &edges[(i + n - 1) % n];
-            let (a, b) = (before.end_direction().right(), after.start_direction().right());
+            let (a, b) = (
+                before.end_direction().right(),
+                after.start_direction().right(),
+            );
             let opening = 1.0 + a.dot(b);
             if opening < SHARPEST {
                 return Ok(None);

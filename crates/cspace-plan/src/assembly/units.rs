@@ -101,10 +101,11 @@ impl Units {
         self.gap = gap;
         for part in drawn {
             let smaller = inset(part, 0.5 * gap).ok().flatten();
-            self.parts.push(smaller.ok_or_else(|| AssemblyError::TooSmall {
-                part: part.name().to_owned(),
-                gap,
-            })?);
+            self.parts
+                .push(smaller.ok_or_else(|| AssemblyError::TooSmall {
+                    part: part.name().to_owned(),
+                    gap,
+                })?);
         }
         for (i, a) in self.parts.iter().enumerate() {
             for (j, b) in self.parts.iter().enumerate().skip(i + 1) {

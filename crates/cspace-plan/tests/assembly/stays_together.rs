@@ -1,6 +1,6 @@
 //! What does not come apart.
 
-use cspace::{Part, Vertex, pair::Joint, mechanism::JointEntry};
+use cspace::{Part, Vertex, mechanism::JointEntry, pair::Joint};
 use cspace_plan::assembly::{Assembly, AssemblyError, Outcome};
 
 use crate::judged::{asked, mechanism, polygon};
@@ -37,15 +37,41 @@ fn keyed() -> [Part; 3] {
         polygon(
             "base",
             &[
-                (0.0, 0.0), (10.0, 0.0), (10.0, 1.0), (8.0, 1.0), (8.0, 2.0), (9.0, 2.0), (9.0, 3.0), (7.0, 3.0), (7.0, 1.0), (2.0, 1.0),
-                (2.0, 2.0), (3.0, 2.0), (3.0, 3.0), (1.0, 3.0), (1.0, 1.0), (0.0, 1.0),
+                (0.0, 0.0),
+                (10.0, 0.0),
+                (10.0, 1.0),
+                (8.0, 1.0),
+                (8.0, 2.0),
+                (9.0, 2.0),
+                (9.0, 3.0),
+                (7.0, 3.0),
+                (7.0, 1.0),
+                (2.0, 1.0),
+                (2.0, 2.0),
+                (3.0, 2.0),
+                (3.0, 3.0),
+                (1.0, 3.0),
+                (1.0, 1.0),
+                (0.0, 1.0),
             ],
         ),
         polygon(
             "cover",
             &[
-                (0.0, 3.0), (3.0, 3.0), (3.0, 2.0), (2.0, 2.0), (2.0, 1.0), (4.0, 1.0), (4.0, 3.0), (9.0, 3.0), (9.0, 2.0), (8.0, 2.0),
-                (8.0, 1.0), (10.0, 1.0), (10.0, 4.0), (0.0, 4.0),
+                (0.0, 3.0),
+                (3.0, 3.0),
+                (3.0, 2.0),
+                (2.0, 2.0),
+                (2.0, 1.0),
+                (4.0, 1.0),
+                (4.0, 3.0),
+                (9.0, 3.0),
+                (9.0, 2.0),
+                (8.0, 2.0),
+                (8.0, 1.0),
+                (10.0, 1.0),
+                (10.0, 4.0),
+                (0.0, 4.0),
             ],
         ),
         Part::rectangle("key", (5.5, 2.0), 3.0, 2.0).unwrap(),
@@ -57,7 +83,13 @@ fn three_lock_each_other_of_which_no_two_do() {
     let [base, cover, key] = keyed();
     for two in [[&base, &cover], [&base, &key], [&cover, &key]] {
         let apart = asked(&mechanism(&[], &two.map(Part::clone)));
-        assert_eq!(apart.outcome, Outcome::Apart, "{} and {}", two[0].name(), two[1].name());
+        assert_eq!(
+            apart.outcome,
+            Outcome::Apart,
+            "{} and {}",
+            two[0].name(),
+            two[1].name()
+        );
     }
     for (fixed, planar) in [
         (vec![base.clone()], vec![cover.clone(), key.clone()]),
@@ -89,7 +121,10 @@ fn a_key_of_two_lets_them_go_and_a_wider_one_does_not() {
 fn parts_that_are_joined_move_as_one() {
     let [base, cover, key] = keyed();
     let mut joined = mechanism(&[], &[base, cover, key]);
-    joined.joints.push(JointEntry { joint: Joint::Rigid, parts: (0, 1) });
+    joined.joints.push(JointEntry {
+        joint: Joint::Rigid,
+        parts: (0, 1),
+    });
     let apart = asked(&joined);
     assert_eq!(apart.locked.unwrap().parts, [0, 1, 2]);
 }
@@ -100,11 +135,19 @@ fn overlaps_are_refused_by_name_and_depth() {
     let b = Part::rectangle("right", (1.9, 0.0), 2.0, 2.0).unwrap();
     let both = mechanism(&[], &[a, b]);
     match Assembly::new(&both, None) {
-        Err(AssemblyError::Overlap { first, second, depth, .. }) => {
+        Err(AssemblyError::Overlap {
+            first,
+            second,
+            depth,
+            ..
+        }) => {
             assert_eq!((first.as_str(), second.as_str()), ("left", "right"));
             assert!((depth - 0.1).abs() < 1e-9, "{depth}");
         }
         other => panic!("{other:?}"),
     }
-    assert!(matches!(Assembly::new(&both, Some(1.0)), Err(AssemblyError::Gap { .. })));
+    assert!(matches!(
+        Assembly::new(&both, Some(1.0)),
+        Err(AssemblyError::Gap { .. })
+    ));
 }
