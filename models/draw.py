@@ -498,6 +498,30 @@ is the seated peg, (0, 18, 0) the peg with its end in the mouth.
     return m
 
 
+def latch_box():
+    box = rounded_polygon([
+        (-8 - 8j, 3.0, "foot"), (88 - 8j, 3.0, "right wall"), (88 + 40j, 0, "sill of the bolt"), (80 + 40j, 0, "right wall"),
+        (80 + 0j, 2.0, "floor"), (0 + 0j, 2.0, "left wall"), (0 + 40j, 0, "lip over the lid"), (6 + 40j, 0, "lip"),
+        (6 + 46j, 2.0, "top"), (-8 + 46j, 2.0, "left wall"),
+    ])
+    keeper = rounded_polygon([(80 + 46j, 0, "over the bolt"), (88 + 46j, 0, "side"), (88 + 54j, 2.0, "top"), (80 + 54j, 2.0, "side")])
+    block = rounded_polygon([(10 + 0j, 2.5, "bottom"), (70 + 0j, 2.5, "side"), (70 + 34j, 1.0, "top"), (10 + 34j, 1.0, "side")])
+    lid = rounded_polygon([(1 + 34j, 1.0, "on the block"), (79 + 34j, 1.0, "end"), (79 + 40j, 1.0, "top"), (1 + 40j, 1.0, "end")])
+    bolt = rounded_polygon([(70 + 40j, 0, "on the lid"), (100 + 40j, 1.0, "handle"), (100 + 46j, 1.0, "top"), (70 + 46j, 1.0, "end")])
+    m = Model("latch_box.toml", "box with a latch", """
+Box with a lid and a bolt, in section, and a block that fills it up to the lid: to be taken apart.
+
+The lid lies on the block, with one end under a lip of the box and the other under the bolt, which goes through a keeper on the
+right wall. The keeper is a piece of the box: what joins the two lies before and behind the section. Parts touch where they bear on
+each other, and are drawn so.
+""")
+    m.part("box", "96 x 62.", [("section", box), ("keeper", keeper)], '{ type = "fixed" }')
+    m.part("block", "60 x 34.", [("outline", block)])
+    m.part("lid", "78 x 6, 1 clear at both ends.", [("outline", lid)])
+    m.part("bolt", "30 x 6.", [("outline", bolt)])
+    return m
+
+
 def ball_in_c():
     inner, outer, half = 12.0, 20.0, 25.0
     pen = Outline(polar(outer, half))
@@ -602,7 +626,7 @@ touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to abo
 
 
 MODELS = [ratchet_pawl, ratchet_mechanism, gears, gears_on_shafts, rack_pinion, cam_follower, cam_tappet, cam_plate, escapement,
-          fixture_plate, snap_fastener, peg_hole, ball_in_c, geneva, knee]
+          fixture_plate, snap_fastener, peg_hole, latch_box, ball_in_c, geneva, knee]
 
 
 if __name__ == "__main__":

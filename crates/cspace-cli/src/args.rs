@@ -46,6 +46,9 @@ pub(crate) enum Command {
     /// Find a way from one configuration to another, or tell that there is none
     #[command(after_long_help = PLAN)]
     Plan(PlanArgs),
+    /// Take the parts of a model apart: in which order, by which motions, or tell which lock each other
+    #[command(after_long_help = ASSEMBLY)]
+    Assembly(AssemblyArgs),
     /// Tell how far the parts go from a configuration in each direction
     #[command(after_long_help = PLAY)]
     Play(PlayArgs),
@@ -379,6 +382,20 @@ pub(crate) struct PlanArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct AssemblyArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    /// How far parts that touch are opened, in the model's unit [default: a millionth of the assembly's size]
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
+    pub(crate) gap: Option<f64>,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) common: Common,
@@ -656,6 +673,28 @@ more. Angles run on and are not taken modulo a turn.
 -o OUT writes the path as .csv, the whole answer as .json, or a picture of the
 way as .svg, .png or .pdf; the answer is printed as well, but for .json. --check
 judges a path by the two outlines alone, without their contact space.";
+
+const ASSEMBLY: &str = "\
+Examples:
+  cspace assembly models/latch_box.toml
+  cspace assembly models/latch_box.toml --gap 0.01 --format json
+
+One part, or a group as one, moves at a time and all the way out; the others
+stay as drawn. A step tells what moves out of what, and its path: x, y, theta
+of the moving parts from where they are drawn, by motions of constant rates.
+
+  apart    all comes apart, in the order told
+  locked   some parts do not: no part and no group of them can be taken out of
+           the rest in one go, and the smallest such set is told, with the
+           features that enclose it. That is certain
+  unknown  no way was found and none is excluded: more than 12 parts are left,
+           a contact space is in doubt, or parts on axes or joints were not
+           moved, which this command does not do
+
+Parts with a motion other than planar stay where they are drawn; parts joined
+by a joint move as one. All parts are taken to lie in one plane, whichever
+pairs the model lists. Parts may touch as drawn: every boundary is moved inward
+by half of --gap. Parts that overlap by more are an error.";
 
 const PLAY: &str = "\
 Examples:

@@ -5,6 +5,7 @@
 //! with what keeps the two apart.
 
 mod answer;
+pub mod assembly;
 mod check;
 pub mod legs;
 mod off_contact;

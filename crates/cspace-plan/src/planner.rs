@@ -62,7 +62,7 @@ impl Clearance {
 }
 
 /// Computations are neither shown nor stopped.
-struct Silent;
+pub(crate) struct Silent;
 
 impl Progress for Silent {
     fn stage(&self, _: Stage) -> Result<(), ComputeError> {

@@ -1,5 +1,6 @@
 //! The commands.
 
+pub(crate) mod assembly;
 pub(crate) mod classify;
 pub(crate) mod completions;
 pub(crate) mod compute;

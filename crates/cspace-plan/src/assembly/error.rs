@@ -1,0 +1,73 @@
+//! Why an assembly cannot be asked.
+
+use cspace::{MechanismError, PairError, PartError, QueryError};
+
+use crate::planner::PlanError;
+
+/// Why an assembly cannot be asked.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AssemblyError {
+    /// The mechanism makes no sense.
+    #[error(transparent)]
+    Mechanism(#[from] MechanismError),
+    /// There is nothing to be taken apart.
+    #[error(
+        "there is nothing to take apart: it takes two parts that are not joined, one of them planar"
+    )]
+    Nothing,
+    /// There are more parts than are searched.
+    #[error("{units} parts are too many to take apart (at most {most}); join some by rigid joints")]
+    TooMany {
+        /// Parts that move on their own.
+        units: usize,
+        /// The most there may be.
+        most: usize,
+    },
+    /// The gap is no length that can be opened.
+    #[error("a gap of {gap} cannot be opened: give a length from {least:e} to {most:e}")]
+    Gap {
+        /// The gap.
+        gap: f64,
+        /// The least that the contact spaces can tell.
+        least: f64,
+        /// The most.
+        most: f64,
+    },
+    /// A part is too small for the gap.
+    #[error(
+        "part {part}: an edge is too short, or an arc too small, for a gap of {gap:e}; give a smaller one"
+    )]
+    TooSmall {
+        /// Its name.
+        part: String,
+        /// The gap.
+        gap: f64,
+    },
+    /// Two parts overlap as they are drawn.
+    #[error(
+        "parts {first} and {second} overlap as they are drawn, by {depth:.6e}, which is more than the gap of {gap:e}; move them apart in the model, or give a larger gap"
+    )]
+    Overlap {
+        /// The one's name.
+        first: String,
+        /// The other's.
+        second: String,
+        /// How far it is to the nearest place where they do not, in the model's unit.
+        depth: f64,
+        /// The gap.
+        gap: f64,
+    },
+    /// Parts make no outlines together, or with the gap opened.
+    #[error("{0}")]
+    Part(#[from] PartError),
+    /// A contact space cannot be computed, or the computation was interrupted.
+    #[error(transparent)]
+    Pair(#[from] PairError),
+    /// A contact space cannot be asked.
+    #[error(transparent)]
+    Query(#[from] QueryError),
+    /// A way cannot be asked for.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+}
