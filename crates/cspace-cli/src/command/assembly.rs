@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::output::{self, STANDARD};
 use crate::progress::{Bar, catch_interrupts};
 use crate::subject::set_threads;
-use crate::wording::{count, length};
+use crate::wording::{count, degrees, length};
 
 /// The whole answer.
 #[derive(Debug, Serialize)]
@@ -157,7 +157,10 @@ fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
     let steps = count(told.steps.len(), "step", "steps");
     match told.verdict {
         Outcome::Apart => writeln!(text, "apart: {steps}")?,
-        Outcome::Locked => writeln!(text, "locked: not all comes apart, {steps}")?,
+        Outcome::Locked => writeln!(
+            text,
+            "locked: no part or group goes out while the others stay as drawn, after {steps}"
+        )?,
         Outcome::Unknown => writeln!(
             text,
             "unknown: no way was found to take all apart, and none is excluded, {steps}"
@@ -166,10 +169,13 @@ fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
     writeln!(text, "gap {}{unit}", length(told.gap))?;
     for (i, step) in told.steps.iter().enumerate() {
         let (moving, staying) = (list(&step.moving), list(&step.staying));
-        writeln!(text, "{}. {moving} out of {staying}", i + 1)?;
+        let clearance = step.clearance.map(length);
+        let clearance = clearance.map_or(String::new(), |c| format!(", clearance {c}{unit}"));
+        writeln!(text, "{}. {moving} out of {staying}{clearance}", i + 1)?;
         for at in &step.path {
             if let Coordinates::Planar(c) = at {
-                writeln!(text, "  {:.6}, {:.6}, {:.6}", c.x, c.y, c.theta)?;
+                let (x, y, theta) = (length(c.x), length(c.y), degrees(c.theta));
+                writeln!(text, "  x {x}, y {y}{unit}, theta {theta}")?;
             }
         }
     }

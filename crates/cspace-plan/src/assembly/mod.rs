@@ -13,6 +13,7 @@ mod error;
 mod exact;
 mod inset;
 mod search;
+mod straight;
 mod units;
 
 use cspace::{Mechanism, Part, Progress};

@@ -91,8 +91,9 @@ impl<'a> Search<'a> {
     /// The first that leaves a set: single units, then groups that the contacts let go, then all others.
     fn first(&mut self, set: Set) -> Result<Option<(Set, Step)>, AssemblyError> {
         let still = self.units.still() & set;
+        // What is listed first stays as long as it can: it is what others are put into.
         let singles: Vec<Set> = members(set & !still).map(|u| 1 << u).collect();
-        for moving in singles {
+        for moving in singles.into_iter().rev() {
             if let Some(step) = self.step(moving, set & !moving)? {
                 return Ok(Some((moving, step)));
             }
