@@ -100,3 +100,8 @@ fn three_first_models() {
 fn ways() {
     is_true("planning.md", 7);
 }
+
+#[test]
+fn taking_apart() {
+    is_true("assembly.md", 2);
+}

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod answers;
+mod assembly;
 mod classes;
 mod command;
 #[cfg(unix)]

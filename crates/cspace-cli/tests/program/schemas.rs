@@ -103,4 +103,7 @@ fn answers_are_as_their_schemas_say() {
     plan(&peg, "40,30,90deg", "0,-10,0", &[]);
     plan(&ball, "0,0,0", "60,0,0", &[]);
     plan(&axes, "0,0", "30deg,-36deg", &[]);
+    for name in ["latch_box", "fixture_plate"] {
+        is_told("assembly", &json(&["assembly", &model(name)]));
+    }
 }

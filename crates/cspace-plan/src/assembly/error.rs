@@ -36,7 +36,7 @@ pub enum AssemblyError {
     },
     /// A part is too small for the gap.
     #[error(
-        "part {part}: an edge is too short, or an arc too small, for a gap of {gap:e}; give a smaller one"
+        "part {part}: an edge is too short, or an arc too small, for a gap of {gap:.2e}; give a smaller one"
     )]
     TooSmall {
         /// Its name.
@@ -46,7 +46,7 @@ pub enum AssemblyError {
     },
     /// Two parts overlap as they are drawn.
     #[error(
-        "parts {first} and {second} overlap as they are drawn, by {depth:.6e}, which is more than the gap of {gap:e}; move them apart in the model, or give a larger gap"
+        "parts {first} and {second} overlap as they are drawn, by {depth:.6}, which is more than the gap of {gap:.2e}; move them apart in the model, or give a larger gap"
     )]
     Overlap {
         /// The one's name.
