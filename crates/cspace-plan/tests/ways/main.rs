@@ -2,4 +2,5 @@
 
 mod distances;
 mod random;
+mod shrunk;
 mod thresholds;
