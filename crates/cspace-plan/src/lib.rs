@@ -18,4 +18,4 @@ mod widest;
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
 pub use check::{Checked, Meeting, check};
 pub use planner::{Clearance, PlanError, Planner, Wishes};
-pub use widest::grown;
+pub use widest::{grown, shrunk};

@@ -6,6 +6,8 @@
 
 mod grow;
 mod search;
+mod shrink;
 
 pub use grow::grown;
 pub(crate) use search::{Until, Wider, widen};
+pub use shrink::shrunk;

@@ -3,4 +3,5 @@
 
 mod distances;
 mod random;
+mod shrunk;
 mod thresholds;

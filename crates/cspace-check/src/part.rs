@@ -1,0 +1,106 @@
+//! Whether a disc lies within a part's material.
+
+use crate::Part;
+use crate::interval::{I, exact};
+
+type P = [I; 2];
+
+pub(crate) fn sub(a: P, b: P) -> P {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+pub(crate) fn norm(a: P) -> I {
+    (a[0].square() + a[1].square()).sqrt()
+}
+
+fn cross(a: P, b: P) -> I {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+fn dot(a: P, b: P) -> I {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// A number that the distance from a point to an edge is not less than.
+fn distance(p: P, [ax, ay, bulge]: [f64; 3], [bx, by, _]: [f64; 3]) -> f64 {
+    let (a, b) = ([exact(ax), exact(ay)], [exact(bx), exact(by)]);
+    let (chord, to) = (sub(b, a), sub(p, a));
+    let along = dot(chord, to);
+    let line = if along.hi < 0.0 {
+        norm(to).lo
+    } else if (along - dot(chord, chord)).lo > 0.0 {
+        norm(sub(p, b)).lo
+    } else {
+        (cross(chord, to).abs() * norm(chord).recip()).lo
+    };
+    if bulge == 0.0 {
+        return line;
+    }
+    // An arc is nowhere farther from its chord than in its middle: |bulge| chord / 2. It also lies on its circle.
+    let k = exact(bulge);
+    let beside = (exact(line) - k.abs() * norm(chord) * exact(0.5)).lo;
+    let lift = (exact(1.0) - k.square()) * (exact(4.0) * k).recip();
+    let half = exact(0.5);
+    let center = [
+        (a[0] + b[0]) * half - chord[1] * lift,
+        (a[1] + b[1]) * half + chord[0] * lift,
+    ];
+    let radius = norm(chord) * (exact(1.0) + k.square()) * (exact(4.0) * k.abs()).recip();
+    let (from, reach) = (sub(p, center), norm(sub(p, center)));
+    let scale = radius * reach.recip();
+    let nearest = [center[0] + from[0] * scale, center[1] + from[1] * scale];
+    let circle = if (cross(chord, sub(nearest, a)) * k).sign() == Some(true) {
+        // The circle's nearest point is on the other side of the chord.
+        norm(to).lo.min(norm(sub(p, b)).lo)
+    } else {
+        (reach - radius).abs().lo
+    };
+    beside.max(circle)
+}
+
+/// Whether a half line from the point to +x crosses an edge, its arc replaced by chords nearer to it than `near`.
+fn crosses(p: [f64; 2], a: [f64; 3], b: [f64; 3], near: f64) -> Option<bool> {
+    let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+    if a[2].abs() * dx.hypot(dy) > near {
+        // The two halves: the middle lies on the right of the chord by bulge · chord / 2.
+        let half = a[2] / (1.0 + (1.0 + a[2] * a[2]).sqrt());
+        let (x, y) = (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]));
+        let middle = [x + 0.5 * a[2] * dy, y - 0.5 * a[2] * dx, half];
+        let halves = (
+            crosses(p, [a[0], a[1], half], middle, near)?,
+            crosses(p, middle, b, near)?,
+        );
+        return Some(halves.0 ^ halves.1);
+    }
+    if (a[1] > p[1]) == (b[1] > p[1]) {
+        return Some(false);
+    }
+    let [a, b, p] = [[a[0], a[1]], [b[0], b[1]], p].map(|c| c.map(exact));
+    Some(cross(sub(b, a), sub(p, a)).sign()? == (b[1].lo > a[1].lo))
+}
+
+/// Whether the disc certainly lies within the material.
+///
+/// No edge is nearer to the centre than the radius. So an odd-even count with chords within half a radius of the arcs tells whether
+/// the centre is inside: on the way from the arcs to these chords no loop passes the centre.
+pub(crate) fn holds(part: &Part, center: [f64; 2], radius: f64) -> bool {
+    /// Smaller discs, as a share of the part's extent, are not looked at: chords are rounded.
+    const LEAST: f64 = 1e-12;
+    let extent = (part.loops.iter().flatten()).fold(0.0_f64, |m, v| m.max(v[0].abs() + v[1].abs()));
+    if radius.is_nan() || radius <= LEAST * extent {
+        return false;
+    }
+    let mut inside = false;
+    for vertices in &part.loops {
+        for (i, &a) in vertices.iter().enumerate() {
+            let b = vertices[(i + 1) % vertices.len()];
+            let apart = distance(center.map(exact), a, b);
+            let odd = crosses(center, a, b, 0.5 * radius);
+            if apart < radius || odd.is_none() {
+                return false;
+            }
+            inside ^= odd == Some(true);
+        }
+    }
+    inside
+}

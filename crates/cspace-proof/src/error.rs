@@ -1,0 +1,53 @@
+//! Why there is no proof.
+
+use cspace::{PairError, PartError, QueryError};
+
+/// Why there is no proof.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ProofError {
+    /// Of another class.
+    #[error("proofs are written for planar pairs only")]
+    NotPlanar,
+    /// Start or goal cannot be asked about.
+    #[error(transparent)]
+    Query(#[from] QueryError),
+    /// The shrunk part is none.
+    #[error("the moving part shrunk by {depth}: {error}")]
+    Part {
+        /// By how much it was to be shrunk.
+        depth: f64,
+        /// What is wrong.
+        error: PartError,
+    },
+    /// The depth that was asked for.
+    #[error("a depth has to be positive and finite, not {0}")]
+    Depth(f64),
+    /// The pair with the moving part shrunk cannot be computed.
+    #[error("the pair with the moving part shrunk: {0}")]
+    Pair(#[from] PairError),
+    /// The moving part would have to be shrunk by less than is resolved, or start and goal are in one region.
+    #[error(
+        "start and goal are in one region also when the moving part is smaller by {least} only: no proof is as fine"
+    )]
+    TooShallow {
+        /// The least depth that was tried.
+        least: f64,
+    },
+    /// More triangles than are made.
+    #[error(
+        "with a depth of {depth} the proof takes more than {limit} triangles, {left} of them are not proved yet; their number grows as one over \
+         the depth or faster, and this depth is about the largest at which start and goal are apart"
+    )]
+    TooManyTriangles {
+        /// The most that are made.
+        limit: usize,
+        /// Those without a witness.
+        left: usize,
+        /// How deep the surface is.
+        depth: f64,
+    },
+    /// The proof was made, and is wrong: a fault of this library.
+    #[error("the proof does not pass its check: {0}")]
+    Unsound(String),
+}

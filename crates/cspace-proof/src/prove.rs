@@ -1,0 +1,87 @@
+//! From a question to a proof.
+
+use cspace::{Configuration, ContactSpace, Part, Progress};
+use cspace_check::Proof;
+
+use crate::barrier::{Barrier, pivot};
+use crate::error::ProofError;
+use crate::refine::{complex, refine};
+use crate::witness::Materials;
+
+fn written(part: &Part) -> cspace_check::Part {
+    let vertices = |l: &cspace::Loop| l.vertices().iter().map(|v| [v.x, v.y, v.bulge]).collect();
+    cspace_check::Part {
+        name: part.name().to_owned(),
+        loops: part.loops().iter().map(vertices).collect(),
+    }
+}
+
+/// A proof that no motion leads from one configuration to another, which are in different free regions.
+///
+/// The surface lies about `depth` deep in blocked space, in the model's unit of length; half, a quarter and so on as deep if start
+/// and goal are not apart at that depth. Without one it is as deep as that allows, which takes the fewest triangles. The proof has been
+/// checked.
+///
+/// # Errors
+/// If there is none, or none of a size that is made; and what `progress` returns.
+///
+/// ```
+/// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
+/// let square = |r: f64| [(-r, -r), (r, -r), (r, r), (-r, r)].map(|(x, y)| Vertex::line(x, y)).to_vec();
+/// let frame = Part::new("frame", vec![square(4.0), square(2.0)])?;
+/// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 1.0)?;
+/// let space = ContactSpace::compute(&frame, &block, &Options::default())?;
+/// let (inside, outside) = (Configuration::new(0.0, 0.0, 0.0), Configuration::new(9.0, 0.0, 0.0));
+/// struct Silent;
+/// impl cspace::Progress for Silent {
+///     fn stage(&self, _: cspace::Stage) -> Result<(), cspace::ComputeError> { Ok(()) }
+/// }
+/// let proof = cspace_proof::prove(&space, inside, outside, None, &Silent)?;
+/// assert_eq!(proof.check(), Ok(()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn prove(
+    space: &ContactSpace,
+    from: Configuration,
+    to: Configuration,
+    depth: Option<f64>,
+    progress: &dyn Progress,
+) -> Result<Proof, ProofError> {
+    let barrier = Barrier::find(space, [from, to], depth, progress)?;
+    let window = space.window();
+    let (mesh, of_region) = barrier.mesh()?;
+    let mut complex = complex(&mesh, window.full_turn, of_region);
+    let pivot = pivot(space.moving());
+    let materials = Materials {
+        fixed: space.fixed(),
+        moving: space.moving(),
+        pivot,
+        depth: barrier.depth,
+    };
+    let witnesses = refine(&mut complex, &barrier.space, &materials)?;
+    let triangle = |t: &crate::complex::Triangle| {
+        let ([a, b, c], [i, j, k]) = (t.vertices.map(i64::from), t.turns.map(i64::from));
+        [a, b, c, i, j, k, t.witness.map_or(-1, i64::from)]
+    };
+    let proof = Proof {
+        version: 1,
+        unit: None,
+        fixed: written(space.fixed()),
+        moving: written(space.moving()),
+        window: (!window.full_turn).then_some([window.lo, window.hi]),
+        start: [from.x, from.y, from.theta],
+        goal: [to.x, to.y, to.theta],
+        depth: barrier.depth,
+        pivot: [pivot.x, pivot.y],
+        vertices: complex.vertices.clone(),
+        triangles: complex.triangles.iter().map(triangle).collect(),
+        witnesses: (witnesses.iter())
+            .map(|w| {
+                let (q, c) = (pivot + w.moving.0, w.fixed.0);
+                [q.x, q.y, w.moving.1, c.x, c.y, w.fixed.1]
+            })
+            .collect(),
+    };
+    proof.check().map_err(ProofError::Unsound)?;
+    Ok(proof)
+}

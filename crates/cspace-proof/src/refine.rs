@@ -1,0 +1,112 @@
+//! Triangles split until each has a witness.
+
+use core::f64::consts::TAU;
+
+use cspace::{Configuration, Coordinates, PairSpace, PatchId};
+use cspace_io::write::mesh::Mesh;
+
+use crate::complex::{Complex, Triangle};
+use crate::error::ProofError;
+use crate::witness::{Materials, Witness};
+
+/// A proof of more is a file of some hundred megabytes.
+pub(crate) const MOST_TRIANGLES: usize = 2_000_000;
+/// So many of a patch's witnesses, the last found, are tried before others are looked for.
+const REMEMBERED: usize = 8;
+
+/// The triangles of a mesh that are of a region. At a full turn's ends the same vertices come in the same order: they are one.
+pub(crate) fn complex(mesh: &Mesh, full_turn: bool, of_region: impl Fn(u32) -> bool) -> Complex {
+    let mut complex = Complex::default();
+    let (lo, hi) = mesh.ends;
+    let at = |theta: f64| {
+        (mesh.vertices.iter().enumerate())
+            .filter(move |(_, v)| v.theta == theta)
+            .map(|(i, _)| i as u32)
+    };
+    let mut same: Vec<(u32, i32)> = (0..mesh.vertices.len() as u32).map(|v| (v, 0)).collect();
+    if full_turn {
+        for (first, last) in at(lo).zip(at(hi)) {
+            same[last as usize] = (first, 1);
+        }
+    }
+    // The number of each vertex that is used.
+    let mut numbers: Vec<Option<u32>> = vec![None; mesh.vertices.len()];
+    for t in mesh.triangles.iter().filter(|t| of_region(t.patch)) {
+        let corners = t.vertices.map(|v| same[v as usize]);
+        let vertices = corners.map(|(v, _)| {
+            *numbers[v as usize].get_or_insert_with(|| {
+                let c = mesh.vertices[v as usize];
+                complex.vertices.push([c.x, c.y, c.theta]);
+                complex.vertices.len() as u32 - 1
+            })
+        });
+        complex.add(Triangle {
+            vertices,
+            turns: corners.map(|(_, turns)| turns),
+            patch: t.patch,
+            witness: None,
+        });
+    }
+    complex
+}
+
+/// Gives every triangle a witness.
+pub(crate) fn refine(
+    complex: &mut Complex,
+    space: &PairSpace,
+    materials: &Materials<'_>,
+) -> Result<Vec<Witness>, ProofError> {
+    let lever = 0.5 * materials.moving.size();
+    let mut witnesses: Vec<Witness> = Vec::new();
+    let mut known: Vec<Vec<u32>> = vec![Vec::new(); space.patch_count()];
+    let mut open: Vec<u32> = (0..complex.triangles.len() as u32).rev().collect();
+    while let Some(number) = open.pop() {
+        let t = complex.triangles[number as usize];
+        let corners = complex.corners(&t);
+        let holds = |w: u32| materials.is_enough(witnesses[w as usize].overlap(&corners));
+        let remembered = &known[t.patch as usize];
+        let tried = t.witness.iter().chain(remembered.iter().rev()).copied();
+        let mut found = tried.into_iter().find(|&w| holds(w));
+        if found.is_none()
+            && let Some((touch, normal)) = touching(space, t.patch, &corners)?
+        {
+            let best = materials.best(&corners, touch, normal);
+            if let Some((witness, overlap)) = best
+                && materials.is_enough(overlap)
+            {
+                found = Some(witnesses.len() as u32);
+                witnesses.push(witness);
+                let known = &mut known[t.patch as usize];
+                known.push(witnesses.len() as u32 - 1);
+                if known.len() > REMEMBERED {
+                    known.remove(0);
+                }
+            }
+        }
+        complex.triangles[number as usize].witness = found;
+        if found.is_none() {
+            if complex.triangles.len() >= MOST_TRIANGLES {
+                return Err(ProofError::TooManyTriangles {
+                    limit: MOST_TRIANGLES,
+                    left: open.len() + 1,
+                    depth: materials.depth,
+                });
+            }
+            open.extend(complex.halve(number, lever));
+        }
+    }
+    Ok(witnesses)
+}
+
+/// Where the features of a patch touch in the middle of a triangle, and the fixed part's normal there.
+fn touching(
+    space: &PairSpace,
+    patch: u32,
+    corners: &[[f64; 3]; 3],
+) -> Result<Option<(cspace::Point, cspace::Vector)>, ProofError> {
+    let [x, y, theta] = [0, 1, 2].map(|k| (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0);
+    let theta = theta - TAU * (theta / TAU).round();
+    let at = Coordinates::Planar(Configuration::new(x, y, theta));
+    let found = space.patch(PatchId(patch))?.contact()?.touching(at)?;
+    Ok(Some((found.on_fixed, found.normal)))
+}
