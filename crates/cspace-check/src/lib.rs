@@ -166,6 +166,9 @@ impl Proof {
                 let theta = turned(corner.theta, t[k + 3]);
                 range = (range.0.min(theta.lo), range.1.max(theta.hi));
             }
+            if range.1 - range.0 > 3.0 {
+                return Err(format!("triangle {i} turns too far"));
+            }
             let bend = norm(q) * (exact(range.1) - exact(range.0)).square() * exact(0.125);
             if (exact(farthest) + bend - r - s).sign() != Some(false) {
                 return Err(format!(

@@ -374,6 +374,9 @@ pub(crate) struct PlanArgs {
     /// No leg moves along a coordinate by more than this, in the model's unit
     #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true, conflicts_with = "check")]
     pub(crate) travel: Option<f64>,
+    /// How deep the surface of a proof lies in blocked space, in the model's unit [default: as deep as can be]
+    #[arg(long, value_name = "D", value_parser = length, allow_negative_numbers = true, conflicts_with = "check")]
+    pub(crate) depth: Option<f64>,
     /// Judge the path in this file instead: configurations in rows, with the columns x,y,theta or u,v
     #[arg(long, value_name = "PATH.csv", conflicts_with_all = ["from", "to"])]
     pub(crate) check: Option<PathBuf>,
@@ -669,6 +672,9 @@ free configuration. It is certain: there is no way that is not found. `unknown`
 is the answer only at doubtful orientations, which are told. The path has at
 least half the clearance that is possible; --widest and --clearance ask for
 more. Angles run on and are not taken modulo a turn.
+
+With -o OUT.json or --depth the answer no-path holds a proof, which the program
+cspace-check verifies from the file alone.
 
 -o OUT writes the path as .csv, the whole answer as .json, or a picture of the
 way as .svg, .png or .pdf; the answer is printed as well, but for .json. --check

@@ -121,7 +121,16 @@ fn between(
 ) -> Result<Option<RegionId>, ProofError> {
     let space = space.map_err(Clone::clone)?;
     let mut regions = Vec::new();
-    for end in ends {
+    for mut end in ends {
+        if let PairSpace::Planar(space) = space
+            && !space.window().full_turn
+        {
+            // By the window's own numbers.
+            let window = space.window();
+            let turns = (0.5 * (window.lo + window.hi) - end.theta) / core::f64::consts::TAU;
+            end.theta += core::f64::consts::TAU * turns.round();
+            end.theta = end.theta.clamp(window.lo, window.hi);
+        }
         match space.locate(Coordinates::Planar(end))? {
             Location::Free(region) => regions.push(region),
             _ => return Ok(None),

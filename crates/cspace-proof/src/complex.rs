@@ -77,18 +77,31 @@ impl Complex {
         })
     }
 
-    /// Halves the longest edge of a triangle, a radian as long as `lever`, and all triangles at it; tells which these and the new ones are.
-    pub(crate) fn halve(&mut self, number: u32, lever: f64) -> Vec<u32> {
+    /// The length of an edge, a radian as long as `lever`.
+    fn length(&self, (a, b, turns): Edge, lever: f64) -> f64 {
+        let [p, q] = [a, b].map(|v| self.vertices[v as usize]);
+        let turn = q[2] - p[2] + TAU * f64::from(turns);
+        (p[0] - q[0]).hypot(p[1] - q[1]).hypot(turn * lever)
+    }
+
+    fn longest(&self, number: u32, lever: f64) -> (Edge, f64) {
         let t = self.triangles[number as usize];
-        let c = self.corners(&t);
-        let length = |k: usize| {
-            let (a, b) = (c[k], c[(k + 1) % 3]);
-            (a[0] - b[0])
-                .hypot(a[1] - b[1])
-                .hypot((a[2] - b[2]) * lever)
-        };
-        let longest = (0..3).max_by(|&a, &b| length(a).total_cmp(&length(b)));
-        let edge = t.edge(longest.unwrap_or(0));
+        let edges = [0, 1, 2].map(|k| (t.edge(k), self.length(t.edge(k), lever)));
+        let [a, b, c] = edges;
+        let more = if b.1 > a.1 { b } else { a };
+        if c.1 > more.1 { c } else { more }
+    }
+
+    /// Halves an edge and all triangles at it, on the way to halving a triangle at its longest edge: a neighbour with a longer one
+    /// comes first, so that triangles do not become ever narrower (Rivara). Tells which triangles these and the new ones are.
+    pub(crate) fn halve(&mut self, number: u32, lever: f64) -> Vec<u32> {
+        let (mut edge, mut length) = self.longest(number, lever);
+        while let Some(longer) = (self.edges.get(&edge).into_iter().flatten())
+            .map(|&t| self.longest(t, lever))
+            .find(|&(_, l)| l > length)
+        {
+            (edge, length) = longer;
+        }
         let (a, b, turns) = edge;
         let [p, q] = [a, b].map(|v| self.vertices[v as usize]);
         let middle = self.vertices.len() as u32;

@@ -47,6 +47,14 @@ pub enum ProofError {
         /// How deep the surface is.
         depth: f64,
     },
+    /// Triangles around a configuration became as small as is worth trying.
+    #[error(
+        "no two discs of material that overlap were found near x {}, y {}, theta {} (of the middle of the moving part)", at[0], at[1], at[2]
+    )]
+    NoWitness {
+        /// Where the middle of the moving part's box is, and its orientation.
+        at: [f64; 3],
+    },
     /// The proof was made, and is wrong: a fault of this library.
     #[error("the proof does not pass its check: {0}")]
     Unsound(String),

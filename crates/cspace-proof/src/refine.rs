@@ -10,7 +10,9 @@ use crate::error::ProofError;
 use crate::witness::{Materials, Witness};
 
 /// A proof of more is a file of some hundred megabytes.
-pub(crate) const MOST_TRIANGLES: usize = 2_000_000;
+pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
+/// Triangles are not split below this share of the depth: discs much larger than they overlap there, or none do.
+const SMALLEST: f64 = 1e-3;
 /// So many of a patch's witnesses, the last found, are tried before others are looked for.
 const REMEMBERED: usize = 8;
 
@@ -85,6 +87,14 @@ pub(crate) fn refine(
         }
         complex.triangles[number as usize].witness = found;
         if found.is_none() {
+            let range = |k: usize| {
+                let of = corners.map(|c| c[k]);
+                of[0].max(of[1]).max(of[2]) - of[0].min(of[1]).min(of[2])
+            };
+            let extent = range(0).max(range(1)).max(range(2) * lever);
+            if extent < SMALLEST * materials.depth {
+                return Err(ProofError::NoWitness { at: corners[0] });
+            }
             if complex.triangles.len() >= MOST_TRIANGLES {
                 return Err(ProofError::TooManyTriangles {
                     limit: MOST_TRIANGLES,
@@ -92,6 +102,7 @@ pub(crate) fn refine(
                     depth: materials.depth,
                 });
             }
+            open.push(number);
             open.extend(complex.halve(number, lever));
         }
     }

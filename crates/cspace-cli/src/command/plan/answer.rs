@@ -1,6 +1,7 @@
 //! What `cspace plan` answers, as JSON.
 
 use cspace::{Coordinates, PairSpace, Part, RegionId};
+use cspace_check::Proof;
 use cspace_plan::{Answer, Blocked, Checked, Narrow, Path, Verdict};
 use serde::Serialize;
 
@@ -31,6 +32,12 @@ pub(super) struct Told {
     /// Orientations that are not relied upon.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) doubtful: Vec<(f64, f64)>,
+    /// The proof that there is no path, if one is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) proof: Option<Proof>,
+    /// Why there is no proof, if one is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) unproved: Option<String>,
     pub(super) seconds: f64,
 }
 
@@ -135,6 +142,8 @@ impl Told {
             blocked: None,
             contact: None,
             doubtful: Vec::new(),
+            proof: None,
+            unproved: None,
             seconds,
         }
     }

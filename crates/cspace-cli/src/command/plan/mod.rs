@@ -2,6 +2,7 @@
 
 mod answer;
 mod picture;
+mod proof;
 
 use std::fmt::{self, Write};
 use std::path::Path;
@@ -59,6 +60,12 @@ fn is_csv(path: Option<&Path>) -> bool {
     (path.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("csv"))
 }
 
+/// Whether the answer is written to a file of JSON.
+fn is_json(args: &PlanArgs) -> bool {
+    let output = args.common.result.output.as_deref();
+    (output.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("json"))
+}
+
 fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     let given = |option: &str, text: &Option<String>| match text {
         Some(text) => pair.coordinates(option, text),
@@ -98,7 +105,11 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     let answer = Bar::new(pair.names())
         .watch(|bar| planner.plan_with(from, to, &Wishes { clearance, steps }, bar))
         .map_err(failed)?;
-    Ok(Told::planned(&space, answer, begin.elapsed().as_secs_f64()))
+    let mut told = Told::planned(&space, answer, begin.elapsed().as_secs_f64());
+    if told.enclosed.is_some() && (args.depth.is_some() || is_json(args)) {
+        proof::add(&mut told, pair, &space, [from, to], args.depth)?;
+    }
+    Ok(told)
 }
 
 fn checked(pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
@@ -206,6 +217,14 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             let pairs = count(more, "more pair of features", "more pairs of features");
             writeln!(text, "  {pairs}")?;
         }
+    }
+    if let Some(proof) = &told.proof {
+        let triangles = count(proof.triangles.len(), "triangle", "triangles");
+        let depth = length(proof.depth);
+        writeln!(text, "proof: {triangles} at a depth of {depth}{unit}")?;
+    }
+    if let Some(why) = &told.unproved {
+        writeln!(text, "no proof: {why}")?;
     }
     if let Some(blocked) = &told.blocked {
         if let Some(features) = blocked.features {

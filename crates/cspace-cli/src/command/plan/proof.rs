@@ -1,0 +1,46 @@
+//! The proof that there is no path, beside the answer.
+
+use cspace::{ComputeError, Coordinates, PairError, PairSpace};
+use cspace_proof::{ProofError, prove};
+
+use crate::failure::Failure;
+use crate::progress::Bar;
+use crate::subject::Chosen;
+
+use super::answer::Told;
+
+/// Adds a proof to an answer, or why there is none.
+///
+/// # Errors
+/// If the depth that was asked for is none, or the computation was interrupted.
+pub(super) fn add(
+    told: &mut Told,
+    pair: &Chosen<'_>,
+    space: &PairSpace,
+    ends: [Coordinates; 2],
+    depth: Option<f64>,
+) -> Result<(), Failure> {
+    let (PairSpace::Planar(space), [Coordinates::Planar(from), Coordinates::Planar(to)]) =
+        (space, ends)
+    else {
+        told.unproved = Some(ProofError::NotPlanar.to_string());
+        return Ok(());
+    };
+    let proved = Bar::new(pair.names()).watch(|bar| prove(space, from, to, depth, bar));
+    match proved {
+        Ok(mut proof) => {
+            proof.unit = pair.unit_label().map(str::to_owned);
+            told.proof = Some(proof);
+        }
+        Err(ProofError::Depth(d)) => {
+            return Err(Failure::input(format_args!(
+                "--depth {d}: it has to be positive"
+            )));
+        }
+        Err(ProofError::Pair(e)) if e == PairError::Compute(ComputeError::Interrupted) => {
+            return Err(pair.failure(&e));
+        }
+        Err(error) => told.unproved = Some(error.to_string()),
+    }
+    Ok(())
+}

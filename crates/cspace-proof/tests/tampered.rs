@@ -1,0 +1,106 @@
+//! A proof that is not one is refused, whatever is wrong with it.
+
+#![allow(clippy::unwrap_used)]
+
+use cspace::{ComputeError, Configuration, ContactSpace, Options, Part, Progress, Stage, Vertex};
+use cspace_check::Proof;
+use cspace_proof::prove;
+
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}
+
+fn square(half: f64) -> Vec<Vertex> {
+    [(-half, -half), (half, -half), (half, half), (-half, half)]
+        .map(|(x, y)| Vertex::line(x, y))
+        .to_vec()
+}
+
+/// A block kept in a box.
+fn proof() -> Proof {
+    let frame = Part::new("box", vec![square(4.0), square(2.0)]).unwrap();
+    let block = Part::rectangle("block", (0.0, 0.0), 2.0, 1.0).unwrap();
+    let space = ContactSpace::compute(&frame, &block, &Options::default()).unwrap();
+    let (from, to) = (
+        Configuration::new(0.0, 0.0, 0.0),
+        Configuration::new(9.0, 0.0, 1.0),
+    );
+    prove(&space, from, to, None, &Silent).unwrap()
+}
+
+/// What the checker says of a proof that was changed.
+#[track_caller]
+fn refused(word: &str, change: impl FnOnce(&mut Proof)) {
+    let mut changed = proof();
+    assert_eq!(changed.check(), Ok(()));
+    change(&mut changed);
+    let error = changed.check().unwrap_err();
+    assert!(error.contains(word), "{error}");
+}
+
+#[test]
+fn surfaces_with_holes() {
+    refused("open", |p| {
+        p.triangles.pop();
+    });
+    refused("open", |p| p.triangles[7].swap(0, 1));
+    refused("open", |p| {
+        // A copy of a vertex is another vertex.
+        let v = p.triangles[5][0] as usize;
+        let copy = p.vertices[v];
+        p.vertices.push(copy);
+        p.triangles[5][0] = p.vertices.len() as i64 - 1;
+    });
+    refused("turns", |p| p.triangles[3][4] += 1);
+}
+
+#[test]
+fn witnesses_that_are_none() {
+    refused("within block", |p| p.witnesses[0][2] *= 2.0);
+    refused("within box", |p| p.witnesses[0][5] *= 2.0);
+    refused("within box", |p| p.witnesses[0][3] += 20.0);
+    refused("within", |p| p.witnesses[0][2] = f64::MIN_POSITIVE);
+    refused("overlap", |p| p.witnesses[0][2] *= 0.01);
+    refused("overlap", |p| {
+        let far = p.triangles.len() / 2;
+        p.triangles[0][6] = p.triangles[far][6];
+    });
+    refused("triangle", |p| p.triangles[0][6] = 1_000_000);
+    refused("triangle", |p| p.triangles[0][0] = -1);
+}
+
+#[test]
+fn surfaces_that_do_not_come_between() {
+    refused("winds", |p| p.goal = [0.1, 0.0, 0.1]);
+    refused("winds", |p| p.start = [-9.0, 0.0, 0.0]);
+    refused("winds", |p| p.triangles.clear());
+}
+
+#[test]
+fn surfaces_elsewhere_and_parts_of_other_shapes() {
+    refused("overlap", |p| p.vertices[0][0] += 1.0);
+    // An opening in the box: its material is not where discs are.
+    refused("within box", |p| {
+        p.fixed.loops[1][1] = [4.5, -2.0, 0.0];
+        p.fixed.loops[1][2] = [4.5, 2.0, 0.0];
+    });
+    refused("within block", |p| p.moving.loops[0][0] = [0.4, 0.2, 0.0]);
+    refused("finite", |p| p.vertices[0][2] = f64::NAN);
+    refused("version", |p| p.version = 2);
+}
+
+#[test]
+fn a_file_is_read_back_as_the_same_numbers() {
+    let proof = proof();
+    let json = serde_json::to_vec(&proof).unwrap();
+    assert_eq!(cspace_check::read(&json).unwrap(), proof);
+    let answer = serde_json::json!({ "verdict": "no-path", "proof": proof });
+    let json = serde_json::to_vec(&answer).unwrap();
+    assert_eq!(cspace_check::read(&json).unwrap(), proof);
+    assert!(cspace_check::read(b"{}").is_err());
+    assert!(cspace_check::read(b"[1, 2").is_err());
+}
