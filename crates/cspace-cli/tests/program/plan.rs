@@ -169,3 +169,39 @@ fn what_is_no_question_is_refused() {
         fails(cspace(&args), 2, &[option]);
     }
 }
+
+#[test]
+fn no_path_is_proved_to_who_does_not_believe_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("proof.json");
+    let path = file.to_str().unwrap();
+    let ball = model("ball_in_c");
+    printed(&[
+        "plan", &ball, "--from", "0,0,0", "--to", "60,0,0", "-o", path,
+    ]);
+    let proof = cspace_check::read(&std::fs::read(&file).unwrap()).unwrap();
+    assert_eq!(proof.check(), Ok(()));
+    assert_eq!((proof.start, proof.goal), ([0.0; 3], [60.0, 0.0, 0.0]));
+    // The same by another program in another language, where that is there.
+    let python = |path: &str| {
+        let script = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../cspace-check/examples/check.py"
+        );
+        std::process::Command::new("python3")
+            .args([script, path])
+            .output()
+    };
+    let Ok(checked) = python(path) else {
+        println!("python3 is not there: its checker is not run");
+        return;
+    };
+    let said = String::from_utf8(checked.stdout).unwrap();
+    assert!(said.starts_with("proved: no motion of ball"), "{said}");
+    let mut open = proof;
+    open.triangles.pop();
+    std::fs::write(&file, serde_json::to_vec(&open).unwrap()).unwrap();
+    let refused = python(path).unwrap();
+    assert!(!refused.status.success());
+    assert!(String::from_utf8(refused.stderr).unwrap().contains("open"));
+}

@@ -102,7 +102,15 @@ fn answers_are_as_their_schemas_say() {
     plan(&peg, "40,30,90deg", "0,2,0", &["--clearance", "1"]);
     plan(&peg, "40,30,90deg", "0,-10,0", &[]);
     plan(&ball, "0,0,0", "60,0,0", &[]);
+    plan(&ball, "0,0,0", "60,0,0", &["--depth", "1"]);
+    plan(
+        &ball,
+        "0,0,0",
+        "60,0,0",
+        &["--theta", "0,1", "--depth", "1"],
+    );
     plan(&axes, "0,0", "30deg,-36deg", &[]);
+    plan(&axes, "0,0", "75deg,18deg", &["--depth", "1"]);
     for name in ["latch_box", "fixture_plate"] {
         is_told("assembly", &json(&["assembly", &model(name)]));
     }
