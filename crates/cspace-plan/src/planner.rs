@@ -4,8 +4,8 @@ use core::f64::consts::TAU;
 use std::collections::BTreeSet;
 
 use cspace::{
-    ComputeError, Coordinates, FeatureName, Location, Metric, PairError, PairSpace, Progress,
-    QueryError, RegionId, Stage,
+    ComputeError, Configuration, Coordinates, FeatureName, Location, Metric, PairError, PairSpace,
+    Progress, QueryError, RegionId, Stage,
 };
 
 use crate::answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
@@ -31,6 +31,14 @@ pub enum PlanError {
     /// The pair with the moving part grown cannot be computed, or the computation was interrupted.
     #[error("the pair with the moving part grown: {0}")]
     Grown(#[from] PairError),
+    /// A configuration is so far away that it is not known where the parts are to each other.
+    #[error(
+        "{place} is farther away than {FARTHEST:e} sizes of the parts: rounding leaves nothing of the parts there"
+    )]
+    TooFar {
+        /// Start or goal.
+        place: &'static str,
+    },
     /// The legs are to be so short that they are too many.
     #[error("the legs of the path would be more than {0}: let each be longer")]
     TooManyLegs(f64),
@@ -120,6 +128,12 @@ enum Ways<'a> {
     Axes(Gaps<'a>),
 }
 
+/// Beyond so many sizes nothing is planned: a coordinate is rounded by more than 10⁻⁷ of the size there.
+const FARTHEST: f64 = 1e9;
+/// Ways begin no farther than so many sizes from the fixed part, to be rounded as little as the parts are. From farther away a leg
+/// comes straight there: nothing is in the way.
+const FAR: f64 = 16.0;
+
 /// Legs of a widest way that are joined keep this share of its clearance.
 const WIDEST: f64 = 1.0 - 1e-6;
 
@@ -183,6 +197,17 @@ impl<'a> Planner<'a> {
         wishes: &Wishes,
         progress: &dyn Progress,
     ) -> Result<Answer, PlanError> {
+        // In a window by its own numbers.
+        let (turns, from) = self.home(from);
+        let (_, to) = self.home(to);
+        for (at, place) in [(from, "the start"), (to, "the goal")] {
+            let is_far = |c: f64| c.abs() > FARTHEST * self.scene.size();
+            if let Coordinates::Planar(c) = at
+                && (is_far(c.x) || is_far(c.y))
+            {
+                return Err(PlanError::TooFar { place });
+            }
+        }
         let start = self.end(from).map_err(PlanError::From)?;
         let goal = self.end(to).map_err(PlanError::To)?;
         let region = |end: &End| match end {
@@ -228,7 +253,11 @@ impl<'a> Planner<'a> {
                 };
                 let legs = Legs::new(&self.scene, wider.places).shortened(kept);
                 let ends = ((from, leave.is_some()), (to, arrive.is_some()), last);
-                Verdict::Path(self.told(&self.with_ends(&legs, ends), wishes)?)
+                let mut path = self.told(&self.with_ends(&legs, ends), wishes)?;
+                for at in &mut path.configurations {
+                    *at = turned(*at, -turns);
+                }
+                Verdict::Path(path)
             }
         };
         Ok(answer)
@@ -304,7 +333,10 @@ impl<'a> Planner<'a> {
     fn end(&self, at: Coordinates) -> Result<End, QueryError> {
         Ok(match self.space.locate(at)? {
             Location::Outside => return Err(QueryError::Outside),
-            Location::Free(region) => End::Free { region, leg: None },
+            Location::Free(region) => End::Free {
+                region,
+                leg: self.nearer(self.scene.numbers(at)?),
+            },
             Location::Blocked => End::Blocked,
             Location::Contact => {
                 let Some(off) = off_contact(self.space, &self.scene, at)? else {
@@ -318,6 +350,36 @@ impl<'a> Planner<'a> {
                     _ => End::Blocked,
                 }
             }
+        })
+    }
+
+    /// A configuration of a window by the window's own numbers, and the turns that are added.
+    fn home(&self, at: Coordinates) -> (f64, Coordinates) {
+        let (lo, hi) = self.scene.limits()[2];
+        match (self.space, at) {
+            (PairSpace::Planar(_), Coordinates::Planar(c))
+                if lo.is_finite() && !(lo..=hi).contains(&c.theta) =>
+            {
+                let turns = ((lo - c.theta) / TAU).ceil();
+                (turns, turned(at, turns))
+            }
+            _ => (0.0, at),
+        }
+    }
+
+    /// Where a planar part comes to from far away on a straight leg, with its orientation.
+    fn nearer(&self, at: Coords) -> Option<Coords> {
+        if !matches!(self.space, PairSpace::Planar(_)) {
+            return None;
+        }
+        // What is far from its own origin turns about it: the parts are where their middles are.
+        let (fixed, moving) = (self.space.fixed().bounds(), self.space.moving().bounds());
+        let here = Configuration::new(at[0], at[1], at[2]);
+        let way = here.fixed_from_moving(moving.center()) - fixed.center();
+        let near = FAR * self.scene.size();
+        (way.length() > 2.0 * near).then(|| {
+            let by = way * (near / way.length() - 1.0);
+            [at[0] + by.x, at[1] + by.y, at[2]]
         })
     }
 
@@ -460,5 +522,15 @@ impl<'a> Planner<'a> {
                 }
             }
         })
+    }
+}
+
+/// A configuration with whole turns added to its orientation.
+fn turned(at: Coordinates, turns: f64) -> Coordinates {
+    match at {
+        Coordinates::Planar(c) if turns != 0.0 => {
+            Coordinates::Planar(Configuration::new(c.x, c.y, c.theta + TAU * turns))
+        }
+        _ => at,
     }
 }

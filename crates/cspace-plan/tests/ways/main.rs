@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod distances;
+mod ends;
 mod random;
 mod shrunk;
 mod thresholds;

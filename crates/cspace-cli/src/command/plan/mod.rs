@@ -95,6 +95,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         PlanError::To(e) => pair.unanswered("--to", e),
         PlanError::Pair(e) => pair.unanswered("--from", e),
         PlanError::Grown(e) => pair.failure(e),
+        PlanError::TooFar { .. } => Failure::input(&error).help("choose one nearer to the parts"),
         PlanError::TooManyLegs(_) => {
             Failure::input(format_args!("--turn, --travel: {error}")).help("give larger ones")
         }

@@ -1,0 +1,69 @@
+//! Starts and goals in other numbers than the space's own, and far away.
+
+use core::f64::consts::TAU;
+
+use cspace::{Configuration, Coordinates, Options, PairSpace, Relation};
+use cspace_oracle::shapes::{rounded_peg, slotted_block};
+use cspace_plan::{Checked, PlanError, Planner, Verdict, Wishes, check};
+
+fn space(window: Option<(f64, f64)>) -> PairSpace {
+    let (block, peg) = (slotted_block(8.0, 1.01, 2.0, 0.1), rounded_peg(1.0, 2.0));
+    let options = Options {
+        window,
+        ..Options::default()
+    };
+    PairSpace::compute(&block, &peg, Relation::Planar, &options).unwrap()
+}
+
+fn path(planner: &Planner<'_>, from: Configuration, to: Configuration) -> Vec<Configuration> {
+    let [from, to] = [from, to].map(Coordinates::Planar);
+    let answer = planner.plan(from, to, &Wishes::default()).unwrap();
+    let Verdict::Path(path) = answer.verdict else {
+        panic!("{answer:?}");
+    };
+    let checked = check(planner.scene(), &path.configurations).unwrap();
+    assert!(matches!(checked, Checked::Free(_)), "{checked:?}");
+    assert_eq!(path.configurations[0], from);
+    (path.configurations.iter())
+        .map(|c| match *c {
+            Coordinates::Planar(c) => c,
+            Coordinates::Axes { .. } => unreachable!("a planar pair"),
+        })
+        .collect()
+}
+
+#[test]
+fn orientations_of_a_window_count_from_any_turn() {
+    let space = space(Some((5.5, 7.0)));
+    let planner = Planner::new(&space).unwrap();
+    for from in [-TAU, 0.0, TAU] {
+        for to in [0.3, TAU - 0.3, 0.1 - TAU] {
+            let found = path(
+                &planner,
+                Configuration::new(-9.0, 9.0, from),
+                Configuration::new(9.0, 9.0, to),
+            );
+            // It stays within the window, so the end is that many turns from the goal.
+            let turns = (found.last().unwrap().theta - to) / TAU;
+            assert!((turns - turns.round()).abs() < 1e-9);
+            assert!(found.iter().all(|c| (c.theta - from).abs() < 0.8));
+        }
+    }
+}
+
+#[test]
+fn from_far_away() {
+    let space = space(None);
+    let planner = Planner::new(&space).unwrap();
+    let to = Configuration::new(9.0, 9.0, 0.1);
+    for far in [1e3, 1e6, -1e9] {
+        let from = Configuration::new(far, 0.3 * far, 2.0);
+        path(&planner, from, to);
+        path(&planner, to, from);
+    }
+    let [from, to] = [Configuration::new(1e300, 0.0, 0.0), to].map(Coordinates::Planar);
+    let none = planner.plan(from, to, &Wishes::default());
+    assert_eq!(none, Err(PlanError::TooFar { place: "the start" }));
+    let none = planner.plan(to, from, &Wishes::default());
+    assert_eq!(none, Err(PlanError::TooFar { place: "the goal" }));
+}
