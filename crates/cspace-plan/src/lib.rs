@@ -5,8 +5,10 @@
 //! with what keeps the two apart.
 
 mod answer;
+mod apart;
 pub mod assembly;
 mod check;
+mod ends;
 pub mod legs;
 mod off_contact;
 mod path;

@@ -1,16 +1,14 @@
 //! From a question to an answer.
 
 use core::f64::consts::TAU;
-use std::collections::BTreeSet;
-
 use cspace::{
-    ComputeError, Configuration, Coordinates, FeatureName, Location, Metric, PairError, PairSpace,
-    Progress, QueryError, RegionId, Stage,
+    ComputeError, Coordinates, Location, PairError, PairSpace, Progress, QueryError, Stage,
 };
 
-use crate::answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
+use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
+use crate::apart::{blocked, enclosed};
+use crate::ends::{End, end, home, turned};
 use crate::legs::{Coords, Scene};
-use crate::off_contact::off_contact;
 use crate::path::{Legs, MOST_LEGS, divided};
 use crate::route::{Gaps, Piece, Planar, join};
 use crate::widest::{Until, Wider, widen};
@@ -130,22 +128,9 @@ enum Ways<'a> {
 
 /// Beyond so many sizes nothing is planned: a coordinate is rounded by more than 10⁻⁷ of the size there.
 const FARTHEST: f64 = 1e9;
-/// Ways begin no farther than so many sizes from the fixed part, to be rounded as little as the parts are. From farther away a leg
-/// comes straight there: nothing is in the way.
-const FAR: f64 = 16.0;
 
 /// Legs of a widest way that are joined keep this share of its clearance.
 const WIDEST: f64 = 1.0 - 1e-6;
-
-/// Where a path begins or ends.
-enum End {
-    /// In a region; a configuration in contact is left by a leg.
-    Free {
-        region: RegionId,
-        leg: Option<Coords>,
-    },
-    Blocked,
-}
 
 impl<'a> Planner<'a> {
     /// Prepares a pair.
@@ -198,8 +183,8 @@ impl<'a> Planner<'a> {
         progress: &dyn Progress,
     ) -> Result<Answer, PlanError> {
         // In a window by its own numbers.
-        let (turns, from) = self.home(from);
-        let (_, to) = self.home(to);
+        let (turns, from) = home(self.space, &self.scene, from);
+        let (_, to) = home(self.space, &self.scene, to);
         for (at, place) in [(from, "the start"), (to, "the goal")] {
             let is_far = |c: f64| c.abs() > FARTHEST * self.scene.size();
             if let Coordinates::Planar(c) = at
@@ -208,8 +193,8 @@ impl<'a> Planner<'a> {
                 return Err(PlanError::TooFar { place });
             }
         }
-        let start = self.end(from).map_err(PlanError::From)?;
-        let goal = self.end(to).map_err(PlanError::To)?;
+        let start = end(self.space, &self.scene, from).map_err(PlanError::From)?;
+        let goal = end(self.space, &self.scene, to).map_err(PlanError::To)?;
         let region = |end: &End| match end {
             End::Free { region, .. } => Some(*region),
             End::Blocked => None,
@@ -220,10 +205,14 @@ impl<'a> Planner<'a> {
             bottleneck: None,
         };
         answer.verdict = match (start, goal) {
-            (End::Blocked, _) => Verdict::FromBlocked(self.blocked(from).map_err(PlanError::From)?),
-            (_, End::Blocked) => Verdict::ToBlocked(self.blocked(to).map_err(PlanError::To)?),
+            (End::Blocked, _) => Verdict::FromBlocked(
+                blocked(self.space, &self.scene, from).map_err(PlanError::From)?,
+            ),
+            (_, End::Blocked) => {
+                Verdict::ToBlocked(blocked(self.space, &self.scene, to).map_err(PlanError::To)?)
+            }
             (End::Free { region: a, .. }, End::Free { region: b, .. }) if a != b => {
-                Verdict::NoPath(self.enclosed(a, b).map_err(PlanError::Pair)?)
+                Verdict::NoPath(enclosed(self.space, a, b).map_err(PlanError::Pair)?)
             }
             (End::Free { leg: leave, .. }, End::Free { leg: arrive, .. }) => {
                 let from = self.scene.numbers(from).map_err(PlanError::From)?;
@@ -330,59 +319,6 @@ impl<'a> Planner<'a> {
         Legs::new(&self.scene, places)
     }
 
-    fn end(&self, at: Coordinates) -> Result<End, QueryError> {
-        Ok(match self.space.locate(at)? {
-            Location::Outside => return Err(QueryError::Outside),
-            Location::Free(region) => End::Free {
-                region,
-                leg: self.nearer(self.scene.numbers(at)?),
-            },
-            Location::Blocked => End::Blocked,
-            Location::Contact => {
-                let Some(off) = off_contact(self.space, &self.scene, at)? else {
-                    return Ok(End::Blocked);
-                };
-                match self.space.locate(self.scene.coordinates(off))? {
-                    Location::Free(region) => End::Free {
-                        region,
-                        leg: Some(off),
-                    },
-                    _ => End::Blocked,
-                }
-            }
-        })
-    }
-
-    /// A configuration of a window by the window's own numbers, and the turns that are added.
-    fn home(&self, at: Coordinates) -> (f64, Coordinates) {
-        let (lo, hi) = self.scene.limits()[2];
-        match (self.space, at) {
-            (PairSpace::Planar(_), Coordinates::Planar(c))
-                if lo.is_finite() && !(lo..=hi).contains(&c.theta) =>
-            {
-                let turns = ((lo - c.theta) / TAU).ceil();
-                (turns, turned(at, turns))
-            }
-            _ => (0.0, at),
-        }
-    }
-
-    /// Where a planar part comes to from far away on a straight leg, with its orientation.
-    fn nearer(&self, at: Coords) -> Option<Coords> {
-        if !matches!(self.space, PairSpace::Planar(_)) {
-            return None;
-        }
-        // What is far from its own origin turns about it: the parts are where their middles are.
-        let (fixed, moving) = (self.space.fixed().bounds(), self.space.moving().bounds());
-        let here = Configuration::new(at[0], at[1], at[2]);
-        let way = here.fixed_from_moving(moving.center()) - fixed.center();
-        let near = FAR * self.scene.size();
-        (way.length() > 2.0 * near).then(|| {
-            let by = way * (near / way.length() - 1.0);
-            [at[0] + by.x, at[1] + by.y, at[2]]
-        })
-    }
-
     /// A way between two free configurations, moved to where it has more clearance.
     fn raised(&self, first: Coords, last: Coords) -> Option<Vec<Coords>> {
         /// Places are moved so often for more clearance, by a share that is worth a move.
@@ -465,72 +401,5 @@ impl<'a> Planner<'a> {
             PairSpace::Planar(space) => space.doubtful_orientations().to_vec(),
             _ => Vec::new(),
         }
-    }
-
-    fn enclosed(&self, a: RegionId, b: RegionId) -> Result<Enclosed, QueryError> {
-        let regions = self.space.regions();
-        let unbounded = |r: RegionId| regions.get(r.index()).is_some_and(|r| r.unbounded);
-        let patches_of = |r: RegionId| {
-            (self.space.patches())
-                .filter(|p| p.region().is_ok_and(|of| of == Some(r)))
-                .collect::<Vec<_>>()
-        };
-        let (of_a, of_b) = (patches_of(a), patches_of(b));
-        let first = (unbounded(a), of_a.len()) <= (unbounded(b), of_b.len());
-        let (region, patches) = if first { (a, of_a) } else { (b, of_b) };
-        let mut features: BTreeSet<(FeatureName, FeatureName)> = BTreeSet::new();
-        for patch in &patches {
-            let (fixed, moving) = patch.features()?;
-            features.insert((fixed.name, moving.name));
-        }
-        Ok(Enclosed {
-            region,
-            patches: patches.len(),
-            features: features.into_iter().collect(),
-        })
-    }
-
-    /// What overlaps at a configuration, and the nearest that is free.
-    fn blocked(&self, at: Coordinates) -> Result<Blocked, QueryError> {
-        let levers = self.scene.levers();
-        let turning = match self.space {
-            PairSpace::Planar(_) => levers[2],
-            _ => levers[0].max(levers[1]),
-        };
-        let metric = Metric {
-            length_per_radian: if turning > 0.0 { turning } else { 1.0 },
-        };
-        let mut nearest: Option<(cspace::Projection, cspace::PatchId)> = None;
-        for patch in self.space.patches() {
-            let found = self.space.project(at, patch.id(), metric)?;
-            if nearest.is_none_or(|(n, _)| found.distance < n.distance) {
-                nearest = Some((found, patch.id()));
-            }
-        }
-        Ok(match nearest {
-            None => Blocked {
-                depth: f64::INFINITY,
-                nearest: None,
-                features: None,
-            },
-            Some((found, patch)) => {
-                let (fixed, moving) = self.space.patch(patch)?.features()?;
-                Blocked {
-                    depth: found.distance,
-                    nearest: Some(found.at),
-                    features: Some((fixed.name, moving.name)),
-                }
-            }
-        })
-    }
-}
-
-/// A configuration with whole turns added to its orientation.
-fn turned(at: Coordinates, turns: f64) -> Coordinates {
-    match at {
-        Coordinates::Planar(c) if turns != 0.0 => {
-            Coordinates::Planar(Configuration::new(c.x, c.y, c.theta + TAU * turns))
-        }
-        _ => at,
     }
 }

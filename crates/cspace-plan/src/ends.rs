@@ -1,0 +1,86 @@
+//! Where a path begins or ends.
+
+use core::f64::consts::TAU;
+
+use cspace::{Configuration, Coordinates, Location, PairSpace, QueryError, RegionId};
+
+use crate::legs::{Coords, Scene};
+use crate::off_contact::off_contact;
+
+/// Ways begin no farther than so many sizes from the fixed part, to be rounded as little as the parts are. From farther away a leg
+/// comes straight there: nothing is in the way.
+const FAR: f64 = 16.0;
+
+/// Where a path begins or ends.
+pub(crate) enum End {
+    /// In a region; a configuration in contact is left by a leg.
+    Free {
+        region: RegionId,
+        leg: Option<Coords>,
+    },
+    Blocked,
+}
+
+/// What becomes of a start or a goal.
+pub(crate) fn end(space: &PairSpace, scene: &Scene, at: Coordinates) -> Result<End, QueryError> {
+    Ok(match space.locate(at)? {
+        Location::Outside => return Err(QueryError::Outside),
+        Location::Free(region) => End::Free {
+            region,
+            leg: nearer(space, scene, scene.numbers(at)?),
+        },
+        Location::Blocked => End::Blocked,
+        Location::Contact => {
+            let Some(off) = off_contact(space, scene, at)? else {
+                return Ok(End::Blocked);
+            };
+            match space.locate(scene.coordinates(off))? {
+                Location::Free(region) => End::Free {
+                    region,
+                    leg: Some(off),
+                },
+                _ => End::Blocked,
+            }
+        }
+    })
+}
+
+/// A configuration of a window by the window's own numbers, and the turns that are added.
+pub(crate) fn home(space: &PairSpace, scene: &Scene, at: Coordinates) -> (f64, Coordinates) {
+    let (lo, hi) = scene.limits()[2];
+    match (space, at) {
+        (PairSpace::Planar(_), Coordinates::Planar(c))
+            if lo.is_finite() && !(lo..=hi).contains(&c.theta) =>
+        {
+            let turns = ((lo - c.theta) / TAU).ceil();
+            (turns, turned(at, turns))
+        }
+        _ => (0.0, at),
+    }
+}
+
+/// Where a planar part comes to from far away on a straight leg, with its orientation.
+fn nearer(space: &PairSpace, scene: &Scene, at: Coords) -> Option<Coords> {
+    if !matches!(space, PairSpace::Planar(_)) {
+        return None;
+    }
+    // What is far from its own origin turns about it: the parts are where their middles are.
+    let (fixed, moving) = (space.fixed().bounds(), space.moving().bounds());
+    let here = Configuration::new(at[0], at[1], at[2]);
+    let way = here.fixed_from_moving(moving.center()) - fixed.center();
+    let near = FAR * scene.size();
+    (way.length() > 2.0 * near).then(|| {
+        let by = way * (near / way.length() - 1.0);
+        [at[0] + by.x, at[1] + by.y, at[2]]
+    })
+}
+
+/// A configuration with whole turns added to its orientation.
+pub(crate) fn turned(at: Coordinates, turns: f64) -> Coordinates {
+    match at {
+        Coordinates::Planar(c) if turns != 0.0 => {
+            Coordinates::Planar(Configuration::new(c.x, c.y, c.theta + TAU * turns))
+        }
+        _ => at,
+    }
+}
