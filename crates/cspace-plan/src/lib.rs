@@ -9,6 +9,7 @@ mod apart;
 pub mod assembly;
 mod check;
 mod ends;
+pub mod escape;
 pub mod legs;
 mod off_contact;
 mod path;

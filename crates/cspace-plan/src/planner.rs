@@ -37,6 +37,12 @@ pub enum PlanError {
         /// Start or goal.
         place: &'static str,
     },
+    /// Nothing is out on fixed axes.
+    #[error("on fixed axes no configuration is out: say to which it is to escape")]
+    NoGoal,
+    /// The computation was interrupted.
+    #[error(transparent)]
+    Stopped(ComputeError),
     /// The legs are to be so short that they are too many.
     #[error("the legs of the path would be more than {0}: let each be longer")]
     TooManyLegs(f64),

@@ -5,6 +5,7 @@
 //! alone, and nothing of their contact space: a path that it passes is free whatever the space says.
 
 mod apart;
+mod depth;
 mod flat;
 mod flats;
 mod meet;

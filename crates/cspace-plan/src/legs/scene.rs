@@ -5,12 +5,15 @@ use cspace::{
     Vector,
 };
 
+use super::depth::{At, is_deep};
 use super::near::{Coords, Near};
 use super::pose::Pose;
 use super::search::{Nearest, Search};
 use super::shape::Piece;
 use super::tree::Tree;
 
+/// Points of one boundary that are deepest in the other are looked for on common normals up to so many depths long.
+const NORMALS: f64 = 8.0;
 const UNLIMITED: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Two parts and how their coordinates move them.
@@ -137,9 +140,39 @@ impl Scene {
         within
     }
 
+    /// Whether the parts overlap at a configuration, and at all others from which no point of them has moved farther than `depth`
+    /// against the other. What overlaps five times as deep is always found,
+    /// and most of what overlaps deeper.
+    pub fn overlaps_deeply(&self, at: Coords, depth: f64) -> bool {
+        let (a, b) = self.poses(at, at);
+        let (origin_a, origin_b) = origins(self.motions);
+        let placed = |part, pose: Pose, origin| At {
+            part,
+            placed: pose.at(0.0),
+            origin,
+        };
+        let (a, b) = (
+            placed(&self.parts.0, a, origin_a),
+            placed(&self.parts.1, b, origin_b),
+        );
+        let mut feet = Vec::new();
+        (self.search(at, at)).within(NORMALS * depth, |near| feet.push(near.points));
+        is_deep((&a, &b), (origin_a, origin_b), &feet, depth)
+    }
+
     /// How far a point of a part moves at most, for a unit of each coordinate: lengths, in the model's unit.
     pub fn levers(&self) -> Coords {
         self.levers
+    }
+
+    /// The parts.
+    pub fn parts(&self) -> (&Part, &Part) {
+        (&self.parts.0, &self.parts.1)
+    }
+
+    /// How the coordinates of a pair with fixed axes move its parts.
+    pub fn motions(&self) -> Option<(AxisMotion, AxisMotion)> {
+        self.motions
     }
 
     /// The larger part's size, in the model's unit.

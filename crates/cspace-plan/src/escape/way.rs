@@ -1,0 +1,96 @@
+//! The way through free boxes as legs, each tested by itself.
+
+use crate::legs::Coords;
+use crate::route::along;
+
+use super::energy::Energy;
+use super::search::{Bracket, Question};
+
+/// A leg is halved so often at most.
+const HALVINGS: u32 = 20;
+
+/// A way as configurations joined by motions of constant rates.
+pub(super) struct Legs {
+    pub(super) places: Vec<Coords>,
+    /// Its highest energy, right to a share of what the bounds are apart.
+    pub(super) energy: f64,
+}
+
+/// The way of a bracket as legs, `None` if there is none or some leg does not pass.
+pub(super) fn way(question: &Question<'_>, energy: &Energy<'_>, bracket: &Bracket) -> Option<Legs> {
+    let scene = question.scene;
+    let tolerance = 1e-3 * question.within;
+    let mut places: Vec<Coords> = Vec::new();
+    for pair in bracket.way.windows(2) {
+        places.push(question.domain.configuration(pair[0]));
+        between(question, (pair[0], pair[1]), HALVINGS, &mut places)?;
+    }
+    places.push(question.domain.configuration(*bracket.way.last()?));
+    let highest = |a: Coords, b: Coords| energy.highest(a, b, tolerance);
+    let most = (places.windows(2))
+        .map(|leg| highest(leg[0], leg[1]))
+        .fold(f64::NEG_INFINITY, f64::max);
+    // As few legs as pass with no more energy.
+    let passes = |a: Coords, b: Coords| highest(a, b) <= most && scene.is_apart(a, b, 0.0);
+    let mut kept = vec![places[0]];
+    let mut here = 0;
+    while here + 1 < places.len() {
+        let mut next = here + 1;
+        let mut step = places.len() - 1 - here;
+        while step > 0 {
+            if here + step > next && passes(places[here], places[here + step]) {
+                next = here + step;
+                break;
+            }
+            step /= 2;
+        }
+        kept.push(places[next]);
+        here = next;
+    }
+    // The start itself, and the goal.
+    let turned = |to: Coords, like: Coords| like_turn(question, to, like);
+    kept.insert(0, turned(question.from, kept[0]));
+    if let (Some((to, _)), Some(&last)) = (question.to, kept.last()) {
+        kept.push(turned(to, last));
+    }
+    kept.dedup();
+    let energy = (kept.windows(2))
+        .map(|leg| highest(leg[0], leg[1]))
+        .fold(most, f64::max);
+    Some(Legs {
+        places: kept,
+        energy,
+    })
+}
+
+/// A configuration as often around as another one beside it.
+fn like_turn(question: &Question<'_>, at: Coords, like: Coords) -> Coords {
+    use core::f64::consts::TAU;
+    core::array::from_fn(|k| {
+        if question.domain.around[k] {
+            at[k] + TAU * ((like[k] - at[k]) / TAU).round()
+        } else {
+            at[k]
+        }
+    })
+}
+
+/// Places between two ends of a line in the domain, such that the legs between them are free.
+fn between(
+    question: &Question<'_>,
+    (from, to): (Coords, Coords),
+    halvings: u32,
+    places: &mut Vec<Coords>,
+) -> Option<()> {
+    let at = |z: Coords| question.domain.configuration(z);
+    if question.scene.is_apart(at(from), at(to), 0.0) {
+        return Some(());
+    }
+    if halvings == 0 {
+        return None;
+    }
+    let half = along(from, to, 0.5);
+    between(question, (from, half), halvings - 1, places)?;
+    places.push(at(half));
+    between(question, (half, to), halvings - 1, places)
+}

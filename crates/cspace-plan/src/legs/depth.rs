@@ -1,0 +1,115 @@
+//! Whether parts overlap deeply.
+
+use cspace::{Edge, Part, Point, Vector};
+
+use super::pose::Placed;
+
+/// Pieces of the boundary are halved down to so many of the depths that are asked for.
+const SHORTEST: f64 = 4.0;
+
+/// A part at a place.
+pub(super) struct At<'a> {
+    pub(super) part: &'a Part,
+    pub(super) placed: Placed,
+    /// What the placed frame's points are less than the part's own.
+    pub(super) origin: Vector,
+}
+
+impl At<'_> {
+    fn out(&self, q: Point) -> Point {
+        self.placed.point(q - self.origin).at
+    }
+
+    fn back(&self, p: Point) -> Point {
+        self.placed.back(p) + self.origin
+    }
+}
+
+/// Whether some point of one part's boundary lies deeper in the other's material than a depth: then the parts overlap wherever no
+/// point of them has moved farther than that against the other.
+///
+/// A boundary is deepest in a corner, on a common normal, of which `feet` are the ends, or where two places of the other boundary are
+/// equally near. The last are found if they are deep enough for pieces of the boundary to show it.
+pub(super) fn is_deep(
+    (a, b): (&At<'_>, &At<'_>),
+    (origin_a, origin_b): (Vector, Vector),
+    feet: &[(Point, Point)],
+    depth: f64,
+) -> bool {
+    let of_a = feet.iter().map(|&(p, _)| p + origin_a);
+    let of_b = feet.iter().map(|&(_, q)| q + origin_b);
+    within(a, b, of_a, depth) || within(b, a, of_b, depth)
+}
+
+/// Whether a point of the first part's boundary is deep in the second.
+fn within(
+    outline: &At<'_>,
+    material: &At<'_>,
+    mut feet: impl Iterator<Item = Point>,
+    depth: f64,
+) -> bool {
+    let seen = |q: Point| material.back(outline.out(q));
+    let is_deep = |q: Point| {
+        let p = seen(q);
+        nearest(material.part, p).is_some_and(|(d, _)| d > depth) && material.part.contains(p)
+    };
+    let corners = outline.part.loops().iter().flat_map(|l| l.vertices());
+    let pieces = Pieces {
+        material: material.part,
+        depth,
+    };
+    corners.into_iter().any(|v| is_deep(v.point()))
+        || feet.any(is_deep)
+        || (outline.part.edges()).any(|e| pieces.any_deep(&e, (0.0, 1.0), &seen))
+}
+
+/// The search along the pieces of a boundary.
+struct Pieces<'a> {
+    material: &'a Part,
+    depth: f64,
+}
+
+impl Pieces<'_> {
+    fn any_deep(&self, e: &Edge, (lo, hi): (f64, f64), seen: &impl Fn(Point) -> Point) -> bool {
+        let middle = 0.5 * (lo + hi);
+        let half = 0.5 * (hi - lo) * e.length();
+        if half < SHORTEST * self.depth {
+            return false;
+        }
+        let p = seen(e.at(middle));
+        let Some((distance, edge)) = nearest(self.material, p) else {
+            return false;
+        };
+        let inside = self.material.contains(p);
+        if inside && distance > self.depth {
+            return true;
+        }
+        if !inside && half <= distance + self.depth {
+            return false;
+        }
+        // Along one edge the whole piece is about as near to it as its ends, and on the side of its middle.
+        let ends = [lo, hi].map(|u| seen(e.at(u)));
+        let bent = half * half * (e.curvature().abs() + edge.curvature().abs());
+        let along = if inside {
+            let farther = ends.map(|q| edge.distance(q));
+            farther[0].max(farther[1]) + bent <= self.depth
+        } else {
+            bent <= self.depth
+                && ends.iter().all(|&q| {
+                    nearest(self.material, q).is_some_and(|(_, other)| other == edge)
+                        && !self.material.contains(q)
+                })
+        };
+        if along {
+            return false;
+        }
+        self.any_deep(e, (lo, middle), seen) || self.any_deep(e, (middle, hi), seen)
+    }
+}
+
+/// The distance of the nearest edge, with the edge.
+fn nearest(part: &Part, p: Point) -> Option<(f64, Edge)> {
+    (part.edges())
+        .map(|e| (e.distance(p), e))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+}
