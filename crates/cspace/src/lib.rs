@@ -128,8 +128,8 @@ pub use pair::{
     Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
-    ArcSize, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError, PartSymmetry,
-    Vertex,
+    ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,
+    PartSymmetry, Vertex,
 };
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,
