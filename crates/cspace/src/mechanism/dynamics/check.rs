@@ -1,5 +1,7 @@
 //! Whether what makes a mechanism move makes sense.
 
+use std::collections::HashSet;
+
 use super::super::entries::{Mechanism, PartEntry};
 use super::at::{At, Checked, stands_still};
 use super::data::{Dynamics, PairSurface, PartDynamics};
@@ -22,8 +24,14 @@ impl Dynamics {
         for (i, part) in self.parts.iter().enumerate() {
             part.check(At(DynamicsItem::Part(i)), entry(parts, i)?)?;
         }
-        for (i, surface) in self.pairs.iter().enumerate() {
-            surface.check(&self.pairs[..i], mechanism)?;
+        if !self.pairs.is_empty() {
+            let listed: HashSet<_> = (mechanism.pairs.iter())
+                .map(|p| ordered((p.fixed, p.moving)))
+                .collect();
+            let mut known = HashSet::new();
+            for surface in &self.pairs {
+                surface.check(&listed, &mut known)?;
+            }
         }
         for (i, drive) in self.drives.iter().enumerate() {
             drive.check(i, &self.drives[..i], parts)?;
@@ -108,15 +116,24 @@ impl PartDynamics {
     }
 }
 
+/// Two parts, whichever is named first.
+fn ordered((a, b): (usize, usize)) -> (usize, usize) {
+    (a.min(b), a.max(b))
+}
+
 impl PairSurface {
-    fn check(&self, before: &[Self], mechanism: &Mechanism) -> Checked {
-        let (a, b) = self.parts;
-        let at = At(DynamicsItem::Pair(a, b));
-        let same = |other: (usize, usize)| other == (a, b) || other == (b, a);
-        if !(mechanism.pairs.iter()).any(|p| same((p.fixed, p.moving))) {
+    /// `listed` are the pairs of the mechanism, `known` those that came before this one.
+    fn check(
+        &self,
+        listed: &HashSet<(usize, usize)>,
+        known: &mut HashSet<(usize, usize)>,
+    ) -> Checked {
+        let at = At(DynamicsItem::Pair(self.parts.0, self.parts.1));
+        let pair = ordered(self.parts);
+        if !listed.contains(&pair) {
             return at.fails("pair", DynamicsFault::NoPair);
         }
-        if before.iter().any(|s| same(s.parts)) {
+        if !known.insert(pair) {
             return at.fails("pair", DynamicsFault::PairTwice);
         }
         if let Some(friction) = self.friction {

@@ -16,6 +16,7 @@ pub struct DynamicsError {
 
 /// What a mechanism has that can be wrong, by index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum DynamicsItem {
     /// Something of the mechanism as a whole.
     Mechanism,
