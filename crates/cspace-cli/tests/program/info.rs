@@ -239,7 +239,7 @@ fn what_is_wrong_is_told_with_its_line() {
         cspace(&["info", &file]),
         2,
         &[
-            "model.toml:18:11: part 1 \"lever\": `density`: 0.0 is not positive",
+            "model.toml:17:11: part 1 \"lever\": `density`: 0.0 is not positive",
             "help: give a number above 0",
         ],
     );
