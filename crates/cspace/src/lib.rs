@@ -120,7 +120,7 @@ pub use contact::{
 pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use geometry::{Configuration, Point, Rotation, Vector};
-pub use mechanism::{JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
+pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
 pub use number::{Dual, Scalar, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
@@ -128,8 +128,8 @@ pub use pair::{
     Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
-    ArcSize, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError, PartSymmetry,
-    Vertex,
+    ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,
+    PartSymmetry, Vertex,
 };
 pub use query::{
     Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,

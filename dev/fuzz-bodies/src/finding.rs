@@ -32,14 +32,13 @@ impl Finding {
         };
         let model = Mechanism {
             name: "found by fuzzing".into(),
-            unit: None,
             parts: vec![entry(fixed), entry(moving)],
-            joints: Vec::new(),
             pairs: vec![PairEntry {
                 fixed: 0,
                 moving: 1,
                 window,
             }],
+            ..Mechanism::default()
         };
         Self {
             model: Some(model::to_toml(&model)),

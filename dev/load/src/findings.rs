@@ -35,14 +35,13 @@ pub(crate) fn write(
     };
     let model = Mechanism {
         name: name.to_owned(),
-        unit: None,
         parts: vec![entry(&case.fixed), entry(&case.moving)],
-        joints: Vec::new(),
         pairs: vec![PairEntry {
             fixed: 0,
             moving: 1,
             window: case.window,
         }],
+        ..Mechanism::default()
     };
     text.push_str(&model::to_toml(&model));
     std::fs::write(folder.join(format!("{number}-{kind}.toml")), text).map_err(failed)

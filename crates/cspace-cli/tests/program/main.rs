@@ -13,6 +13,7 @@ mod helpers;
 #[cfg(unix)]
 mod hostile;
 mod import;
+mod info;
 mod meshes;
 mod new;
 mod plan;

@@ -64,6 +64,10 @@ fn answers_are_as_their_schemas_say() {
             is_told(command, &json(&[command, &file]));
         }
     }
+    let dir = tempfile::tempdir().unwrap();
+    let moving = dir.path().join("moving.toml");
+    std::fs::write(&moving, crate::info::MODEL).unwrap();
+    is_told("info", &json(&["info", moving.to_str().unwrap()]));
     let folder = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../cspace-drawing/tests/drawings"

@@ -1,17 +1,21 @@
-//! The file format of mechanisms: parts, motions, joints and pairs, in TOML or JSON.
+//! The file format of mechanisms: parts, motions, joints, pairs, and what makes them move, in TOML or JSON.
 //!
 //! A file is read in three steps, each of which reports what it finds wrong as a [`ModelError`]: bytes become text,
 //! text becomes a tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism). `docs/model.md` in the project's
 //! repository tells how a model is written, `docs/model.schema.json` is its schema.
 
 mod drawings;
+mod dynamics;
 mod entry;
 mod error;
+mod forces;
 mod locate;
 mod loops;
+mod measure;
 mod names;
 mod node;
 mod outline;
+mod part_dynamics;
 mod parts;
 mod place;
 mod read;
@@ -22,6 +26,8 @@ mod suggest;
 mod table;
 mod to_json;
 mod to_toml;
+mod toml_dynamics;
+mod toml_values;
 
 pub(crate) use read::no_json;
 

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use cspace::mechanism::PartDynamics;
 use cspace::{Axis, MechanismError, PartEntry, Point, Vector};
 
 use super::drawings::{Setting, read_drawing, source};
@@ -9,6 +10,7 @@ use super::error::ModelError;
 use super::names::with_names;
 use super::node::Node;
 use super::outline::read_outline;
+use super::part_dynamics::{self, read_part_dynamics};
 use super::place::Place;
 use super::suggest::nearest;
 use super::table::{Result, Table};
@@ -21,8 +23,9 @@ pub(super) fn read_parts(
     place: &Place,
     nodes: &[Node],
     setting: &Setting<'_>,
-) -> Result<Vec<PartEntry>> {
+) -> Result<(Vec<PartEntry>, Vec<PartDynamics>)> {
     let mut parts: Vec<PartEntry> = Vec::new();
+    let mut dynamics: Vec<PartDynamics> = Vec::new();
     let mut names: HashMap<String, usize> = HashMap::new();
     for (i, node) in nodes.iter().enumerate() {
         let words = match name_of(node) {
@@ -30,15 +33,16 @@ pub(super) fn read_parts(
             None => format!("part {i}"),
         };
         let place = place.item(i).called(words);
-        let entry = read_part(&place, node, setting)?;
+        let (entry, moves) = read_part(&place, node, setting)?;
         if let Some(first) = names.insert(entry.part.name().to_owned(), i) {
             let message = format!("the name is already that of part {first}");
             return Err(ModelError::new(&place.key("name"), message)
                 .with_help("give every part a name of its own"));
         }
         parts.push(entry);
+        dynamics.push(moves);
     }
-    Ok(parts)
+    Ok((parts, dynamics))
 }
 
 /// The name of a part, before it is known to be one.
@@ -52,7 +56,11 @@ fn name_of(node: &Node) -> Option<&str> {
     }
 }
 
-fn read_part(place: &Place, node: &Node, setting: &Setting<'_>) -> Result<PartEntry> {
+fn read_part(
+    place: &Place,
+    node: &Node,
+    setting: &Setting<'_>,
+) -> Result<(PartEntry, PartDynamics)> {
     const KEYS: [&str; 12] = [
         "name", "loops", "dxf", "svg", "points", "names", "motion", "symmetry", "layer", "id",
         "scale", "join",
@@ -60,7 +68,8 @@ fn read_part(place: &Place, node: &Node, setting: &Setting<'_>) -> Result<PartEn
     // It is too like others to be suggested.
     const OTHERS: [&str; 1] = ["fit"];
     let help = format!("a part is a table with keys such as name = \"pawl\" and {LOOPS}");
-    let table = Table::with_others(node, place.clone(), &KEYS, &OTHERS, &help)?;
+    let keys: Vec<&str> = (KEYS.iter().chain(&part_dynamics::KEYS).copied()).collect();
+    let table = Table::with_others(node, place.clone(), &keys, &OTHERS, &help)?;
     let name = table
         .text("name")?
         .ok_or_else(|| table.missing("name", "name = \"pawl\""))?;
@@ -91,7 +100,8 @@ fn read_part(place: &Place, node: &Node, setting: &Setting<'_>) -> Result<PartEn
         symmetry: table.count("symmetry")?,
     };
     check_symmetry(&table, &entry)?;
-    Ok(entry)
+    let dynamics = read_part_dynamics(&table, axis)?;
+    Ok((entry, dynamics))
 }
 
 /// Symmetry is found from the outline anyway; what is declared must not contradict it.

@@ -5,6 +5,7 @@ use std::path::Path;
 use cspace::Mechanism;
 
 use super::drawings::Setting;
+use super::dynamics::read_dynamics;
 use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column};
 use super::node::Node;
@@ -24,7 +25,20 @@ const LARGEST_JSON: u64 = 64 << 20;
 pub const MOST_PARTS: usize = 1000;
 
 /// Keys of the file itself. `$schema` is for editors, which complete and check the file by the schema it names.
-const KEYS: [&str; 6] = ["name", "unit", "part", "joint", "pair", "$schema"];
+const KEYS: [&str; 12] = [
+    "name",
+    "unit",
+    "part",
+    "joint",
+    "pair",
+    "$schema",
+    "gravity",
+    "friction",
+    "restitution",
+    "drive",
+    "load",
+    "spring",
+];
 
 /// How many bytes are read of a model of this name.
 fn largest(path: &Path) -> u64 {
@@ -208,22 +222,27 @@ fn from_tree(tree: &Node, folder: &Path) -> Result<Mechanism> {
         folder,
         unit: table.text("unit")?,
     };
-    let parts = read_parts(&table.place.key("part"), parts, &setting)?;
+    let (parts, masses) = read_parts(&table.place.key("part"), parts, &setting)?;
     let joints = table
         .list("joint", "write each joint as [[joint]], in two brackets")?
         .unwrap_or_default();
     let joints = read_joints(&table.place.key("joint"), joints, &parts)?;
-    let pairs = match table.list("pair", "write each pair as [[pair]], in two brackets")? {
-        None | Some([]) => None,
-        Some(pairs) => Some(read_pairs(&table.place.key("pair"), pairs, &parts)?),
-    };
+    let (pairs, surfaces) =
+        match table.list("pair", "write each pair as [[pair]], in two brackets")? {
+            None | Some([]) => (None, Vec::new()),
+            Some(nodes) => {
+                let (pairs, surfaces) = read_pairs(&table.place.key("pair"), nodes, &parts)?;
+                (Some(pairs), surfaces)
+            }
+        };
     let mut mechanism = Mechanism {
         name: table.text("name")?.unwrap_or_default().to_owned(),
         unit: setting.unit.map(str::to_owned),
         parts,
         joints,
-        pairs: Vec::new(),
+        ..Mechanism::default()
     };
     mechanism.pairs = pairs.unwrap_or_else(|| mechanism.every_two());
+    mechanism.dynamics = read_dynamics(&table, &mechanism, masses, surfaces)?;
     Ok(mechanism)
 }

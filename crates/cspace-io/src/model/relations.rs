@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use cspace::mechanism::PairSurface;
 use cspace::pair::Joint;
 use cspace::{JointEntry, MechanismError, PairEntry, PartEntry, Point};
 
@@ -14,7 +15,7 @@ use super::table::{Result, Table};
 use crate::shown::quoted;
 
 /// The index of the part that the text at a place names.
-fn part_index(place: &Place, name: &str, parts: &[PartEntry]) -> Result<usize> {
+pub(super) fn part_index(place: &Place, name: &str, parts: &[PartEntry]) -> Result<usize> {
     parts
         .iter()
         .position(|p| p.part.name() == name)
@@ -136,13 +137,15 @@ pub(super) fn read_pairs(
     place: &Place,
     nodes: &[Node],
     parts: &[PartEntry],
-) -> Result<Vec<PairEntry>> {
+) -> Result<(Vec<PairEntry>, Vec<PairSurface>)> {
+    const KEYS: [&str; 5] = ["fixed", "moving", "theta", "friction", "restitution"];
     const HELP: &str = "a pair is a table with fixed = \"ratchet\" and moving = \"pawl\"";
     let mut pairs: Vec<PairEntry> = Vec::new();
+    let mut surfaces: Vec<PairSurface> = Vec::new();
     let mut known: HashMap<(usize, usize), usize> = HashMap::new();
     for (i, node) in nodes.iter().enumerate() {
         let place = place.item(i).called(format!("pair {i}"));
-        let table = Table::new(node, place, &["fixed", "moving", "theta"], HELP)?;
+        let table = Table::new(node, place, &KEYS, HELP)?;
         let side = |key: &str| {
             let name = table
                 .text(key)?
@@ -174,6 +177,14 @@ pub(super) fn read_pairs(
             moving,
             window,
         });
+        let surface = PairSurface {
+            parts: (fixed, moving),
+            friction: table.number("friction")?,
+            restitution: table.number("restitution")?,
+        };
+        if surface.friction.is_some() || surface.restitution.is_some() {
+            surfaces.push(surface);
+        }
     }
-    Ok(pairs)
+    Ok((pairs, surfaces))
 }

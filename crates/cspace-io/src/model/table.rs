@@ -222,7 +222,7 @@ pub(super) fn number(node: &Node) -> Option<f64> {
 }
 
 /// An angle in radians: a number, or text with a unit.
-fn angle_of(node: &Node) -> Option<f64> {
+pub(super) fn angle_of(node: &Node) -> Option<f64> {
     match node {
         Node::Text(t) => parse_angle(t),
         other => number(other),

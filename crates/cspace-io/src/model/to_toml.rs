@@ -3,14 +3,15 @@
 use std::fmt::Write as _;
 
 use cspace::pair::Joint;
-use cspace::{
-    Axis, AxisMotion, JointEntry, Mechanism, PairEntry, PartEntry, Point, Vector, Vertex,
-};
+use cspace::{Axis, AxisMotion, JointEntry, Mechanism, PairEntry, PartEntry, Vertex};
+
+use super::toml_dynamics::{of_pair, of_part, of_whole, written_apart};
+use super::toml_values::{point, text, two, vector};
 
 /// The model as the text of a TOML file. Reading it gives the same model: numbers are written
 /// with as many digits as that takes, angles in radians.
 ///
-/// Pairs are left out when they are what a file without pairs stands for. A model that breaks
+/// Pairs are left out when they are what a file without pairs stands for and none has a friction of its own. A model that breaks
 /// the reader's rules, say by an index that is no part's (whose name is written as empty), a
 /// number that is not finite or a control character in a name, is written all the same, and
 /// refused when read.
@@ -28,17 +29,23 @@ pub fn to_toml(mechanism: &Mechanism) -> String {
     if let Some(unit) = &mechanism.unit {
         out.line("unit", text(unit));
     }
-    for part in &mechanism.parts {
+    let dynamics = &mechanism.dynamics;
+    out.0.push_str(&of_whole(dynamics));
+    for (i, part) in mechanism.parts.iter().enumerate() {
         out.part(part);
+        out.0.push_str(&of_part(&dynamics.part(i)));
     }
     for joint in &mechanism.joints {
         out.joint(joint, mechanism);
     }
-    if mechanism.pairs != mechanism.every_two() {
+    if mechanism.pairs != mechanism.every_two() || !dynamics.pairs.is_empty() {
         for pair in &mechanism.pairs {
             out.pair(pair, mechanism);
+            out.0.push_str(&of_pair(dynamics, pair));
         }
     }
+    let name = |part: usize| name_of(mechanism, part);
+    out.0.push_str(&written_apart(dynamics, &name));
     out.0
 }
 
@@ -131,33 +138,4 @@ fn motion(axis: &Axis) -> String {
             format!(r#"{{ type = "prismatic", direction = {direction}{range} }}"#)
         }
     }
-}
-
-fn point(p: Point) -> String {
-    two((p.x, p.y))
-}
-
-fn vector(v: Vector) -> String {
-    two((v.x, v.y))
-}
-
-/// Debug prints the fewest digits that are read back as the same number, and a point or exponent.
-fn two((a, b): (f64, f64)) -> String {
-    format!("[{a:?}, {b:?}]")
-}
-
-/// A basic string of TOML: quotes, backslashes and control characters escaped.
-fn text(value: &str) -> String {
-    let mut out = String::from('"');
-    for c in value.chars() {
-        match c {
-            '"' | '\\' => out.extend(['\\', c]),
-            c if c.is_control() => {
-                let _ = write!(out, "\\u{:04X}", u32::from(c));
-            }
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
 }

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod arcs;
+mod dynamics;
 mod errors;
 mod paper;
 mod round_trip;

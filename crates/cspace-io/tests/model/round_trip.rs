@@ -87,6 +87,7 @@ fn every_motion_joint_and_window() {
                 window: None,
             },
         ],
+        ..Mechanism::default()
     });
 }
 
@@ -100,10 +101,9 @@ fn pairs_that_a_file_without_pairs_stands_for_are_left_out() {
     };
     let model = Mechanism {
         name: "two".into(),
-        unit: None,
         parts,
-        joints: vec![],
         pairs: vec![pair],
+        ..Mechanism::default()
     };
     assert!(!model::to_toml(&model).contains("[[pair]]"));
     round_trip(&model);

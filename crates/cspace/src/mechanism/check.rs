@@ -6,6 +6,7 @@ use crate::fixed_axes::AxisMotion;
 use crate::pair::{Joint, PairError};
 use crate::space::LONGEST_WINDOW;
 
+use super::dynamics::DynamicsError;
 use super::entries::{JointEntry, Mechanism, PairEntry, PartEntry};
 
 /// What is wrong with a mechanism.
@@ -90,6 +91,9 @@ pub enum MechanismError {
         /// Last orientation.
         hi: f64,
     },
+    /// Something that makes the mechanism move makes no sense.
+    #[error("{0}")]
+    Dynamics(DynamicsError),
     /// The configuration space of a pair cannot be computed.
     #[error("{fixed} and {moving}: {error}")]
     Pair {
@@ -107,10 +111,11 @@ pub enum MechanismError {
 const SAME: f64 = 1e-6;
 
 impl Mechanism {
-    /// Whether all of it makes sense: names and pairs are told apart, indices are those of parts, joints agree with motions.
+    /// Whether all of it makes sense: names and pairs are told apart, indices are those of parts, joints agree with motions,
+    /// and what makes it move fits the parts.
     ///
     /// # Errors
-    /// The first thing that is wrong, in the order parts, joints, pairs.
+    /// The first thing that is wrong, in the order parts, joints, pairs, dynamics.
     pub fn check(&self) -> Result<(), MechanismError> {
         let mut names = HashMap::new();
         for (i, entry) in self.parts.iter().enumerate() {
@@ -130,7 +135,7 @@ impl Mechanism {
                 return Err(MechanismError::PairedTwice { pair: i, first });
             }
         }
-        Ok(())
+        self.dynamics.check(self).map_err(MechanismError::Dynamics)
     }
 }
 

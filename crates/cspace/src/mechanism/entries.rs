@@ -5,6 +5,8 @@ use crate::geometry::{Point, Vector};
 use crate::pair::Joint;
 use crate::part::Part;
 
+use super::dynamics::Dynamics;
+
 /// Parts, how each may move, how they are joined, and which pairs of them to study.
 ///
 /// Lengths are in one unit, angles in radians. All parts are drawn in the assembly's frame, as they are at zero motion.
@@ -36,6 +38,12 @@ pub struct Mechanism {
     pub joints: Vec<JointEntry>,
     /// The pairs to study.
     pub pairs: Vec<PairEntry>,
+    /// Masses, gravity, drives and all else that makes it move. Configuration spaces do not depend on it.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Dynamics::is_none")
+    )]
+    pub dynamics: Dynamics,
 }
 
 /// A part and how it may move.

@@ -100,7 +100,7 @@ impl Loop {
 }
 
 /// A sum whose rounding does not grow with the number of terms (Kahan, 1965).
-fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     let (total, _) = terms.fold((0.0, 0.0), |(total, lost), term| {
         let term = term - lost;
         let next = total + term;

@@ -1,6 +1,7 @@
 //! What is a part, and what is none.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod moments;
 mod outline;
 mod random;
 mod validation;

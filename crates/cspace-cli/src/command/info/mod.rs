@@ -1,5 +1,7 @@
 //! `cspace info`.
 
+mod dynamics;
+mod dynamics_text;
 mod text;
 
 use core::f64::consts::PI;
@@ -8,6 +10,7 @@ use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Edge, PairClass, PairSpace, Part};
 use serde::Serialize;
 
+use self::dynamics::{Forces, PartMotion, SurfaceInfo, forces, part_motion, surface};
 use super::several::{self, Answer};
 use crate::args::{Common, Format, InfoArgs};
 use crate::failure::Failure;
@@ -21,6 +24,8 @@ struct Info {
     parts: Vec<PartInfo>,
     joints: Vec<JointInfo>,
     pairs: Vec<PairInfo>,
+    #[serde(flatten)]
+    forces: Forces,
 }
 
 #[derive(Serialize)]
@@ -40,6 +45,8 @@ struct PartInfo {
     #[serde(skip_serializing_if = "Option::is_none")]
     radii: Option<(f64, f64)>,
     motion: MotionInfo,
+    #[serde(flatten)]
+    dynamics: PartMotion,
     /// The largest fold about its own centre.
     symmetry: u32,
     /// Whether every rotation about its own centre maps the part to itself.
@@ -91,6 +98,8 @@ struct PairInfo {
     features: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     theta: Option<(f64, f64)>,
+    #[serde(flatten)]
+    surface: SurfaceInfo,
 }
 
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
@@ -117,13 +126,13 @@ fn answer(common: &Common, args: &InfoArgs) -> Result<Answer, Failure> {
 }
 
 fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
-    let pairs = pairs.iter().map(pair_info).collect();
+    let pairs = pairs.iter().map(|p| pair_info(subject, p)).collect();
     match subject {
         Subject::Model { model, .. } => Info {
             name: model.name.clone(),
             unit: model.unit.clone(),
-            parts: (model.parts.iter())
-                .map(|p| part_info(&p.part, p.axis))
+            parts: (model.parts.iter().enumerate())
+                .map(|(i, p)| part_info(&p.part, p.axis, part_motion(model, i)))
                 .collect(),
             joints: (model.joints.iter())
                 .map(|j| {
@@ -132,6 +141,7 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
                 })
                 .collect(),
             pairs,
+            forces: forces(model),
         },
         Subject::Saved(file) => {
             let space = &file.space;
@@ -147,6 +157,7 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
                     _ => Vec::new(),
                 },
                 pairs,
+                forces: Forces::default(),
             }
         }
     }
@@ -162,17 +173,23 @@ fn saved_parts(space: &PairSpace) -> Vec<PartInfo> {
         _ => [None; 2],
     };
     ([space.fixed(), space.moving()].into_iter().zip(axes))
-        .map(|(part, axis)| part_info(part, axis))
+        .map(|(part, axis)| part_info(part, axis, PartMotion::default()))
         .collect()
 }
 
-fn pair_info(pair: &Chosen<'_>) -> PairInfo {
+fn pair_info(subject: &Subject, pair: &Chosen<'_>) -> PairInfo {
     PairInfo {
         fixed: pair.fixed().name().to_owned(),
         moving: pair.moving().name().to_owned(),
         class: class(pair),
         features: features(pair.fixed()).total + features(pair.moving()).total,
         theta: pair.window(),
+        surface: match subject {
+            Subject::Model { model, .. } => {
+                surface(model, pair.fixed().name(), pair.moving().name())
+            }
+            Subject::Saved(_) => SurfaceInfo::default(),
+        },
     }
 }
 
@@ -193,7 +210,7 @@ fn class(pair: &Chosen<'_>) -> &'static str {
     class.name()
 }
 
-fn part_info(part: &Part, axis: Option<Axis>) -> PartInfo {
+fn part_info(part: &Part, axis: Option<Axis>, dynamics: PartMotion) -> PartInfo {
     let symmetry = part.symmetry();
     let bounds = part.bounds();
     let arcs = || part.edges().filter(|e| !e.is_line());
@@ -226,6 +243,7 @@ fn part_info(part: &Part, axis: Option<Axis>) -> PartInfo {
                 range: axis.range,
             },
         }),
+        dynamics,
         symmetry: symmetry.fold(),
         round: symmetry.is_round(),
     }

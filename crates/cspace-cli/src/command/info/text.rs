@@ -6,6 +6,7 @@ use cspace_io::shown;
 
 use crate::wording::{angle, count, length, symmetry};
 
+use super::dynamics_text::{forces, part, surface};
 use super::{Info, MotionInfo};
 
 pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
@@ -54,6 +55,7 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
         }
         write!(text, "    motion     ")?;
         describe_motion(text, &p.motion, &unit)?;
+        part(text, &p.dynamics, &unit)?;
         if p.round || p.symmetry > 1 {
             writeln!(text, "    symmetry   {}", symmetry(p.symmetry, p.round))?;
         }
@@ -84,12 +86,13 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
             p.class,
             count(p.features, "feature", "features")
         )?;
-        match p.theta {
-            Some((lo, hi)) => writeln!(text, ", theta from {} to {}", angle(lo), angle(hi))?,
-            None => writeln!(text)?,
+        if let Some((lo, hi)) = p.theta {
+            write!(text, ", theta from {} to {}", angle(lo), angle(hi))?;
         }
+        let own = surface(p.surface.friction, p.surface.restitution);
+        writeln!(text, "{own}")?;
     }
-    Ok(())
+    forces(text, &info.forces, &unit)
 }
 
 /// A point or direction as given.

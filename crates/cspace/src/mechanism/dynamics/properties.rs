@@ -1,0 +1,60 @@
+//! Mass properties of parts: what is given, and the rest from the outline.
+
+use crate::geometry::Point;
+use crate::part::Part;
+
+use super::super::entries::Mechanism;
+use super::data::PartDynamics;
+use super::mass::{Mass, MassProperties};
+
+impl PartDynamics {
+    /// Mass, centre of mass and inertia of a part; none of a part without mass.
+    ///
+    /// What is not given comes from the outline, as if the mass were spread over it evenly: with the area A, the centroid
+    /// g and the polar second moment I about it ([`Part::moments`]),
+    ///
+    /// - a density ρ makes the mass m = ρ A,
+    /// - the centre of mass is c = g,
+    /// - the inertia about c is m (I / A + |c − g|²), also where another c is given.
+    ///
+    /// ```
+    /// use cspace::mechanism::{Mass, PartDynamics};
+    /// use cspace::Part;
+    /// let disc = Part::circle("disc", (3.0, 0.0), 2.0)?;
+    /// let heavy = PartDynamics { mass: Some(Mass::Total(0.5)), ..PartDynamics::default() };
+    /// let properties = heavy.mass_properties(&disc).ok_or("it has a mass")?;
+    /// assert!((properties.center.x - 3.0).abs() < 1e-15);
+    /// assert!((properties.inertia - 0.5 * 0.5 * 4.0).abs() < 1e-15); // m r² / 2
+    /// assert_eq!(PartDynamics::default().mass_properties(&disc), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn mass_properties(&self, part: &Part) -> Option<MassProperties> {
+        let moments = part.moments();
+        let mass = match self.mass? {
+            Mass::Total(mass) => mass,
+            Mass::Density(density) => density * moments.area,
+        };
+        let center = self.center_of_mass.unwrap_or(moments.centroid);
+        let inertia =
+            (self.inertia).unwrap_or_else(|| mass * (moments.second_about(center) / moments.area));
+        Some(MassProperties {
+            mass,
+            center,
+            inertia,
+        })
+    }
+
+    /// The centre of mass in the part's frame: the one given, or the centroid of the outline. Parts without mass have one,
+    /// too: it is where a load acts that names no point.
+    pub fn center_of_mass(&self, part: &Part) -> Point {
+        (self.center_of_mass).unwrap_or_else(|| part.moments().centroid)
+    }
+}
+
+impl Mechanism {
+    /// Mass, centre of mass and inertia of a part; none of a part without mass, and of an index that is no part's.
+    pub fn mass_properties(&self, part: usize) -> Option<MassProperties> {
+        let entry = self.parts.get(part)?;
+        self.dynamics.part(part).mass_properties(&entry.part)
+    }
+}
