@@ -46,6 +46,9 @@ pub(crate) enum Command {
     /// Find a way from one configuration to another, or tell that there is none
     #[command(after_long_help = PLAN)]
     Plan(PlanArgs),
+    /// Tell how much energy lets the moving part out, or that none does
+    #[command(after_long_help = ESCAPE)]
+    Escape(EscapeArgs),
     /// Take the parts of a model apart: in which order, by which motions, or tell which lock each other
     #[command(after_long_help = ASSEMBLY)]
     Assembly(AssemblyArgs),
@@ -385,6 +388,26 @@ pub(crate) struct PlanArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct EscapeArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+    /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) from: String,
+    /// The configuration to come to; out, to where circles around the parts are apart, unless given
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) to: Option<String>,
+    /// The acceleration of gravity, unit/s², in place of the model's
+    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true)]
+    pub(crate) gravity: Option<[f64; 2]>,
+    /// How near the bounds of the energy are brought, kg·unit²/s² [default: 3 % of it]
+    #[arg(long, value_name = "E", value_parser = energy, allow_negative_numbers = true)]
+    pub(crate) within: Option<f64>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct AssemblyArgs {
     /// A model (.toml, .json); - is standard input
     pub(crate) file: PathBuf,
@@ -562,6 +585,20 @@ fn distance(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "give a length, 0 or more".to_owned())
 }
 
+fn energy(text: &str) -> Result<f64, String> {
+    length(text).map_err(|_| "give a positive energy".to_owned())
+}
+
+fn pair_of_numbers(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Vec<f64> = (text.split(','))
+        .map_while(|t| t.trim().parse().ok().filter(|x: &f64| x.is_finite()))
+        .collect();
+    match numbers[..] {
+        [x, y] if text.matches(',').count() == 1 => Ok([x, y]),
+        _ => Err("give two numbers, such as 0,-9810".to_owned()),
+    }
+}
+
 fn turn(text: &str) -> Result<f64, String> {
     angle::parse(text).and_then(|a| {
         if a > 0.0 {
@@ -679,6 +716,22 @@ cspace-check verifies from the file alone.
 -o OUT writes the path as .csv, the whole answer as .json, or a picture of the
 way as .svg, .png or .pdf; the answer is printed as well, but for .json. --check
 judges a path by the two outlines alone, without their contact space.";
+
+const ESCAPE: &str = "\
+Examples:
+  cspace escape models/peg_hole.toml --from 0,-10,0 --gravity=0,-9810
+  cspace escape models/ball_in_c.toml --from 0,0,0 --gravity=0,-1
+
+The least energy by which the moving part gets from --from to --to, or out,
+while the fixed part stays: over the lowest pass, where contacts balance gravity,
+loads and springs of the model. `cage` if no energy is enough.
+
+The bounds are certain: no way needs less than `least`, and the path printed
+needs no more than `most`. `energy` is that of the one pass between them, to
+rounding; it is null where there are several or the bounds stay far apart. Energies are counted from that at --from.
+Without a mass in the model the part weighs as 1 kg.
+
+-o OUT writes the answer, by extension as text or .json.";
 
 const ASSEMBLY: &str = "\
 Examples:

@@ -66,6 +66,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Draw(args) => command::draw::run(&args),
         Command::Move(args) => command::motion::run(&args),
         Command::Plan(args) => command::plan::run(&args),
+        Command::Escape(args) => command::escape::run(&args),
         Command::Assembly(args) => command::assembly::run(&args),
         Command::Play(args) => command::play::run(&args),
         Command::Export(args) => command::export::run(&args),

@@ -40,6 +40,9 @@ pub enum PlanError {
     /// Nothing is out on fixed axes.
     #[error("on fixed axes no configuration is out: say to which it is to escape")]
     NoGoal,
+    /// No force acts.
+    #[error("no force acts on the parts: every way costs nothing")]
+    NoForce,
     /// The computation was interrupted.
     #[error(transparent)]
     Stopped(ComputeError),

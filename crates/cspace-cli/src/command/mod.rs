@@ -6,6 +6,7 @@ pub(crate) mod completions;
 pub(crate) mod compute;
 pub(crate) mod contacts;
 pub(crate) mod draw;
+pub(crate) mod escape;
 pub(crate) mod evaluate;
 pub(crate) mod export;
 pub(crate) mod import;

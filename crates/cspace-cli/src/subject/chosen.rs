@@ -1,7 +1,7 @@
 //! What is known of a pair before anything is computed.
 
-use cspace::PairEntry;
 use cspace::{Axis, AxisMotion, PairClass, PairError, PairSpace, Part, Relation};
+use cspace::{Mechanism, PairEntry};
 
 use super::{Chosen, Subject};
 use crate::failure::Failure;
@@ -34,6 +34,14 @@ impl Chosen<'_> {
     /// As `--pair` takes them.
     pub(crate) fn names(&self) -> String {
         format!("{},{}", self.fixed().name(), self.moving().name())
+    }
+
+    /// The model, and the pair in it; none if the space was read.
+    pub(crate) fn in_model(&self) -> Option<(&Mechanism, &PairEntry)> {
+        match (self.subject, &self.pair) {
+            (Subject::Model { model, .. }, Some(pair)) => Some((model, pair)),
+            _ => None,
+        }
     }
 
     /// The label of the unit of length, with a space before it; empty if the model has none.

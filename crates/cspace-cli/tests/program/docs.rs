@@ -105,3 +105,8 @@ fn ways() {
 fn taking_apart() {
     is_true("assembly.md", 2);
 }
+
+#[test]
+fn cages_and_escape() {
+    is_true("escape.md", 2);
+}

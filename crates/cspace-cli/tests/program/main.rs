@@ -8,6 +8,7 @@ mod command;
 #[cfg(unix)]
 mod docs;
 mod draw;
+mod escape;
 mod evaluate;
 mod helpers;
 #[cfg(unix)]

@@ -115,6 +115,14 @@ fn answers_are_as_their_schemas_say() {
     );
     plan(&axes, "0,0", "30deg,-36deg", &[]);
     plan(&axes, "0,0", "75deg,18deg", &["--depth", "1"]);
+    let gravity = ["--gravity", "0,-1"];
+    let escape = |file: &str, from: &str| {
+        let args = ["escape", file, "--from", from];
+        is_told("escape", &json(&[&args[..], &gravity].concat()));
+    };
+    escape(&ball, "0,0,0");
+    escape(&ball, "60,0,0");
+    escape(&peg, "0,-10,0");
     for name in ["latch_box", "fixture_plate"] {
         is_told("assembly", &json(&["assembly", &model(name)]));
     }

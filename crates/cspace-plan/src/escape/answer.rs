@@ -21,12 +21,15 @@ pub enum Escaped {
 /// How much energy lets a part out. Energies are counted from that at the start.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Held {
+    /// The least energy: that of the one pass between the bounds, to rounding. None where there are several, where none was found, and
+    /// where the bounds could not be brought together.
+    pub energy: Option<f64>,
     /// No way needs less.
     pub least: f64,
     /// The path needs no more; infinite if none was found.
     pub most: f64,
     /// The places between these bounds where contacts balance the energy, the lowest first, and start or goal if their energy is
-    /// between them. If it is one place, that is the pass.
+    /// between them.
     pub passes: Vec<Pass>,
     /// Configurations joined by motions of constant rates, from the start to the goal or out. Angles go on beyond π.
     pub path: Vec<Coordinates>,
@@ -41,14 +44,4 @@ pub struct Pass {
     pub energy: f64,
     /// The features of the fixed and of the moving part that balance it.
     pub touching: Vec<(FeatureName, FeatureName)>,
-}
-
-impl Held {
-    /// The least energy: that of the one pass between the bounds. `None` where there are several, or none was found.
-    pub fn energy(&self) -> Option<f64> {
-        match self.passes.as_slice() {
-            [pass] => Some(pass.energy),
-            _ => None,
-        }
-    }
 }

@@ -74,7 +74,7 @@ impl Domain {
         };
         let half = AROUND * circle.1 + arm;
         let ends = [Some(from), to].into_iter().flatten();
-        let ends: Vec<Coords> = ends.map(|c| domain.within(c)).collect();
+        let ends: Vec<Coords> = ends.map(|c| domain.place(c)).collect();
         let middle = [center.x, center.y];
         for k in 0..2 {
             let beyond = (ends.iter().map(|e| (e[k] - middle[k]).abs())).fold(half, f64::max);
@@ -113,23 +113,36 @@ impl Domain {
 
     /// A configuration in the coordinates of the domain, within one turn of it.
     pub(super) fn within(&self, c: Coords) -> Coords {
-        let mut z = c;
-        if self.planar {
-            let at = Point::new(c[0], c[1]) + Rotation::by(c[2]) * self.pivot;
-            (z[0], z[1]) = (at.x, at.y);
-        }
+        let mut z = self.place(c);
         for k in 0..3 {
             if self.around[k] {
                 z[k] -= TAU * ((z[k] - self.lo[k]) / TAU).floor();
             }
-            z[k] = z[k].max(self.lo[k]).min(self.hi[k].max(self.lo[k]));
-        }
-        if self.planar && self.lo[0] == self.hi[0] {
-            // Of a domain that is not made yet.
-            let at = Point::new(c[0], c[1]) + Rotation::by(c[2]) * self.pivot;
-            (z[0], z[1]) = (at.x, at.y);
+            z[k] = z[k].clamp(self.lo[k], self.hi[k]);
         }
         z
+    }
+
+    /// A configuration in the coordinates of the domain, with its turns.
+    pub(super) fn place(&self, c: Coords) -> Coords {
+        if !self.planar {
+            return c;
+        }
+        let at = Point::new(c[0], c[1]) + Rotation::by(c[2]) * self.pivot;
+        [at.x, at.y, c[2]]
+    }
+
+    /// Whether a configuration is in the domain, up to whole turns.
+    pub(super) fn holds(&self, c: Coords) -> bool {
+        let z = self.place(c);
+        (0..3).all(|k| self.around[k] || (self.lo[k] <= z[k] && z[k] <= self.hi[k]))
+    }
+
+    /// A configuration at which a planar part is out, in a direction from the fixed part, with an orientation.
+    pub(super) fn outside(&self, direction: Vector, theta: f64) -> Coords {
+        let (center, radius) = self.circle;
+        let at = center + direction * (AROUND * radius);
+        self.configuration([at.x, at.y, theta])
     }
 
     /// The configuration of coordinates in the domain.

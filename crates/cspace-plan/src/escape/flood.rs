@@ -37,6 +37,8 @@ struct Reached {
 pub(super) struct Way {
     /// Its highest energy: of a way through boxes that may be free, no other has less; of one through free boxes, it has no more.
     pub(super) energy: f64,
+    /// The number of the place at which it begins.
+    pub(super) source: usize,
     /// The boxes.
     pub(super) boxes: Vec<u32>,
     /// Where it enters each box, and the goal; angles run on.
@@ -81,15 +83,15 @@ pub(super) enum Through {
 /// Stands for the goal in place of a box.
 const GOAL: u32 = u32::MAX;
 
-/// The way of least highest energy from coordinates to a goal; `None` if no boxes lead there.
+/// The way of least highest energy to a goal from one of some places, which are reached with an energy; `None` if no boxes lead
+/// there.
 pub(super) fn flood(
     boxes: &mut Boxes<'_>,
-    from: Coords,
+    from: &[(Coords, f64)],
     goal: Goal,
     through: Through,
     tolerance: f64,
 ) -> Option<Way> {
-    let first = boxes.holding(from);
     let mut search = Search {
         boxes,
         reached: Vec::new(),
@@ -97,11 +99,12 @@ pub(super) fn flood(
         through,
         tolerance,
         from,
-        first,
         end: None,
         faces: Vec::new(),
     };
-    search.start(first);
+    for &source in from {
+        search.start(source);
+    }
     while let Some(next) = search.heap.pop() {
         if next.cell == GOAL {
             return search.way();
@@ -126,13 +129,12 @@ pub(super) fn flood(
 
 struct Search<'a, 'b> {
     boxes: &'a mut Boxes<'b>,
+    from: &'a [(Coords, f64)],
     reached: Vec<Option<Reached>>,
     heap: BinaryHeap<Next>,
     through: Through,
     /// Highest energies of lines are right to this.
     tolerance: f64,
-    from: Coords,
-    first: u32,
     /// The last box of the way, its highest energy, and where it ends.
     end: Option<(u32, f64, Coords)>,
     faces: Vec<Face>,
@@ -143,16 +145,19 @@ impl Search<'_, '_> {
         self.boxes.cell(cell).state != State::Blocked
     }
 
-    fn start(&mut self, cell: u32) {
-        let start = Reached {
-            energy: self.boxes.energy.value(self.from),
-            length: 0.0,
-            entry: self.from,
-            from: None,
-            settled: false,
-        };
+    fn start(&mut self, (entry, energy): (Coords, f64)) {
+        let cell = self.boxes.holding(entry);
         if self.may_use(cell) {
-            self.reach(cell, start);
+            self.reach(
+                cell,
+                Reached {
+                    energy,
+                    length: 0.0,
+                    entry,
+                    from: None,
+                    settled: false,
+                },
+            );
         }
     }
 
@@ -187,8 +192,10 @@ impl Search<'_, '_> {
             if !self.may_use(half) {
                 continue;
             }
-            if cell == self.first && self.boxes.holding(self.from) == half {
-                self.start(half);
+            for &source in self.from {
+                if self.boxes.holding(source.0) == half {
+                    self.start(source);
+                }
             }
             let mut faces = Vec::new();
             self.boxes.beside(half, &mut faces);
@@ -205,9 +212,6 @@ impl Search<'_, '_> {
                     }
                 }
             }
-        }
-        if self.first == cell {
-            self.first = self.boxes.holding(self.from);
         }
     }
 
@@ -323,6 +327,10 @@ impl Search<'_, '_> {
             here = self.reached[before as usize]?;
             entries.push((here.entry, turns));
         }
+        let source = self
+            .from
+            .iter()
+            .position(|&(place, _)| place == here.entry)?;
         boxes.reverse();
         entries.reverse();
         // Turns add up along the way: a box across the end of a coordinate counts from there.
@@ -340,6 +348,7 @@ impl Search<'_, '_> {
         places.push(lifted(end, sum));
         Some(Way {
             energy,
+            source,
             boxes,
             places,
         })

@@ -11,27 +11,32 @@ mod domain;
 mod energy;
 mod flood;
 mod leaks;
+mod model;
 mod pass;
 mod search;
 mod way;
 
 pub use answer::{Escaped, Held, Pass};
 pub use energy::{Body, Field, Spring, Weight};
+pub use model::FieldError;
 
-use cspace::{Coordinates, PairSpace, Progress, QueryError, RegionId};
+use cspace::{Coordinates, PairSpace, Progress, QueryError, RegionId, Vector};
 
+use crate::answer::Verdict;
 use crate::apart::{blocked, enclosed};
 use crate::ends::{End, end, home};
 use crate::legs::{Coords, Scene};
-use crate::planner::PlanError;
+use crate::planner::{Clearance, PlanError, Planner, Silent, Wishes};
 
 use domain::Domain;
 use energy::Energy;
 use pass::Passes;
 use search::{Bracket, Question};
 
-/// Bounds are brought this near, as a share of what it costs to lift the parts by their size.
-const WITHIN: f64 = 1e-2;
+/// Bounds are brought this near, as a share of what the field does on a way as long as the parts.
+const WITHIN: f64 = 2e-3;
+/// Or this near, as a share of the energy itself.
+const SHARE: f64 = 0.03;
 /// Where no single pass lies between bounds they are brought so much nearer, twice at most.
 const NEARER: f64 = 0.25;
 
@@ -58,7 +63,8 @@ impl<'a> Escape<'a> {
         })
     }
 
-    /// Brings the bounds as near as this, in units of energy; a hundredth of what it costs to lift the parts by their size otherwise.
+    /// Brings the bounds as near as this, in units of energy; if it is not asked for, some hundredths of the energy
+    /// itself.
     #[must_use]
     pub fn with_bounds_within(mut self, within: f64) -> Self {
         self.within = Some(within);
@@ -69,7 +75,7 @@ impl<'a> Escape<'a> {
         Energy {
             field: self.field,
             motions: self.scene.motions(),
-            pivot: domain.map_or(cspace::Vector::ZERO, |d| d.pivot),
+            pivot: domain.map_or(Vector::ZERO, |d| d.pivot),
         }
     }
 
@@ -77,13 +83,45 @@ impl<'a> Escape<'a> {
     ///
     /// # Errors
     /// If a configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion; if
-    /// the pair has fixed axes, where nothing is out, and no goal is given; and what `progress` returns.
-    pub fn from(
+    /// the pair has fixed axes, where nothing is out, and no goal is given; if the field has no force.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Point, Relation, Vector, Vertex};
+    /// use cspace_plan::escape::{Body, Escape, Escaped, Field, Weight};
+    /// // A disc of radius 3 on two pegs of radius 1, 3 apart, under its weight of 2.
+    /// let circle = |x: f64, r: f64| vec![Vertex::new(x - r, 0.0, 1.0), Vertex::new(x + r, 0.0, 1.0)];
+    /// let pegs = Part::new("pegs", vec![circle(-1.5, 1.0), circle(1.5, 1.0)])?;
+    /// let disc = Part::new("disc", vec![circle(0.0, 3.0)])?;
+    /// let space = PairSpace::compute(&pegs, &disc, Relation::Planar, &Options::default())?;
+    /// let weight = Weight { on: Body::Moving, at: Point::ORIGIN, force: Vector::new(0.0, -2.0) };
+    /// let field = Field { weights: vec![weight], springs: Vec::new() };
+    /// let rest = f64::sqrt(16.0 - 1.5 * 1.5);
+    /// let start = Coordinates::Planar(Configuration::new(0.0, rest, 0.0));
+    /// let Escaped::Held(held) = Escape::new(&space, &field)?.from(start, None)? else {
+    ///     return Err("it is held".into());
+    /// };
+    /// let energy = held.energy.ok_or("there is one pass")?;
+    /// assert!((energy - 2.0 * (4.0 - rest)).abs() < 1e-9);
+    /// assert!(held.least <= energy && energy <= held.most);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from(&self, from: Coordinates, to: Option<Coordinates>) -> Result<Escaped, PlanError> {
+        self.from_with(from, to, &Silent)
+    }
+
+    /// As [`from`](Self::from), telling `progress` that it goes on.
+    ///
+    /// # Errors
+    /// As [`from`](Self::from); and what `progress` returns.
+    pub fn from_with(
         &self,
         from: Coordinates,
         to: Option<Coordinates>,
         progress: &dyn Progress,
     ) -> Result<Escaped, PlanError> {
+        if strength(&self.energy(None), [0.0; 3], self.scene.size()) == 0.0 {
+            return Err(PlanError::NoForce);
+        }
         let (_, from) = home(self.space, &self.scene, from);
         let to = to.map(|to| home(self.space, &self.scene, to).1);
         let start = match end(self.space, &self.scene, from).map_err(PlanError::From)? {
@@ -121,13 +159,18 @@ impl<'a> Escape<'a> {
         let energy = self.energy(Some(&domain));
         let within = self.within.unwrap_or_else(|| {
             let at = domain.within(start.1.0);
-            WITHIN * self.scene.size() * steepest(&energy, at)
+            let size = self.scene.size();
+            WITHIN * size * strength(&energy, at, size)
         });
+        let known = self.known(&start.1, goal.as_ref().map(|g| g.1.0), &domain, progress)?;
         let least_within = within * NEARER * NEARER;
         let mut question = Question {
             scene: &self.scene,
             within,
+            share: if self.within.is_some() { 0.0 } else { SHARE },
             energy,
+            plain: self.energy(None),
+            known,
             from: start.1.0,
             off: start.1.1,
             to: goal.map(|g| g.1),
@@ -135,14 +178,46 @@ impl<'a> Escape<'a> {
         };
         loop {
             let bracket = question.bracket(progress).map_err(PlanError::Stopped)?;
-            let apart = bracket.most - bracket.least;
+            let is_last = !bracket.is_closed || question.within <= least_within;
             let held = self.told(&question, bracket)?;
-            let is_last = apart > question.within || question.within <= least_within;
-            if held.energy().is_some() || is_last {
+            if held.energy.is_some() || is_last {
                 return Ok(Escaped::Held(held));
             }
             question.within *= NEARER;
+            question.share *= NEARER;
         }
+    }
+
+    /// A free path that a planner finds, whatever its energy; empty if it finds none.
+    fn known(
+        &self,
+        &(from, _): &(Coords, Coords),
+        to: Option<Coords>,
+        domain: &Domain,
+        progress: &dyn Progress,
+    ) -> Result<Vec<Coords>, PlanError> {
+        let to = to.unwrap_or_else(|| {
+            let slope = self.energy(None).second_order(from).gradient;
+            let down = Vector::new(-slope[0], -slope[1]);
+            let direction = if down.length() > 0.0 {
+                down.unit()
+            } else {
+                Vector::new(0.0, -1.0)
+            };
+            domain.outside(direction, from[2])
+        });
+        let wishes = Wishes {
+            clearance: Clearance::Quick,
+            ..Wishes::default()
+        };
+        let [from, to] = [from, to].map(|c| self.scene.coordinates(c));
+        let answer = Planner::new(self.space)?.plan_with(from, to, &wishes, progress)?;
+        let Verdict::Path(path) = answer.verdict else {
+            return Ok(Vec::new());
+        };
+        (path.configurations.into_iter())
+            .map(|at| self.scene.numbers(at).map_err(PlanError::Pair))
+            .collect()
     }
 
     /// A configuration, and the free end of a leg that leaves its contacts.
@@ -205,7 +280,12 @@ impl<'a> Escape<'a> {
         at.retain(|p| p.energy >= least - slack && p.energy <= most + slack);
         at.sort_by(|a, b| a.energy.total_cmp(&b.energy));
         at.dedup_by(|a, b| (a.energy - b.energy).abs() <= slack);
+        let energy = match at.as_slice() {
+            [pass] if bracket.is_closed => Some(pass.energy),
+            _ => None,
+        };
         Ok(Held {
+            energy,
             least: least.max(0.0),
             most,
             passes: at,
@@ -219,8 +299,13 @@ impl<'a> Escape<'a> {
     }
 }
 
-/// The largest force on a coordinate, per length that it moves the parts.
-fn steepest(energy: &Energy<'_>, at: Coords) -> f64 {
-    let gradient = energy.second_order(at).gradient;
-    gradient[0].hypot(gradient[1])
+/// How strong a field is: a force that the parts meet when they move by their size.
+fn strength(energy: &Energy<'_>, at: Coords, size: f64) -> f64 {
+    let weights = energy.field.weights.iter().map(|w| w.force.length());
+    let springs = (energy.field.springs.iter()).map(|s| {
+        let [p, q] = s.ends.map(|end| energy.place(end, at));
+        let stretch = (p[0] - q[0]).hypot(p[1] - q[1]) - s.length;
+        s.stiffness * (stretch.abs() + size)
+    });
+    weights.chain(springs).sum()
 }

@@ -20,12 +20,34 @@ pub(super) struct Legs {
 pub(super) fn way(question: &Question<'_>, energy: &Energy<'_>, bracket: &Bracket) -> Option<Legs> {
     let scene = question.scene;
     let tolerance = 1e-3 * question.within;
-    let mut places: Vec<Coords> = Vec::new();
-    for pair in bracket.way.windows(2) {
-        places.push(question.domain.configuration(pair[0]));
-        between(question, (pair[0], pair[1]), HALVINGS, &mut places)?;
+    let mut places = bracket.begin.clone();
+    if let Some(&first) = bracket.way.first() {
+        // As often around as what it begins with.
+        let domain = &question.domain;
+        let first = domain.configuration(first);
+        let turns: Coords = match places.last() {
+            Some(&last) => {
+                let like = like_turn(question, first, last);
+                core::array::from_fn(|k| like[k] - first[k])
+            }
+            None => [0.0; 3],
+        };
+        let lifted = |z: Coords| core::array::from_fn(|k| z[k] + turns[k]);
+        for pair in bracket.way.windows(2) {
+            let (a, b) = (lifted(pair[0]), lifted(pair[1]));
+            places.push(domain.configuration(a));
+            between(question, (a, b), HALVINGS, &mut places)?;
+        }
+        places.push(domain.configuration(lifted(*bracket.way.last()?)));
+        if let Some((to, _)) = question.to {
+            let last = *places.last()?;
+            places.push(like_turn(question, to, last));
+        }
     }
-    places.push(question.domain.configuration(*bracket.way.last()?));
+    places.dedup();
+    if places.is_empty() {
+        return None;
+    }
     let highest = |a: Coords, b: Coords| energy.highest(a, b, tolerance);
     let most = (places.windows(2))
         .map(|leg| highest(leg[0], leg[1]))
@@ -47,13 +69,6 @@ pub(super) fn way(question: &Question<'_>, energy: &Energy<'_>, bracket: &Bracke
         kept.push(places[next]);
         here = next;
     }
-    // The start itself, and the goal.
-    let turned = |to: Coords, like: Coords| like_turn(question, to, like);
-    kept.insert(0, turned(question.from, kept[0]));
-    if let (Some((to, _)), Some(&last)) = (question.to, kept.last()) {
-        kept.push(turned(to, last));
-    }
-    kept.dedup();
     let energy = (kept.windows(2))
         .map(|leg| highest(leg[0], leg[1]))
         .fold(most, f64::max);

@@ -1,0 +1,259 @@
+//! `cspace escape`.
+
+use std::fmt::{self, Write};
+use std::time::Instant;
+
+use cspace::{ComputeError, Coordinates, Vector};
+use cspace_plan::PlanError;
+use cspace_plan::escape::{Escape, Escaped, Field};
+use serde::Serialize;
+
+use crate::args::{EscapeArgs, Format};
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Bar;
+use crate::subject::{Chosen, FeaturePair, Subject};
+use crate::wording::{count, length};
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Name {
+    Escapes,
+    Cage,
+    FromBlocked,
+    ToBlocked,
+}
+
+/// The whole answer.
+#[derive(Debug, Serialize)]
+struct Told {
+    verdict: Name,
+    energy: Option<f64>,
+    least: Option<f64>,
+    most: Option<f64>,
+    passes: Vec<Pass>,
+    path: Vec<Coordinates>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    enclosed: Option<Enclosed>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    blocked: Option<Overlap>,
+    /// Whether energies are those of a mass of 1 kg, because the model has none.
+    unit_mass: bool,
+    seconds: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Pass {
+    at: Coordinates,
+    energy: f64,
+    touching: Vec<[String; 2]>,
+    #[serde(skip)]
+    features: Vec<FeaturePair>,
+}
+
+#[derive(Debug, Serialize)]
+struct Enclosed {
+    region: cspace::RegionId,
+    patches: usize,
+    touching: Vec<[String; 2]>,
+}
+
+#[derive(Debug, Serialize)]
+struct Overlap {
+    depth: Option<f64>,
+    nearest: Option<Coordinates>,
+    touching: Option<[String; 2]>,
+}
+
+pub(crate) fn run(args: &EscapeArgs) -> Result<(), Failure> {
+    let common = &args.common;
+    common.result.check_answer()?;
+    let subject = Subject::open(common)?;
+    let pair = subject.one_pair(common, args.window.theta)?;
+    let told = escaped(args, &pair)?;
+    let answer = match common.result.format() {
+        Format::Json => super::json(&told)?,
+        Format::Text => {
+            let mut text = String::new();
+            describe(&mut text, &pair, &told).map_err(Failure::work)?;
+            text.into_bytes()
+        }
+    };
+    output::write(common.result.output.as_deref(), &answer)
+}
+
+/// What acts on the parts, and whether the moving part has a mass.
+fn field(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure> {
+    let given = args.gravity.map(|[x, y]| Vector::new(x, y));
+    let Some((model, entry)) = pair.in_model() else {
+        return Err(
+            Failure::input("a saved contact space says nothing of masses and forces")
+                .help("give the model file"),
+        );
+    };
+    let gravity = given.unwrap_or(model.dynamics.gravity);
+    let (field, weighs) = Field::of_pair(model, entry, gravity).map_err(|error| {
+        Failure::input(error).help("take it out of the model, or choose another pair")
+    })?;
+    Ok((field, weighs || gravity == Vector::ZERO))
+}
+
+fn escaped(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
+    let from = pair.coordinates("--from", &args.from)?;
+    let to = (args.to.as_ref())
+        .map(|to| pair.coordinates("--to", to))
+        .transpose()?;
+    let (field, weighs) = field(args, pair)?;
+    let failed = |error: PlanError| match &error {
+        PlanError::From(e) | PlanError::Pair(e) => pair.unanswered("--from", e),
+        PlanError::To(e) => pair.unanswered("--to", e),
+        PlanError::NoGoal => Failure::input(&error).help("give --to U,V"),
+        PlanError::NoForce => Failure::input(&error)
+            .help("give --gravity X,Y, or gravity, loads or springs in the model"),
+        PlanError::TooFar { .. } => Failure::input(&error).help("choose one nearer to the parts"),
+        PlanError::Stopped(ComputeError::Interrupted) => Failure::work("interrupted"),
+        _ => Failure::work(error),
+    };
+    // What is wrong with the question is told before anything is computed.
+    if field.is_none() {
+        return Err(failed(PlanError::NoForce));
+    }
+    let space = pair.space()?;
+    let begin = Instant::now();
+    let mut escape = Escape::new(&space, &field).map_err(failed)?;
+    if let Some(within) = args.within {
+        escape = escape.with_bounds_within(within);
+    }
+    let answer = Bar::new(pair.names())
+        .watch(|bar| escape.from_with(from, to, bar))
+        .map_err(failed)?;
+    let seconds = begin.elapsed().as_secs_f64();
+    Ok(told(pair, answer, !weighs, seconds))
+}
+
+fn told(pair: &Chosen<'_>, answer: Escaped, unit_mass: bool, seconds: f64) -> Told {
+    let texts = |&(fixed, moving): &FeaturePair| {
+        [
+            pair.fixed().feature_text(fixed),
+            pair.moving().feature_text(moving),
+        ]
+    };
+    let mut told = Told {
+        verdict: Name::Escapes,
+        energy: None,
+        least: None,
+        most: None,
+        passes: Vec::new(),
+        path: Vec::new(),
+        enclosed: None,
+        blocked: None,
+        unit_mass,
+        seconds,
+    };
+    told.verdict = match &answer {
+        Escaped::Held(_) => Name::Escapes,
+        Escaped::Caged(_) => Name::Cage,
+        Escaped::FromBlocked(_) => Name::FromBlocked,
+        Escaped::ToBlocked(_) => Name::ToBlocked,
+    };
+    match answer {
+        Escaped::Held(held) => {
+            told.energy = held.energy;
+            told.least = Some(held.least);
+            told.most = Some(held.most).filter(|m| m.is_finite());
+            told.path = held.path;
+            told.passes = (held.passes.into_iter())
+                .map(|pass| Pass {
+                    at: pass.at,
+                    energy: pass.energy,
+                    touching: pass.touching.iter().map(texts).collect(),
+                    features: pass.touching,
+                })
+                .collect();
+        }
+        Escaped::Caged(enclosed) => {
+            told.enclosed = Some(Enclosed {
+                region: enclosed.region,
+                patches: enclosed.patches,
+                touching: enclosed.features.iter().map(texts).collect(),
+            });
+        }
+        Escaped::FromBlocked(blocked) | Escaped::ToBlocked(blocked) => {
+            told.blocked = Some(Overlap {
+                depth: Some(blocked.depth).filter(|d| d.is_finite()),
+                nearest: blocked.nearest,
+                touching: blocked.features.as_ref().map(texts),
+            });
+        }
+    }
+    told
+}
+
+fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
+    let unit = pair.unit_label().unwrap_or("unit");
+    let energy = |e: f64| format!("{} kg {unit}^2/s^2", length(e));
+    match told.verdict {
+        Name::Cage => {
+            writeln!(text, "cage: no energy lets it out")?;
+        }
+        Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
+        Name::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
+        Name::Escapes => match told.energy {
+            Some(e) if e > 0.0 => writeln!(text, "escapes with {}", energy(e))?,
+            Some(_) => writeln!(text, "escapes without energy: it can go downhill")?,
+            None => writeln!(text, "escapes")?,
+        },
+    }
+    if let Some(least) = told.least {
+        let most = told.most.map_or_else(|| "not known".to_owned(), energy);
+        writeln!(
+            text,
+            "no way with less than {}; the path: {most}",
+            energy(least)
+        )?;
+    }
+    for pass in &told.passes {
+        writeln!(
+            text,
+            "pass at {}: {}",
+            pair.place(pass.at),
+            energy(pass.energy)
+        )?;
+        for &features in &pass.features {
+            writeln!(text, "  {}", pair.touch(features))?;
+        }
+    }
+    if !told.path.is_empty() {
+        let legs = told.path.len().saturating_sub(1);
+        writeln!(text, "path: {}", count(legs, "leg", "legs"))?;
+        for &at in &told.path {
+            writeln!(text, "  {}", pair.place(at))?;
+        }
+    }
+    if let Some(enclosed) = &told.enclosed {
+        let patches = count(enclosed.patches, "contact patch", "contact patches");
+        writeln!(text, "region {} is enclosed by {patches}", enclosed.region)?;
+    }
+    if let Some(Overlap {
+        nearest: Some(at),
+        depth: Some(depth),
+        ..
+    }) = &told.blocked
+    {
+        let unit = pair.unit();
+        writeln!(
+            text,
+            "free     {}, {}{unit} away",
+            pair.place(*at),
+            length(*depth)
+        )?;
+    }
+    if told.unit_mass {
+        writeln!(
+            text,
+            "the model has no mass of {}: energies are for 1 kg",
+            pair.moving().name()
+        )?;
+    }
+    Ok(())
+}
