@@ -105,7 +105,7 @@ pub(crate) fn widen(
         let radius = match until {
             Until::Half if 2.0 * lo >= hi => break,
             Until::Half => (2.0 * lo).max(exact),
-            Until::AtLeast(least) if lo >= least || hi < least => break,
+            Until::AtLeast(least) if lo >= least || hi <= least => break,
             Until::AtLeast(least) => least,
             // Just more than is known, which often is all there is; just less than the most there could be; and the middle.
             Until::Widest => match tries % 4 {
