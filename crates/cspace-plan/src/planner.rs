@@ -7,7 +7,7 @@ use cspace::{
 
 use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
 use crate::apart::{blocked, enclosed};
-use crate::ends::{End, end, home, turned};
+use crate::ends::{End, FARTHEST, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
 use crate::path::{Legs, MOST_LEGS, divided};
 use crate::route::{Gaps, Piece, Planar, join};
@@ -34,7 +34,7 @@ pub enum PlanError {
         "{place} is farther away than {FARTHEST:e} sizes of the parts: rounding leaves nothing of the parts there"
     )]
     TooFar {
-        /// Start or goal.
+        /// Start, goal, or a place of a path that is judged.
         place: &'static str,
     },
     /// The legs are to be so short that they are too many.
@@ -126,9 +126,6 @@ enum Ways<'a> {
     Axes(Gaps<'a>),
 }
 
-/// Beyond so many sizes nothing is planned: a coordinate is rounded by more than 10⁻⁷ of the size there.
-const FARTHEST: f64 = 1e9;
-
 /// Legs of a widest way that are joined keep this share of its clearance.
 const WIDEST: f64 = 1.0 - 1e-6;
 
@@ -186,10 +183,7 @@ impl<'a> Planner<'a> {
         let (turns, from) = home(self.space, &self.scene, from);
         let (_, to) = home(self.space, &self.scene, to);
         for (at, place) in [(from, "the start"), (to, "the goal")] {
-            let is_far = |c: f64| c.abs() > FARTHEST * self.scene.size();
-            if let Coordinates::Planar(c) = at
-                && (is_far(c.x) || is_far(c.y))
-            {
+            if self.scene.numbers(at).is_ok_and(|c| is_far(&self.scene, c)) {
                 return Err(PlanError::TooFar { place });
             }
         }
