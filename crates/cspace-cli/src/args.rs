@@ -671,7 +671,7 @@ smaller; or from-blocked, to-blocked: the parts overlap there, and the nearest
 free configuration. It is certain: there is no way that is not found. `unknown`
 is the answer only at doubtful orientations, which are told, and where rounding
 hides a way. The path has at least half the clearance that is possible;
---widest and --clearance ask for more. Angles run on and are not taken modulo a turn.
+--widest and --clearance ask for more. Angles run on, not modulo a turn.
 
 With -o OUT.json or --depth the answer no-path holds a proof that start and
 goal are in different regions, which the program cspace-check verifies from the
