@@ -706,12 +706,14 @@ The answer is a path of motions of constant rates, each of them checked, or
 no-path: start and goal are in different free regions, with what encloses the
 smaller; or from-blocked, to-blocked: the parts overlap there, and the nearest
 free configuration. It is certain: there is no way that is not found. `unknown`
-is the answer only at doubtful orientations, which are told. The path has at
-least half the clearance that is possible; --widest and --clearance ask for
-more. Angles run on and are not taken modulo a turn.
+is the answer only at doubtful orientations, which are told, and where rounding
+hides a way. The path has at least half the clearance that is possible;
+--widest and --clearance ask for more. Angles run on, not modulo a turn.
 
-With -o OUT.json or --depth the answer no-path holds a proof, which the program
-cspace-check verifies from the file alone.
+With -o OUT.json or --depth the answer no-path holds a proof that start and
+goal are in different regions, which the program cspace-check verifies from the
+file alone; or it says in `unproved` why there is none: there is a way, but
+with less than --clearance, or the pair is on fixed axes.
 
 -o OUT writes the path as .csv, the whole answer as .json, or a picture of the
 way as .svg, .png or .pdf; the answer is printed as well, but for .json. --check

@@ -19,7 +19,7 @@ pub struct Answer {
 pub struct Bottleneck {
     /// Where that is.
     pub narrow: Narrow,
-    /// No way has more clearance than this, in the model's unit of length.
+    /// No way has more clearance than this, in the model's unit of length: finite, and no less than that of any path that is told.
     pub most: f64,
 }
 
@@ -36,7 +36,8 @@ pub enum Verdict {
     FromBlocked(Blocked),
     /// The parts overlap at the goal.
     ToBlocked(Blocked),
-    /// It is not known: at these doubtful orientations (radians) the contact space is not relied upon.
+    /// It is not known: at these doubtful orientations (radians) the contact space is not relied upon; if there are none, rounding
+    /// hides a way.
     Unknown(Vec<(f64, f64)>),
 }
 

@@ -6,8 +6,10 @@ use cspace::{Coordinates, FeatureName, QueryError};
 use serde::Serialize;
 
 use crate::answer::Narrow;
+use crate::ends::is_far;
 use crate::legs::{Coords, Scene};
 use crate::path::Legs;
+use crate::planner::PlanError;
 use crate::route::along;
 
 /// A path may begin and end in contact: its first and last leg are judged from this share of them on.
@@ -46,8 +48,8 @@ pub struct Meeting {
 /// It may begin and end in contact, and touch nowhere else.
 ///
 /// # Errors
-/// If there is no configuration, or one is in the coordinates of another class, not finite, or outside the window or the ranges of
-/// motion.
+/// If there is no configuration, or one is in the coordinates of another class, not finite, outside the window or the ranges of
+/// motion, or so far away that it is not known where the parts are to each other.
 ///
 /// ```
 /// use cspace::{Configuration, Coordinates, Part};
@@ -66,18 +68,23 @@ pub struct Meeting {
 /// assert!((hit.fraction - 0.25).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn check(scene: &Scene, path: &[Coordinates]) -> Result<Checked, QueryError> {
+pub fn check(scene: &Scene, path: &[Coordinates]) -> Result<Checked, PlanError> {
+    let outside = Err(PlanError::Pair(QueryError::Outside));
     let places = (path.iter())
-        .map(|&at| scene.numbers(at))
+        .map(|&at| scene.numbers(at).map_err(PlanError::Pair))
         .collect::<Result<Vec<_>, _>>()?;
     if places.iter().flatten().any(|c| !c.is_finite()) {
-        return Err(QueryError::Outside);
+        return outside;
     }
     if (0..3).any(|k| is_outside(scene, &places, k)) {
-        return Err(QueryError::Outside);
+        return outside;
+    }
+    if places.iter().any(|&at| is_far(scene, at)) {
+        let place = "a configuration of the path";
+        return Err(PlanError::TooFar { place });
     }
     let (Some(&first), Some(&last)) = (places.first(), places.last()) else {
-        return Err(QueryError::Outside);
+        return outside;
     };
     let is_blocked = |at: Coords| scene.clearance(at) > 0.0 && scene.overlaps(at);
     if is_blocked(first) {

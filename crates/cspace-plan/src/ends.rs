@@ -11,6 +11,14 @@ use crate::off_contact::off_contact;
 /// comes straight there: nothing is in the way.
 const FAR: f64 = 16.0;
 
+/// Beyond so many sizes nothing is planned: a coordinate is rounded by more than 10⁻⁷ of the size there.
+pub(crate) const FARTHEST: f64 = 1e9;
+
+/// Whether a coordinate that is a length is so large that it is not known where the parts are to each other.
+pub(crate) fn is_far(scene: &Scene, at: Coords) -> bool {
+    (0..3).any(|k| scene.is_length(k) && at[k].abs() > FARTHEST * scene.size())
+}
+
 /// Where a path begins or ends.
 pub(crate) enum End {
     /// In a region; a configuration in contact is left by a leg.

@@ -7,11 +7,11 @@ use cspace::{
 
 use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
 use crate::apart::{blocked, enclosed};
-use crate::ends::{End, end, home, turned};
+use crate::ends::{End, FARTHEST, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
 use crate::path::{Legs, MOST_LEGS, divided};
 use crate::route::{Gaps, Piece, Planar, join};
-use crate::widest::{Until, Wider, widen};
+use crate::widest::{Between, Until, Wider, widen};
 
 /// Why a question has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -34,7 +34,7 @@ pub enum PlanError {
         "{place} is farther away than {FARTHEST:e} sizes of the parts: rounding leaves nothing of the parts there"
     )]
     TooFar {
-        /// Start or goal.
+        /// Start, goal, or a place of a path that is judged.
         place: &'static str,
     },
     /// Nothing is out on fixed axes.
@@ -135,9 +135,6 @@ enum Ways<'a> {
     Axes(Gaps<'a>),
 }
 
-/// Beyond so many sizes nothing is planned: a coordinate is rounded by more than 10⁻⁷ of the size there.
-const FARTHEST: f64 = 1e9;
-
 /// Legs of a widest way that are joined keep this share of its clearance.
 const WIDEST: f64 = 1.0 - 1e-6;
 
@@ -195,10 +192,7 @@ impl<'a> Planner<'a> {
         let (turns, from) = home(self.space, &self.scene, from);
         let (_, to) = home(self.space, &self.scene, to);
         for (at, place) in [(from, "the start"), (to, "the goal")] {
-            let is_far = |c: f64| c.abs() > FARTHEST * self.scene.size();
-            if let Coordinates::Planar(c) = at
-                && (is_far(c.x) || is_far(c.y))
-            {
+            if self.scene.numbers(at).is_ok_and(|c| is_far(&self.scene, c)) {
                 return Err(PlanError::TooFar { place });
             }
         }
@@ -231,16 +225,17 @@ impl<'a> Planner<'a> {
                     answer.verdict = Verdict::Unknown(self.doubtful());
                     return Ok(answer);
                 };
-                let narrow = self.narrow(&Legs::new(&self.scene, wider.places.clone()));
-                let too_narrow = match wishes.clearance {
-                    Clearance::AtLeast(least) => wider.clearance < least,
-                    _ => false,
+                let bottleneck = |wider: &Wider| Bottleneck {
+                    narrow: self.narrow(&Legs::new(&self.scene, wider.places.clone())),
+                    most: wider.most,
                 };
-                if too_narrow || wishes.clearance == Clearance::Widest {
-                    let most = wider.most;
-                    answer.bottleneck = Some(Bottleneck { narrow, most });
-                }
-                if too_narrow {
+                if let Clearance::AtLeast(least) = wishes.clearance
+                    && wider.clearance < least
+                {
+                    answer.bottleneck = Some(bottleneck(&wider));
+                    if wider.most >= least {
+                        answer.verdict = Verdict::Unknown(self.doubtful());
+                    }
                     return Ok(answer);
                 }
                 let kept = match wishes.clearance {
@@ -249,7 +244,12 @@ impl<'a> Planner<'a> {
                     Clearance::Half => wider.clearance.min(0.5 * wider.most) * WIDEST,
                     Clearance::Quick => 0.0,
                 };
-                let legs = Legs::new(&self.scene, wider.places).shortened(kept);
+                let legs = Legs::new(&self.scene, wider.places.clone()).shortened(kept);
+                if wishes.clearance == Clearance::Widest {
+                    // Fewer legs may have more clearance.
+                    let shorter = wider.with(&self.scene, legs.places().to_vec());
+                    answer.bottleneck = Some(bottleneck(&shorter));
+                }
                 let ends = ((from, leave.is_some()), (to, arrive.is_some()), last);
                 let mut path = self.told(&self.with_ends(&legs, ends), wishes)?;
                 for at in &mut path.configurations {
@@ -272,42 +272,45 @@ impl<'a> Planner<'a> {
         /// Where rounding hides the way, a part this much larger, as a share of the size, may show it.
         const GROWN: [f64; 3] = [1e-9, 1e-8, 1e-7];
         let in_grown = |space: &PairSpace| {
-            let planner = Planner::new(space).ok()?;
+            let Ok(planner) = Planner::new(space) else {
+                return Between::Hidden;
+            };
             let region = |at: Coords| match space.locate(planner.scene.coordinates(at)) {
                 Ok(Location::Free(region)) => Some(region),
                 _ => None,
             };
-            if region(first)? != region(last)? {
-                return None;
-            }
-            planner.raised(first, last)
-        };
-        let until = |until: Until, ways: Vec<Coords>| {
-            widen(self.space, &self.scene, ways, until, progress, in_grown)
-        };
-        let Some(ways) = self.raised(first, last) else {
-            for share in GROWN {
-                let least = Until::AtLeast(share * self.scene.size());
-                let found = until(least, Vec::new())?;
-                if !found.places.is_empty() {
-                    return Ok(Some(found));
+            match (region(first), region(last)) {
+                (Some(a), Some(b)) if a == b => {
+                    (planner.raised(first, last)).map_or(Between::Hidden, Between::Way)
                 }
+                _ => Between::None,
             }
+        };
+        let until = |until: Until, known: Wider| {
+            widen(self.space, &self.scene, known, until, progress, in_grown)
+        };
+        let mut known = Wider::unknown(&self.scene, [first, last]);
+        if let Some(ways) = self.raised(first, last) {
+            known = known.with(&self.scene, ways);
+        }
+        for share in GROWN {
+            if known.places.is_empty() {
+                known = until(Until::AtLeast(share * self.scene.size()), known)?;
+            }
+        }
+        if known.places.is_empty() {
             return Ok(None);
-        };
-        Ok(Some(match clearance.until() {
-            None => Wider::of(&self.scene, ways),
-            Some(wide) => {
-                let found = until(wide, ways)?;
-                match wide {
-                    // Then how much there is.
-                    Until::AtLeast(least) if found.clearance < least => {
-                        until(Until::Widest, found.places)?
-                    }
-                    _ => found,
-                }
+        }
+        if let Some(wide) = clearance.until() {
+            known = until(wide, known)?;
+            // Then how much there is.
+            if let Until::AtLeast(least) = wide
+                && known.clearance < least
+            {
+                known = until(Until::Widest, known)?;
             }
-        }))
+        }
+        Ok(Some(known))
     }
 
     /// A path with the legs that leave and come to contacts.

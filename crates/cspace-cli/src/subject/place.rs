@@ -34,8 +34,14 @@ impl Chosen<'_> {
         let wanted: Vec<&str> = names.iter().map(|n| n.0).collect();
         if given.len() != names.len() {
             let class = self.class();
+            let by_general = class == PairClass::FixedAxes && !self.is_on_axes();
+            let method = if by_general {
+                " by the general method"
+            } else {
+                ""
+            };
             return Err(Failure::input(format_args!(
-                "{option} {}: a {class} pair takes {} numbers",
+                "{option} {}: a {class} pair{method} takes {} numbers",
                 shown::cut(text),
                 names.len()
             ))

@@ -168,6 +168,59 @@ fn what_is_no_question_is_refused() {
         let args = [&["plan", &peg, &given], &ends[..]].concat();
         fails(cspace(&args), 2, &[option]);
     }
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let other = at("way.foo");
+    let args = [&["plan", &peg, "-o", &other], &ends[..]].concat();
+    fails(cspace(&args), 2, &["way.foo", ".csv"]);
+    let far = at("far.csv");
+    std::fs::write(&far, "x,y,theta\n1e300,60,0\n0,60,0\n").unwrap();
+    fails(
+        cspace(&["plan", &peg, "--check", &far]),
+        2,
+        &["far.csv", "farther"],
+    );
+    let gears = model("gears_on_shafts");
+    fails(
+        cspace(&[
+            "plan",
+            &gears,
+            "--general",
+            "--from",
+            "0,0",
+            "--to",
+            "0,0,0",
+        ]),
+        2,
+        &["--from", "by the general method takes 3 numbers"],
+    );
+}
+
+#[test]
+fn a_way_that_is_too_narrow_is_not_proved_to_be_none() {
+    let peg = model("peg_hole");
+    let ends = ["--from", "0,60,0", "--to", "0,2,0"];
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("narrow.json");
+    let asked = [
+        "plan",
+        &peg,
+        "--clearance",
+        "5",
+        "-o",
+        file.to_str().unwrap(),
+    ];
+    printed(&[&asked[..], &ends[..]].concat());
+    let answer: Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+    assert_eq!(answer["verdict"], "no-path");
+    assert!(answer["bottleneck"]["most"].as_f64().unwrap() < 5.0);
+    assert!(answer.get("proof").is_none());
+    assert!(
+        answer["unproved"]
+            .as_str()
+            .unwrap()
+            .contains("there is a way")
+    );
 }
 
 #[test]

@@ -96,6 +96,17 @@ impl Scene {
         }
     }
 
+    /// Whether a coordinate is a length: x and y, or the motion of a part that slides.
+    pub(crate) fn is_length(&self, k: usize) -> bool {
+        let slides = |motion: AxisMotion| matches!(motion, AxisMotion::Prismatic { .. });
+        match (self.motions, k) {
+            (None, k) => k < 2,
+            (Some((fixed, _)), 0) => slides(fixed),
+            (Some((_, moving)), 1) => slides(moving),
+            _ => false,
+        }
+    }
+
     /// The same with orientations from the first to the second alone, radians.
     #[must_use]
     pub fn with_window(mut self, window: (f64, f64)) -> Self {

@@ -110,26 +110,50 @@ impl<'a> Gaps<'a> {
         }
     }
 
-    /// Where a configuration is: band, gap, turns of x and y, fraction and share.
+    /// Where a configuration is: gap, turns of x and y, fraction and share.
+    ///
+    /// Critical values of x that are told apart no more leave a crack between two bands. What is in a crack is located in the bands
+    /// on both sides of it, at their ends.
     #[allow(clippy::type_complexity)]
     fn locate(&self, at: Coords) -> Option<(usize, (i32, i32), (f64, f64))> {
-        let y = 1 - self.x;
-        for (range, (lo, hi)) in &self.bands {
-            let (x, x_turns) = brought(at[self.x], (*lo, *hi), self.circles.0)?;
-            let fraction = if hi > lo { (x - lo) / (hi - lo) } else { 0.5 };
-            if !(0.0..=1.0).contains(&fraction) {
-                continue;
-            }
-            for gap in range.clone() {
-                let (p, q) = self.interval(gap, fraction);
-                let (v, y_turns) = brought(at[y], (p, q), self.circles.1)?;
-                if (p..=q).contains(&v) {
-                    let share = if q > p { (v - p) / (q - p) } else { 0.5 };
-                    return Some((gap, (x_turns, y_turns), (fraction, share)));
-                }
-            }
-        }
-        None
+        let (lo, _) = self.bands.first()?.1;
+        let (x, turns) = brought(at[self.x], (lo, lo), self.circles.0)?;
+        let y = at[1 - self.x];
+        // The first band that does not end before x; behind the last one of a circle comes the first again.
+        let next = self.bands.partition_point(|b| b.1.1 < x);
+        let (after, from) = match self.bands.get(next) {
+            Some(&(_, (lo, _))) => (self.locate_in(next, (x, turns), y), lo),
+            None if self.circles.0 => (self.locate_in(0, (x - TAU, turns + 1), y), x),
+            None => (None, x),
+        };
+        after.or_else(|| {
+            let before = next.checked_sub(1).filter(|_| x <= from)?;
+            self.locate_in(before, (x, turns), y)
+        })
+    }
+
+    /// Where a configuration is in a band; x beside it counts as its nearer end.
+    #[allow(clippy::type_complexity)]
+    fn locate_in(
+        &self,
+        band: usize,
+        (x, x_turns): (f64, i32),
+        y: f64,
+    ) -> Option<(usize, (i32, i32), (f64, f64))> {
+        let (range, (lo, hi)) = &self.bands[band];
+        let fraction = if hi > lo {
+            ((x - lo) / (hi - lo)).clamp(0.0, 1.0)
+        } else {
+            0.5
+        };
+        range.clone().find_map(|gap| {
+            let (p, q) = self.interval(gap, fraction);
+            let (y, y_turns) = brought(y, (p, q), self.circles.1)?;
+            let share = if q > p { (y - p) / (q - p) } else { 0.5 };
+            (p..=q)
+                .contains(&y)
+                .then_some((gap, (x_turns, y_turns), (fraction, share)))
+        })
     }
 
     /// y at the two ends of a gap.

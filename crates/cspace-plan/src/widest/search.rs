@@ -9,6 +9,9 @@ use super::grow::grown;
 
 /// A clearance is known to this share of the parts' size.
 const RESOLUTION: f64 = 1e-10;
+/// A way that has more clearance than a bound by this share, of both the clearance and the parts' size, refutes it. Distances along
+/// legs are right to it.
+const ROUNDING: f64 = 1e-6;
 /// Clearances are tried at least this share away from those known.
 const APART: f64 = 0.1;
 /// The part is grown so often at most.
@@ -28,55 +31,81 @@ pub(crate) enum Until {
 /// What is known of the ways between two configurations.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Wider {
-    /// The places of the way with the most clearance that was found.
+    /// The places of the way with the most clearance that was found; none if none was.
     pub(crate) places: Vec<Coords>,
-    /// Its clearance.
+    /// Its clearance, or 0.
     pub(crate) clearance: f64,
     /// No way has more than this.
     pub(crate) most: f64,
+    /// Some way has this, found or not.
+    passes: f64,
+    /// The clearance at the ends, which no way has more of.
+    at_ends: f64,
+}
+
+/// What becomes of a search for a way in the space of the grown part.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Between {
+    /// A way.
+    Way(Vec<Coords>),
+    /// There is none: start and goal are not in one free region.
+    None,
+    /// There is one by the space, but its legs were not found. It bounds nothing.
+    Hidden,
 }
 
 impl Wider {
-    /// A way of which no more is known than its clearance and that at its ends.
-    pub(crate) fn of(scene: &Scene, places: Vec<Coords>) -> Self {
-        let ends = [places.first(), places.last()]
-            .map(|at| at.map_or(f64::INFINITY, |&at| scene.clearance(at)));
-        let clearance = if places.is_empty() {
-            0.0
-        } else {
-            clearance(scene, &places)
-        };
+    /// Two configurations of which no more is known than the clearance there.
+    pub(crate) fn unknown(scene: &Scene, [first, last]: [Coords; 2]) -> Self {
+        let at_ends = scene.clearance(first).min(scene.clearance(last));
         Self {
-            clearance,
-            places,
-            most: ends[0].min(ends[1]),
+            places: Vec::new(),
+            clearance: 0.0,
+            most: at_ends,
+            passes: 0.0,
+            at_ends,
         }
+    }
+
+    /// With a way, if it is the first or has more clearance. A bound that it refutes is one no more.
+    pub(crate) fn with(mut self, scene: &Scene, places: Vec<Coords>) -> Self {
+        let found = clearance(scene, &places);
+        if self.places.is_empty() || found > self.clearance {
+            self.clearance = found;
+            self.places = places;
+        }
+        if found > self.most * (1.0 + ROUNDING) + ROUNDING * scene.size() {
+            self.most = self.at_ends;
+        }
+        self.most = self.most.max(found);
+        self.passes = self.passes.max(found);
+        self
     }
 }
 
-/// Ways with more clearance than a given one. `between` finds a way in the space of the grown part, or that there is none.
+/// Ways between two configurations with more clearance than is known. `between` finds a way in the space of the grown part, or that
+/// there is none.
 ///
 /// # Errors
 /// Of the computation of a grown pair; and what `progress` returns.
 pub(crate) fn widen(
     space: &PairSpace,
     scene: &Scene,
-    first: Vec<Coords>,
+    mut known: Wider,
     until: Until,
     progress: &dyn Progress,
-    between: impl Fn(&PairSpace) -> Option<Vec<Coords>>,
+    between: impl Fn(&PairSpace) -> Between,
 ) -> Result<Wider, PairError> {
-    let mut known = Wider::of(scene, first);
     let exact = RESOLUTION * scene.size();
-    // Legs that pass with a radius have it for their clearance but for rounding.
-    let mut passes = known.clearance;
+    // Larger radii are not tried: no way has them, or the grown part is none.
+    let mut ceiling = known.most;
     let mut tries = 0;
-    while known.most - passes > exact && tries < MOST {
-        let (lo, hi) = (passes, known.most);
+    while ceiling - known.passes > exact && tries < MOST {
+        let (lo, hi) = (known.passes, ceiling);
         let radius = match until {
             Until::Half if 2.0 * lo >= hi => break,
-            Until::Half => 2.0 * lo,
-            Until::AtLeast(least) if lo >= least || hi < least => break,
+            Until::Half => (2.0 * lo).max(exact),
+            Until::AtLeast(least) if lo >= least || hi <= least => break,
             Until::AtLeast(least) => least,
             // Just more than is known, which often is all there is; just less than the most there could be; and the middle.
             Until::Widest => match tries % 4 {
@@ -88,16 +117,24 @@ pub(crate) fn widen(
         };
         tries += 1;
         let Some(wide) = wider(space, radius, progress)? else {
-            known.most = radius;
+            ceiling = radius;
             continue;
         };
         match between(&wide) {
-            Some(places) => {
-                known.clearance = clearance(scene, &places);
-                known.places = places;
-                passes = known.clearance.max(radius);
+            Between::Way(places) => {
+                let most = known.most;
+                known = known.with(scene, places);
+                // Legs that pass with a radius have it for their clearance but for rounding.
+                known.passes = known.passes.max(radius);
+                if known.most > most {
+                    ceiling = known.most;
+                }
             }
-            None => known.most = radius,
+            Between::None => {
+                known.most = radius.max(known.clearance);
+                ceiling = radius;
+            }
+            Between::Hidden => known.passes = radius,
         }
     }
     Ok(known)

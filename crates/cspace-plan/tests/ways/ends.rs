@@ -61,6 +61,10 @@ fn from_far_away() {
         path(&planner, from, to);
         path(&planner, to, from);
     }
+    let scene = planner.scene();
+    let ends = [1e300, 9.0].map(|x| Coordinates::Planar(Configuration::new(x, 9.0, 0.0)));
+    let place = "a configuration of the path";
+    assert_eq!(check(scene, &ends), Err(PlanError::TooFar { place }));
     let [from, to] = [Configuration::new(1e300, 0.0, 0.0), to].map(Coordinates::Planar);
     let none = planner.plan(from, to, &Wishes::default());
     assert_eq!(none, Err(PlanError::TooFar { place: "the start" }));

@@ -3,6 +3,8 @@
 
 mod distances;
 mod ends;
+mod hidden;
 mod random;
 mod shrunk;
+mod sliders;
 mod thresholds;

@@ -23,6 +23,9 @@ use crate::wording::{angle, count, length};
 
 use answer::{Name, Parts, Told};
 
+/// Why there is no proof where there is a way that is too narrow.
+const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";
+
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let common = &args.common;
     let output = common.result.output.as_deref();
@@ -30,6 +33,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if picture.is_none() {
         args.picture.refuse()?;
         common.result.check_answer()?;
+        check_name(output)?;
     }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
@@ -54,6 +58,25 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         return output::write(output, &answer);
     }
     output::write(None, &answer)
+}
+
+/// Refuses a name that does not say what is written, path or answer.
+fn check_name(path: Option<&Path>) -> Result<(), Failure> {
+    const KNOWN: [&str; 3] = ["csv", "json", "txt"];
+    let Some((path, extension)) = path.and_then(|p| Some((p, p.extension()?))) else {
+        return Ok(());
+    };
+    if KNOWN
+        .iter()
+        .any(|known| extension.eq_ignore_ascii_case(known))
+    {
+        return Ok(());
+    }
+    Err(Failure::input(format_args!(
+        "{}: the extension does not tell what to write",
+        path.display()
+    ))
+    .help("let the name end in .csv for the path, in .json or .txt for the answer, or in .svg, .png or .pdf for a picture"))
 }
 
 fn is_csv(path: Option<&Path>) -> bool {
@@ -107,8 +130,12 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         .watch(|bar| planner.plan_with(from, to, &Wishes { clearance, steps }, bar))
         .map_err(failed)?;
     let mut told = Told::planned(&space, answer, begin.elapsed().as_secs_f64());
-    if told.enclosed.is_some() && (args.depth.is_some() || is_json(args)) {
-        proof::add(&mut told, pair, &space, [from, to], args.depth)?;
+    if told.verdict == Name::NoPath && (args.depth.is_some() || is_json(args)) {
+        if told.enclosed.is_some() {
+            proof::add(&mut told, pair, &space, [from, to], args.depth)?;
+        } else {
+            told.unproved = Some(NARROW.to_owned());
+        }
     }
     Ok(told)
 }
@@ -133,7 +160,11 @@ fn checked(pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
         scene = scene.with_window(window);
     }
     let begin = Instant::now();
-    let found = check(&scene, &rows.configurations).map_err(|e| pair.unanswered(&source, &e))?;
+    let found = check(&scene, &rows.configurations).map_err(|error| match &error {
+        PlanError::Pair(e) => pair.unanswered(&source, e),
+        _ => Failure::input(format_args!("{source}: {error}"))
+            .help("let the path stay nearer to the parts"),
+    })?;
     let parts = Parts {
         fixed: pair.fixed(),
         moving: pair.moving(),
@@ -177,6 +208,10 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         Name::NoPath => writeln!(text, "no-path")?,
         Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
         Name::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
+        Name::Unknown if told.doubtful.is_empty() => writeln!(
+            text,
+            "unknown: no such way was found, and none is excluded: rounding hides it"
+        )?,
         Name::Unknown => writeln!(
             text,
             "unknown: no way was found, and none is excluded, at doubtful orientations"
