@@ -3,6 +3,8 @@
 
 mod distances;
 mod ends;
+mod hook;
+mod judge;
 mod random;
 mod shrunk;
 mod thresholds;
