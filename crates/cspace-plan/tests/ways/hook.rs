@@ -8,8 +8,9 @@ use core::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use cspace::{Coordinates, Part, Vertex};
 use cspace_oracle::shapes::bulge_of;
+use cspace_plan::Clearance;
 
-use crate::thresholds::{at, passes_up_to};
+use crate::thresholds::{asked, at, passes_up_to, space};
 
 /// The distance of the lips.
 const GAP: f64 = 1.0;
@@ -19,32 +20,36 @@ const LIP: f64 = 0.5;
 const ARM: f64 = 3.0;
 
 /// Anyhow in the chamber, and outside. Stem and foot are drawn upwards and to the left.
+pub(crate) const ENDS: [(f64, f64, f64); 2] = [(1.0, -5.0, 2.0), (0.5, 8.0, 0.4)];
+
 fn ends() -> (Coordinates, Coordinates) {
-    (at(1.0, -5.0, 2.0), at(0.5, 8.0, 0.4))
+    let [from, to] = ENDS.map(|(x, y, theta)| at(x, y, theta));
+    (from, to)
 }
 
-fn eye() -> Part {
-    let (half, depth, bar) = (7.0, 9.0, 2.0 * LIP);
-    let lip = 0.5 * GAP + LIP;
+/// The eye with lips of a radius, so far apart.
+pub(crate) fn eye(gap: f64, radius: f64) -> Part {
+    let (half, depth, bar) = (7.0, 9.0, 2.0 * radius);
+    let lip = 0.5 * gap + radius;
     let outline = vec![
-        Vertex::line(-lip, LIP),
-        Vertex::line(-half - bar, LIP),
+        Vertex::line(-lip, radius),
+        Vertex::line(-half - bar, radius),
         Vertex::line(-half - bar, -depth - bar),
         Vertex::line(half + bar, -depth - bar),
-        Vertex::line(half + bar, LIP),
-        Vertex::new(lip, LIP, 1.0),
-        Vertex::line(lip, -LIP),
-        Vertex::line(half, -LIP),
+        Vertex::line(half + bar, radius),
+        Vertex::new(lip, radius, 1.0),
+        Vertex::line(lip, -radius),
+        Vertex::line(half, -radius),
         Vertex::line(half, -depth),
         Vertex::line(-half, -depth),
-        Vertex::line(-half, -LIP),
-        Vertex::new(-lip, -LIP, 1.0),
+        Vertex::line(-half, -radius),
+        Vertex::new(-lip, -radius, 1.0),
     ];
     Part::new("eye", vec![outline]).unwrap()
 }
 
 /// A hook of a thickness, drawn about the centre of its bend, whose inner radius may be 0.
-fn hook(thickness: f64, inner: f64) -> Part {
+pub(crate) fn hook(thickness: f64, inner: f64) -> Part {
     let (outer, quarter) = (inner + thickness, bulge_of(FRAC_PI_2));
     let mut outline = vec![
         Vertex::line(-ARM, -outer),
@@ -67,7 +72,9 @@ fn a_hook_with_a_round_bend_leaves_an_eye_up_to_its_thickness() {
     // both sides: stem, bend and foot are t thick, and the lip fits into the bend, whose inner radius is larger.
     let inner = 0.8;
     assert!(inner > LIP);
-    passes_up_to(GAP, ends(), |thickness| (eye(), hook(thickness, inner)));
+    passes_up_to(GAP, ends(), |thickness| {
+        (eye(GAP, LIP), hook(thickness, inner))
+    });
 }
 
 #[test]
@@ -80,5 +87,23 @@ fn a_hook_with_a_sharp_notch_leaves_an_eye_up_to_the_formula() {
     // If it is less, the hook goes: with the lip at A in the notch K is √2 ρ from A in some direction, and nearest to B if
     // that is towards B, where b = g + 2 ρ − √2 ρ > t + ρ.
     let threshold = GAP - (SQRT_2 - 1.0) * LIP;
-    passes_up_to(threshold, ends(), |thickness| (eye(), hook(thickness, 0.0)));
+    passes_up_to(threshold, ends(), |thickness| {
+        (eye(GAP, LIP), hook(thickness, 0.0))
+    });
+}
+
+#[test]
+fn the_widest_way_out_of_an_eye_is_as_wide_as_the_formula_says() {
+    // With c of clearance the lips and the outside of the bend are grown by c, and so is the lip in the notch:
+    // √2 (ρ + c) + (t + c) + ρ = g + 2 ρ.
+    let thickness = 0.7;
+    let widest = (GAP + LIP - SQRT_2 * LIP - thickness) / (SQRT_2 + 1.0);
+    let space = space(&eye(GAP, LIP), &hook(thickness, 0.0), None);
+    let (from, to) = ends();
+    let bottleneck = asked(&space, from, to, Clearance::Widest)
+        .bottleneck
+        .unwrap();
+    let (found, most) = (bottleneck.narrow.clearance, bottleneck.most);
+    assert!((found - widest).abs() < 1e-8, "{found} {widest}");
+    assert!((most - widest).abs() < 1e-8, "{most} {widest}");
 }

@@ -3,6 +3,7 @@
 
 mod distances;
 mod ends;
+mod fits;
 mod hook;
 mod judge;
 mod random;
