@@ -3,7 +3,10 @@
 
 mod distances;
 mod ends;
+mod fits;
 mod hidden;
+mod hook;
+mod judge;
 mod random;
 mod shrunk;
 mod sliders;

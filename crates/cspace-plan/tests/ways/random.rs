@@ -3,8 +3,10 @@
 use cspace::{Configuration, Coordinates, Options, PairSpace, Relation, Window};
 use cspace_load::draw::Source;
 use cspace_oracle::{Case, Fill, Oracle};
-use cspace_plan::{Checked, Clearance, Planner, Verdict, Wishes, check};
+use cspace_plan::{Clearance, Planner, Verdict, Wishes};
 use rand::Rng;
+
+use crate::judge::is_free;
 
 /// Boxes of a flood fill are divided so often, and larger pairs take it too long.
 const DEPTH: u32 = 5;
@@ -71,17 +73,8 @@ fn asked(seed: u64, pairs: u64, places: usize) -> Seen {
                 seen.paths += 1;
                 let found = path.configurations;
                 assert_eq!(found[0], Coordinates::Planar(from));
-                let checked = check(planner.scene(), &found).unwrap();
-                let Checked::Free(narrow) = checked else {
-                    panic!("pair {number} of {seed} ({name}): {checked:?}");
-                };
-                assert!(narrow.clearance >= 0.0);
-                judged(
-                    &oracle,
-                    &found,
-                    places,
-                    &format!("pair {number} of {seed} ({name})"),
-                );
+                let name = format!("pair {number} of {seed} ({name})");
+                is_free(planner.scene(), &oracle, &found, places, &name);
             }
             Verdict::NoPath(_) => {
                 seen.none += 1;
@@ -121,25 +114,6 @@ fn filled(case: &Case, space: &PairSpace, name: &str) {
     let fill = Fill::new(case, (lo, hi), full_turn, DEPTH);
     let compared = fill.compare(space.free_regions().len(), |c| space.region_at(c));
     assert!(compared.wrong.is_empty(), "{name}: {:?}", compared.wrong);
-}
-
-/// No configuration along a path overlaps.
-fn judged(oracle: &Oracle, path: &[Coordinates], places: usize, name: &str) {
-    let at = |c: &Coordinates| match *c {
-        Coordinates::Planar(c) => [c.x, c.y, c.theta],
-        Coordinates::Axes { .. } => unreachable!("a planar pair"),
-    };
-    let each = places / path.len().max(2) + 1;
-    for leg in path.windows(2) {
-        let (from, to) = (at(&leg[0]), at(&leg[1]));
-        for i in 0..=each {
-            let t = i as f64 / each as f64;
-            let [x, y, theta] = core::array::from_fn(|k| from[k] + (to[k] - from[k]) * t);
-            let c = Configuration::new(x, y, theta);
-            let judged = oracle.judge(c);
-            assert!(!judged.overlap, "{name}: {c:?} {judged:?}");
-        }
-    }
 }
 
 #[test]

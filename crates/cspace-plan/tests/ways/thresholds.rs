@@ -3,16 +3,23 @@
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation, Vertex};
+use cspace_oracle::Oracle;
+use cspace_plan::legs::Scene;
 use cspace_plan::{Answer, Clearance, Planner, Verdict, Wishes};
+
+use crate::judge::is_free;
+
+/// Brute force follows a path at so many places.
+const PLACES: usize = 10_000;
 
 /// Just below and just above, relative.
 const CLOSE: [f64; 2] = [1e-6, 1e-8];
 
-fn at(x: f64, y: f64, theta: f64) -> Coordinates {
+pub(crate) fn at(x: f64, y: f64, theta: f64) -> Coordinates {
     Coordinates::Planar(Configuration::new(x, y, theta))
 }
 
-fn space(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> PairSpace {
+pub(crate) fn space(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> PairSpace {
     let options = Options {
         window,
         ..Options::default()
@@ -20,7 +27,12 @@ fn space(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> PairSpace {
     PairSpace::compute(fixed, moving, Relation::Planar, &options).unwrap()
 }
 
-fn asked(space: &PairSpace, from: Coordinates, to: Coordinates, clearance: Clearance) -> Answer {
+pub(crate) fn asked(
+    space: &PairSpace,
+    from: Coordinates,
+    to: Coordinates,
+    clearance: Clearance,
+) -> Answer {
     let wishes = Wishes {
         clearance,
         ..Wishes::default()
@@ -32,7 +44,7 @@ fn asked(space: &PairSpace, from: Coordinates, to: Coordinates, clearance: Clear
 }
 
 /// A passage is open for a number just below its threshold, and closed just above.
-fn passes_up_to(
+pub(crate) fn passes_up_to(
     threshold: f64,
     (from, to): (Coordinates, Coordinates),
     pair: impl Fn(f64) -> (Part, Part),
@@ -43,11 +55,16 @@ fn passes_up_to(
             (threshold * (1.0 + close), false),
         ] {
             let (fixed, moving) = pair(number);
-            let answer = asked(&space(&fixed, &moving, None), from, to, Clearance::Quick);
+            let space = space(&fixed, &moving, None);
+            let answer = asked(&space, from, to, Clearance::Quick);
             match answer.verdict {
                 Verdict::Path(path) => {
                     assert!(opens, "{number} passes");
                     assert!(path.narrowest.clearance > 0.0);
+                    let (scene, oracle) =
+                        (Scene::of(&space).unwrap(), Oracle::new(&fixed, &moving));
+                    let name = format!("{number}");
+                    is_free(&scene, &oracle, &path.configurations, PLACES, &name);
                 }
                 Verdict::NoPath(_) => assert!(!opens, "{number} does not pass"),
                 other => panic!("{number}: {other:?}"),
@@ -232,10 +249,7 @@ fn a_way_in_contact_at_its_ends_leaves_them() {
     };
     assert_eq!(path.configurations.first(), Some(&from));
     assert!(path.narrowest.clearance < 1e-9);
-    let checked = cspace_plan::check(
-        &cspace_plan::legs::Scene::of(&space).unwrap(),
-        &path.configurations,
-    );
+    let checked = cspace_plan::check(&Scene::of(&space).unwrap(), &path.configurations);
     assert!(matches!(checked, Ok(cspace_plan::Checked::Free(_))));
 }
 
