@@ -1,8 +1,10 @@
 //! `cspace escape`: energies known by hand, cages, and what cannot be asked.
 
-use std::path::PathBuf;
+use std::fs;
 
-use crate::helpers::{cspace, fails, json, model, printed, written};
+use tempfile::TempDir;
+
+use crate::helpers::{cspace, fails, json, model, printed};
 
 const PEGS: &str = r#"
 name = "disc on two pegs"
@@ -20,8 +22,10 @@ loops = [{ circle = 30, at = [0, 0] }]
 mass = 0.02
 "#;
 
-fn pegs() -> PathBuf {
-    written("escape_pegs.toml", PEGS)
+fn written(folder: &TempDir, text: &str) -> String {
+    let path = folder.path().join("model.toml");
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
 }
 
 /// The disc at rest on both pegs.
@@ -29,8 +33,8 @@ const REST: f64 = 37.08099243547832;
 
 #[test]
 fn a_disc_leaves_two_pegs_over_one_of_them() {
-    let file = pegs();
-    let file = file.to_str().unwrap();
+    let folder = TempDir::new().unwrap();
+    let file = &written(&folder, PEGS);
     let from = format!("0,{REST},0");
     let known = 0.02 * 9810.0 * (40.0 - REST);
     let answer = json(&["escape", file, "--from", &from]);
@@ -62,8 +66,8 @@ fn a_ball_in_a_c_is_caged() {
 
 #[test]
 fn what_cannot_be_asked_is_refused() {
-    let file = pegs();
-    let file = file.to_str().unwrap();
+    let folder = TempDir::new().unwrap();
+    let file = &written(&folder, PEGS);
     let ball = model("ball_in_c");
     let run = |args: &[&str]| cspace(&[&["escape"], args].concat());
     fails(
@@ -91,10 +95,6 @@ fn what_cannot_be_asked_is_refused() {
     let blocked = json(&["escape", file, "--from", "15,0,0"]);
     assert_eq!(blocked["verdict"], "from-blocked");
     let torque = format!("{PEGS}\n[[load]]\npart = \"disc\"\ntorque = 1\n");
-    let torque = written("escape_torque.toml", &torque);
-    fails(
-        run(&[torque.to_str().unwrap(), "--from", "0,50,0"]),
-        2,
-        &["disc", "turns"],
-    );
+    let file = &written(&folder, &torque);
+    fails(run(&[file, "--from", "0,50,0"]), 2, &["disc", "turns"]);
 }
