@@ -23,7 +23,11 @@ pub(crate) struct Gaps<'a> {
     circles: (bool, bool),
     extent: [(f64, f64); 2],
     levers: Coords,
+    size: f64,
 }
+
+/// Bands between which critical values are told apart no more are this near, as a share of the parts' size.
+const CRACK: f64 = 1e-8;
 
 /// A way through a gap.
 #[derive(Debug, Clone, Copy)]
@@ -107,6 +111,7 @@ impl<'a> Gaps<'a> {
             circles: (circles[x], circles[1 - x]),
             extent: space.extent(),
             levers: scene.levers(),
+            size: scene.size(),
         }
     }
 
@@ -280,6 +285,17 @@ impl<'a> Gaps<'a> {
                 (false, _) if closes => (n - 1, -1),
                 _ => continue,
             };
+            // Between bands that are farther apart all is blocked.
+            let turn = TAU * f64::from(x_turns);
+            let ((lo, hi), (other_lo, other_hi)) = (self.bands[band].1, self.bands[other].1);
+            let apart = if forward {
+                other_lo + turn - hi
+            } else {
+                lo - (other_hi + turn)
+            };
+            if apart * self.levers[self.x] > CRACK * self.size {
+                continue;
+            }
             let (leave, enter) = if forward { (1.0, 0.0) } else { (0.0, 1.0) };
             let (p, q) = self.interval(gap, leave);
             for next in self.bands[other].0.clone() {

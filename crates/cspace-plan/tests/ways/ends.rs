@@ -2,7 +2,9 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Configuration, Coordinates, Options, PairSpace, Relation};
+use cspace::{
+    Axis, AxisMotion, Configuration, Coordinates, Options, PairSpace, Part, Point, Relation,
+};
 use cspace_oracle::shapes::{rounded_peg, slotted_block};
 use cspace_plan::{Checked, PlanError, Planner, Verdict, Wishes, check};
 
@@ -70,4 +72,29 @@ fn from_far_away() {
     assert_eq!(none, Err(PlanError::TooFar { place: "the start" }));
     let none = planner.plan(to, from, &Wishes::default());
     assert_eq!(none, Err(PlanError::TooFar { place: "the goal" }));
+}
+
+/// Between two intervals of the swept coordinate all may be blocked, and the way leads the other way around.
+#[test]
+fn a_lever_goes_around_what_blocks_it() {
+    let lever = Part::rectangle("lever", (2.0, 0.0), 5.0, 0.5).unwrap();
+    let block = Part::rectangle("block", (0.0, -3.0), 0.5, 1.0).unwrap();
+    let relation = Relation::Axes {
+        fixed: Axis {
+            motion: AxisMotion::Fixed,
+            range: None,
+        },
+        moving: Axis::revolute(Point::ORIGIN),
+    };
+    let space = PairSpace::compute(&block, &lever, relation, &Options::default()).unwrap();
+    let planner = Planner::new(&space).unwrap();
+    let at = |v| Coordinates::Axes { u: 0.0, v };
+    for (from, to) in [(-0.3, 3.34), (3.34, -0.3), (-1.2, -1.9), (-1.9, -1.2 + TAU)] {
+        let answer = planner.plan(at(from), at(to), &Wishes::default()).unwrap();
+        let Verdict::Path(path) = answer.verdict else {
+            panic!("{answer:?}");
+        };
+        let checked = check(planner.scene(), &path.configurations).unwrap();
+        assert!(matches!(checked, Checked::Free(_)), "{checked:?}");
+    }
 }
