@@ -20,7 +20,7 @@ mod part;
 use std::collections::HashMap;
 
 use interval::{I, PI, exact};
-use part::{holds, norm};
+use part::norm;
 use serde::{Deserialize, Serialize};
 
 /// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside.
@@ -126,7 +126,7 @@ impl Proof {
         for (i, &[qx, qy, r, cx, cy, s]) in self.witnesses.iter().enumerate() {
             for (part, center, radius) in [(&self.moving, [qx, qy], r), (&self.fixed, [cx, cy], s)]
             {
-                if !holds(part, center, radius) {
+                if radius.is_nan() || radius <= 0.0 || radius > part.room(center) {
                     let name = &part.name;
                     return Err(format!("witness {i}: its disc is not within {name}"));
                 }
