@@ -68,6 +68,13 @@ pub struct Proof {
 pub fn read(json: &[u8]) -> Result<Proof, String> {
     let mut value: serde_json::Value = serde_json::from_slice(json).map_err(|e| e.to_string())?;
     let inner = value.get_mut("proof").map(serde_json::Value::take);
+    if let (None, Some(verdict)) = (&inner, value["verdict"].as_str()) {
+        let why = value["unproved"].as_str().map(|why| format!(" ({why})"));
+        let why = why.unwrap_or_default();
+        return Err(format!(
+            "this answer holds no proof: its verdict is {verdict}{why}"
+        ));
+    }
     serde_json::from_value(inner.unwrap_or(value)).map_err(|e| e.to_string())
 }
 
@@ -224,7 +231,7 @@ impl Proof {
             let (sin, cos) = (2.4 * f64::from(ray) + 0.3).sin_cos();
             let mut end = theta.lo + 0.2 * (1.7 * f64::from(ray) + 1.0).sin();
             if let Some([lo, hi]) = self.window {
-                end = end.clamp(lo, hi);
+                end = end.max(lo).min(hi);
             }
             let to = [4.0 * reach * cos, 4.0 * reach * sin, end].map(exact);
             if let Some(crossings) = self.crossings(from, to, corners) {

@@ -55,6 +55,12 @@ impl<'a> Material<'a> {
             room.is_some()
         };
         add(from, 0.0);
+        for edge in self.part.edges() {
+            // About the centre of an arc, the disc does not move while the part turns there.
+            if edge.bulge > 0.0 && edge.distance(from) < 2.0 * self.depth {
+                add(edge.center(), (edge.center() - from).length());
+            }
+        }
         for turn in SIDEWAYS {
             let along = Rotation::by(turn) * inwards;
             let mut step = FIRST * self.depth;

@@ -11,6 +11,9 @@ const ROUNDING: f64 = 1e-12;
 /// Triangles of a smaller extent, as a share of the depth, have a witness: if none was found, it is looked for everywhere.
 const SMALL: f64 = 0.3;
 
+/// So many discs of each part are tried with all of the other's.
+const PROMISING: usize = 12;
+
 /// A disc of the moving part's material about a point from the pivot, and one of the fixed part's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Witness {
@@ -126,22 +129,43 @@ impl<'a> Materials<'a> {
             .inwards(on_moving, back * normal, -0.2 * self.depth, &mut of_moving);
         self.fixed
             .inwards(on_fixed, -normal, 0.8 * self.depth, &mut of_fixed);
-        let found = self.most(corners, &of_moving, &of_fixed);
+        let touch = [on_moving, on_fixed];
+        let found = self.most(corners, touch, &of_moving, &of_fixed);
         if found.is_some() || corners.extent(lever) > SMALL * self.depth {
             return found;
         }
         self.moving.between(on_moving, &mut of_moving);
         self.fixed.between(on_fixed, &mut of_fixed);
-        self.most(corners, &of_moving, &of_fixed)
+        self.most(corners, touch, &of_moving, &of_fixed)
     }
 
-    /// The two that overlap most, if enough.
-    fn most(&self, corners: &Corners, of_moving: &[Disc], of_fixed: &[Disc]) -> Option<Witness> {
-        let mut best: Option<(Witness, f64)> = None;
-        for &(p, r) in of_moving {
+    /// The two that overlap most, if enough, of those that overlap most with a point each.
+    fn most(
+        &self,
+        corners: &Corners,
+        [on_moving, on_fixed]: [Point; 2],
+        of_moving: &[Disc],
+        of_fixed: &[Disc],
+    ) -> Option<Witness> {
+        let touch = (
+            on_moving - self.pivot,
+            corners.places(on_moving - self.pivot),
+        );
+        let of_moving = promising(of_moving.iter().map(|&(p, r)| {
             let q = p - self.pivot;
             let places = corners.places(q);
-            for &fixed in of_fixed {
+            (
+                (q, r, places),
+                corners.overlap_at(places, q, r, (on_fixed, 0.0)),
+            )
+        }));
+        let of_fixed = promising(of_fixed.iter().map(|&fixed| {
+            let (q, places) = touch;
+            (fixed, corners.overlap_at(places, q, 0.0, fixed))
+        }));
+        let mut best: Option<(Witness, f64)> = None;
+        for &(q, r, places) in &of_moving {
+            for &fixed in &of_fixed {
                 let overlap = corners.overlap_at(places, q, r, fixed);
                 if best.is_none_or(|(_, most)| overlap > most) {
                     let moving = (q, r);
@@ -155,4 +179,12 @@ impl<'a> Materials<'a> {
         best.fixed.1 = self.checked[0].room([c.x, c.y]);
         self.is_enough(corners.overlap(&best)).then_some(best)
     }
+}
+
+/// The first few in order of a score, the largest first.
+fn promising<T>(scored: impl Iterator<Item = (T, f64)>) -> Vec<T> {
+    let mut scored: Vec<_> = scored.collect();
+    scored.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    scored.truncate(PROMISING);
+    scored.into_iter().map(|(of, _)| of).collect()
 }
