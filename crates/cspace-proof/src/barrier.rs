@@ -1,8 +1,8 @@
 //! The surface between start and goal: the boundary of a region of the pair with its moving part shrunk.
 
 use cspace::{
-    Configuration, ContactSpace, Coordinates, Location, Options, PairError, PairSpace, Part,
-    PatchId, Point, Progress, RegionId, Relation, Vertex,
+    ComputeError, Configuration, ContactSpace, Coordinates, Location, Options, PairError,
+    PairSpace, Part, PatchId, Point, Progress, RegionId, Relation, Vertex,
 };
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_plan::shrunk;
@@ -16,12 +16,22 @@ const LEAST: f64 = 1e-7;
 /// How far the triangles may be from the surface, as a share of the depth.
 const OFF: f64 = 0.25;
 
+/// How much deeper than the deepest of the halves is tried once.
+const DEEPER: f64 = 1.5;
+
 /// The pair with its moving part shrunk and drawn about the pivot.
 pub(crate) struct Barrier {
     pub(crate) space: PairSpace,
     pub(crate) depth: f64,
     /// The region that is enclosed.
     region: RegionId,
+}
+
+fn is_interrupted(error: &ProofError) -> bool {
+    matches!(
+        error,
+        ProofError::Pair(PairError::Compute(ComputeError::Interrupted))
+    )
 }
 
 /// The middle of the part's box: triangles that say where it is bend least with the orientation.
@@ -47,49 +57,75 @@ fn centered(part: &Part, pivot: Point) -> Result<Part, cspace::PartError> {
 }
 
 impl Barrier {
-    /// As deep as start and goal are apart, from a given depth downwards by halves.
+    /// As deep as start and goal are apart: a given depth or its half, quarter and so on; without one, about the largest.
     pub(crate) fn find(
         space: &ContactSpace,
-        [from, to]: [Configuration; 2],
+        ends: [Configuration; 2],
         depth: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<Self, ProofError> {
         let size = space.moving().size();
-        let mut depth = match depth {
+        let finest = LEAST * size;
+        let mut tried = match depth {
             Some(depth) if !(depth > 0.0 && depth.is_finite()) => {
                 return Err(ProofError::Depth(depth));
             }
+            Some(depth) if depth < finest => return Err(ProofError::TooFine { depth, finest }),
             Some(depth) => depth,
             None => LARGEST * size,
         };
+        let mut failed = None;
+        while tried >= finest {
+            match Self::at(space, ends, tried, progress) {
+                Ok(Some(barrier)) => {
+                    // Between this depth and its double, with which start and goal are in one region: fewer triangles.
+                    let may_be_deeper = depth.is_none() && tried < LARGEST * size;
+                    if !may_be_deeper {
+                        return Ok(barrier);
+                    }
+                    return match Self::at(space, ends, DEEPER * tried, progress) {
+                        Ok(Some(deeper)) => Ok(deeper),
+                        Err(error) if is_interrupted(&error) => Err(error),
+                        _ => Ok(barrier),
+                    };
+                }
+                Ok(None) => {}
+                Err(error) if is_interrupted(&error) => return Err(error),
+                // At another depth the part may shrink to another shape.
+                Err(error) => failed = Some(error),
+            }
+            tried *= 0.5;
+        }
+        let least = 2.0 * tried;
+        Err(failed.unwrap_or(ProofError::TooShallow { least }))
+    }
+
+    /// With the moving part smaller by a depth; none if start and goal are not apart then, or nothing is left of it.
+    fn at(
+        space: &ContactSpace,
+        ends: [Configuration; 2],
+        depth: f64,
+        progress: &dyn Progress,
+    ) -> Result<Option<Self>, ProofError> {
         let window = space.window();
         let options = Options {
             window: (!window.full_turn).then_some((window.lo, window.hi)),
             ..Options::default()
         };
         let pivot = pivot(space.moving());
-        let mut least = depth;
-        while depth >= LEAST * size {
-            let failed = |error| ProofError::Part { depth, error };
-            if let Some(part) = shrunk(space.moving(), depth).map_err(failed)? {
-                let moving = centered(&part, pivot).map_err(failed)?;
-                let fixed = space.fixed();
-                let computed =
-                    PairSpace::compute_with(fixed, &moving, Relation::Planar, &options, progress);
-                if let Some(region) =
-                    between(computed.as_ref(), [from, to].map(|c| about(c, pivot)))?
-                {
-                    return Ok(Self {
-                        space: computed?,
-                        depth,
-                        region,
-                    });
-                }
-            }
-            least = depth;
-            depth *= 0.5;
-        }
-        Err(ProofError::TooShallow { least })
+        let failed = |error| ProofError::Part { depth, error };
+        let Some(part) = shrunk(space.moving(), depth).map_err(failed)? else {
+            return Ok(None);
+        };
+        let moving = centered(&part, pivot).map_err(failed)?;
+        let fixed = space.fixed();
+        let space = PairSpace::compute_with(fixed, &moving, Relation::Planar, &options, progress)?;
+        let region = between(&space, ends.map(|c| about(c, pivot)))?;
+        Ok(region.map(|region| Self {
+            space,
+            depth,
+            region,
+        }))
     }
 
     /// The surface of the enclosed region: its mesh, and whether a triangle is of it.
@@ -115,11 +151,7 @@ impl Barrier {
 }
 
 /// The region of start or goal that is enclosed; none if they are in one.
-fn between(
-    space: Result<&PairSpace, &PairError>,
-    ends: [Configuration; 2],
-) -> Result<Option<RegionId>, ProofError> {
-    let space = space.map_err(Clone::clone)?;
+fn between(space: &PairSpace, ends: [Configuration; 2]) -> Result<Option<RegionId>, ProofError> {
     let mut regions = Vec::new();
     for mut end in ends {
         if let PairSpace::Planar(space) = space

@@ -11,6 +11,8 @@ const FIRST: f64 = 0.1;
 const FARTHER: f64 = 1.6;
 /// The first step from an edge: walls and tips may be so much thinner than the depth.
 const THINNEST: f64 = 1e-4;
+/// Edges farther away, as a share of the depth, are left out: a place where the shrunk part touches is as far as the depth.
+const NEAR: f64 = 1.5;
 /// How far along an edge, as a share of the depth, places beside a point are: a tip holds larger discs away from its end.
 const BESIDE: f64 = 0.4;
 
@@ -73,7 +75,7 @@ impl<'a> Material<'a> {
     /// Discs in the middle between the edges near a point and what is opposite of them, however thin the material is there.
     pub(crate) fn between(&self, from: Point, found: &mut Vec<Disc>) {
         for edge in self.part.edges() {
-            if edge.distance(from) > self.depth {
+            if edge.distance(from) > NEAR * self.depth {
                 continue;
             }
             for shift in [0.0, -BESIDE, BESIDE] {
@@ -82,11 +84,14 @@ impl<'a> Material<'a> {
                 let mut step = THINNEST * self.depth;
                 while step < 2.0 * self.depth {
                     let center = start + inwards * step;
-                    let room = self.room(center);
-                    largest = room
-                        .filter(|&r| largest.is_none_or(|(_, most)| r > most))
-                        .map(|r| (center, r))
-                        .or(largest);
+                    match self.room(center) {
+                        Some(room) if largest.is_none_or(|(_, most)| room > most) => {
+                            largest = Some((center, room));
+                        }
+                        // Past the middle: farther on there may be other material.
+                        _ if largest.is_some() => break,
+                        _ => {}
+                    }
                     step *= FARTHER;
                 }
                 found.extend(largest);
