@@ -106,12 +106,9 @@ def is_inside(p, loops, near):
 
 
 def holds(loops, center, radius):
-    if radius <= 0:
-        return False
     edges = [e for vertices in loops for e in zip(vertices, vertices[1:] + vertices[:1])]
-    return all(distance_down(center, a, b) >= radius for a, b in edges) and is_inside(center, loops, radius / 2)
-
-
+    room = min(distance_down(center, a, b) for a, b in edges)
+    return 0 < radius <= room and is_inside(center, loops, room / 2)
 
 
 def check(proof):

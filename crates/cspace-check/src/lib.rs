@@ -110,21 +110,18 @@ impl Proof {
     /// What is wrong with it, and with which triangle, vertex or witness, counted from 0.
     pub fn check(&self) -> Result<(), String> {
         let finite = |x: &f64| x.is_finite() && x.abs() < 1e100;
-        let mut numbers = (self
-            .vertices
-            .iter()
-            .chain([&self.start, &self.goal])
-            .flatten())
-        .chain((self.fixed.loops.iter().chain(&self.moving.loops).flatten()).flatten())
-        .chain(self.witnesses.iter().flatten())
-        .chain(self.pivot.iter().chain(self.window.iter().flatten()));
+        let loops = self.fixed.loops.iter().chain(&self.moving.loops);
+        let points = loops.flatten().chain(&self.vertices);
+        let mut numbers = (points.chain([&self.start, &self.goal]).flatten())
+            .chain(self.witnesses.iter().flatten())
+            .chain(self.pivot.iter().chain(self.window.iter().flatten()));
         if self.version != 1 || !numbers.all(finite) {
             return Err("version 1 with finite numbers is what can be checked".into());
         }
         for (i, t) in self.triangles.iter().enumerate() {
             let known = |v: i64, n: usize| usize::try_from(v).is_ok_and(|v| v < n);
             let vertices = t[..3].iter().all(|&v| known(v, self.vertices.len()));
-            let turns = t[3..6].iter().all(|&k| k.abs() < 1000);
+            let turns = t[3..6].iter().all(|k| (-999..1000).contains(k));
             let flat = self.window.is_none() || t[3..6] == [0; 3];
             if !(vertices && turns && flat && known(t[6], self.witnesses.len())) {
                 return Err(format!("triangle {i} names what there is not"));

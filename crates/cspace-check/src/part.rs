@@ -90,15 +90,12 @@ impl Part {
         let vertices = self.loops.iter().flatten();
         let extent = vertices.fold(0.0_f64, |m, v| m.max(v[0].abs() + v[1].abs()));
         let edges = || {
-            let next = |l: &'_ [[f64; 3]], i: usize| l[(i + 1) % l.len()];
-            (self.loops.iter()).flat_map(move |l| (0..l.len()).map(move |i| (l[i], next(l, i))))
+            let of = |l: &'_ [[f64; 3]], i: usize| (l[i], l[(i + 1) % l.len()]);
+            (self.loops.iter()).flat_map(move |l| (0..l.len()).map(move |i| of(l, i)))
         };
         let apart = edges().map(|(a, b)| distance(center.map(exact), a, b));
-        let least = |least: f64, d: f64| match least.partial_cmp(&d) {
-            Some(order) if order.is_gt() => d,
-            Some(_) => least,
-            None => f64::NAN,
-        };
+        // What is not a number stays one.
+        let least = |m: f64, d: f64| if m.is_nan() || m <= d { m } else { d };
         let room = apart.fold(f64::INFINITY, least);
         if !(room > LEAST * extent && room.is_finite()) {
             return 0.0;
