@@ -39,7 +39,7 @@ def root_down(x):
 def sine_cosine(x):
     """Rational numbers near sine and cosine, and how far they may be off."""
     halvings = max(0, math.ceil(math.log2(max(abs(float(x)), 1e-9) * 8)))
-    small = F(x) / 2**halvings
+    small = down(F(x) / 2**halvings)
     sine = cosine = F(0)
     term = F(1)
     for k in range(24):
@@ -48,8 +48,9 @@ def sine_cosine(x):
             sine += signed
         else:
             cosine += signed
-        term = term * small / (k + 1)
-    error = abs(term) + F(1, 2**BITS)
+        term = down(term * small / (k + 1))
+    # The angle and 24 terms are rounded by one bit each, and no term's error grows in the next ones.
+    error = abs(term) + F(64, 2**BITS)
     sine, cosine = down(sine), down(cosine)
     for _ in range(halvings):
         sine, cosine = down(2 * sine * cosine), down(1 - 2 * sine * sine)
@@ -93,9 +94,13 @@ def is_inside(p, loops, near):
 
     def crossings(a, b):
         (ax, ay, bulge), (bx, by, _) = a, b
-        if abs(bulge) * root_up((bx - ax) ** 2 + (by - ay) ** 2) > near:
+        rise = abs(bulge) * (abs(bx - ax) + abs(by - ay))
+        if bulge and abs(bulge) <= 1 and (max(ay, by) + rise < p[1] or min(ay, by) - rise > p[1] or max(ax, bx) + rise < p[0]):
+            # All of the arc is below the half line, above it, or behind: no chord crosses it.
+            return 0
+        if rise > near and abs(bulge) * root_up((bx - ax) ** 2 + (by - ay) ** 2) > near:
             half = F(float(bulge) / (1 + math.sqrt(1 + float(bulge) ** 2)))
-            middle = ((ax + bx) / 2 + bulge * (by - ay) / 2, (ay + by) / 2 - bulge * (bx - ax) / 2, half)
+            middle = (down((ax + bx) / 2 + bulge * (by - ay) / 2), down((ay + by) / 2 - bulge * (bx - ax) / 2), half)
             return crossings((ax, ay, half), middle) + crossings(middle, b)
         if (ay > p[1]) == (by > p[1]):
             return 0

@@ -9,6 +9,8 @@ use cspace_plan::shrunk;
 
 use crate::error::ProofError;
 
+/// A proof of more is a file of some hundred megabytes.
+pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
 /// The largest depth that is tried, as a share of the moving part's size.
 const LARGEST: f64 = 0.25;
 /// The least, as a share of it: well above what is resolved.
@@ -23,6 +25,8 @@ const DEEPER: f64 = 1.5;
 pub(crate) struct Barrier {
     pub(crate) space: PairSpace,
     pub(crate) depth: f64,
+    /// Whether a depth was asked for.
+    given: bool,
     /// The region that is enclosed.
     region: RegionId,
 }
@@ -77,7 +81,8 @@ impl Barrier {
         let mut failed = None;
         while tried >= finest {
             match Self::at(space, ends, tried, progress) {
-                Ok(Some(barrier)) => {
+                Ok(Some(mut barrier)) => {
+                    barrier.given = depth.is_some();
                     // Between this depth and its double, with which start and goal are in one region: fewer triangles.
                     let may_be_deeper = depth.is_none() && tried < LARGEST * size;
                     if !may_be_deeper {
@@ -124,8 +129,17 @@ impl Barrier {
         Ok(region.map(|region| Self {
             space,
             depth,
+            given: false,
             region,
         }))
+    }
+
+    pub(crate) fn too_many_triangles(&self) -> ProofError {
+        ProofError::TooManyTriangles {
+            limit: MOST_TRIANGLES,
+            depth: self.depth,
+            given: self.given,
+        }
     }
 
     /// The surface of the enclosed region: its mesh, and whether a triangle is of it.
@@ -135,13 +149,8 @@ impl Barrier {
         };
         let size = space.fixed().size().max(space.moving().size());
         let tolerance = OFF * self.depth / size;
-        let mesh = Mesh::new(space, &MeshOptions { tolerance }).map_err(|_| {
-            ProofError::TooManyTriangles {
-                limit: crate::refine::MOST_TRIANGLES,
-                left: crate::refine::MOST_TRIANGLES,
-                depth: self.depth,
-            }
-        })?;
+        let mesh =
+            Mesh::new(space, &MeshOptions { tolerance }).map_err(|_| self.too_many_triangles())?;
         let of_region = |patch| {
             let patch = self.space.patch(PatchId(patch));
             patch.is_ok_and(|p| p.region().is_ok_and(|r| r == Some(self.region)))

@@ -47,16 +47,16 @@ pub enum ProofError {
     },
     /// More triangles than are made.
     #[error(
-        "with a depth of {depth:?} the proof takes more than {limit} triangles, {left} of them are not proved yet; their number grows as one over \
-         the depth or faster, and this depth is about the largest at which start and goal are apart"
+        "with a depth of {depth:?} the proof takes more than {limit} triangles; their number grows as one over the depth or faster, and {}",
+        more(*given)
     )]
     TooManyTriangles {
         /// The most that are made.
         limit: usize,
-        /// Those without a witness.
-        left: usize,
         /// How deep the surface is.
         depth: f64,
+        /// Whether that was asked for.
+        given: bool,
     },
     /// Triangles around a configuration became as small as is worth trying.
     #[error(
@@ -69,4 +69,12 @@ pub enum ProofError {
     /// The proof was made, and is wrong: a fault of this library.
     #[error("the proof does not pass its check: {0}")]
     Unsound(String),
+}
+
+fn more(given: bool) -> &'static str {
+    if given {
+        "without one that is given it is as deep as can be"
+    } else {
+        "this depth is about the largest at which start and goal are apart"
+    }
 }

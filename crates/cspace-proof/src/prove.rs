@@ -57,7 +57,7 @@ pub fn prove(
     let checked = [fixed.clone(), moving.clone()];
     let materials = Materials::new(parts, checked, pivot, barrier.depth);
     let lever = 0.5 * space.moving().size();
-    let witnesses = refine(&mut complex, &barrier.space, &materials, lever)?;
+    let witnesses = refine(&mut complex, &barrier, &materials, lever)?;
     let triangle = |t: &crate::complex::Triangle| {
         let ([a, b, c], [i, j, k]) = (t.vertices.map(i64::from), t.turns.map(i64::from));
         [a, b, c, i, j, k, t.witness.map_or(-1, i64::from)]

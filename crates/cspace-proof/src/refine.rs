@@ -5,12 +5,11 @@ use core::f64::consts::TAU;
 use cspace::{Configuration, Coordinates, PairSpace, PatchId, Touching};
 use cspace_io::write::mesh::Mesh;
 
+use crate::barrier::{Barrier, MOST_TRIANGLES};
 use crate::complex::{Complex, Triangle};
 use crate::error::ProofError;
 use crate::witness::{Corners, Materials, Witness};
 
-/// A proof of more is a file of some hundred megabytes.
-pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
 /// Triangles are not split below this share of the depth: discs much larger than they overlap there, or none do.
 const SMALLEST: f64 = 1e-3;
 /// So many of a patch's witnesses, the last found, are tried before others are looked for.
@@ -55,10 +54,11 @@ pub(crate) fn complex(mesh: &Mesh, full_turn: bool, of_region: impl Fn(u32) -> b
 /// Gives every triangle a witness.
 pub(crate) fn refine(
     complex: &mut Complex,
-    space: &PairSpace,
+    barrier: &Barrier,
     materials: &Materials<'_>,
     lever: f64,
 ) -> Result<Vec<Witness>, ProofError> {
+    let space = &barrier.space;
     let mut witnesses: Vec<Witness> = Vec::new();
     let mut known: Vec<Vec<u32>> = vec![Vec::new(); space.patch_count()];
     let mut open: Vec<u32> = (0..complex.triangles.len() as u32).rev().collect();
@@ -87,11 +87,7 @@ pub(crate) fn refine(
                 return Err(ProofError::NoWitness { at });
             }
             if complex.triangles.len() >= MOST_TRIANGLES {
-                return Err(ProofError::TooManyTriangles {
-                    limit: MOST_TRIANGLES,
-                    left: open.len() + 1,
-                    depth: materials.depth,
-                });
+                return Err(barrier.too_many_triangles());
             }
             open.push(number);
             open.extend(complex.halve(number, lever));
