@@ -15,6 +15,9 @@ from fractions import Fraction as F
 # Bounds are rounded to so many bits: fractions stay short.
 BITS = 80
 
+# π lies between these.
+PI = (F("3.1415926535897932384626433832795028841971"), F("3.1415926535897932384626433832795028841972"))
+
 
 def down(x):
     return F(math.floor(x * 2**BITS), 2**BITS)
@@ -36,7 +39,7 @@ def root_down(x):
 def sine_cosine(x):
     """Rational numbers near sine and cosine, and how far they may be off."""
     halvings = max(0, math.ceil(math.log2(max(abs(float(x)), 1e-9) * 8)))
-    small = F(x) / 2**halvings
+    small = down(F(x) / 2**halvings)
     sine = cosine = F(0)
     term = F(1)
     for k in range(24):
@@ -45,8 +48,9 @@ def sine_cosine(x):
             sine += signed
         else:
             cosine += signed
-        term = term * small / (k + 1)
-    error = abs(term) + F(1, 2**BITS)
+        term = down(term * small / (k + 1))
+    # The angle and 24 terms are rounded by one bit each, and no term's error grows in the next ones.
+    error = abs(term) + F(64, 2**BITS)
     sine, cosine = down(sine), down(cosine)
     for _ in range(halvings):
         sine, cosine = down(2 * sine * cosine), down(1 - 2 * sine * sine)
@@ -90,9 +94,13 @@ def is_inside(p, loops, near):
 
     def crossings(a, b):
         (ax, ay, bulge), (bx, by, _) = a, b
-        if abs(bulge) * root_up((bx - ax) ** 2 + (by - ay) ** 2) > near:
+        rise = abs(bulge) * (abs(bx - ax) + abs(by - ay))
+        if bulge and abs(bulge) <= 1 and (max(ay, by) + rise < p[1] or min(ay, by) - rise > p[1] or max(ax, bx) + rise < p[0]):
+            # All of the arc is below the half line, above it, or behind: no chord crosses it.
+            return 0
+        if rise > near and abs(bulge) * root_up((bx - ax) ** 2 + (by - ay) ** 2) > near:
             half = F(float(bulge) / (1 + math.sqrt(1 + float(bulge) ** 2)))
-            middle = ((ax + bx) / 2 + bulge * (by - ay) / 2, (ay + by) / 2 - bulge * (bx - ax) / 2, half)
+            middle = (down((ax + bx) / 2 + bulge * (by - ay) / 2), down((ay + by) / 2 - bulge * (bx - ax) / 2), half)
             return crossings((ax, ay, half), middle) + crossings(middle, b)
         if (ay > p[1]) == (by > p[1]):
             return 0
@@ -103,14 +111,9 @@ def is_inside(p, loops, near):
 
 
 def holds(loops, center, radius):
-    if radius <= 0:
-        return False
     edges = [e for vertices in loops for e in zip(vertices, vertices[1:] + vertices[:1])]
-    return all(distance_down(center, a, b) >= radius for a, b in edges) and is_inside(center, loops, radius / 2)
-
-
-# π lies between these.
-PI = (F(math.pi), F(math.nextafter(math.pi, 4)))
+    room = min(distance_down(center, a, b) for a, b in edges)
+    return 0 < radius <= room and is_inside(center, loops, room / 2)
 
 
 def check(proof):
@@ -155,9 +158,18 @@ def check(proof):
         ends = [vertices[v][2] for v in (a, b)]
         if count and not (window and (max(ends) <= window[0] or min(ends) >= window[1])):
             return f"the edge from vertex {a} to {b} is open"
-    around = [winding(proof, vertices, tuple(map(F, proof[k])), pivot) for k in ("start", "goal")]
-    if None in around:
-        return "the start or the goal is on the surface, or too near to it"
+    around = []
+    for name in ("start", "goal"):
+        at = tuple(map(F, proof[name]))
+        # Nearest to the middle of the orientations, which the whole turns do not change.
+        middle = sum(map(F, window)) / 2 if window else F(0)
+        turns = round(float(middle - at[2]) / math.tau)
+        theta = sorted(at[2] + 2 * turns * p for p in PI)
+        if window and (theta[1] < F(window[0]) or theta[0] > F(window[1])):
+            return f"the {name} is not in the window"
+        around.append(winding(proof, vertices, (at[0], at[1], theta[0]), pivot))
+        if around[-1] is None:
+            return f"the {name} is on the surface, or too near to it"
     if around[0] == around[1]:
         return f"the surface winds {around[0]} times around both start and goal"
     return None
@@ -166,12 +178,8 @@ def check(proof):
 def winding(proof, vertices, at, pivot):
     """Signed crossings of a segment from a configuration to far away, with bounds on π in all that is turned."""
     sine, cosine, _ = sine_cosine(at[2])
-    turns = 0
-    if proof["window"]:
-        lo, hi = map(F, proof["window"])
-        turns = round(float((lo + hi) / 2 - at[2]) / math.tau)
     # Rounded: what is tested is a configuration beside it, nearer than any surface in blocked space can be.
-    start = (at[0] + cosine * pivot[0] - sine * pivot[1], at[1] + sine * pivot[0] + cosine * pivot[1], at[2] + 2 * turns * PI[0])
+    start = (at[0] + cosine * pivot[0] - sine * pivot[1], at[1] + sine * pivot[0] + cosine * pivot[1], at[2])
     reach = max([abs(v[0]) + abs(v[1]) for v in vertices] + [abs(start[0]) + abs(start[1]), F(1)])
     for ray in range(64):
         end = float(start[2]) + 0.2 * math.sin(1.7 * ray + 1)
@@ -190,7 +198,7 @@ def volume(a, b, c, d):
 
 
 def crossings(proof, vertices, start, far):
-    # A turn is 2π within 1e-15: signs of volumes that are less certain than this are not taken.
+    # A turn is 2π within 1e-39: signs of volumes that are less certain than this are not taken.
     turn = 2 * PI[0]
     low, high = min(start[2], far[2]), max(start[2], far[2])
     total = 0
@@ -220,8 +228,16 @@ def main():
         sys.exit("usage: check.py PROOF.json")
     with open(sys.argv[1], encoding="utf-8") as file:
         answer = json.load(file)
+    if not isinstance(answer, dict):
+        sys.exit("error: this is no proof: an object is expected")
     proof = answer.get("proof", answer)
-    wrong = check(proof)
+    if proof is answer and "verdict" in answer:
+        why = f" ({answer['unproved']})" if answer.get("unproved") else ""
+        sys.exit(f"error: this answer holds no proof: its verdict is {answer['verdict']}{why}")
+    try:
+        wrong = check(proof)
+    except (ArithmeticError, KeyError, IndexError, TypeError, ValueError) as e:
+        wrong = f"this is no proof that can be read: {type(e).__name__}: {e}"
     if wrong:
         sys.exit(f"error: not proved: {wrong}")
     names = (proof[k]["name"] for k in ("moving", "fixed"))

@@ -9,30 +9,25 @@ pub(crate) struct I {
     pub(crate) hi: f64,
 }
 
+const fn between(lo: f64, hi: f64) -> I {
+    I { lo, hi }
+}
+
 /// π lies between this number and the next.
-pub(crate) const PI: I = I {
-    lo: core::f64::consts::PI,
-    hi: core::f64::consts::PI.next_up(),
-};
+pub(crate) const PI: I = between(core::f64::consts::PI, core::f64::consts::PI.next_up());
 
 pub(crate) fn exact(x: f64) -> I {
-    I { lo: x, hi: x }
+    between(x, x)
 }
 
 fn outwards(lo: f64, hi: f64) -> I {
-    I {
-        lo: lo.next_down(),
-        hi: hi.next_up(),
-    }
+    between(lo.next_down(), hi.next_up())
 }
 
 impl I {
     pub(crate) fn square(self) -> Self {
         let square = self.abs() * self.abs();
-        I {
-            lo: square.lo.max(0.0),
-            ..square
-        }
+        between(square.lo.max(0.0), square.hi)
     }
 
     pub(crate) fn sqrt(self) -> Self {
@@ -41,11 +36,7 @@ impl I {
     }
 
     pub(crate) fn abs(self) -> Self {
-        let least = self.lo.max(-self.hi).max(0.0);
-        I {
-            lo: least,
-            hi: self.hi.max(-self.lo),
-        }
+        between(self.lo.max(-self.hi).max(0.0), self.hi.max(-self.lo))
     }
 
     /// One over a number that is certainly not 0; anything otherwise.
@@ -53,10 +44,7 @@ impl I {
         if self.sign().is_some() {
             outwards(1.0 / self.hi, 1.0 / self.lo)
         } else {
-            I {
-                lo: f64::NEG_INFINITY,
-                hi: f64::INFINITY,
-            }
+            between(f64::NEG_INFINITY, f64::INFINITY)
         }
     }
 
@@ -81,17 +69,10 @@ impl I {
         }
         // What is left out of an alternating series is less than its next term, and that than the last of all.
         let rest = term.abs().hi;
-        let [mut cos, mut sin] = sums.map(|s| {
-            s + I {
-                lo: -rest,
-                hi: rest,
-            }
-        });
+        let [mut cos, mut sin] = sums.map(|s| s + between(-rest, rest));
         for _ in 0..halvings {
-            (sin, cos) = (
-                exact(2.0) * sin * cos,
-                exact(1.0) - exact(2.0) * sin.square(),
-            );
+            let two = exact(2.0);
+            (sin, cos) = (two * sin * cos, exact(1.0) - two * sin.square());
         }
         (sin, cos)
     }
@@ -107,10 +88,7 @@ impl Add for I {
 impl Neg for I {
     type Output = I;
     fn neg(self) -> I {
-        I {
-            lo: -self.hi,
-            hi: -self.lo,
-        }
+        between(-self.hi, -self.lo)
     }
 }
 
@@ -130,15 +108,11 @@ impl Mul for I {
             self.hi * o.lo,
             self.hi * o.hi,
         ];
-        let (lo, hi) = (p.iter()).fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| {
-            // Infinity times 0 says nothing.
-            let (low, high) = if x.is_nan() {
-                (f64::NEG_INFINITY, f64::INFINITY)
-            } else {
-                (x, x)
-            };
-            (lo.min(low), hi.max(high))
-        });
-        outwards(lo, hi)
+        // Infinity times 0 says nothing.
+        if p.iter().any(|x| x.is_nan()) {
+            return between(f64::NEG_INFINITY, f64::INFINITY);
+        }
+        let least = p.into_iter().fold(f64::INFINITY, f64::min);
+        outwards(least, p.into_iter().fold(f64::NEG_INFINITY, f64::max))
     }
 }

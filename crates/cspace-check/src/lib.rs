@@ -20,7 +20,7 @@ mod part;
 use std::collections::HashMap;
 
 use interval::{I, PI, exact};
-use part::{holds, norm};
+use part::norm;
 use serde::{Deserialize, Serialize};
 
 /// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside.
@@ -68,6 +68,13 @@ pub struct Proof {
 pub fn read(json: &[u8]) -> Result<Proof, String> {
     let mut value: serde_json::Value = serde_json::from_slice(json).map_err(|e| e.to_string())?;
     let inner = value.get_mut("proof").map(serde_json::Value::take);
+    if let (None, Some(verdict)) = (&inner, value["verdict"].as_str()) {
+        let why = value["unproved"].as_str().map(|why| format!(" ({why})"));
+        let why = why.unwrap_or_default();
+        return Err(format!(
+            "this answer holds no proof: its verdict is {verdict}{why}"
+        ));
+    }
     serde_json::from_value(inner.unwrap_or(value)).map_err(|e| e.to_string())
 }
 
@@ -103,21 +110,18 @@ impl Proof {
     /// What is wrong with it, and with which triangle, vertex or witness, counted from 0.
     pub fn check(&self) -> Result<(), String> {
         let finite = |x: &f64| x.is_finite() && x.abs() < 1e100;
-        let mut numbers = (self
-            .vertices
-            .iter()
-            .chain([&self.start, &self.goal])
-            .flatten())
-        .chain((self.fixed.loops.iter().chain(&self.moving.loops).flatten()).flatten())
-        .chain(self.witnesses.iter().flatten())
-        .chain(self.pivot.iter().chain(self.window.iter().flatten()));
+        let loops = self.fixed.loops.iter().chain(&self.moving.loops);
+        let points = loops.flatten().chain(&self.vertices);
+        let mut numbers = (points.chain([&self.start, &self.goal]).flatten())
+            .chain(self.witnesses.iter().flatten())
+            .chain(self.pivot.iter().chain(self.window.iter().flatten()));
         if self.version != 1 || !numbers.all(finite) {
             return Err("version 1 with finite numbers is what can be checked".into());
         }
         for (i, t) in self.triangles.iter().enumerate() {
             let known = |v: i64, n: usize| usize::try_from(v).is_ok_and(|v| v < n);
             let vertices = t[..3].iter().all(|&v| known(v, self.vertices.len()));
-            let turns = t[3..6].iter().all(|&k| k.abs() < 1000);
+            let turns = t[3..6].iter().all(|k| (-999..1000).contains(k));
             let flat = self.window.is_none() || t[3..6] == [0; 3];
             if !(vertices && turns && flat && known(t[6], self.witnesses.len())) {
                 return Err(format!("triangle {i} names what there is not"));
@@ -126,7 +130,7 @@ impl Proof {
         for (i, &[qx, qy, r, cx, cy, s]) in self.witnesses.iter().enumerate() {
             for (part, center, radius) in [(&self.moving, [qx, qy], r), (&self.fixed, [cx, cy], s)]
             {
-                if !holds(part, center, radius) {
+                if radius.is_nan() || radius <= 0.0 || radius > part.room(center) {
                     let name = &part.name;
                     return Err(format!("witness {i}: its disc is not within {name}"));
                 }
@@ -224,7 +228,7 @@ impl Proof {
             let (sin, cos) = (2.4 * f64::from(ray) + 0.3).sin_cos();
             let mut end = theta.lo + 0.2 * (1.7 * f64::from(ray) + 1.0).sin();
             if let Some([lo, hi]) = self.window {
-                end = end.clamp(lo, hi);
+                end = end.max(lo).min(hi);
             }
             let to = [4.0 * reach * cos, 4.0 * reach * sin, end].map(exact);
             if let Some(crossings) = self.crossings(from, to, corners) {

@@ -2,13 +2,27 @@
 
 use std::process::ExitCode;
 
+const USAGE: &str = "usage: cspace-check PROOF.json
+
+Checks a proof that there is no path: the answer of `cspace plan FILE --from .. --to .. -o PROOF.json`, or its key `proof`.
+Ends with 0 if it proves what it says, and with 1 if not.";
+
 fn main() -> ExitCode {
-    let checked = (std::env::args()
-        .nth(1)
-        .ok_or("give a file: cspace-check PROOF.json".into()))
-    .and_then(|path| std::fs::read(&path).map_err(|e| format!("{path}: {e}")))
-    .and_then(|bytes| cspace_check::read(&bytes))
-    .and_then(|proof| proof.check().map(|()| proof));
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [path] = arguments.as_slice() else {
+        eprintln!("{USAGE}");
+        return ExitCode::FAILURE;
+    };
+    if path == "--help" || path == "-h" {
+        println!("{USAGE}");
+        return ExitCode::SUCCESS;
+    }
+    let checked = (std::fs::read(path).map_err(|e| format!("{path}: {e}")))
+        .and_then(|bytes| cspace_check::read(&bytes))
+        .and_then(|proof| match proof.check() {
+            Ok(()) => Ok(proof),
+            Err(wrong) => Err(format!("not proved: {wrong}")),
+        });
     match checked {
         Ok(p) => {
             println!(
@@ -18,7 +32,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            eprintln!("error: not proved: {error}");
+            eprintln!("error: {error}");
             ExitCode::FAILURE
         }
     }

@@ -79,28 +79,34 @@ fn crosses(p: [f64; 2], a: [f64; 3], b: [f64; 3], near: f64) -> Option<bool> {
     Some(cross(sub(b, a), sub(p, a)).sign()? == (b[1].lo > a[1].lo))
 }
 
-/// Whether the disc certainly lies within the material.
-///
-/// No edge is nearer to the centre than the radius. So an odd-even count with chords within half a radius of the arcs tells whether
-/// the centre is inside: on the way from the arcs to these chords no loop passes the centre.
-pub(crate) fn holds(part: &Part, center: [f64; 2], radius: f64) -> bool {
-    /// Smaller discs, as a share of the part's extent, are not looked at: chords are rounded.
-    const LEAST: f64 = 1e-12;
-    let extent = (part.loops.iter().flatten()).fold(0.0_f64, |m, v| m.max(v[0].abs() + v[1].abs()));
-    if radius.is_nan() || radius <= LEAST * extent {
-        return false;
-    }
-    let mut inside = false;
-    for vertices in &part.loops {
-        for (i, &a) in vertices.iter().enumerate() {
-            let b = vertices[(i + 1) % vertices.len()];
-            let apart = distance(center.map(exact), a, b);
-            let odd = crosses(center, a, b, 0.5 * radius);
-            if apart < radius || odd.is_none() {
-                return false;
-            }
-            inside ^= odd == Some(true);
+impl Part {
+    /// The radius of a disc about a point that certainly lies within the material, about as large as there is; 0 if there is none.
+    ///
+    /// No edge is nearer to the centre than the radius. So an odd-even count with chords within half a radius of the arcs tells whether
+    /// the centre is inside: on the way from the arcs to these chords no loop passes the centre.
+    pub fn room(&self, center: [f64; 2]) -> f64 {
+        /// Smaller discs, as a share of the part's extent, are not looked at: chords are rounded.
+        const LEAST: f64 = 1e-12;
+        let vertices = self.loops.iter().flatten();
+        let extent = vertices.fold(0.0_f64, |m, v| m.max(v[0].abs() + v[1].abs()));
+        let edges = || {
+            let of = |l: &'_ [[f64; 3]], i: usize| (l[i], l[(i + 1) % l.len()]);
+            (self.loops.iter()).flat_map(move |l| (0..l.len()).map(move |i| of(l, i)))
+        };
+        let apart = edges().map(|(a, b)| distance(center.map(exact), a, b));
+        // What is not a number stays one.
+        let least = |m: f64, d: f64| if m.is_nan() || m <= d { m } else { d };
+        let room = apart.fold(f64::INFINITY, least);
+        if !(room > LEAST * extent && room.is_finite()) {
+            return 0.0;
         }
+        let mut inside = false;
+        for (a, b) in edges() {
+            match crosses(center, a, b, 0.5 * room) {
+                Some(odd) => inside ^= odd,
+                None => return 0.0,
+            }
+        }
+        if inside { room } else { 0.0 }
     }
-    inside
 }

@@ -1,14 +1,16 @@
 //! The surface between start and goal: the boundary of a region of the pair with its moving part shrunk.
 
 use cspace::{
-    Configuration, ContactSpace, Coordinates, Location, Options, PairError, PairSpace, Part,
-    PatchId, Point, Progress, RegionId, Relation, Vertex,
+    ComputeError, Configuration, ContactSpace, Coordinates, Location, Options, PairError,
+    PairSpace, Part, PatchId, Point, Progress, RegionId, Relation, Vertex,
 };
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_plan::shrunk;
 
 use crate::error::ProofError;
 
+/// A proof of more is a file of some hundred megabytes.
+pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
 /// The largest depth that is tried, as a share of the moving part's size.
 const LARGEST: f64 = 0.25;
 /// The least, as a share of it: well above what is resolved.
@@ -16,12 +18,24 @@ const LEAST: f64 = 1e-7;
 /// How far the triangles may be from the surface, as a share of the depth.
 const OFF: f64 = 0.25;
 
+/// How much deeper than the deepest of the halves is tried once.
+const DEEPER: f64 = 1.5;
+
 /// The pair with its moving part shrunk and drawn about the pivot.
 pub(crate) struct Barrier {
     pub(crate) space: PairSpace,
     pub(crate) depth: f64,
+    /// Whether a depth was asked for.
+    given: bool,
     /// The region that is enclosed.
     region: RegionId,
+}
+
+fn is_interrupted(error: &ProofError) -> bool {
+    matches!(
+        error,
+        ProofError::Pair(PairError::Compute(ComputeError::Interrupted))
+    )
 }
 
 /// The middle of the part's box: triangles that say where it is bend least with the orientation.
@@ -47,49 +61,85 @@ fn centered(part: &Part, pivot: Point) -> Result<Part, cspace::PartError> {
 }
 
 impl Barrier {
-    /// As deep as start and goal are apart, from a given depth downwards by halves.
+    /// As deep as start and goal are apart: a given depth or its half, quarter and so on; without one, about the largest.
     pub(crate) fn find(
         space: &ContactSpace,
-        [from, to]: [Configuration; 2],
+        ends: [Configuration; 2],
         depth: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<Self, ProofError> {
         let size = space.moving().size();
-        let mut depth = match depth {
+        let finest = LEAST * size;
+        let mut tried = match depth {
             Some(depth) if !(depth > 0.0 && depth.is_finite()) => {
                 return Err(ProofError::Depth(depth));
             }
+            Some(depth) if depth < finest => return Err(ProofError::TooFine { depth, finest }),
             Some(depth) => depth,
             None => LARGEST * size,
         };
+        let mut failed = None;
+        while tried >= finest {
+            match Self::at(space, ends, tried, progress) {
+                Ok(Some(mut barrier)) => {
+                    barrier.given = depth.is_some();
+                    // Between this depth and its double, with which start and goal are in one region: fewer triangles.
+                    let may_be_deeper = depth.is_none() && tried < LARGEST * size;
+                    if !may_be_deeper {
+                        return Ok(barrier);
+                    }
+                    return match Self::at(space, ends, DEEPER * tried, progress) {
+                        Ok(Some(deeper)) => Ok(deeper),
+                        Err(error) if is_interrupted(&error) => Err(error),
+                        _ => Ok(barrier),
+                    };
+                }
+                Ok(None) => {}
+                Err(error) if is_interrupted(&error) => return Err(error),
+                // At another depth the part may shrink to another shape.
+                Err(error) => failed = Some(error),
+            }
+            tried *= 0.5;
+        }
+        let least = 2.0 * tried;
+        Err(failed.unwrap_or(ProofError::TooShallow { least }))
+    }
+
+    /// With the moving part smaller by a depth; none if start and goal are not apart then, or nothing is left of it.
+    fn at(
+        space: &ContactSpace,
+        ends: [Configuration; 2],
+        depth: f64,
+        progress: &dyn Progress,
+    ) -> Result<Option<Self>, ProofError> {
         let window = space.window();
         let options = Options {
             window: (!window.full_turn).then_some((window.lo, window.hi)),
             ..Options::default()
         };
         let pivot = pivot(space.moving());
-        let mut least = depth;
-        while depth >= LEAST * size {
-            let failed = |error| ProofError::Part { depth, error };
-            if let Some(part) = shrunk(space.moving(), depth).map_err(failed)? {
-                let moving = centered(&part, pivot).map_err(failed)?;
-                let fixed = space.fixed();
-                let computed =
-                    PairSpace::compute_with(fixed, &moving, Relation::Planar, &options, progress);
-                if let Some(region) =
-                    between(computed.as_ref(), [from, to].map(|c| about(c, pivot)))?
-                {
-                    return Ok(Self {
-                        space: computed?,
-                        depth,
-                        region,
-                    });
-                }
-            }
-            least = depth;
-            depth *= 0.5;
+        let failed = |error| ProofError::Part { depth, error };
+        let Some(part) = shrunk(space.moving(), depth).map_err(failed)? else {
+            return Ok(None);
+        };
+        let moving = centered(&part, pivot).map_err(failed)?;
+        let fixed = space.fixed();
+        let space = PairSpace::compute_with(fixed, &moving, Relation::Planar, &options, progress)?;
+        let region = between(&space, ends.map(|c| about(c, pivot)))?;
+        Ok(region.map(|region| Self {
+            space,
+            depth,
+            given: false,
+            region,
+        }))
+    }
+
+    pub(crate) fn too_many_triangles(&self) -> ProofError {
+        ProofError::TooManyTriangles {
+            limit: MOST_TRIANGLES,
+            depth: self.depth,
+            given: self.given,
         }
-        Err(ProofError::TooShallow { least })
     }
 
     /// The surface of the enclosed region: its mesh, and whether a triangle is of it.
@@ -99,13 +149,8 @@ impl Barrier {
         };
         let size = space.fixed().size().max(space.moving().size());
         let tolerance = OFF * self.depth / size;
-        let mesh = Mesh::new(space, &MeshOptions { tolerance }).map_err(|_| {
-            ProofError::TooManyTriangles {
-                limit: crate::refine::MOST_TRIANGLES,
-                left: crate::refine::MOST_TRIANGLES,
-                depth: self.depth,
-            }
-        })?;
+        let mesh =
+            Mesh::new(space, &MeshOptions { tolerance }).map_err(|_| self.too_many_triangles())?;
         let of_region = |patch| {
             let patch = self.space.patch(PatchId(patch));
             patch.is_ok_and(|p| p.region().is_ok_and(|r| r == Some(self.region)))
@@ -115,11 +160,7 @@ impl Barrier {
 }
 
 /// The region of start or goal that is enclosed; none if they are in one.
-fn between(
-    space: Result<&PairSpace, &PairError>,
-    ends: [Configuration; 2],
-) -> Result<Option<RegionId>, ProofError> {
-    let space = space.map_err(Clone::clone)?;
+fn between(space: &PairSpace, ends: [Configuration; 2]) -> Result<Option<RegionId>, ProofError> {
     let mut regions = Vec::new();
     for mut end in ends {
         if let PairSpace::Planar(space) = space

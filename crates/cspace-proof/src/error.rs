@@ -13,7 +13,7 @@ pub enum ProofError {
     #[error(transparent)]
     Query(#[from] QueryError),
     /// The shrunk part is none.
-    #[error("the moving part shrunk by {depth}: {error}")]
+    #[error("the moving part shrunk by {depth:?}: {error}")]
     Part {
         /// By how much it was to be shrunk.
         depth: f64,
@@ -21,35 +21,46 @@ pub enum ProofError {
         error: PartError,
     },
     /// The depth that was asked for.
-    #[error("a depth has to be positive and finite, not {0}")]
+    #[error("a depth has to be positive and finite, not {0:?}")]
     Depth(f64),
     /// The pair with the moving part shrunk cannot be computed.
     #[error("the pair with the moving part shrunk: {0}")]
     Pair(#[from] PairError),
-    /// The moving part would have to be shrunk by less than is resolved, or start and goal are in one region.
+    /// Start and goal are in one region at all depths that were tried.
     #[error(
-        "start and goal are in one region also when the moving part is smaller by {least} only: no proof is as fine"
+        "start and goal are in one region also when the moving part is smaller by {least:?} only: no proof is as fine"
     )]
     TooShallow {
         /// The least depth that was tried.
         least: f64,
     },
+    /// A depth less than is resolved was asked for.
+    #[error(
+        "a depth of {depth:?} is too fine: a surface so near to the contacts is not resolved; the least depth for this moving part is \
+         {finest:?}"
+    )]
+    TooFine {
+        /// What was asked for.
+        depth: f64,
+        /// The least that is tried.
+        finest: f64,
+    },
     /// More triangles than are made.
     #[error(
-        "with a depth of {depth} the proof takes more than {limit} triangles, {left} of them are not proved yet; their number grows as one over \
-         the depth or faster, and this depth is about the largest at which start and goal are apart"
+        "with a depth of {depth:?} the proof takes more than {limit} triangles; their number grows as one over the depth or faster, and {}",
+        more(*given)
     )]
     TooManyTriangles {
         /// The most that are made.
         limit: usize,
-        /// Those without a witness.
-        left: usize,
         /// How deep the surface is.
         depth: f64,
+        /// Whether that was asked for.
+        given: bool,
     },
     /// Triangles around a configuration became as small as is worth trying.
     #[error(
-        "no two discs of material that overlap were found near x {}, y {}, theta {} (of the middle of the moving part)", at[0], at[1], at[2]
+        "no two discs of material that overlap were found near x {:?}, y {:?}, theta {:?} (of the middle of the moving part)", at[0], at[1], at[2]
     )]
     NoWitness {
         /// Where the middle of the moving part's box is, and its orientation.
@@ -58,4 +69,12 @@ pub enum ProofError {
     /// The proof was made, and is wrong: a fault of this library.
     #[error("the proof does not pass its check: {0}")]
     Unsound(String),
+}
+
+fn more(given: bool) -> &'static str {
+    if given {
+        "without one that is given it is as deep as can be"
+    } else {
+        "this depth is about the largest at which start and goal are apart"
+    }
 }

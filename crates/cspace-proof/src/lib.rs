@@ -11,6 +11,7 @@
 
 mod barrier;
 mod complex;
+mod disc;
 mod error;
 mod prove;
 mod refine;

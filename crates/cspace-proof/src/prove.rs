@@ -52,13 +52,12 @@ pub fn prove(
     let (mesh, of_region) = barrier.mesh()?;
     let mut complex = complex(&mesh, window.full_turn, of_region);
     let pivot = pivot(space.moving());
-    let materials = Materials {
-        fixed: space.fixed(),
-        moving: space.moving(),
-        pivot,
-        depth: barrier.depth,
-    };
-    let witnesses = refine(&mut complex, &barrier.space, &materials)?;
+    let parts = [space.fixed(), space.moving()];
+    let [fixed, moving] = parts.map(written);
+    let checked = [fixed.clone(), moving.clone()];
+    let materials = Materials::new(parts, checked, pivot, barrier.depth);
+    let lever = 0.5 * space.moving().size();
+    let witnesses = refine(&mut complex, &barrier, &materials, lever)?;
     let triangle = |t: &crate::complex::Triangle| {
         let ([a, b, c], [i, j, k]) = (t.vertices.map(i64::from), t.turns.map(i64::from));
         [a, b, c, i, j, k, t.witness.map_or(-1, i64::from)]
@@ -66,8 +65,8 @@ pub fn prove(
     let proof = Proof {
         version: 1,
         unit: None,
-        fixed: written(space.fixed()),
-        moving: written(space.moving()),
+        fixed,
+        moving,
         window: (!window.full_turn).then_some([window.lo, window.hi]),
         start: [from.x, from.y, from.theta],
         goal: [to.x, to.y, to.theta],

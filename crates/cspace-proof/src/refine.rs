@@ -2,15 +2,14 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Configuration, Coordinates, PairSpace, PatchId};
+use cspace::{Configuration, Coordinates, PairSpace, PatchId, Touching};
 use cspace_io::write::mesh::Mesh;
 
+use crate::barrier::{Barrier, MOST_TRIANGLES};
 use crate::complex::{Complex, Triangle};
 use crate::error::ProofError;
-use crate::witness::{Materials, Witness};
+use crate::witness::{Corners, Materials, Witness};
 
-/// A proof of more is a file of some hundred megabytes.
-pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
 /// Triangles are not split below this share of the depth: discs much larger than they overlap there, or none do.
 const SMALLEST: f64 = 1e-3;
 /// So many of a patch's witnesses, the last found, are tried before others are looked for.
@@ -55,31 +54,27 @@ pub(crate) fn complex(mesh: &Mesh, full_turn: bool, of_region: impl Fn(u32) -> b
 /// Gives every triangle a witness.
 pub(crate) fn refine(
     complex: &mut Complex,
-    space: &PairSpace,
+    barrier: &Barrier,
     materials: &Materials<'_>,
+    lever: f64,
 ) -> Result<Vec<Witness>, ProofError> {
-    let lever = 0.5 * materials.moving.size();
+    let space = &barrier.space;
     let mut witnesses: Vec<Witness> = Vec::new();
     let mut known: Vec<Vec<u32>> = vec![Vec::new(); space.patch_count()];
     let mut open: Vec<u32> = (0..complex.triangles.len() as u32).rev().collect();
     while let Some(number) = open.pop() {
         let t = complex.triangles[number as usize];
-        let corners = complex.corners(&t);
-        let holds = |w: u32| materials.is_enough(witnesses[w as usize].overlap(&corners));
-        let remembered = &known[t.patch as usize];
-        let tried = t.witness.iter().chain(remembered.iter().rev()).copied();
+        let corners = Corners::new(complex.corners(&t));
+        let holds = |w: u32| materials.is_enough(corners.overlap(&witnesses[w as usize]));
+        let known = &mut known[t.patch as usize];
+        let tried = t.witness.iter().chain(known.iter().rev()).copied();
         let mut found = tried.into_iter().find(|&w| holds(w));
-        if found.is_none()
-            && let Some((touch, normal)) = touching(space, t.patch, &corners)?
-        {
-            let best = materials.best(&corners, touch, normal);
-            if let Some((witness, overlap)) = best
-                && materials.is_enough(overlap)
-            {
+        if found.is_none() {
+            let touching = touching(space, t.patch, corners.middle())?;
+            if let Some(witness) = materials.best(&corners, &touching, lever) {
                 found = Some(witnesses.len() as u32);
+                known.push(witnesses.len() as u32);
                 witnesses.push(witness);
-                let known = &mut known[t.patch as usize];
-                known.push(witnesses.len() as u32 - 1);
                 if known.len() > REMEMBERED {
                     known.remove(0);
                 }
@@ -87,20 +82,12 @@ pub(crate) fn refine(
         }
         complex.triangles[number as usize].witness = found;
         if found.is_none() {
-            let range = |k: usize| {
-                let of = corners.map(|c| c[k]);
-                of[0].max(of[1]).max(of[2]) - of[0].min(of[1]).min(of[2])
-            };
-            let extent = range(0).max(range(1)).max(range(2) * lever);
-            if extent < SMALLEST * materials.depth {
-                return Err(ProofError::NoWitness { at: corners[0] });
+            if corners.extent(lever) < SMALLEST * materials.depth {
+                let at = corners.middle();
+                return Err(ProofError::NoWitness { at });
             }
             if complex.triangles.len() >= MOST_TRIANGLES {
-                return Err(ProofError::TooManyTriangles {
-                    limit: MOST_TRIANGLES,
-                    left: open.len() + 1,
-                    depth: materials.depth,
-                });
+                return Err(barrier.too_many_triangles());
             }
             open.push(number);
             open.extend(complex.halve(number, lever));
@@ -109,15 +96,13 @@ pub(crate) fn refine(
     Ok(witnesses)
 }
 
-/// Where the features of a patch touch in the middle of a triangle, and the fixed part's normal there.
+/// Where the features of a patch touch, or would, at a configuration.
 fn touching(
     space: &PairSpace,
     patch: u32,
-    corners: &[[f64; 3]; 3],
-) -> Result<Option<(cspace::Point, cspace::Vector)>, ProofError> {
-    let [x, y, theta] = [0, 1, 2].map(|k| (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0);
+    [x, y, theta]: [f64; 3],
+) -> Result<Touching, ProofError> {
     let theta = theta - TAU * (theta / TAU).round();
     let at = Coordinates::Planar(Configuration::new(x, y, theta));
-    let found = space.patch(PatchId(patch))?.contact()?.touching(at)?;
-    Ok(Some((found.on_fixed, found.normal)))
+    Ok(space.patch(PatchId(patch))?.contact()?.touching(at)?)
 }

@@ -1,116 +1,190 @@
 //! Two discs of material that overlap at every configuration of a triangle.
 
-use cspace::{Part, Point, Rotation, Vector};
+use cspace::{Part, Point, Rotation, Touching, Vector};
 
-/// Radii are this share less than the distance to the boundary, so that rounding leaves the discs inside.
-const SPARE: f64 = 1e-9;
+use crate::disc::{Disc, Material};
+
 /// Of a triangle so much less, as a share of the depth, is a witness: rounding leaves it one.
 const MARGIN: f64 = 1e-6;
+/// The same as a share of the largest coordinate: the checker's bounds are that far apart, and more for orientations of many turns.
+const ROUNDING: f64 = 1e-12;
+/// Triangles of a smaller extent, as a share of the depth, have a witness: if none was found, it is looked for everywhere.
+const SMALL: f64 = 0.3;
+
+/// So many discs of each part are tried with all of the other's.
+const PROMISING: usize = 12;
 
 /// A disc of the moving part's material about a point from the pivot, and one of the fixed part's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Witness {
     pub(crate) moving: (Vector, f64),
-    pub(crate) fixed: (Point, f64),
+    pub(crate) fixed: Disc,
 }
 
-impl Witness {
-    /// How much the discs overlap at least, at all configurations between three of the pivot.
-    pub(crate) fn overlap(&self, corners: &[[f64; 3]; 3]) -> f64 {
-        let ((q, r), (c, s)) = (self.moving, self.fixed);
-        let apart = |[x, y, theta]: [f64; 3]| {
-            let v = Point::new(x, y) + Rotation::by(theta) * q - c;
-            v.length()
-        };
+/// The configurations between three: of the pivot, orientations unrolled.
+pub(crate) struct Corners {
+    pub(crate) corners: [[f64; 3]; 3],
+    turns: [Rotation; 3],
+    /// The square of the range of orientations.
+    range: f64,
+}
+
+impl Corners {
+    pub(crate) fn new(corners: [[f64; 3]; 3]) -> Self {
         let theta = corners.map(|c| c[2]);
         let range = theta[0].max(theta[1]).max(theta[2]) - theta[0].min(theta[1]).min(theta[2]);
-        let farthest = corners.map(apart).into_iter().fold(0.0, f64::max);
-        r + s - farthest - q.length() * range * range / 8.0
+        Self {
+            corners,
+            turns: theta.map(Rotation::by),
+            range: range * range,
+        }
+    }
+
+    pub(crate) fn middle(&self) -> [f64; 3] {
+        let [a, b, c] = self.corners;
+        core::array::from_fn(|k| (a[k] + b[k] + c[k]) / 3.0)
+    }
+
+    /// How far it extends, a radian as far as `lever`.
+    pub(crate) fn extent(&self, lever: f64) -> f64 {
+        let range = |k: usize| {
+            let of = self.corners.map(|c| c[k]);
+            of[0].max(of[1]).max(of[2]) - of[0].min(of[1]).min(of[2])
+        };
+        range(0).max(range(1)).max(range(2) * lever)
+    }
+
+    /// Where a point from the pivot is at each corner.
+    fn places(&self, q: Vector) -> [Point; 3] {
+        core::array::from_fn(|k| {
+            let [x, y, _] = self.corners[k];
+            Point::new(x, y) + self.turns[k] * q
+        })
+    }
+
+    /// How much the discs of a witness overlap at least, at all configurations.
+    pub(crate) fn overlap(&self, of: &Witness) -> f64 {
+        let (q, r) = of.moving;
+        self.overlap_at(self.places(q), q, r, of.fixed)
+    }
+
+    fn overlap_at(&self, places: [Point; 3], q: Vector, r: f64, (c, s): Disc) -> f64 {
+        let farthest = places
+            .map(|p| (p - c).length())
+            .into_iter()
+            .fold(0.0, f64::max);
+        r + s - farthest - q.length() * self.range / 8.0
     }
 }
 
 /// Where discs may be.
 pub(crate) struct Materials<'a> {
-    pub(crate) fixed: &'a Part,
-    pub(crate) moving: &'a Part,
-    pub(crate) pivot: Point,
+    fixed: Material<'a>,
+    moving: Material<'a>,
+    /// What the checker is asked for the radii.
+    checked: [cspace_check::Part; 2],
+    pivot: Point,
     pub(crate) depth: f64,
+    margin: f64,
 }
 
-/// The radius of the largest disc about a point within a part; negative outside.
-fn room(part: &Part, p: Point) -> f64 {
-    let nearest = part
-        .edges()
-        .map(|e| e.distance(p))
-        .fold(f64::INFINITY, f64::min);
-    if part.contains(p) {
-        nearest * (1.0 - SPARE)
-    } else {
-        -nearest
-    }
-}
-
-/// Discs about places that lie from a point in directions about one, up to a distance.
-fn discs(part: &Part, from: Point, inwards: Vector, depth: f64, slack: f64) -> Vec<(Point, f64)> {
-    const SIDEWAYS: [f64; 7] = [0.0, 0.35, -0.35, 0.7, -0.7, 1.1, -1.1];
-    let mut found = Vec::new();
-    for turn in SIDEWAYS {
-        let along = Rotation::by(turn) * inwards;
-        let mut step = if turn == 0.0 { 0.0 } else { 0.25 * depth };
-        while step < part.size() {
-            let center = from + along * step;
-            let radius = room(part, center);
-            if radius > 0.0 && radius > step - slack {
-                found.push((center, radius));
-            } else if step > depth {
-                break;
-            }
-            step = if step == 0.0 {
-                0.25 * depth
-            } else {
-                1.6 * step
-            };
+impl<'a> Materials<'a> {
+    pub(crate) fn new(
+        [fixed, moving]: [&'a Part; 2],
+        checked: [cspace_check::Part; 2],
+        pivot: Point,
+        depth: f64,
+    ) -> Self {
+        let [fixed, moving] = [fixed, moving].map(|part| Material::new(part, depth));
+        let margin = MARGIN * depth + ROUNDING * fixed.extent.max(moving.extent);
+        Self {
+            fixed,
+            moving,
+            checked,
+            pivot,
+            depth,
+            margin,
         }
     }
-    found
-}
 
-impl Materials<'_> {
     pub(crate) fn is_enough(&self, overlap: f64) -> bool {
-        overlap > MARGIN * self.depth
+        overlap > self.margin
     }
 
-    /// The discs that overlap most in a triangle; `touch` is where the shrunk part touches in its middle, with the fixed
-    /// part's outward normal and the orientation there.
+    /// The discs that overlap most in a triangle, as large as the checker lets them be; where the features of the shrunk pair touch in its
+    /// middle is given.
     pub(crate) fn best(
         &self,
-        corners: &[[f64; 3]; 3],
-        touch: Point,
-        normal: Vector,
-    ) -> Option<(Witness, f64)> {
-        let middle: [f64; 3] =
-            core::array::from_fn(|k| (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0);
-        let back = Rotation::by(-middle[2]);
-        let q = back * (touch - Point::new(middle[0], middle[1]));
-        let of_moving = discs(
-            self.moving,
-            self.pivot + q,
-            back * normal,
-            self.depth,
-            -0.2 * self.depth,
+        corners: &Corners,
+        touching: &Touching,
+        lever: f64,
+    ) -> Option<Witness> {
+        let [x, y, theta] = corners.middle();
+        let back = Rotation::by(-theta);
+        let on_moving = self.pivot + back * (touching.on_moving - Point::new(x, y));
+        let (on_fixed, normal) = (touching.on_fixed, touching.normal);
+        let (mut of_moving, mut of_fixed) = (Vec::new(), Vec::new());
+        // Discs of the moving part hold the point by a margin, so that those of the fixed part need not.
+        self.moving
+            .inwards(on_moving, back * normal, -0.2 * self.depth, &mut of_moving);
+        self.fixed
+            .inwards(on_fixed, -normal, 0.8 * self.depth, &mut of_fixed);
+        let touch = [on_moving, on_fixed];
+        let found = self.most(corners, touch, &of_moving, &of_fixed);
+        if found.is_some() || corners.extent(lever) > SMALL * self.depth {
+            return found;
+        }
+        self.moving.between(on_moving, &mut of_moving);
+        self.fixed.between(on_fixed, &mut of_fixed);
+        self.most(corners, touch, &of_moving, &of_fixed)
+    }
+
+    /// The two that overlap most, if enough, of those that overlap most with a point each.
+    fn most(
+        &self,
+        corners: &Corners,
+        [on_moving, on_fixed]: [Point; 2],
+        of_moving: &[Disc],
+        of_fixed: &[Disc],
+    ) -> Option<Witness> {
+        let touch = (
+            on_moving - self.pivot,
+            corners.places(on_moving - self.pivot),
         );
-        let of_fixed = discs(self.fixed, touch, -normal, self.depth, 0.8 * self.depth);
+        let of_moving = promising(of_moving.iter().map(|&(p, r)| {
+            let q = p - self.pivot;
+            let places = corners.places(q);
+            (
+                (q, r, places),
+                corners.overlap_at(places, q, r, (on_fixed, 0.0)),
+            )
+        }));
+        let of_fixed = promising(of_fixed.iter().map(|&fixed| {
+            let (q, places) = touch;
+            (fixed, corners.overlap_at(places, q, 0.0, fixed))
+        }));
         let mut best: Option<(Witness, f64)> = None;
-        for &(p, r) in &of_moving {
+        for &(q, r, places) in &of_moving {
             for &fixed in &of_fixed {
-                let moving = (p - self.pivot, r);
-                let witness = Witness { moving, fixed };
-                let overlap = witness.overlap(corners);
+                let overlap = corners.overlap_at(places, q, r, fixed);
                 if best.is_none_or(|(_, most)| overlap > most) {
-                    best = Some((witness, overlap));
+                    let moving = (q, r);
+                    best = Some((Witness { moving, fixed }, overlap));
                 }
             }
         }
-        best
+        let (mut best, _) = best.filter(|&(_, overlap)| self.is_enough(overlap))?;
+        let (p, c) = (self.pivot + best.moving.0, best.fixed.0);
+        best.moving = (p - self.pivot, self.checked[1].room([p.x, p.y]));
+        best.fixed.1 = self.checked[0].room([c.x, c.y]);
+        self.is_enough(corners.overlap(&best)).then_some(best)
     }
+}
+
+/// The first few in order of a score, the largest first.
+fn promising<T>(scored: impl Iterator<Item = (T, f64)>) -> Vec<T> {
+    let mut scored: Vec<_> = scored.collect();
+    scored.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    scored.truncate(PROMISING);
+    scored.into_iter().map(|(of, _)| of).collect()
 }

@@ -164,4 +164,9 @@ fn what_is_not_enclosed_has_no_proof() {
     );
     let none = asked((&frame, &block), None, ends, Some(-1.0));
     assert_eq!(none, Err(ProofError::Depth(-1.0)));
+    // Too fine to be resolved, which is another reason.
+    let none = asked((&frame, &block), None, ends, Some(1e-300)).unwrap_err();
+    let told = none.to_string();
+    assert!(matches!(none, ProofError::TooFine { .. }), "{told}");
+    assert!(told.contains("1e-300") && told.len() < 200, "{told}");
 }

@@ -63,7 +63,9 @@ fn witnesses_that_are_none() {
     refused("within block", |p| p.witnesses[0][2] *= 2.0);
     refused("within box", |p| p.witnesses[0][5] *= 2.0);
     refused("within box", |p| p.witnesses[0][3] += 20.0);
-    refused("within", |p| p.witnesses[0][2] = f64::MIN_POSITIVE);
+    refused("within", |p| p.witnesses[0][2] = 0.0);
+    refused("within", |p| p.witnesses[0][5] *= -1.0);
+    refused("overlap", |p| p.witnesses[0][2] = f64::MIN_POSITIVE);
     refused("overlap", |p| p.witnesses[0][2] *= 0.01);
     refused("overlap", |p| {
         let far = p.triangles.len() / 2;
@@ -91,6 +93,61 @@ fn surfaces_elsewhere_and_parts_of_other_shapes() {
     refused("within block", |p| p.moving.loops[0][0] = [0.4, 0.2, 0.0]);
     refused("finite", |p| p.vertices[0][2] = f64::NAN);
     refused("version", |p| p.version = 2);
+}
+
+/// What the program in Python says of a proof; none where Python is not there.
+fn python(proof: &Proof, name: &str) -> Option<String> {
+    let path = std::env::temp_dir().join(format!("cspace-{name}-{}.json", std::process::id()));
+    std::fs::write(&path, serde_json::to_vec(proof).unwrap()).unwrap();
+    let script = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../cspace-check/examples/check.py"
+    );
+    let output = std::process::Command::new("python3")
+        .args([std::path::Path::new(script), &path])
+        .output();
+    std::fs::remove_file(&path).unwrap();
+    let output = output.ok()?;
+    let all = [output.stdout, output.stderr].concat();
+    Some(String::from_utf8(all).unwrap())
+}
+
+#[test]
+fn both_checkers_count_windows_and_turns_alike() {
+    let frame = Part::new("box", vec![square(4.0), square(2.0)]).unwrap();
+    let block = Part::rectangle("block", (0.0, 0.0), 2.0, 1.0).unwrap();
+    let options = Options {
+        window: Some((0.0, 1.0)),
+        ..Options::default()
+    };
+    let space = ContactSpace::compute(&frame, &block, &options).unwrap();
+    let at = |x: f64, theta: f64| Configuration::new(x, 0.0, theta);
+    let within = prove(&space, at(0.0, 0.5), at(9.0, 0.5), None, &Silent).unwrap();
+    let mut outside = within.clone();
+    outside.start[2] = 5.05;
+    let error = outside.check().unwrap_err();
+    assert_eq!(error, "the start is not in the window");
+    // A copy by whole turns is the same configuration, however many: in a window and without.
+    let mut turned = within.clone();
+    turned.start[2] += 1000.0 * core::f64::consts::TAU;
+    assert_eq!(turned.check(), Ok(()));
+    let mut far = proof();
+    far.start[2] = 1e4;
+    assert_eq!(far.check(), Ok(()));
+    let begin = std::time::Instant::now();
+    let cases = [
+        (within, "proved"),
+        (outside, "the start is not in the window"),
+        (turned, "proved"),
+        (far, "proved"),
+    ];
+    for (i, (proof, word)) in cases.iter().enumerate() {
+        if let Some(said) = python(proof, &format!("turns-{i}")) {
+            assert!(said.contains(word), "{said}");
+        }
+    }
+    // Far from minutes, which it takes with rays that are not certain.
+    assert!(begin.elapsed().as_secs() < 60);
 }
 
 #[test]

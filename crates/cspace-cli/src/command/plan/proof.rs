@@ -34,7 +34,7 @@ pub(super) fn add(
         }
         Err(ProofError::Depth(d)) => {
             return Err(Failure::input(format_args!(
-                "--depth {d}: it has to be positive"
+                "--depth {d:?}: it has to be positive"
             )));
         }
         Err(ProofError::Pair(e)) if e == PairError::Compute(ComputeError::Interrupted) => {
