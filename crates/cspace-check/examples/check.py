@@ -13,7 +13,7 @@ import sys
 from fractions import Fraction as F
 
 # Bounds are rounded to so many bits: fractions stay short.
-BITS = 80
+BITS = 160
 
 # π lies between these.
 PI = (F("3.1415926535897932384626433832795028841971"), F("3.1415926535897932384626433832795028841972"))
@@ -198,7 +198,7 @@ def volume(a, b, c, d):
 
 
 def crossings(proof, vertices, start, far):
-    # A turn is 2π within 1e-39: signs of volumes that are less certain than this are not taken.
+    # A turn is 2π within 1e-39 and the start is as near to its place: signs of volumes less certain than `least` are not taken.
     turn = 2 * PI[0]
     low, high = min(start[2], far[2]), max(start[2], far[2])
     total = 0
@@ -209,7 +209,7 @@ def crossings(proof, vertices, start, far):
             p = [(*vertices[t[k]][:2], base[k] + more * turn) for k in range(3)]
             if max(c[2] for c in p) < low - 1 / F(10**9) or min(c[2] for c in p) > high + 1 / F(10**9):
                 continue
-            least = F(1, 10**13) * max(abs(c) for q in (*p, far) for c in q) ** 2
+            least = F(1, 10**30) * max(abs(c) for q in (*p, far) for c in q) ** 2
             sides = [volume(start, far, p[j], p[k]) for j, k in ((0, 1), (1, 2), (2, 0))]
             ends = [volume(*p, end) for end in (start, far)]
             sure = lambda x: abs(x) > least
