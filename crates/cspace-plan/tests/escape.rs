@@ -1,4 +1,5 @@
 //! Escape energies against what is known by hand, and against brute force.
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use core::f64::consts::PI;
 use std::collections::BinaryHeap;

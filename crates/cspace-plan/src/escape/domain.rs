@@ -114,11 +114,11 @@ impl Domain {
     /// A configuration in the coordinates of the domain, within one turn of it.
     pub(super) fn within(&self, c: Coords) -> Coords {
         let mut z = self.place(c);
-        for k in 0..3 {
+        for (k, x) in z.iter_mut().enumerate() {
             if self.around[k] {
-                z[k] -= TAU * ((z[k] - self.lo[k]) / TAU).floor();
+                *x -= TAU * ((*x - self.lo[k]) / TAU).floor();
             }
-            z[k] = z[k].clamp(self.lo[k], self.hi[k]);
+            *x = x.clamp(self.lo[k], self.hi[k]);
         }
         z
     }

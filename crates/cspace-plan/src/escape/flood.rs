@@ -262,10 +262,10 @@ impl Search<'_, '_> {
         let mut faces = core::mem::take(&mut self.faces);
         self.boxes.beside(cell, &mut faces);
         for face in &faces {
-            if self.may_use(face.other) {
-                if let Some(by) = self.through_face(cell, here, face) {
-                    self.reach(face.other, by);
-                }
+            if self.may_use(face.other)
+                && let Some(by) = self.through_face(cell, here, face)
+            {
+                self.reach(face.other, by);
             }
         }
         self.faces = faces;

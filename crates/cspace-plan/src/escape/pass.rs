@@ -9,6 +9,8 @@
 //! with the contact functions f of at most as many contacts as there are coordinates. Newton's method finds it to rounding from a
 //! place nearby.
 
+use nalgebra::{DMatrix, DVector};
+
 use cspace::{FeatureKind, FeatureName, Location, PairSpace, Point, QueryError, SecondOrder};
 
 use crate::legs::{Coords, Scene};
@@ -19,9 +21,13 @@ use super::energy::{Body, Energy};
 const STEPS: usize = 60;
 /// It has converged when a step is less than this share of the size, and the contacts are as near.
 const CONVERGED: f64 = 1e-13;
-/// What is added to the diagonal of its equations, relative to the largest: passes that are the same all along a coordinate leave
-/// that coordinate open.
-const DAMPING: f64 = 1e-12;
+/// And when the forces balance but for this share of the largest.
+const BALANCED: f64 = 1e-9;
+/// Singular values below this share of the largest are none: passes that are the same all along a coordinate leave that coordinate
+/// open.
+const RANK: f64 = 1e-10;
+/// Singular values are found in some ten sweeps.
+const SWEEPS: usize = 200;
 /// So many contacts are looked at, the nearest.
 const CONTACTS: usize = 8;
 
@@ -169,42 +175,42 @@ impl Passes<'_> {
                 None => least_squares(&values, &energy, coordinates),
             };
             // The Hessian of U − Σ λ f bordered by the gradients.
-            let mut matrix = vec![vec![0.0; count]; count];
-            let mut right = vec![0.0; count];
+            let mut matrix = DMatrix::zeros(count, count);
+            let mut right = DVector::zeros(count);
             for j in 0..coordinates {
                 right[j] = -energy.gradient[j];
                 for k in 0..coordinates {
-                    matrix[j][k] = energy.hessian[j][k];
+                    matrix[(j, k)] = energy.hessian[j][k];
                 }
                 for (i, f) in values.iter().enumerate() {
                     right[j] += multipliers[i] * f.gradient[j];
-                    matrix[j][coordinates + i] = -f.gradient[j];
-                    matrix[coordinates + i][j] = f.gradient[j];
+                    matrix[(j, coordinates + i)] = -f.gradient[j];
+                    matrix[(coordinates + i, j)] = f.gradient[j];
                     for k in 0..coordinates {
-                        matrix[j][k] -= multipliers[i] * f.hessian[j][k];
+                        matrix[(j, k)] -= multipliers[i] * f.hessian[j][k];
                     }
                 }
             }
             for (i, f) in values.iter().enumerate() {
                 right[coordinates + i] = -f.value;
             }
-            let Some(step) = solved(&matrix, &right) else {
+            let Some(step) = solved(matrix, &right) else {
                 return Ok(None);
             };
-            let length = step[..coordinates]
-                .iter()
-                .fold(0.0, |most: f64, s| most.max(s.abs()));
+            let length = step.rows(0, coordinates).amax();
             if !length.is_finite() || length > size {
                 return Ok(None);
             }
-            for k in 0..coordinates {
-                at[k] += step[k] / self.lever(k);
+            for (k, x) in at.iter_mut().enumerate().take(coordinates) {
+                *x += step[k] / self.lever(k);
             }
             let next: Vec<f64> = (0..equations.len())
                 .map(|i| multipliers[i] + step[coordinates + i])
                 .collect();
             let off = values.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
-            let done = length <= CONVERGED * size && off <= CONVERGED * size;
+            let unbalanced = right.rows(0, coordinates).amax();
+            let done =
+                length <= CONVERGED * size && off <= CONVERGED * size && unbalanced <= BALANCED;
             if done {
                 // Two vertices that meet push in any direction between their edges; which, the way found tells.
                 let pushes = equations
@@ -265,60 +271,25 @@ fn least_squares(
     energy: &SecondOrder<3>,
     coordinates: usize,
 ) -> Vec<f64> {
-    let dot = |a: &[f64; 3], b: &[f64; 3]| (0..coordinates).map(|k| a[k] * b[k]).sum::<f64>();
-    let matrix: Vec<Vec<f64>> = (values.iter())
-        .map(|a| {
-            values
-                .iter()
-                .map(|b| dot(&a.gradient, &b.gradient))
-                .collect()
-        })
-        .collect();
-    let right: Vec<f64> = (values.iter())
-        .map(|a| dot(&a.gradient, &energy.gradient))
-        .collect();
-    solved(&matrix, &right).unwrap_or_else(|| vec![0.0; values.len()])
+    let matrix = DMatrix::from_fn(coordinates, values.len(), |k, i| values[i].gradient[k]);
+    let right = DVector::from_column_slice(&energy.gradient[..coordinates]);
+    match solved(matrix, &right) {
+        Some(found) => found.as_slice().to_vec(),
+        None => vec![0.0; values.len()],
+    }
 }
 
-/// The least solution of linear equations in the sense of least squares, by damped normal equations: coordinates that make no
-/// difference stay.
-fn solved(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
-    let n = right.len();
-    if n == 0 {
-        return Some(Vec::new());
+/// The shortest solution of linear equations in the sense of least squares: coordinates that make no difference stay.
+fn solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    if matrix.ncols() == 0 {
+        return Some(DVector::zeros(0));
     }
-    let mut a = vec![vec![0.0; n + 1]; n];
-    for i in 0..n {
-        for j in 0..n {
-            a[i][j] = (0..n).map(|k| matrix[k][i] * matrix[k][j]).sum();
-        }
-        a[i][n] = (0..n).map(|k| matrix[k][i] * right[k]).sum();
+    if matrix.iter().chain(right.iter()).any(|x| !x.is_finite()) {
+        return None;
     }
-    let largest = (0..n).map(|i| a[i][i]).fold(0.0, f64::max);
-    for (i, row) in a.iter_mut().enumerate() {
-        row[i] += DAMPING * largest;
-    }
-    // Gauss with row exchange.
-    for c in 0..n {
-        let pivot = (c..n).max_by(|&i, &j| a[i][c].abs().total_cmp(&a[j][c].abs()))?;
-        a.swap(c, pivot);
-        let head = a[c].clone();
-        if head[c] == 0.0 || !head[c].is_finite() {
-            return None;
-        }
-        for row in a.iter_mut().skip(c + 1) {
-            let share = row[c] / head[c];
-            for (x, h) in row.iter_mut().zip(&head) {
-                *x -= share * h;
-            }
-        }
-    }
-    let mut solution = vec![0.0; n];
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|j| a[i][j] * solution[j]).sum();
-        solution[i] = (a[i][n] - known) / a[i][i];
-    }
-    Some(solution)
+    let svd = matrix.try_svd(true, true, 5.0 * f64::EPSILON, SWEEPS)?;
+    let least = RANK * svd.singular_values.max();
+    svd.solve(right, least).ok()
 }
 
 /// All sets of at most so many numbers below a count.
