@@ -55,3 +55,34 @@ pub(crate) fn off_contact(
     }
     Ok(best.map(|b| b.1))
 }
+
+/// Clearance of less than this share of the parts' size is little.
+const LITTLE: f64 = 1e-3;
+
+/// From a free configuration with little clearance the end of a free leg to one with more, if there is one nearby; else itself.
+pub(crate) fn off_near(scene: &Scene, at: Coords) -> Coords {
+    let clearance = scene.clearance(at);
+    let little = LITTLE * scene.size();
+    if clearance > little {
+        return at;
+    }
+    let near = scene.near(at, clearance + little);
+    let Some(direction) = rise(&near, scene.levers(), None, 1.0) else {
+        return at;
+    };
+    let length = (0..3)
+        .map(|k| (direction[k] * scene.levers()[k]).powi(2))
+        .sum::<f64>()
+        .sqrt();
+    let mut step = LONGEST * scene.size() / length;
+    let mut best = (clearance, at);
+    for _ in 0..HALVINGS {
+        let to = scene.within_limits(core::array::from_fn(|k| at[k] + direction[k] * step));
+        let there = scene.clearance(to);
+        if there > best.0 && scene.is_apart(at, to, 0.5 * clearance) && !scene.overlaps(to) {
+            best = (there, to);
+        }
+        step *= 0.5;
+    }
+    best.1
+}

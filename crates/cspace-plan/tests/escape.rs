@@ -343,3 +343,28 @@ fn a_bar_on_two_pegs_agrees_with_brute_force() {
     assert!(found >= out.least - 1e-9, "{found} {out:?}");
     assert!(found <= out.most + 0.2, "{found} {out:?}");
 }
+
+/// A start that is a little off its contacts, and a part that is drawn far from its origin, are held as any other.
+#[test]
+fn a_start_beside_contact_and_a_part_far_from_its_origin() {
+    let rest = (1600.0_f64 - 225.0).sqrt();
+    for (far, above) in [(0.0, 1e-7), (0.0, 1e-4), (1e2, 1e-7), (1e5, 1e-4)] {
+        let disc = Part::new("disc", vec![circle(far, -far, 30.0)]).unwrap();
+        let field = Field {
+            weights: vec![Weight {
+                on: Body::Moving,
+                at: Point::new(far, -far),
+                force: Vector::new(0.0, -1.0),
+            }],
+            springs: Vec::new(),
+        };
+        let space = planar(&pegs(15.0, 10.0), &disc);
+        let held = held(&space, &field, at(-far, far + rest + above, 0.0), None);
+        let known = 40.0 - rest - above;
+        let energy = held.energy.unwrap();
+        assert!(
+            (energy - known).abs() < 1e-9 * (1.0 + far),
+            "{energy} {known}"
+        );
+    }
+}

@@ -86,7 +86,7 @@ impl<'a> Boxes<'a> {
     /// Whether the motion of constant rates between two places is free, of which the first is.
     pub(super) fn is_free(&self, from: Coords, to: Coords) -> bool {
         let [a, b] = [from, to].map(|z| self.domain.configuration(z));
-        self.scene.is_apart(a, b, 0.0)
+        is_free(self.scene, a, b)
     }
 
     pub(super) fn cell(&self, i: u32) -> &Cell {
@@ -204,6 +204,19 @@ impl<'a> Boxes<'a> {
         (face.lo[k], face.hi[k]) = (side, side);
         found.push(face);
     }
+}
+
+/// Legs keep at least this share of the parts' size.
+const KEPT: f64 = 1e-10;
+/// And this share of how far from their origins the parts are: their distances are rounded by as much.
+const ROUNDED: f64 = 1e-14;
+
+/// Whether a leg is free that begins at a free configuration: nothing on it touches, and so nothing overlaps.
+pub(super) fn is_free(scene: &Scene, from: Coords, to: Coords) -> bool {
+    let levers = scene.levers();
+    let far = (0..2).map(|k| (from[k].abs() + to[k].abs()) * levers[k]);
+    let kept = KEPT * scene.size() + ROUNDED * (far.sum::<f64>() + levers[2]);
+    scene.is_apart(from, to, kept)
 }
 
 /// The middle of a box and half its sides.

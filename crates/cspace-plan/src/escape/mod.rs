@@ -26,6 +26,7 @@ use crate::answer::Verdict;
 use crate::apart::{blocked, enclosed};
 use crate::ends::{End, end, home};
 use crate::legs::{Coords, Scene};
+use crate::off_contact::off_near;
 use crate::planner::{Clearance, PlanError, Planner, Silent, Wishes};
 
 use domain::Domain;
@@ -223,7 +224,7 @@ impl<'a> Escape<'a> {
     /// A configuration, and the free end of a leg that leaves its contacts.
     fn end(&self, at: Coordinates, leg: Option<Coords>) -> Result<(Coords, Coords), QueryError> {
         let at = self.scene.numbers(at)?;
-        Ok((at, leg.unwrap_or(at)))
+        Ok((at, leg.unwrap_or_else(|| off_near(&self.scene, at))))
     }
 
     /// What keeps a start and a goal apart whatever the energy.

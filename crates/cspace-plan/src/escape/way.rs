@@ -3,6 +3,7 @@
 use crate::legs::Coords;
 use crate::route::along;
 
+use super::boxes::is_free;
 use super::energy::Energy;
 use super::search::{Bracket, Question};
 
@@ -53,7 +54,7 @@ pub(super) fn way(question: &Question<'_>, energy: &Energy<'_>, bracket: &Bracke
         .map(|leg| highest(leg[0], leg[1]))
         .fold(f64::NEG_INFINITY, f64::max);
     // As few legs as pass with no more energy.
-    let passes = |a: Coords, b: Coords| highest(a, b) <= most && scene.is_apart(a, b, 0.0);
+    let passes = |a: Coords, b: Coords| highest(a, b) <= most && is_free(scene, a, b);
     let mut kept = vec![places[0]];
     let mut here = 0;
     while here + 1 < places.len() {
@@ -98,7 +99,7 @@ fn between(
     places: &mut Vec<Coords>,
 ) -> Option<()> {
     let at = |z: Coords| question.domain.configuration(z);
-    if question.scene.is_apart(at(from), at(to), 0.0) {
+    if is_free(question.scene, at(from), at(to)) {
         return Some(());
     }
     if halvings == 0 {
