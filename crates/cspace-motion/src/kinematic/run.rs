@@ -1,0 +1,288 @@
+//! From event to event.
+
+use crate::pairs::Pairs;
+use crate::record::{Obstacle, Record, Sample, Status};
+use crate::system::System;
+
+use super::bound::Bound;
+use super::choose::{Choice, choose, touching};
+use super::describe::named;
+use super::events::Told;
+use super::flow::{Arrived, Flow};
+use super::watch::{Cause, Watch};
+
+/// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
+const LONGEST: f64 = 0.02;
+/// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
+const ERROR: f64 = 1e-13;
+/// Events are located to this share of a step.
+const LOCATED: f64 = 1e-13;
+/// Steps are not made shorter than this, relative to the time so far and to come.
+const SHORTEST: f64 = 1e-15;
+/// So many events in a row without progress in time do not lead on.
+const MOST_IDLE: usize = 64;
+/// Less than this share of the duration is no progress.
+const PROGRESS: f64 = 1e-12;
+/// Steps of a simulation, some minutes.
+const MOST_STEPS: usize = 20_000_000;
+
+/// A simulation under way.
+struct Run<'a> {
+    system: &'a System,
+    pairs: &'a Pairs,
+    duration: f64,
+    samples: Samples,
+    /// Times at which drives are not smooth, and the end; the next first.
+    stops: Vec<f64>,
+    record: Record,
+    told: Told,
+}
+
+/// The times of samples.
+struct Samples {
+    every: f64,
+    next: usize,
+}
+
+impl Samples {
+    fn time(&self) -> f64 {
+        self.next as f64 * self.every
+    }
+}
+
+/// Follows the motion from a configuration for some time.
+pub(crate) fn run(
+    system: &System,
+    pairs: &Pairs,
+    q: Vec<f64>,
+    duration: f64,
+    every: f64,
+    progress: &dyn Fn(f64) -> bool,
+) -> Option<Record> {
+    let mut stops: Vec<f64> = (system.drives().iter())
+        .flat_map(|(_, curve)| curve.corners())
+        .filter(|&t| t > 0.0 && t < duration)
+        .chain([duration])
+        .collect();
+    stops.sort_by(|a, b| b.total_cmp(a));
+    stops.dedup();
+    let run = Run {
+        system,
+        pairs,
+        duration,
+        samples: Samples { every, next: 0 },
+        stops,
+        record: Record {
+            status: Status::Done,
+            until: 0.0,
+            reason: None,
+            obstacles: Vec::new(),
+            samples: Vec::new(),
+            events: Vec::new(),
+        },
+        told: Told::default(),
+    };
+    run.go(q, progress)
+}
+
+impl<'a> Run<'a> {
+    fn go(mut self, mut q: Vec<f64>, progress: &dyn Fn(f64) -> bool) -> Option<Record> {
+        let (mut time, mut idle, mut idle_since) = (0.0, 0, 0.0);
+        let mut steps = 0;
+        while time < self.duration {
+            let bounds = touching(self.system, self.pairs, &q);
+            let left = self.duration - time;
+            let choice = choose(self.system, self.pairs, &bounds, time, &q, left);
+            let flow = match choice {
+                Choice::On(flow) => flow,
+                Choice::Jammed(obstacles) => {
+                    self.jammed(time, &q, obstacles);
+                    return Some(self.record);
+                }
+                Choice::Undetermined => {
+                    self.undetermined(time, &q, &bounds);
+                    return Some(self.record);
+                }
+            };
+            let events = self.told.update(self.pairs, &bounds, &flow);
+            self.record.events.extend(events);
+            (time, q) = self.follow(flow, &mut steps, progress)?;
+            if time > idle_since + PROGRESS * self.duration {
+                (idle, idle_since) = (0, time);
+            } else {
+                idle += 1;
+            }
+            if idle > MOST_IDLE || steps > MOST_STEPS {
+                let bounds = touching(self.system, self.pairs, &q);
+                self.undetermined(time, &q, &bounds);
+                return Some(self.record);
+            }
+        }
+        self.record.until = self.duration;
+        Some(self.record)
+    }
+
+    /// Goes on with the same contacts until something happens; where and when that is. `None` if the user wants no more.
+    fn follow(
+        &mut self,
+        mut flow: Flow<'a>,
+        steps: &mut usize,
+        progress: &dyn Fn(f64) -> bool,
+    ) -> Option<(f64, Vec<f64>)> {
+        let mut watch = Watch::new(self.system, self.pairs);
+        let mut longest = f64::INFINITY;
+        loop {
+            *steps += 1;
+            if *steps % 64 == 0 && !progress(flow.time / self.duration) {
+                return None;
+            }
+            while self.stops.last().is_some_and(|&s| s <= flow.time) {
+                self.stops.pop();
+            }
+            let Some(&stop) = self.stops.last() else {
+                return Some((flow.time, flow.q));
+            };
+            let left = stop - flow.time;
+            let size = self.system.size();
+            let even = LONGEST * size / self.system.speed(&flow.velocity.rates);
+            let mut h = left.min(even).min(longest);
+            let shortest = SHORTEST * stop;
+            // As long as it may be.
+            let arrived = loop {
+                let arrived = flow.after(h);
+                let too_long = arrived.as_ref().and_then(|to| self.too_long(&flow, to));
+                match too_long {
+                    Some(factor) if h * factor > shortest => h *= factor,
+                    _ => break arrived,
+                }
+            };
+            let met = match &arrived {
+                Some(to) => watch.check(&flow, h, to),
+                None => Some(Cause::Lost),
+            };
+            let (Some(to), None) = (arrived, met) else {
+                return Some(self.locate(&flow, h, &mut watch));
+            };
+            if !to.velocity.determined {
+                let share = (ERROR * size / to.error).powf(0.2).clamp(0.2, 4.0);
+                longest = 0.9 * h * share;
+            }
+            let end = if h == left { stop } else { flow.time + h };
+            self.sample(&flow, end);
+            watch.taken(&flow, h, &to);
+            let is_corner = end == stop;
+            flow.time = end;
+            flow.q = to.q;
+            flow.velocity = to.velocity;
+            if is_corner {
+                // Drives may jump in rate there.
+                return Some((flow.time, flow.q));
+            }
+        }
+    }
+
+    /// By how much a step is to be shortened, if it went too far or its error is too large.
+    fn too_long(&self, flow: &Flow<'_>, to: &Arrived) -> Option<f64> {
+        let size = self.system.size();
+        let lengths = self.system.lengths();
+        let moved = (to.q.iter().zip(&flow.q).zip(lengths))
+            .map(|((a, b), l)| (a - b).abs() * l)
+            .fold(0.0, f64::max);
+        let by_error = if to.velocity.determined {
+            0.0
+        } else {
+            to.error / (ERROR * size)
+        };
+        if moved > 2.0 * LONGEST * size {
+            Some((LONGEST * size / moved).max(0.1))
+        } else if by_error > 1.0 {
+            Some((0.9 * by_error.powf(-0.2)).clamp(0.1, 0.9))
+        } else {
+            None
+        }
+    }
+
+    /// The first event within a step that met something: the time and the configuration just after it.
+    fn locate(&mut self, flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) -> (f64, Vec<f64>) {
+        let (mut before, mut after) = (0.0, h);
+        let mut last = None;
+        while after - before > LOCATED * h {
+            let middle = 0.5 * (before + after);
+            if middle <= before || middle >= after {
+                break;
+            }
+            match flow.after(middle) {
+                Some(to) if watch.check(flow, middle, &to).is_none() => before = middle,
+                found => {
+                    after = middle;
+                    last = found;
+                }
+            }
+        }
+        let time = flow.time + after;
+        self.sample(flow, time);
+        // Where contacts cannot hold on, the configuration is the last at which they do.
+        let to = last
+            .or_else(|| flow.after(after))
+            .or_else(|| flow.after(before));
+        (time, to.map_or_else(|| flow.q.clone(), |to| to.q))
+    }
+
+    /// Samples up to a time, which has been reached.
+    fn sample(&mut self, flow: &Flow<'_>, end: f64) {
+        while self.samples.time() <= end && self.samples.time() <= self.duration {
+            let t = self.samples.time();
+            // What holds to the end of a step holds before.
+            if let Some(to) = flow.after((t - flow.time).max(0.0)) {
+                self.record.samples.push(Sample {
+                    t,
+                    coordinates: to.q,
+                    rates: to.velocity.rates,
+                });
+            }
+            self.samples.next += 1;
+        }
+    }
+
+    fn end(&mut self, time: f64, q: &[f64], status: Status, reason: String) {
+        self.record.until = time;
+        self.record.status = status;
+        self.record.reason = Some(reason);
+        self.record.samples.retain(|s| s.t < time);
+        self.record.samples.push(Sample {
+            t: time,
+            coordinates: q.to_vec(),
+            rates: vec![0.0; q.len()],
+        });
+    }
+
+    fn jammed(&mut self, time: f64, q: &[f64], obstacles: Vec<(Bound, f64)>) {
+        let list: Vec<String> = obstacles.iter().map(|(b, _)| self.text(b)).collect();
+        let reason = if list.is_empty() {
+            "the drives contradict the joints".to_owned()
+        } else {
+            format!("what is driven cannot go on: {}", list.join("; "))
+        };
+        self.record.obstacles = (obstacles.iter())
+            .map(|(bound, multiplier)| Obstacle {
+                what: named(self.system, self.pairs, bound),
+                multiplier: *multiplier,
+            })
+            .collect();
+        self.end(time, q, Status::Jammed, reason);
+    }
+
+    fn undetermined(&mut self, time: f64, q: &[f64], bounds: &[Bound]) {
+        let list: Vec<String> = bounds.iter().map(|b| self.text(b)).collect();
+        let reason = if list.is_empty() {
+            "a pair left the orientations of its space, or the metric is singular".to_owned()
+        } else {
+            format!("no set of these contacts leads on: {}", list.join("; "))
+        };
+        self.end(time, q, Status::Undetermined, reason);
+    }
+
+    fn text(&self, bound: &Bound) -> String {
+        named(self.system, self.pairs, bound).to_string()
+    }
+}
