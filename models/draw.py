@@ -151,6 +151,8 @@ for them.
     m.pair("frame", "driver", "Lower pairs.").pair("frame", "link").pair("frame", "ratchet").pair("link", "pawl")
     m.pair("driver", "link", "Fixed axes: u is the driver's turn, v the link's.")
     m.pair("ratchet", "pawl", "Symmetric, 20-fold.")
+    m.drive("driver", "360deg", "What moves it: the driver turns, a spring lays the pawl on the wheel, a brake holds the wheel.")
+    m.torque("pawl", "1e6").brake("ratchet", "1e8")
     return m
 
 
@@ -217,6 +219,7 @@ Both are drawn where they work, the shafts 44 apart. The pinion turns by -12/10 
            '{ type = "revolute", center = [0, 0] }', 12)
     pinion = moved(gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18), 1, 44)
     m.part("pinion", "", [("10 teeth", pinion)], '{ type = "revolute", center = [44, 0] }', 10)
+    m.drive("gear", "360deg")
     return m
 
 
@@ -576,6 +579,7 @@ wheel by 60 deg the other way. The crank's arm lies below the wheel and is not i
     m.part("wheel", "", [("six slots, six locking arcs", wheel)], '{ type = "revolute", center = [0, 0] }', slots)
     m.part("driver", "", [("locking disc", driver), ("pin, diameter 8", circle(axis + crank, pin))],
            '{ type = "revolute", center = [60, 0] }')
+    m.drive("driver", "360deg")
     return m
 
 
