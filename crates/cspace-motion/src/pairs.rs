@@ -2,8 +2,9 @@
 
 use cspace::mechanism::MechanismError;
 use cspace::{
-    Classification, Coordinates, FeatureContact, FeatureId, Mechanism, Options, PairEntry,
-    PairSpace, PatchId, Point, Progress, QueryError, Relation, contact_function,
+    Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
+    PairEntry, PairSpace, PatchId, Point, Progress, QueryError, Relation, Rotation,
+    contact_function,
 };
 use rayon::prelude::*;
 
@@ -15,6 +16,10 @@ use crate::system::{Row, System};
 const TOUCHING: f64 = 1e-10;
 /// And at least so many times the pair's own resolution, which is larger where parts were moved to break ties.
 const RESOLUTIONS: f64 = 4.0;
+
+/// Patches that end within this of an orientation are there, too (radians): critical orientations are known to that, and what
+/// keeps two sides together turns by rounding alone.
+const BESIDE: f64 = 2e-10;
 
 /// A pair of parts that can meet.
 #[derive(Debug)]
@@ -150,8 +155,24 @@ impl MovingPair {
         tolerance: f64,
     ) -> Result<Vec<Touch>, QueryError> {
         let at = self.coordinates(system, q);
+        let mut near = self.space.contacts(at, tolerance)?;
+        if let Coordinates::Planar(c) = at {
+            // Where sides are parallel, patches end and others begin: both touch.
+            let moving = self.space.moving();
+            let within = tolerance + BESIDE * moving.size();
+            let middle = moving.bounds().center();
+            let placed = c.fixed_from_moving(middle);
+            for theta in [c.theta - BESIDE, c.theta + BESIDE] {
+                // Turned about the middle of the part, so that nothing of it moves by more than that.
+                let turned = Rotation::by(theta) * middle.to_vector();
+                let beside = Configuration::new(placed.x - turned.x, placed.y - turned.y, theta);
+                let beside = Coordinates::Planar(beside);
+                // Beyond the window nothing touches.
+                near.extend(self.space.contacts(beside, within).unwrap_or_default());
+            }
+        }
         let mut found: Vec<Touch> = Vec::new();
-        for (id, _) in self.space.contacts(at, tolerance)? {
+        for (id, _) in near {
             let patch = self.space.patch(id)?;
             let features = patch.features()?;
             if found.iter().all(|t| t.features != features) {

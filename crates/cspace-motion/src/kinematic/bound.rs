@@ -4,6 +4,8 @@ use crate::pairs::{Pairs, Touch};
 use crate::system::{PartCoordinates, Row, System};
 
 /// A function of the coordinates that may not become negative.
+// There are a few of them at a time, nearly all of them contacts.
+#[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Bound {
     /// Of two features that touch.
@@ -18,6 +20,14 @@ pub(crate) enum Bound {
 }
 
 impl Bound {
+    /// Whether it is of the same features, or the same end of a range.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Contact(a), Self::Contact(b)) => a.pair == b.pair && a.features == b.features,
+            _ => self == other,
+        }
+    }
+
     /// Its value and derivatives.
     pub(crate) fn function(&self, system: &System, pairs: &Pairs, q: &[f64]) -> Row {
         match self {

@@ -18,6 +18,11 @@ const MOST_CONTACTS: usize = 10;
 /// Trials go as far as this, relative to the size of the mechanism: beyond what contacts are known to, and less than what
 /// follows next. A shorter one is made where something follows at once.
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
+/// A trial may go so many times as far.
+const MOST_FARTHER: f64 = 10.0;
+/// Otherwise its time is shortened by this, so many times at most: down to rounding.
+const SHORTER: f64 = 0.1;
+const MOST_SHORTER: usize = 16;
 /// Contacts are told when they are farther away than what leaves them by this factor.
 const REACH: f64 = 4.0;
 
@@ -25,7 +30,12 @@ const REACH: f64 = 4.0;
 #[derive(Debug)]
 pub(crate) enum Choice<'a> {
     /// These contacts hold.
-    On(Flow<'a>),
+    On {
+        /// The motion.
+        flow: Flow<'a>,
+        /// Where it is a very little later.
+        next: Vec<f64>,
+    },
     /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
     Jammed(Vec<(Bound, f64)>),
     /// What is allowed leads nowhere.
@@ -59,7 +69,7 @@ pub(crate) fn choose<'a>(
     let Some(local) = Local::at(system, q, time) else {
         return Choice::Undetermined;
     };
-    if local.contradiction().is_some() {
+    if local.is_stuck() {
         return Choice::Jammed(Vec::new());
     }
     let rows: Vec<Row> = bounds
@@ -87,8 +97,8 @@ pub(crate) fn choose<'a>(
     for scale in TRIALS {
         for (held, _) in &tried {
             let held: Vec<Bound> = held.iter().map(|&i| bounds[i]).collect();
-            if let Some(flow) = tries(system, pairs, held, time, q, scale, longest) {
-                return Choice::On(flow);
+            if let Some((flow, next)) = tries(system, pairs, held, time, q, scale, longest) {
+                return Choice::On { flow, next };
             }
         }
     }
@@ -114,7 +124,7 @@ fn left_out(contacts: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// The motion with some bounds held, if it leads on.
+/// The motion with some bounds held, if it leads on, and where it then is.
 fn tries<'a>(
     system: &'a System,
     pairs: &'a Pairs,
@@ -123,11 +133,21 @@ fn tries<'a>(
     q: &[f64],
     scale: f64,
     longest: f64,
-) -> Option<Flow<'a>> {
+) -> Option<(Flow<'a>, Vec<f64>)> {
     let flow = Flow::new(system, pairs, held, time, q)?;
-    let speed = system.speed(&flow.velocity.rates);
-    let h = (scale * system.size() / speed).min(longest);
-    let to = flow.after(h)?;
-    let met = Watch::new(system, pairs).check(&flow, h, &to);
-    met.is_none().then_some(flow)
+    let far = scale * system.size();
+    let mut h = (far / system.speed(&flow.velocity.rates)).min(longest);
+    // What begins at rest is not told by its speed.
+    for _ in 0..MOST_SHORTER {
+        let to = flow.after(h);
+        let moved = (to.as_ref()).map_or(f64::INFINITY, |to| system.moved(&flow.q, &to.q));
+        if moved > MOST_FARTHER * far {
+            h *= SHORTER;
+            continue;
+        }
+        let to = to?;
+        let met = Watch::new(system, pairs).check(&flow, h, &to);
+        return met.is_none().then_some((flow, to.q));
+    }
+    None
 }

@@ -10,8 +10,8 @@ use super::flow::Flow;
 /// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
 /// contact, which passes from one feature to the next.
 const SAME_PLACE: f64 = 1e-6;
-/// A contact that opens more slowly than this share of the speed stays.
-const STAYS: f64 = 1e-7;
+/// A contact that opens by less than this share of how far parts move stays, if no push holds it closed.
+const STAYS: f64 = 1e-3;
 
 /// The contacts and limits that are told to be there.
 #[derive(Debug, Default)]
@@ -20,22 +20,23 @@ pub(crate) struct Told {
 }
 
 impl Told {
-    /// What has changed, when `bounds` are those that are reached and the motion goes on.
+    /// What has changed, when `bounds` are those that are reached and the motion goes on, to `next` in a very little while.
     pub(crate) fn update(
         &mut self,
         pairs: &Pairs,
         bounds: &[Bound],
         flow: &Flow<'_>,
+        next: &[f64],
     ) -> Vec<Event> {
         let (system, q) = (flow.system, &flow.q);
         let place = |bound: &Bound| match bound {
             Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
             Bound::Limit { .. } => None,
         };
-        let speed = system.speed(&flow.velocity.rates);
+        let moved = system.moved(q, next);
         let stays = |bound: &Bound| {
-            let row = bound.function(system, pairs, q);
-            flow.held.contains(bound) || row.rate(&flow.velocity.rates).abs() <= STAYS * speed
+            let value = |q: &[f64]| bound.function(system, pairs, q).value;
+            value(next) - value(q) <= STAYS * moved
         };
         let now: Vec<(Bound, Option<cspace::Point>)> = (flow.held.iter())
             .chain(bounds.iter().filter(|b| !flow.held.contains(b) && stays(b)))

@@ -137,9 +137,7 @@ impl<'a> Flow<'a> {
                 .sum();
             error = error.max((h * difference).abs() * lengths[i]);
         }
-        let moved = (q.iter().zip(&self.q).zip(lengths))
-            .map(|((a, b), l)| (a - b).abs() * l)
-            .fold(0.0, f64::max);
+        let moved = self.system.moved(&self.q, &q);
         let room = CORRECTION * moved + CLOSED * self.system.size();
         let time = self.time + h;
         close(self.system, self.pairs, &self.held, time, &mut q, room)?;

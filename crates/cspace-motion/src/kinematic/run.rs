@@ -17,6 +17,8 @@ const LONGEST: f64 = 0.02;
 const ERROR: f64 = 1e-13;
 /// Events are located to this share of a step.
 const LOCATED: f64 = 1e-13;
+/// What a contact does to others is seen when parts are no farther on than this, relative to the size of the mechanism.
+const NEAR_EVENT: f64 = 1e-7;
 /// Steps are not made shorter than this, relative to the time so far and to come.
 const SHORTEST: f64 = 1e-15;
 /// So many events in a row without progress in time do not lead on.
@@ -89,12 +91,18 @@ impl<'a> Run<'a> {
     fn go(mut self, mut q: Vec<f64>, progress: &dyn Fn(f64) -> bool) -> Option<Record> {
         let (mut time, mut idle, mut idle_since) = (0.0, 0, 0.0);
         let mut steps = 0;
+        let mut before: Vec<Bound> = Vec::new();
         while time < self.duration {
-            let bounds = touching(self.system, self.pairs, &q);
+            // What was held is closed still, though it may just have come to the end of where it touches: where a side comes
+            // to lie on another, one corner of it was held, and both are to be.
+            let mut bounds = touching(self.system, self.pairs, &q);
+            let new = |b: &&Bound| bounds.iter().all(|other| !b.is_same(other));
+            let held: Vec<Bound> = before.iter().filter(new).copied().collect();
+            bounds.extend(held);
             let left = self.duration - time;
             let choice = choose(self.system, self.pairs, &bounds, time, &q, left);
-            let flow = match choice {
-                Choice::On(flow) => flow,
+            let (flow, next) = match choice {
+                Choice::On { flow, next } => (flow, next),
                 Choice::Jammed(obstacles) => {
                     self.jammed(time, &q, obstacles);
                     return Some(self.record);
@@ -104,8 +112,9 @@ impl<'a> Run<'a> {
                     return Some(self.record);
                 }
             };
-            let events = self.told.update(self.pairs, &bounds, &flow);
+            let events = self.told.update(self.pairs, &bounds, &flow, &next);
             self.record.events.extend(events);
+            before.clone_from(&flow.held);
             (time, q) = self.follow(flow, &mut steps, progress)?;
             if time > idle_since + PROGRESS * self.duration {
                 (idle, idle_since) = (0, time);
@@ -133,7 +142,7 @@ impl<'a> Run<'a> {
         let mut longest = f64::INFINITY;
         loop {
             *steps += 1;
-            if *steps % 64 == 0 && !progress(flow.time / self.duration) {
+            if steps.is_multiple_of(64) && !progress(flow.time / self.duration) {
                 return None;
             }
             while self.stops.last().is_some_and(|&s| s <= flow.time) {
@@ -184,10 +193,7 @@ impl<'a> Run<'a> {
     /// By how much a step is to be shortened, if it went too far or its error is too large.
     fn too_long(&self, flow: &Flow<'_>, to: &Arrived) -> Option<f64> {
         let size = self.system.size();
-        let lengths = self.system.lengths();
-        let moved = (to.q.iter().zip(&flow.q).zip(lengths))
-            .map(|((a, b), l)| (a - b).abs() * l)
-            .fold(0.0, f64::max);
+        let moved = self.system.moved(&flow.q, &to.q);
         let by_error = if to.velocity.determined {
             0.0
         } else {
@@ -219,6 +225,9 @@ impl<'a> Run<'a> {
                 }
             }
         }
+        if let Some((earlier, to)) = self.closes(flow, after) {
+            (after, last) = (earlier, Some(to));
+        }
         let time = flow.time + after;
         self.sample(flow, time);
         // Where contacts cannot hold on, the configuration is the last at which they do.
@@ -226,6 +235,54 @@ impl<'a> Run<'a> {
             .or_else(|| flow.after(after))
             .or_else(|| flow.after(before));
         (time, to.map_or_else(|| flow.q.clone(), |to| to.q))
+    }
+
+    /// When a contact that came closed, if that is known better than by what it did to the others: a root of its function.
+    fn closes(&self, flow: &Flow<'a>, after: f64) -> Option<(f64, Arrived)> {
+        let end = flow.after(after)?;
+        let reach = NEAR_EVENT * self.system.size();
+        let value = |bound: &Bound, h: f64| {
+            let to = flow.after(h)?;
+            let value = bound.function(self.system, self.pairs, &to.q).value;
+            Some((value, to))
+        };
+        let new = touching(self.system, self.pairs, &end.q);
+        let new = new
+            .iter()
+            .filter(|b| flow.held.iter().all(|other| !b.is_same(other)));
+        let roots = new.filter_map(|bound| {
+            let (mut below, mut above) = (after, after);
+            let (at_end, _) = value(bound, after)?;
+            if at_end >= 0.0 {
+                return None;
+            }
+            let mut back = LOCATED * after;
+            loop {
+                above -= back;
+                back *= 2.0;
+                let (open, to) = value(bound, above.max(0.0))?;
+                if open >= 0.0 {
+                    break;
+                }
+                if above <= 0.0 || self.system.moved(&to.q, &end.q) > reach {
+                    return None;
+                }
+                below = above;
+            }
+            above = above.max(0.0);
+            while below - above > LOCATED * after {
+                let middle = 0.5 * (above + below);
+                if middle <= above || middle >= below {
+                    break;
+                }
+                match value(bound, middle)?.0 {
+                    open if open >= 0.0 => above = middle,
+                    _ => below = middle,
+                }
+            }
+            Some((below, value(bound, below)?.1))
+        });
+        roots.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// Samples up to a time, which has been reached.

@@ -11,12 +11,17 @@
 use crate::linear::{Cholesky, Rows, dot, length, nonnegative};
 use crate::system::{Row, System};
 
-/// A contact must move the others by no more than this many times its own speed: beyond that it is at a dead point, and no
-/// velocity is taken to solve it.
-const MOST_AMPLIFICATION: f64 = 1e6;
+/// What is driven must move the others by no more than this many times its own speed: beyond that it is at a dead point. Near
+/// one the ratio grows as the inverse of the way that is left, and events are located to some 1e-7 of a step there.
+const MOST_AMPLIFICATION: f64 = 1e5;
 /// A bound that is violated by no more than this share of the speeds is not: rounding of gradients, which are right to some
 /// 1e-15 of the parts' sizes, over short levers.
 const ROUNDING: f64 = 1e-11;
+
+/// A residual whose square is below this (of a target of length 1) is rounding.
+const NOTHING: f64 = 1e-13;
+/// An equation of a joint that is missed by more than this share of the speeds contradicts the others: half of the digits.
+const CONTRADICTS: f64 = 1e-8;
 
 /// The linear equations of motion at one configuration and time.
 #[derive(Debug)]
@@ -150,8 +155,8 @@ impl<'a> Local<'a> {
         }
     }
 
-    /// Whether drives contradict the joints, and of which joint's equation.
-    pub(crate) fn contradiction(&self) -> Option<usize> {
+    /// Whether what is driven contradicts the joints, or comes to a dead point of theirs.
+    pub(crate) fn is_stuck(&self) -> bool {
         let vectors: Vec<Vec<f64>> = self.joints.iter().map(|(v, _)| v.clone()).collect();
         let missing: Vec<f64> = (self.joints.iter())
             .map(|(v, b)| b - dot(v, &self.free))
@@ -160,9 +165,24 @@ impl<'a> Local<'a> {
         let scale = missing.iter().fold(0.0_f64, |s, m| s.max(m.abs()));
         let off = |(v, m): (&Vec<f64>, &f64)| {
             let found = if y.is_empty() { 0.0 } else { dot(v, &y) };
-            (found - m).abs() > 1e3 * ROUNDING * scale
+            (found - m).abs() > CONTRADICTS * scale
         };
-        vectors.iter().zip(&missing).position(off)
+        vectors.iter().zip(&missing).any(off) || self.is_amplified(&y, scale)
+    }
+
+    /// Whether a change of velocity, in y, is more than what can be made of the free velocity and of the speeds (length per
+    /// second) that cause it.
+    fn is_amplified(&self, y: &[f64], speed: f64) -> bool {
+        let fastest = |y: &[f64]| {
+            let mut v = y.to_vec();
+            self.factor.backward(&mut v);
+            let free = self.system.free().iter();
+            let speeds = free
+                .zip(v)
+                .map(|(&i, v)| (v * self.system.lengths()[i]).abs());
+            speeds.fold(0.0, f64::max)
+        };
+        !y.is_empty() && fastest(y) > MOST_AMPLIFICATION * fastest(&self.free).max(speed)
     }
 
     /// The velocity nearest to the free one at which no function of `rows` decreases.
@@ -211,9 +231,19 @@ impl<'a> Local<'a> {
         let mut target = vec![0.0; n + 1];
         target[n] = 1.0;
         let solved = nonnegative(&columns, &target);
-        // |z| = √(1/ρ − 1) in units of `scale`, ρ the square of the residual.
+        // z = −r/ρ in units of `scale`, with the residual (r, ρ); if ρ is 0 there is none.
         let rest = solved.residual[n];
-        if rest * MOST_AMPLIFICATION * MOST_AMPLIFICATION < 1.0 {
+        let jams = rest < NOTHING || {
+            let z: Vec<f64> = (solved.residual[..n].iter())
+                .map(|r| -scale * r / rest)
+                .collect();
+            let missed = rows.iter().map(|row| {
+                let (g, b) = self.reduced(row);
+                (b - dot(&g, &start)).abs()
+            });
+            self.is_amplified(&z, missed.fold(0.0, f64::max))
+        };
+        if jams {
             return Nearest::None {
                 multipliers: solved.u,
             };

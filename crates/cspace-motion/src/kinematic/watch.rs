@@ -74,10 +74,11 @@ impl<'a> Watch<'a> {
             return Some(Cause::Pull);
         }
         for (bound, room) in limits(self.system, &to.q) {
-            if let Bound::Limit { part, .. } = bound {
-                if room < -limit_tolerance(self.system, part) && !flow.held.contains(&bound) {
-                    return Some(Cause::Limit);
-                }
+            if let Bound::Limit { part, .. } = bound
+                && room < -limit_tolerance(self.system, part)
+                && !flow.held.contains(&bound)
+            {
+                return Some(Cause::Limit);
             }
         }
         let path = path(flow, h, to);

@@ -212,6 +212,13 @@ impl System {
         each.map(|(r, l)| (r * l).abs()).fold(0.0, f64::max)
     }
 
+    /// The largest change of a coordinate, angles counted by the sizes of their parts.
+    pub(crate) fn moved(&self, from: &[f64], to: &[f64]) -> f64 {
+        let each = from.iter().zip(to).zip(&self.lengths);
+        each.map(|((a, b), l)| ((a - b) * l).abs())
+            .fold(0.0, f64::max)
+    }
+
     /// The mass matrix of the outlines at unit density with the resistance of dampers, n × n by rows, and the forces of
     /// loads, weights and springs on the coordinates.
     pub(crate) fn metric_and_forces(&self, q: &[f64]) -> (Vec<f64>, Vec<f64>) {

@@ -1,8 +1,8 @@
 //! What the tests share.
 
 use cspace::mechanism::{Drive, DriveMotion};
-use cspace::{Mechanism, PartEntry};
-use cspace_motion::{Record, Settings, Simulation};
+use cspace::{Mechanism, Part, PartEntry, Vertex};
+use cspace_motion::{Record, Sample, Settings, Simulation};
 use cspace_oracle::Oracle;
 
 /// A mechanism of parts, each two of them a pair.
@@ -54,4 +54,16 @@ pub(crate) fn judge(simulation: &Simulation, record: &Record) {
             );
         }
     }
+}
+
+/// A part with one loop of lines.
+pub(crate) fn polygon(name: &str, corners: &[(f64, f64)]) -> Part {
+    let vertices = corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect();
+    Part::new(name, vec![vertices]).unwrap()
+}
+
+/// All coordinates at the sample of a time.
+pub(crate) fn at(record: &Record, time: f64) -> &[f64] {
+    let near = |s: &&Sample| (s.t - time).abs() < 1e-9;
+    &record.samples.iter().find(near).unwrap().coordinates
 }

@@ -4,3 +4,5 @@
 mod axes;
 mod helpers;
 mod models;
+mod planar;
+mod random;

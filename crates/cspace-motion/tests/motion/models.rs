@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use cspace::Mechanism;
-use cspace_motion::Status;
+use cspace_motion::{EventKind, Record, Status};
 
-use crate::helpers::{driven, run};
+use crate::helpers::{at, run};
 
 fn model(name: &str) -> Mechanism {
     let path = format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -15,83 +15,79 @@ fn model(name: &str) -> Mechanism {
     }
 }
 
+#[track_caller]
+fn is_done(record: &Record) {
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+}
+
+/// 60 degrees a turn, to 1e-9 degrees, and at rest while the disc locks it.
 #[test]
 fn a_geneva_wheel_steps() {
-    let mut geneva = model("geneva");
-    geneva.dynamics.drives.clear();
-    let begin = std::time::Instant::now();
-    let (_, record) = run(&driven(geneva, 1, TAU), 3.0, 0.01);
-    eprintln!("{:?}", begin.elapsed());
-    eprintln!("{:#?} {} events", record.reason, record.events.len());
-    for e in &record.events {
-        eprintln!("{:.6} {:?} {} {:?}", e.t, e.kind, e.what, e.at);
+    let (_, record) = run(&model("geneva"), 4.0, 0.01);
+    is_done(&record);
+    for t in [1.0, 1.25, 1.5, 1.7, 2.0, 2.9] {
+        let step = at(&record, t + 1.0)[0] - at(&record, t)[0];
+        let error = (step.to_degrees() + 60.0).abs();
+        assert!(error < 1e-9, "{t}: {error:e}");
     }
-    for s in record.samples.iter().step_by(10) {
-        eprintln!("{} {:.9}", s.t, s.coordinates[0].to_degrees());
-    }
-    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    assert_eq!(at(&record, 2.0)[0], at(&record, 2.3)[0]);
+    // The pin comes in and the disc lets go once a turn, at the same times.
+    let touches: Vec<f64> = (record.events.iter())
+        .filter(|e| e.kind == EventKind::Touch && e.t > 1.0)
+        .map(|e| e.t)
+        .collect();
+    assert_eq!(touches.len(), 6);
+    assert!(touches.windows(3).all(|w| (w[2] - w[0] - 1.0).abs() < 1e-9));
 }
 
+/// 12 teeth drive 10: over whole turns the ratio is exact, and tooth for tooth the motion is the same.
 #[test]
 fn gears_turn() {
-    let mut gears = model("gears_on_shafts");
-    gears.dynamics.drives.clear();
-    let begin = std::time::Instant::now();
-    let (_, record) = run(&driven(gears, 0, TAU), 3.0, 0.01);
-    eprintln!("{:?}", begin.elapsed());
-    eprintln!("{:#?} {} events", record.reason, record.events.len());
-    for e in record.events.iter().take(60) {
-        eprintln!("{:.6} {:?} {} {:?}", e.t, e.kind, e.what, e.at);
+    let (_, record) = run(&model("gears_on_shafts"), 3.0, 0.025);
+    is_done(&record);
+    for t in [0.5, 1.0, 1.75] {
+        let turned = at(&record, t + 1.0)[1] - at(&record, t)[1];
+        assert!((turned / TAU + 1.2).abs() < 1e-11, "{}", turned / TAU);
     }
-    for s in record.samples.iter().step_by(50) {
-        eprintln!("{} {:.9}", s.t, s.coordinates[1].to_degrees());
-    }
-    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    // From one tooth to the next: a twelfth of a second.
+    let touches: Vec<f64> = (record.events.iter())
+        .filter(|e| e.kind == EventKind::Touch)
+        .map(|e| e.t)
+        .collect();
+    assert!(touches.len() > 30);
+    assert!(
+        touches[2..]
+            .windows(2)
+            .all(|w| (w[1] - w[0] - 1.0 / 12.0).abs() < 1e-9)
+    );
 }
 
+/// One tooth, 18 degrees, a turn of the driver.
 #[test]
 fn a_ratchet_advances() {
-    let mut ratchet = model("ratchet_mechanism");
-    ratchet.dynamics = Default::default();
-    use cspace::mechanism::*;
-    ratchet.dynamics.springs.push(Spring {
-        part: 3,
-        other: Some(2),
-        kind: SpringKind::Torsion {
-            stiffness: 0.0,
-            angle: 0.0,
-            damping: 1.0,
-        },
-    });
-    ratchet.dynamics.springs.push(Spring {
-        part: 4,
-        other: None,
-        kind: SpringKind::Torsion {
-            stiffness: 0.0,
-            angle: 0.0,
-            damping: 1e9,
-        },
-    });
-    ratchet.dynamics.loads.push(Load {
-        part: 3,
-        kind: LoadKind::Torque(2e6),
-    });
-    let begin = std::time::Instant::now();
-    let (_, record) = run(&driven(ratchet, 1, TAU), 3.0, 0.01);
-    eprintln!("{:?}", begin.elapsed());
-    eprintln!("{:#?} {} events", record.reason, record.events.len());
-    for e in record.events.iter().take(60) {
-        eprintln!("{:.6} {:?} {} {:?}", e.t, e.kind, e.what, e.at);
+    let (simulation, record) = run(&model("ratchet_mechanism"), 4.0, 0.01);
+    is_done(&record);
+    let wheel = simulation.system().parts()[4].indices().start;
+    for t in [1.0, 1.25, 1.5, 2.0, 2.6, 3.0] {
+        let turned = (at(&record, t + 1.0)[wheel] - at(&record, t)[wheel]).to_degrees();
+        assert!((turned - 18.0).abs() < 1e-9, "{t}: {turned}");
     }
-    for s in record.samples.iter().step_by(5) {
-        eprintln!(
-            "{:.2} {:?}",
-            s.t,
-            s.coordinates
-                .iter()
-                .map(|x| format!("{:.6}", x.to_degrees()))
-                .collect::<Vec<_>>()
-        );
-    }
-    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    // The link follows the direction of the eccentric's centre, but for its play: 11.25 degrees either way.
+    let link = simulation.system().parts()[2].indices().start;
+    let angles = || {
+        record
+            .samples
+            .iter()
+            .filter(|s| s.t > 0.1)
+            .map(|s| s.coordinates[link].to_degrees())
+    };
+    let (least, most) = (
+        angles().fold(f64::MAX, f64::min),
+        angles().fold(f64::MIN, f64::max),
+    );
+    let swing = (19.5_f64 / 100.0).asin().to_degrees();
+    assert!(
+        (most - swing).abs() < 0.1 && (least + swing).abs() < 0.2,
+        "{least} {most}"
+    );
 }

@@ -31,7 +31,9 @@ pub(super) fn csv(
     writer.write_record(&header).map_err(Failure::work)?;
     for sample in &record.samples {
         let rates = sample.rates.iter().filter(|_| with_rates);
-        let numbers = core::iter::once(&sample.t).chain(&sample.coordinates).chain(rates);
+        let numbers = core::iter::once(&sample.t)
+            .chain(&sample.coordinates)
+            .chain(rates);
         let texts = numbers.map(|x| format!("{x:?}"));
         writer.write_record(texts).map_err(Failure::work)?;
     }
