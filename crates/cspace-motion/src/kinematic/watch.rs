@@ -124,7 +124,11 @@ impl<'a> Watch<'a> {
             Err(error) => return Some(outside(error)),
         }
         match pair.classify(self.system, to) {
-            Ok(Classification::Blocked) => return Some(Cause::Pair(index)),
+            // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
+            Ok(Classification::Blocked) => match pair.touches(index, self.system, to, pair.touch) {
+                Ok(touches) if !touches.is_empty() => {}
+                _ => return Some(Cause::Pair(index)),
+            },
             Err(error) => return Some(outside(error)),
             Ok(_) => {}
         }

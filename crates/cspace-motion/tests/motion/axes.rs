@@ -195,7 +195,13 @@ fn how_it_is_told_changes_nothing() {
     );
     assert_eq!(one.events, often.events);
     let (_, swapped) = run(&driven(mechanism(vec![b, a]), 1, 1.0), 14.0, 0.5);
-    assert_eq!(one.events.len(), swapped.events.len());
+    assert_eq!(
+        one.events.len(),
+        swapped.events.len(),
+        "{:?} {:?}",
+        swapped.reason,
+        swapped.events
+    );
     for (e, s) in one.events.iter().zip(&swapped.events) {
         assert!((e.t - s.t).abs() < 1e-8 && e.kind == s.kind, "{e:?} {s:?}");
     }
