@@ -47,6 +47,13 @@ pub struct Touch {
     contact: FeatureContact,
 }
 
+impl Touch {
+    /// The contact of the features, by which its function is evaluated.
+    pub fn contact(&self) -> &FeatureContact {
+        &self.contact
+    }
+}
+
 /// The pairs of a mechanism.
 #[derive(Debug)]
 pub struct Pairs {

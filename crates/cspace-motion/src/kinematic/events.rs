@@ -10,8 +10,9 @@ use super::flow::Flow;
 /// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
 /// contact, which passes from one feature to the next.
 const SAME_PLACE: f64 = 1e-6;
-/// A contact that opens by less than this share of how far parts move stays, if no push holds it closed.
-const STAYS: f64 = 1e-3;
+/// A contact that no push holds closed stays if it opens by no more than this in a trial, relative to the size of the
+/// mechanism: rounding. What opens with the square of the time opens by a hundred times that.
+const STAYS: f64 = 1e-14;
 
 /// The contacts and limits that are told to be there.
 #[derive(Debug, Default)]
@@ -33,10 +34,10 @@ impl Told {
             Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
             Bound::Limit { .. } => None,
         };
-        let moved = system.moved(q, next);
+        let opens = STAYS * system.size();
         let stays = |bound: &Bound| {
             let value = |q: &[f64]| bound.function(system, pairs, q).value;
-            value(next) - value(q) <= STAYS * moved
+            value(next) - value(q) <= opens
         };
         let now: Vec<(Bound, Option<cspace::Point>)> = (flow.held.iter())
             .chain(bounds.iter().filter(|b| !flow.held.contains(b) && stays(b)))

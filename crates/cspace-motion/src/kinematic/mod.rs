@@ -3,8 +3,10 @@
 mod bound;
 mod choose;
 mod describe;
+mod ends;
 mod events;
 mod flow;
+mod locate;
 mod run;
 mod velocity;
 mod watch;

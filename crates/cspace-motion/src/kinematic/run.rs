@@ -9,16 +9,13 @@ use super::choose::{Choice, choose, touching};
 use super::describe::named;
 use super::events::Told;
 use super::flow::{Arrived, Flow};
+use super::locate::first_event;
 use super::watch::{Cause, Watch};
 
 /// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
 const LONGEST: f64 = 0.02;
 /// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
 const ERROR: f64 = 1e-13;
-/// Events are located to this share of a step.
-const LOCATED: f64 = 1e-13;
-/// What a contact does to others is seen when parts are no farther on than this, relative to the size of the mechanism.
-const NEAR_EVENT: f64 = 1e-7;
 /// Steps are not made shorter than this, relative to the time so far and to come.
 const SHORTEST: f64 = 1e-15;
 /// So many events in a row without progress in time do not lead on.
@@ -93,12 +90,10 @@ impl<'a> Run<'a> {
         let mut steps = 0;
         let mut before: Vec<Bound> = Vec::new();
         while time < self.duration {
-            // What was held is closed still, though it may just have come to the end of where it touches: where a side comes
-            // to lie on another, one corner of it was held, and both are to be.
             let mut bounds = touching(self.system, self.pairs, &q);
             let new = |b: &&Bound| bounds.iter().all(|other| !b.is_same(other));
-            let held: Vec<Bound> = before.iter().filter(new).copied().collect();
-            bounds.extend(held);
+            let more: Vec<Bound> = before.iter().filter(new).copied().collect();
+            bounds.extend(more);
             let left = self.duration - time;
             let choice = choose(self.system, self.pairs, &bounds, time, &q, left);
             let (flow, next) = match choice {
@@ -114,8 +109,7 @@ impl<'a> Run<'a> {
             };
             let events = self.told.update(self.pairs, &bounds, &flow, &next);
             self.record.events.extend(events);
-            before.clone_from(&flow.held);
-            (time, q) = self.follow(flow, &mut steps, progress)?;
+            (time, q, before) = self.follow(flow, &mut steps, progress)?;
             if time > idle_since + PROGRESS * self.duration {
                 (idle, idle_since) = (0, time);
             } else {
@@ -131,13 +125,13 @@ impl<'a> Run<'a> {
         Some(self.record)
     }
 
-    /// Goes on with the same contacts until something happens; where and when that is. `None` if the user wants no more.
+    /// Goes on with the same contacts until something happens; when and where that is, and what touches. `None` if the user wants no more.
     fn follow(
         &mut self,
         mut flow: Flow<'a>,
         steps: &mut usize,
         progress: &dyn Fn(f64) -> bool,
-    ) -> Option<(f64, Vec<f64>)> {
+    ) -> Option<(f64, Vec<f64>, Vec<Bound>)> {
         let mut watch = Watch::new(self.system, self.pairs);
         let mut longest = f64::INFINITY;
         loop {
@@ -149,7 +143,7 @@ impl<'a> Run<'a> {
                 self.stops.pop();
             }
             let Some(&stop) = self.stops.last() else {
-                return Some((flow.time, flow.q));
+                return Some((flow.time, flow.q, flow.held));
             };
             let left = stop - flow.time;
             let size = self.system.size();
@@ -170,7 +164,10 @@ impl<'a> Run<'a> {
                 None => Some(Cause::Lost),
             };
             let (Some(to), None) = (arrived, met) else {
-                return Some(self.locate(&flow, h, &mut watch));
+                let stop = first_event(&flow, h, &mut watch);
+                let time = flow.time + stop.after;
+                self.sample(&flow, time);
+                return Some((time, stop.q, stop.bounds));
             };
             if !to.velocity.determined {
                 let share = (ERROR * size / to.error).powf(0.2).clamp(0.2, 4.0);
@@ -185,7 +182,7 @@ impl<'a> Run<'a> {
             flow.velocity = to.velocity;
             if is_corner {
                 // Drives may jump in rate there.
-                return Some((flow.time, flow.q));
+                return Some((flow.time, flow.q, flow.held));
             }
         }
     }
@@ -206,83 +203,6 @@ impl<'a> Run<'a> {
         } else {
             None
         }
-    }
-
-    /// The first event within a step that met something: the time and the configuration just after it.
-    fn locate(&mut self, flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) -> (f64, Vec<f64>) {
-        let (mut before, mut after) = (0.0, h);
-        let mut last = None;
-        while after - before > LOCATED * h {
-            let middle = 0.5 * (before + after);
-            if middle <= before || middle >= after {
-                break;
-            }
-            match flow.after(middle) {
-                Some(to) if watch.check(flow, middle, &to).is_none() => before = middle,
-                found => {
-                    after = middle;
-                    last = found;
-                }
-            }
-        }
-        if let Some((earlier, to)) = self.closes(flow, after) {
-            (after, last) = (earlier, Some(to));
-        }
-        let time = flow.time + after;
-        self.sample(flow, time);
-        // Where contacts cannot hold on, the configuration is the last at which they do.
-        let to = last
-            .or_else(|| flow.after(after))
-            .or_else(|| flow.after(before));
-        (time, to.map_or_else(|| flow.q.clone(), |to| to.q))
-    }
-
-    /// When a contact that came closed, if that is known better than by what it did to the others: a root of its function.
-    fn closes(&self, flow: &Flow<'a>, after: f64) -> Option<(f64, Arrived)> {
-        let end = flow.after(after)?;
-        let reach = NEAR_EVENT * self.system.size();
-        let value = |bound: &Bound, h: f64| {
-            let to = flow.after(h)?;
-            let value = bound.function(self.system, self.pairs, &to.q).value;
-            Some((value, to))
-        };
-        let new = touching(self.system, self.pairs, &end.q);
-        let new = new
-            .iter()
-            .filter(|b| flow.held.iter().all(|other| !b.is_same(other)));
-        let roots = new.filter_map(|bound| {
-            let (mut below, mut above) = (after, after);
-            let (at_end, _) = value(bound, after)?;
-            if at_end >= 0.0 {
-                return None;
-            }
-            let mut back = LOCATED * after;
-            loop {
-                above -= back;
-                back *= 2.0;
-                let (open, to) = value(bound, above.max(0.0))?;
-                if open >= 0.0 {
-                    break;
-                }
-                if above <= 0.0 || self.system.moved(&to.q, &end.q) > reach {
-                    return None;
-                }
-                below = above;
-            }
-            above = above.max(0.0);
-            while below - above > LOCATED * after {
-                let middle = 0.5 * (above + below);
-                if middle <= above || middle >= below {
-                    break;
-                }
-                match value(bound, middle)?.0 {
-                    open if open >= 0.0 => above = middle,
-                    _ => below = middle,
-                }
-            }
-            Some((below, value(bound, below)?.1))
-        });
-        roots.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// Samples up to a time, which has been reached.

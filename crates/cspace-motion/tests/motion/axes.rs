@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use cspace::mechanism::{Drive, DriveMotion, Load, LoadKind, PartPosition, Spring, SpringKind};
-use cspace::{Axis, Part, PartEntry, Point, Vector, Vertex};
+use cspace::{Axis, Part, PartEntry, Point, Vector};
 use cspace_motion::{EventKind, Status, What};
 
 use crate::helpers::{at, driven, mechanism, polygon, run};
@@ -164,52 +164,4 @@ fn a_table_pushes_and_lets_go() {
     let t = record.events[0].t;
     assert!((4.5 * t - 1.5 * t.powi(3) - 1.0).abs() < 1e-9);
     assert!((at(&record, 4.0)[1] - 2.0).abs() < 1e-9);
-}
-
-/// Times of events are the same whatever is sampled; which part is called fixed and which comes first changes nothing.
-#[test]
-fn how_it_is_told_changes_nothing() {
-    let tooth = |name: &str, x: f64| {
-        let corners = [
-            (x - 1.0, -4.0),
-            (x + 1.0, -4.0),
-            (x + 0.6, 4.0),
-            (x - 0.6, 4.0),
-        ];
-        Part::new(
-            name,
-            vec![corners.map(|(x, y)| Vertex::line(x, y)).to_vec()],
-        )
-        .unwrap()
-    };
-    let a = PartEntry::revolute(tooth("a", 0.0), (0.0, 0.0));
-    let b = PartEntry::revolute(tooth("b", 4.5), (4.5, 2.5));
-    let first = driven(mechanism(vec![a.clone(), b.clone()]), 0, 1.0);
-    let (_, one) = run(&first, 14.0, 0.5);
-    let (_, often) = run(&first, 14.0, 0.013);
-    assert!(
-        one.events.len() > 5,
-        "{:?} {}",
-        one.reason,
-        one.events.len()
-    );
-    assert_eq!(one.events, often.events);
-    let (_, swapped) = run(&driven(mechanism(vec![b, a]), 1, 1.0), 14.0, 0.5);
-    assert_eq!(
-        one.events.len(),
-        swapped.events.len(),
-        "{:?} {:?}",
-        swapped.reason,
-        swapped.events
-    );
-    for (e, s) in one.events.iter().zip(&swapped.events) {
-        assert!((e.t - s.t).abs() < 1e-8 && e.kind == s.kind, "{e:?} {s:?}");
-    }
-    for (s, t) in one.samples.iter().zip(&swapped.samples) {
-        assert!(
-            (s.coordinates[1] - t.coordinates[0]).abs() < 1e-8,
-            "{}",
-            s.t
-        );
-    }
 }
