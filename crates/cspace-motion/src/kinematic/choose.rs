@@ -5,6 +5,8 @@
 //! only one need. So the nearest velocities that some of the contacts allow are tried, the nearest first, and the first is taken
 //! that leads to where parts do not overlap.
 
+use cspace::Point;
+
 use crate::pairs::Pairs;
 use crate::system::{Row, System};
 
@@ -13,6 +15,9 @@ use super::flow::Flow;
 use super::velocity::{Local, Nearest};
 use super::watch::Watch;
 
+/// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
+/// contact, which passes from one feature to the next.
+pub(crate) const SAME_PLACE: f64 = 1e-6;
 /// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
 const MOST_CONTACTS: usize = 10;
 /// Trials go as far as this, relative to the size of the mechanism: beyond what contacts are known to, and less than what
@@ -76,29 +81,56 @@ pub(crate) fn choose<'a>(
         .iter()
         .map(|b| b.function(system, pairs, q))
         .collect();
+    let place = |bound: &Bound| match bound {
+        Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
+        Bound::Limit { .. } => None,
+    };
     let contacts: Vec<usize> = (0..bounds.len())
         .filter(|&i| matches!(bounds[i], Bound::Contact(_)))
         .collect();
-    let mut tried: Vec<(Vec<usize>, f64)> = Vec::new();
-    for left_out in left_out(contacts.len()) {
-        let inside: Vec<usize> = (0..bounds.len())
-            .filter(|i| !left_out.iter().any(|&k| contacts[k] == *i))
-            .collect();
-        let chosen: Vec<Row> = inside.iter().map(|&i| rows[i]).collect();
-        if let Nearest::Held { held, distance } = local.nearest(&chosen) {
-            let held: Vec<usize> = held.into_iter().map(|k| inside[k]).collect();
-            if tried.iter().all(|(other, _)| *other != held) {
-                tried.push((held, distance));
+    let places: Vec<Option<Point>> = contacts.iter().map(|&i| place(&bounds[i])).collect();
+    let near = SAME_PLACE * system.size();
+    let has_other = |k: usize, left_out: &[usize]| {
+        (0..contacts.len()).any(|other| {
+            let same_pair = match (&bounds[contacts[k]], &bounds[contacts[other]]) {
+                (Bound::Contact(a), Bound::Contact(b)) => a.pair == b.pair,
+                _ => false,
+            };
+            let close = |(p, q): (Point, Point)| p.distance(q) <= near;
+            same_pair
+                && !left_out.contains(&other)
+                && places[k].zip(places[other]).is_some_and(close)
+        })
+    };
+    // First only those are left out that have another at the same place; then any.
+    let sets = left_out(contacts.len());
+    let (fair, other): (Vec<_>, Vec<_>) = sets
+        .into_iter()
+        .partition(|set| set.iter().all(|&k| has_other(k, set)));
+    let mut tried: Vec<Vec<usize>> = Vec::new();
+    for sets in [fair, other] {
+        let mut candidates: Vec<(Vec<usize>, f64)> = Vec::new();
+        for left_out in sets {
+            let inside: Vec<usize> = (0..bounds.len())
+                .filter(|i| !left_out.iter().any(|&k| contacts[k] == *i))
+                .collect();
+            let chosen: Vec<Row> = inside.iter().map(|&i| rows[i]).collect();
+            if let Nearest::Held { held, distance } = local.nearest(&chosen) {
+                let held: Vec<usize> = held.into_iter().map(|k| inside[k]).collect();
+                if !tried.contains(&held) {
+                    tried.push(held.clone());
+                    candidates.push((held, distance));
+                }
             }
         }
-    }
-    // Of equal distances, those with more contacts left in come first, as they were found.
-    tried.sort_by(|a, b| a.1.total_cmp(&b.1));
-    for scale in TRIALS {
-        for (held, _) in &tried {
-            let held: Vec<Bound> = held.iter().map(|&i| bounds[i]).collect();
-            if let Some((flow, next)) = tries(system, pairs, held, time, q, scale, longest) {
-                return Choice::On { flow, next };
+        // Of equal distances, those with more contacts left in come first, as they were found.
+        candidates.sort_by(|a, b| a.1.total_cmp(&b.1));
+        for scale in TRIALS {
+            for (held, _) in &candidates {
+                let held: Vec<Bound> = held.iter().map(|&i| bounds[i]).collect();
+                if let Some((flow, next)) = tries(system, pairs, held, time, q, scale, longest) {
+                    return Choice::On { flow, next };
+                }
             }
         }
     }

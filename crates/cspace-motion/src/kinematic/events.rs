@@ -5,11 +5,9 @@ use crate::record::{Event, EventKind};
 use crate::system::System;
 
 use super::bound::Bound;
+use super::choose::SAME_PLACE;
 use super::flow::Flow;
 
-/// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
-/// contact, which passes from one feature to the next.
-const SAME_PLACE: f64 = 1e-6;
 /// A contact that no push holds closed stays if it opens by no more than this in a trial, relative to the size of the
 /// mechanism: rounding. What opens with the square of the time opens by a hundred times that.
 const STAYS: f64 = 1e-14;
