@@ -105,3 +105,8 @@ fn ways() {
 fn taking_apart() {
     is_true("assembly.md", 2);
 }
+
+#[test]
+fn motion() {
+    is_true("motion.md", 4);
+}

@@ -21,3 +21,4 @@ mod play;
 mod questions;
 mod random;
 mod schemas;
+mod simulate;

@@ -115,6 +115,17 @@ fn answers_are_as_their_schemas_say() {
     );
     plan(&axes, "0,0", "30deg,-36deg", &[]);
     plan(&axes, "0,0", "75deg,18deg", &["--depth", "1"]);
+    let driven = ["geneva", "ratchet_mechanism"].map(model);
+    for file in &driven {
+        is_told("simulate", &json(&["simulate", file, "--time", "1"]));
+    }
+    let jam = dir.path().join("jam.toml");
+    std::fs::write(&jam, crate::simulate::JAM).unwrap();
+    let jam = jam.to_str().unwrap();
+    is_told(
+        "simulate",
+        &json(&["simulate", jam, "--time", "9", "--rates"]),
+    );
     for name in ["latch_box", "fixture_plate"] {
         is_told("assembly", &json(&["assembly", &model(name)]));
     }

@@ -81,10 +81,3 @@ fn pebbles_are_pushed_about() {
 fn many_pebbles_are_pushed_about() {
     (100..300).for_each(scene);
 }
-
-#[test]
-#[ignore = "dbg"]
-fn dbg_one() {
-    let seed = std::env::var("SEED").unwrap().parse().unwrap();
-    scene(seed);
-}
