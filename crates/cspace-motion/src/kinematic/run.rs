@@ -23,7 +23,14 @@ const MOST_IDLE: usize = 64;
 /// Less than this share of the duration is no progress.
 const PROGRESS: f64 = 1e-12;
 /// Steps of a simulation, some minutes.
-const MOST_STEPS: usize = 20_000_000;
+const MOST_STEPS: usize = 10_000_000;
+/// Steps whose error is small enough only if they are shorter than this, relative to the duration, do not come to an end in
+/// half a minute: forces are too stiff for them.
+const STIFF: f64 = 1e-6;
+/// And move parts by less than this, relative to the size of the mechanism.
+const CRAWLS: f64 = 1e-6;
+/// So many times in a row.
+const MOST_CRAWLED: usize = 1000;
 
 /// A simulation under way.
 struct Run<'a> {
@@ -35,6 +42,8 @@ struct Run<'a> {
     stops: Vec<f64>,
     record: Record,
     told: Told,
+    /// Whether forces are too stiff to be followed.
+    stiff: bool,
 }
 
 /// The times of samples.
@@ -80,6 +89,7 @@ pub(crate) fn run(
             events: Vec::new(),
         },
         told: Told::default(),
+        stiff: false,
     };
     run.go(q, progress)
 }
@@ -115,7 +125,7 @@ impl<'a> Run<'a> {
             } else {
                 idle += 1;
             }
-            if idle > MOST_IDLE || steps > MOST_STEPS {
+            if self.stiff || idle > MOST_IDLE || steps > MOST_STEPS {
                 let bounds = touching(self.system, self.pairs, &q);
                 self.undetermined(time, &q, &bounds);
                 return Some(self.record);
@@ -134,6 +144,7 @@ impl<'a> Run<'a> {
     ) -> Option<(f64, Vec<f64>, Vec<Bound>)> {
         let mut watch = Watch::new(self.system, self.pairs);
         let mut longest = f64::INFINITY;
+        let mut crawled = 0;
         loop {
             *steps += 1;
             if steps.is_multiple_of(64) && !progress(flow.time / self.duration) {
@@ -156,7 +167,9 @@ impl<'a> Run<'a> {
                 let too_long = arrived.as_ref().and_then(|to| self.too_long(&flow, to));
                 match too_long {
                     Some(factor) if h * factor > shortest => h *= factor,
-                    _ => break arrived,
+                    // What cannot be followed at all is lost.
+                    Some(_) => break None,
+                    None => break arrived,
                 }
             };
             let met = match &arrived {
@@ -172,6 +185,17 @@ impl<'a> Run<'a> {
             if !to.velocity.determined {
                 let share = (ERROR * size / to.error).powf(0.2).clamp(0.2, 4.0);
                 longest = 0.9 * h * share;
+                // Near a dead point steps are short, too, but there are few of them.
+                let crawls = self.system.moved(&flow.q, &to.q) < CRAWLS * size;
+                crawled = if longest < STIFF * self.duration && crawls {
+                    crawled + 1
+                } else {
+                    0
+                };
+                if crawled > MOST_CRAWLED {
+                    self.stiff = true;
+                    return Some((flow.time, flow.q, flow.held));
+                }
             }
             let end = if h == left { stop } else { flow.time + h };
             self.sample(&flow, end);
@@ -251,7 +275,10 @@ impl<'a> Run<'a> {
 
     fn undetermined(&mut self, time: f64, q: &[f64], bounds: &[Bound]) {
         let list: Vec<String> = bounds.iter().map(|b| self.text(b)).collect();
-        let reason = if list.is_empty() {
+        let reason = if self.stiff {
+            "springs or dampers are too stiff for their parts to be followed; make them softer, or the damping larger"
+                .to_owned()
+        } else if list.is_empty() {
             "a pair left the orientations of its space, or the metric is singular".to_owned()
         } else {
             format!("no set of these contacts leads on: {}", list.join("; "))

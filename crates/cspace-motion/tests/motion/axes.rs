@@ -165,3 +165,26 @@ fn a_table_pushes_and_lets_go() {
     assert!((4.5 * t - 1.5 * t.powi(3) - 1.0).abs() < 1e-9);
     assert!((at(&record, 4.0)[1] - 2.0).abs() < 1e-9);
 }
+
+/// Numbers that cannot be followed are told, at once.
+#[test]
+fn hostile_springs_are_told() {
+    for stiffness in [1e12, 1e300, f64::MAX] {
+        let block = Part::rectangle("block", (0.0, 0.0), 2.0, 3.0).unwrap();
+        let mut mechanism = mechanism(vec![PartEntry::prismatic(block, (1.0, 0.0))]);
+        mechanism.dynamics.part_mut(0).start = Some(PartPosition::Axis(4.0));
+        mechanism.dynamics.springs.push(Spring {
+            part: 0,
+            other: None,
+            kind: SpringKind::Linear {
+                at: (Point::ORIGIN, Point::new(-10.0, 0.0)),
+                stiffness,
+                length: 10.0,
+                damping: 0.0,
+            },
+        });
+        let (_, record) = run(&mechanism, 3.0, 0.1);
+        assert_eq!(record.status, Status::Undetermined, "{stiffness}");
+        assert!(record.reason.is_some());
+    }
+}

@@ -189,3 +189,53 @@ fn what_cannot_start_is_told() {
     assert_eq!((fixed.as_str(), moving.as_str()), ("table", "block"));
     assert!((depth - 0.5).abs() < 1e-9);
 }
+
+/// Two halves that a rigid joint makes one are pushed as one, and a part on a prismatic joint slides along another that turns.
+#[test]
+fn rigid_and_prismatic_joints_hold() {
+    let mut mechanism = Mechanism::new("joints");
+    mechanism.parts = vec![
+        PartEntry::revolute(
+            Part::rectangle("arm", (3.0, 0.0), 6.0, 0.5).unwrap(),
+            (0.0, 0.0),
+        ),
+        PartEntry::planar(Part::rectangle("slide", (3.0, 0.0), 1.0, 1.0).unwrap()),
+        PartEntry::planar(Part::rectangle("flag", (3.0, 2.0), 1.0, 1.0).unwrap()),
+    ];
+    let direction = Vector::new(1.0, 0.0);
+    let along = Joint::Prismatic {
+        direction,
+        at: Point::ORIGIN,
+    };
+    mechanism.joints = vec![
+        JointEntry {
+            joint: along,
+            parts: (0, 1),
+        },
+        JointEntry {
+            joint: Joint::Rigid,
+            parts: (1, 2),
+        },
+    ];
+    let kind = LoadKind::Force {
+        force: Vector::new(2.0, 0.0),
+        at: None,
+    };
+    mechanism.dynamics.loads.push(Load { part: 2, kind });
+    let (simulation, record) = run(&driven(mechanism, 0, 1.0), 3.0, 0.05);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    let system = simulation.system();
+    for sample in &record.samples {
+        let q = &sample.coordinates;
+        let (slide, flag) = (system.relative(0, 1, q), system.relative(1, 2, q));
+        assert!(
+            slide.y.abs() < 1e-11 && slide.theta.abs() < 1e-11,
+            "{slide:?}"
+        );
+        assert!(flag.x.abs() < 1e-11 && flag.y.abs() < 1e-11 && flag.theta.abs() < 1e-11);
+    }
+    // Along the arm, at first x: the area of both, 2, is pushed by 2; that the arm takes them sideways does no work along it, but
+    // the flag is 2 above it, and its middle is carried back as it turns: 1 + (0 + 2)/2 · 1 for the nearest velocity.
+    let speed = record.samples[0].rates[1];
+    assert!((speed - 2.0).abs() < 1e-12, "{speed}");
+}
