@@ -254,6 +254,7 @@ Both are drawn where they work, the rack in the middle of its travel: a tooth of
            '{ type = "revolute", center = [0, 0] }', teeth)
     m.part("rack", "", [(f"{count} teeth", rack)],
            f'{{ type = "prismatic", direction = [1, 0], range = [-{travel:g}, {travel:g}] }}')
+    m.table("pinion", [(0, 0), (1, 2.5), (3, -2.5), (4, 0)], "To and fro.")
     return m
 
 
@@ -313,6 +314,7 @@ the cam stops it first.
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam_profile())], '{ type = "revolute", center = [0, 0] }')
     m.part("tappet", "Stem to +y.", [("outline", tappet)],
            f'{{ type = "prismatic", direction = [0, 1], range = [{low:g}, {high:g}] }}')
+    m.drive("cam", "360deg", "The cam turns, a spring lays the tappet on it.").force("tappet", (0, "-1e6"))
     return m
 
 
@@ -397,6 +399,9 @@ are possible.
     m.part("wheel", "Axis at the origin.", [(f"{teeth} teeth", wheel)], '{ type = "revolute", center = [0, 0] }', teeth)
     m.part("anchor", "Entry pallet on the left.", [("outline", anchor)],
            f'{{ type = "revolute", center = [0, {number(pivot.imag)}], range = ["-{swing:g}deg", "{swing:g}deg"] }}')
+    swings = [(0, '"0deg"')] + [(0.25 + 0.5 * k, f'"{4 * (-1) ** k}deg"') for k in range(20)]
+    m.table("anchor", swings, "A weight drives the wheel; the anchor swings once a second, as its pendulum lets it, for ten seconds.")
+    m.torque("wheel", "-1e7")
     return m
 
 

@@ -112,3 +112,46 @@ fn how_it_is_told_changes_nothing() {
         assert!((s.coordinates[1] - t.coordinates[0]).abs() < 1e-10);
     }
 }
+
+/// The wheel turns by one of its 30 teeth while the anchor swings to and fro, and rests in between.
+#[test]
+fn an_escapement_ticks() {
+    let (_, record) = run(&model("escapement"), 6.0, 0.0125);
+    is_done(&record);
+    let wheel = |t: f64| at(&record, t)[0].to_degrees();
+    for t in [1.25, 2.25, 3.25, 4.25, 1.75, 2.75, 3.75] {
+        let step = wheel(t + 1.0) - wheel(t);
+        assert!((step + 12.0).abs() < 1e-9, "{t}: {step}");
+    }
+    // On the arc about the anchor's pivot it does not move.
+    assert!((wheel(3.25) - wheel(3.3)).abs() < 1e-9);
+}
+
+/// Between the dwell at R34 and the base circle at R22, drawn 0.1 above the dwell.
+#[test]
+fn a_tappet_rises_and_falls() {
+    let (_, record) = run(&model("cam_tappet"), 2.0, 0.005);
+    is_done(&record);
+    let lifts = || record.samples.iter().skip(4).map(|s| s.coordinates[1]);
+    let (least, most) = (
+        lifts().fold(f64::MAX, f64::min),
+        lifts().fold(f64::MIN, f64::max),
+    );
+    assert!((most + 0.1).abs() < 1e-9, "{most}");
+    assert!((least + 12.1).abs() < 1e-9, "{least}");
+}
+
+/// From tooth to tooth a rack goes 24 times as far as its pinion turns.
+#[test]
+fn a_rack_is_pushed_on() {
+    let mut rack = model("rack_pinion");
+    rack.dynamics.drives[0].motion = cspace::mechanism::DriveMotion::Rate(1.0);
+    let tooth = TAU / 12.0;
+    let (_, record) = run(&rack, 4.5 * tooth, tooth / 8.0);
+    is_done(&record);
+    for k in [4.0, 8.0, 11.0, 17.0] {
+        let t = k * tooth / 8.0;
+        let step = at(&record, t + 2.0 * tooth)[1] - at(&record, t)[1];
+        assert!((step - 2.0 * 24.0 * tooth).abs() < 1e-9, "{t}: {step}");
+    }
+}
