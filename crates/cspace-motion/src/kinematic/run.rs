@@ -44,6 +44,8 @@ struct Run<'a> {
     told: Told,
     /// Whether forces are too stiff to be followed.
     stiff: bool,
+    /// The rates of all coordinates at the last step.
+    rates: Vec<f64>,
 }
 
 /// The times of samples.
@@ -90,6 +92,7 @@ pub(crate) fn run(
         },
         told: Told::default(),
         stiff: false,
+        rates: Vec::new(),
     };
     run.go(q, progress)
 }
@@ -132,6 +135,15 @@ impl<'a> Run<'a> {
             }
         }
         self.record.until = self.duration;
+        // The end is a sample, also where it is none of the even times, or misses one by rounding.
+        let rounding = 1e-12 * self.duration;
+        if (self.record.samples.last()).is_none_or(|s| s.t < self.duration - rounding) {
+            self.record.samples.push(Sample {
+                t: self.duration,
+                coordinates: q,
+                rates: self.rates,
+            });
+        }
         Some(self.record)
     }
 
@@ -204,6 +216,7 @@ impl<'a> Run<'a> {
             flow.time = end;
             flow.q = to.q;
             flow.velocity = to.velocity;
+            self.rates.clone_from(&flow.velocity.rates);
             if is_corner {
                 // Drives may jump in rate there.
                 return Some((flow.time, flow.q, flow.held));

@@ -188,3 +188,21 @@ fn hostile_springs_are_told() {
         assert!(record.reason.is_some());
     }
 }
+
+/// The end is a sample, also where it is none of the even times.
+#[test]
+fn the_end_is_a_sample() {
+    let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0).unwrap();
+    let mechanism = driven(
+        mechanism(vec![PartEntry::prismatic(block, (1.0, 0.0))]),
+        0,
+        2.0,
+    );
+    for (time, every, count) in [(1.0, 0.3, 5), (0.3, 0.1, 4), (0.7, 0.1, 8), (1.0, 5.0, 2)] {
+        let (_, record) = run(&mechanism, time, every);
+        assert_eq!(record.samples.len(), count, "{time} {every}");
+        let last = record.samples.last().unwrap();
+        assert!((last.t - time).abs() < 1e-12 && (last.coordinates[0] - 2.0 * time).abs() < 1e-12);
+        assert_eq!(last.rates, [2.0]);
+    }
+}
