@@ -151,6 +151,8 @@ for them.
     m.pair("frame", "driver", "Lower pairs.").pair("frame", "link").pair("frame", "ratchet").pair("link", "pawl")
     m.pair("driver", "link", "Fixed axes: u is the driver's turn, v the link's.")
     m.pair("ratchet", "pawl", "Symmetric, 20-fold.")
+    m.drive("driver", "360deg", "What moves it: the driver turns, a spring lays the pawl on the wheel, a brake holds the wheel.")
+    m.torque("pawl", "1e6").brake("ratchet", "1e8")
     return m
 
 
@@ -217,6 +219,7 @@ Both are drawn where they work, the shafts 44 apart. The pinion turns by -12/10 
            '{ type = "revolute", center = [0, 0] }', 12)
     pinion = moved(gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18), 1, 44)
     m.part("pinion", "", [("10 teeth", pinion)], '{ type = "revolute", center = [44, 0] }', 10)
+    m.drive("gear", "360deg")
     return m
 
 
@@ -251,6 +254,7 @@ Both are drawn where they work, the rack in the middle of its travel: a tooth of
            '{ type = "revolute", center = [0, 0] }', teeth)
     m.part("rack", "", [(f"{count} teeth", rack)],
            f'{{ type = "prismatic", direction = [1, 0], range = [-{travel:g}, {travel:g}] }}')
+    m.table("pinion", [(0, 0), (1, 2.5), (3, -2.5), (4, 0)], "To and fro.")
     return m
 
 
@@ -310,6 +314,7 @@ the cam stops it first.
     m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam_profile())], '{ type = "revolute", center = [0, 0] }')
     m.part("tappet", "Stem to +y.", [("outline", tappet)],
            f'{{ type = "prismatic", direction = [0, 1], range = [{low:g}, {high:g}] }}')
+    m.drive("cam", "360deg", "The cam turns, a spring lays the tappet on it.").force("tappet", (0, "-1e6"))
     return m
 
 
@@ -394,6 +399,9 @@ are possible.
     m.part("wheel", "Axis at the origin.", [(f"{teeth} teeth", wheel)], '{ type = "revolute", center = [0, 0] }', teeth)
     m.part("anchor", "Entry pallet on the left.", [("outline", anchor)],
            f'{{ type = "revolute", center = [0, {number(pivot.imag)}], range = ["-{swing:g}deg", "{swing:g}deg"] }}')
+    swings = [(0, '"0deg"')] + [(0.25 + 0.5 * k, f'"{4 * (-1) ** k}deg"') for k in range(20)]
+    m.table("anchor", swings, "A weight drives the wheel; the anchor swings once a second, as its pendulum lets it, for ten seconds.")
+    m.torque("wheel", "-1e7")
     return m
 
 
@@ -576,6 +584,7 @@ wheel by 60 deg the other way. The crank's arm lies below the wheel and is not i
     m.part("wheel", "", [("six slots, six locking arcs", wheel)], '{ type = "revolute", center = [0, 0] }', slots)
     m.part("driver", "", [("locking disc", driver), ("pin, diameter 8", circle(axis + crank, pin))],
            '{ type = "revolute", center = [60, 0] }')
+    m.drive("driver", "360deg")
     return m
 
 

@@ -247,6 +247,27 @@ class Model:
         self.out += "\n" + comment(text) + f'[[pair]]\nfixed = "{fixed}"\nmoving = "{moving}"\n'
         return self
 
+    def drive(self, part, rate, text=""):
+        self.out += "\n" + comment(text) + f'[[drive]]\npart = "{part}"\nrate = "{rate}"\n'
+        return self
+
+    def table(self, part, points, text=""):
+        rows = ", ".join(f"[{t:g}, {u}]" for t, u in points)
+        self.out += "\n" + comment(text) + f'[[drive]]\npart = "{part}"\ntable = [{rows}]\n'
+        return self
+
+    def force(self, part, force, text=""):
+        self.out += "\n" + comment(text) + f'[[load]]\npart = "{part}"\nforce = [{force[0]}, {force[1]}]\n'
+        return self
+
+    def torque(self, part, torque, text=""):
+        self.out += "\n" + comment(text) + f'[[load]]\npart = "{part}"\ntorque = {torque}\n'
+        return self
+
+    def brake(self, part, damping, text=""):
+        self.out += "\n" + comment(text) + f'[[spring]]\ntype = "torsion"\nparts = ["{part}"]\ndamping = {damping}\n'
+        return self
+
 
 # ---------------------------------------------------------------- writing and checking
 

@@ -52,6 +52,9 @@ pub(crate) enum Command {
     /// Take the parts of a model apart: in which order, by which motions, or tell which lock each other
     #[command(after_long_help = ASSEMBLY)]
     Assembly(AssemblyArgs),
+    /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
+    #[command(after_long_help = SIMULATE)]
+    Simulate(SimulateArgs),
     /// Tell how far the parts go from a configuration in each direction
     #[command(after_long_help = PLAY)]
     Play(PlayArgs),
@@ -422,6 +425,38 @@ pub(crate) struct AssemblyArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct SimulateArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    /// How long, in seconds
+    #[arg(long, value_name = "T", value_parser = duration, allow_negative_numbers = true)]
+    pub(crate) time: f64,
+    /// The time between samples, in seconds [default: a 200th of the whole]
+    #[arg(long, value_name = "DT", value_parser = duration, allow_negative_numbers = true)]
+    pub(crate) every: Option<f64>,
+    /// Whether inertia plays a part [default: dynamic if a part has a mass, otherwise kinematic]
+    #[arg(long, value_enum)]
+    pub(crate) mode: Option<Mode>,
+    /// Tell the rates of all coordinates as well
+    #[arg(long)]
+    pub(crate) rates: bool,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+/// What moves a mechanism.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Mode {
+    /// Masses move by forces
+    Dynamic,
+    /// Drives move; the rest goes only where contacts, springs and loads push it
+    Kinematic,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) common: Common,
@@ -609,6 +644,13 @@ fn turn(text: &str) -> Result<f64, String> {
     })
 }
 
+fn duration(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|t| t.is_finite() && *t > 0.0)
+        .ok_or_else(|| "give a positive time in seconds".to_owned())
+}
+
 fn length(text: &str) -> Result<f64, String> {
     text.parse::<f64>()
         .ok()
@@ -756,6 +798,29 @@ Parts with a motion other than planar stay where they are drawn; parts joined
 by a joint move as one. All parts are taken to lie in one plane, whichever
 pairs the model lists. Parts may touch as drawn: every boundary is moved inward
 by half of --gap. Parts that overlap by more are an error.";
+
+const SIMULATE: &str = "\
+Examples:
+  cspace simulate models/geneva.toml --time 2
+  cspace simulate models/ratchet_mechanism.toml --time 3 --every 0.01 -o run.csv
+  cspace simulate models/gears_on_shafts.toml --time 1 --rates --format json
+
+The model says what moves it: [[drive]], [[load]] and [[spring]]. In the
+kinematic mode drives move; other parts go only where contacts, springs and
+loads push them, and stay otherwise.
+
+  done          it came to the end
+  jammed        what is driven cannot go on: no velocity is allowed by the
+                contacts that are told
+  undetermined  it cannot be told how it goes on, and why
+
+Events are contacts that come (touch) and go (release), and ends of ranges that
+are reached (limit). Their times do not depend on --every. All are answers, so
+the exit code is 0.
+
+-o OUT.csv writes the samples: t, then NAME.u of each part that turns or
+slides, NAME.x, NAME.y, NAME.theta of others, and with --rates NAME.du or
+NAME.vx, NAME.vy, NAME.omega. Any other OUT gets the text or JSON.";
 
 const PLAY: &str = "\
 Examples:

@@ -68,6 +68,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Plan(args) => command::plan::run(&args),
         Command::Escape(args) => command::escape::run(&args),
         Command::Assembly(args) => command::assembly::run(&args),
+        Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),
         Command::Export(args) => command::export::run(&args),
         Command::Evaluate(args) => command::evaluate::run(&args),

@@ -1,20 +1,20 @@
 //! `cspace assembly`.
 
 use std::fmt::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use cspace::{ComputeError, Coordinates, Mechanism, PairError};
-use cspace_io::{Document, shown};
+use cspace_io::shown;
 use cspace_plan::PlanError;
 use cspace_plan::assembly::{Assembly, AssemblyError, Enclosure, Outcome, PartFeature, TakenApart};
 use serde::Serialize;
 
 use crate::args::{AssemblyArgs, Format};
 use crate::failure::Failure;
-use crate::output::{self, STANDARD};
+use crate::output;
 use crate::progress::{Bar, catch_interrupts};
-use crate::subject::set_threads;
+use crate::subject::{read_model, set_threads};
 use crate::wording::{count, degrees, length};
 
 /// The whole answer.
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &AssemblyArgs) -> Result<(), Failure> {
     output::check_apart(output, &args.file)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (path, model) = read(&args.file)?;
+    let (path, model) = read_model(&args.file, "an assembly is all of its parts")?;
     let begin = Instant::now();
     let failed = |error: AssemblyError| failure(&path, error);
     let assembly = Assembly::new(&model, args.gap).map_err(failed)?;
@@ -76,24 +76,6 @@ pub(crate) fn run(args: &AssemblyArgs) -> Result<(), Failure> {
         }
     };
     output::write(output, &answer)
-}
-
-fn read(file: &Path) -> Result<(PathBuf, Box<Mechanism>), Failure> {
-    let (path, document) = if file == Path::new(STANDARD) {
-        let name = "standard input";
-        let read = cspace_io::read_from(std::io::stdin().lock(), name)?;
-        (PathBuf::from(name), read)
-    } else {
-        (file.to_owned(), cspace_io::read(file)?)
-    };
-    match document {
-        Document::Model(model) => Ok((path, model)),
-        Document::Space(_) => Err(Failure::input(format_args!(
-            "{}: the file is a saved contact space of two parts",
-            path.display()
-        ))
-        .help("give the model file: an assembly is all of its parts")),
-    }
 }
 
 /// What the model cannot be asked is bad input; what could not be computed is not.

@@ -19,6 +19,7 @@ pub(crate) mod play;
 mod regions;
 mod rows;
 mod several;
+pub(crate) mod simulate;
 pub(crate) mod slice;
 
 use serde::Serialize;

@@ -56,6 +56,25 @@ pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
         })
 }
 
+/// Reads a model of which all parts are wanted; `why` says so of a file that has none.
+pub(crate) fn read_model(file: &Path, why: &str) -> Result<(PathBuf, Box<Mechanism>), Failure> {
+    let (path, document) = if file == Path::new(STANDARD) {
+        let name = "standard input";
+        let read = cspace_io::read_from(std::io::stdin().lock(), name)?;
+        (PathBuf::from(name), read)
+    } else {
+        (file.to_owned(), cspace_io::read(file)?)
+    };
+    match document {
+        Document::Model(model) => Ok((path, model)),
+        Document::Space(_) => Err(Failure::input(format_args!(
+            "{}: the file is a saved contact space of two parts",
+            path.display()
+        ))
+        .help(format_args!("give the model file: {why}"))),
+    }
+}
+
 /// The model with arcs tangent to lines, and a note of what was moved.
 fn snapped(path: &Path, model: &Mechanism) -> Box<Mechanism> {
     let (snapped, done) = cspace_io::model::snap(model);

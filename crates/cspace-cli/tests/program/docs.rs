@@ -110,3 +110,8 @@ fn taking_apart() {
 fn cages_and_escape() {
     is_true("escape.md", 2);
 }
+
+#[test]
+fn motion() {
+    is_true("motion.md", 4);
+}

@@ -22,3 +22,4 @@ mod play;
 mod questions;
 mod random;
 mod schemas;
+mod simulate;

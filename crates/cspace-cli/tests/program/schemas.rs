@@ -123,6 +123,17 @@ fn answers_are_as_their_schemas_say() {
     escape(&ball, "0,0,0");
     escape(&ball, "60,0,0");
     escape(&peg, "0,-10,0");
+    let driven = ["geneva", "ratchet_mechanism"].map(model);
+    for file in &driven {
+        is_told("simulate", &json(&["simulate", file, "--time", "1"]));
+    }
+    let jam = dir.path().join("jam.toml");
+    std::fs::write(&jam, crate::simulate::JAM).unwrap();
+    let jam = jam.to_str().unwrap();
+    is_told(
+        "simulate",
+        &json(&["simulate", jam, "--time", "9", "--rates"]),
+    );
     for name in ["latch_box", "fixture_plate"] {
         is_told("assembly", &json(&["assembly", &model(name)]));
     }

@@ -1,0 +1,131 @@
+//! `cspace simulate`.
+
+use crate::helpers::{cspace, fails, json, model, printed};
+
+/// A block that is pushed to the end of its range.
+pub(crate) const JAM: &str = r#"
+[[part]]
+name = "pusher"
+motion = { type = "prismatic", direction = [1, 0] }
+loops = [ [[-1, -1], [1, -1], [1, 1], [-1, 1]] ]
+
+[[part]]
+name = "block"
+motion = { type = "prismatic", direction = [1, 0], range = [0, 1.5] }
+loops = [ [[3, -1], [5, -1], [5, 1], [3, 1]] ]
+
+[[drive]]
+part = "pusher"
+rate = 1
+"#;
+
+fn file(text: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.toml");
+    std::fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap().to_owned();
+    (folder, path)
+}
+
+/// Both written forms hold the same numbers, and the wheel steps by 60 degrees.
+#[test]
+fn samples_are_the_same_in_csv_and_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    let out = path.to_str().unwrap();
+    let args = [
+        "simulate",
+        &model("geneva"),
+        "--time",
+        "2",
+        "--every",
+        "0.5",
+    ];
+    let text = printed(&[&args[..], &["--rates", "-o", out]].concat());
+    assert!(
+        text.starts_with("done: 2 s\n") && text.contains("wheel: from 0.0000 deg to"),
+        "{text}"
+    );
+    let csv = std::fs::read_to_string(path).unwrap();
+    let rows: Vec<&str> = csv.lines().collect();
+    assert_eq!(rows[0], "t,wheel.u,driver.u,wheel.du,driver.du");
+    assert_eq!(rows.len(), 6);
+    let answer = json(&args);
+    for (row, sample) in rows[1..].iter().zip(answer["samples"].as_array().unwrap()) {
+        let numbers: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
+        assert_eq!(sample["t"], numbers[0]);
+        assert_eq!(sample["wheel"], numbers[1]);
+        assert_eq!(sample["driver"], numbers[2]);
+        assert!(sample.get("rates").is_none());
+    }
+    let wheel = |i: usize| answer["samples"][i]["wheel"].as_f64().unwrap().to_degrees();
+    assert!((wheel(4) - wheel(2) + 60.0).abs() < 1e-9);
+    let events = answer["events"].as_array().unwrap();
+    assert!(
+        events
+            .iter()
+            .all(|e| e["at"][0].is_f64() && e["features"][1].is_string())
+    );
+}
+
+#[test]
+fn a_jam_is_an_answer() {
+    let (_folder, path) = file(JAM);
+    let answer = json(&["simulate", &path, "--time", "10"]);
+    assert_eq!(answer["status"], "jammed");
+    assert!((answer["until"].as_f64().unwrap() - 3.5).abs() < 1e-9);
+    assert_eq!(answer["obstacles"].as_array().unwrap().len(), 2);
+    assert!(
+        answer["reason"]
+            .as_str()
+            .unwrap()
+            .contains("the upper end of the range of block")
+    );
+}
+
+#[test]
+fn what_cannot_be_simulated_is_told() {
+    let run = |text: &str, more: &[&str]| {
+        let (folder, path) = file(text);
+        (
+            folder,
+            cspace(&[&["simulate", &path, "--time", "1"], more].concat()),
+        )
+    };
+    let overlap = JAM.replace("[5, 1], [3, 1]", "[5, 1], [0.5, 1]");
+    let (_f, command) = run(&overlap, &[]);
+    fails(command, 2, &["pusher", "block", "overlap at the start"]);
+    let heavy = JAM.replace("name = \"block\"", "name = \"block\"\nmass = 1");
+    let (_f, command) = run(&heavy, &[]);
+    fails(command, 1, &["not there yet", "--mode kinematic"]);
+    let (_f, mut command) = run(&heavy, &["--mode", "kinematic"]);
+    command.assert().success();
+    let (_f, command) = run(&JAM.replace("\"block\"", "\"t\""), &[]);
+    fails(command, 2, &["called t"]);
+    let (_f, command) = run(JAM, &["--every", "1e-9"]);
+    fails(command, 2, &["sample less often"]);
+    let (_f, command) = run(JAM, &["--every", "0"]);
+    fails(command, 2, &["--every"]);
+    let still =
+        "[[part]]\nname = \"a\"\nmotion = { type = \"fixed\" }\nloops = [ [[0,0],[1,0],[0,1]] ]\n";
+    let (_f, command) = run(still, &[]);
+    fails(command, 2, &["no part can move"]);
+}
+
+/// The number of threads changes nothing.
+#[test]
+fn threads_change_nothing() {
+    let run = |threads: &str| {
+        let mut answer = json(&[
+            "simulate",
+            &model("ratchet_mechanism"),
+            "--time",
+            "1",
+            "--threads",
+            threads,
+        ]);
+        answer["seconds"] = 0.into();
+        answer
+    };
+    assert_eq!(run("1"), run("2"));
+}

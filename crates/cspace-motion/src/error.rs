@@ -1,0 +1,86 @@
+//! Why a mechanism cannot be set in motion.
+
+use cspace::{MechanismError, QueryError};
+
+/// Why there is no motion to tell of.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SimulateError {
+    /// The mechanism makes no sense, or the space of a pair cannot be computed.
+    #[error(transparent)]
+    Mechanism(#[from] MechanismError),
+    /// The duration is not positive, or the time between samples is not.
+    #[error("{what} must be positive and finite, and is {value:?}")]
+    Time {
+        /// Which.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Samples are too many to hold.
+    #[error(
+        "{samples} samples are asked for, and there may be {most}; sample less often, or simulate a shorter time"
+    )]
+    TooMany {
+        /// How many.
+        samples: f64,
+        /// How many there may be.
+        most: usize,
+    },
+    /// Nothing can move.
+    #[error("no part can move; give a part a motion other than fixed")]
+    NothingMoves,
+    /// Two parts overlap at the start.
+    #[error(
+        "{fixed} and {moving} overlap at the start, by {depth:.3e}; give one of them another `start`, or draw them apart"
+    )]
+    Overlap {
+        /// Name of the fixed part.
+        fixed: String,
+        /// Name of the moving part.
+        moving: String,
+        /// How far the moving part is from contact, along or about its axis if both are on axes, otherwise by translation.
+        depth: f64,
+    },
+    /// A pair starts where its space was not computed.
+    #[error(
+        "{fixed} and {moving} start outside of the window of orientations of their pair; widen `theta`, or start elsewhere"
+    )]
+    Outside {
+        /// Name of the fixed part.
+        fixed: String,
+        /// Name of the moving part.
+        moving: String,
+    },
+    /// A part starts outside of the range of its motion.
+    #[error("{part} starts outside of the range of its motion; start within, or widen the range")]
+    Range {
+        /// Name of the part.
+        part: String,
+    },
+    /// The joints cannot all hold at the start.
+    #[error(
+        "the joints cannot all hold at the start: {part} misses {other} by {gap:.3e}; give them a `start` at which they meet, or correct the joints"
+    )]
+    Joints {
+        /// Name of a part of the joint that is worst.
+        part: String,
+        /// Name of the other.
+        other: String,
+        /// By how much, in the model's unit of length.
+        gap: f64,
+    },
+    /// It was interrupted.
+    #[error("interrupted")]
+    Interrupted,
+    /// A question to a space failed.
+    #[error("{fixed} and {moving}: {error}")]
+    Query {
+        /// Name of the fixed part.
+        fixed: String,
+        /// Name of the moving part.
+        moving: String,
+        /// Why.
+        error: QueryError,
+    },
+}

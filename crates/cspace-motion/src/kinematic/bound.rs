@@ -1,0 +1,84 @@
+//! What must not become negative: contact functions, and the distances to the ends of ranges.
+
+use crate::pairs::{Pairs, Touch};
+use crate::system::{PartCoordinates, Row, System};
+
+/// A function of the coordinates that may not become negative.
+// There are a few of them at a time, nearly all of them contacts.
+#[allow(clippy::large_enum_variant)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Bound {
+    /// Of two features that touch.
+    Contact(Touch),
+    /// Of a part at an end of its range.
+    Limit {
+        /// The part.
+        part: usize,
+        /// Whether it is the upper end.
+        upper: bool,
+    },
+}
+
+impl Bound {
+    /// Whether it is of the same features, or the same end of a range.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Contact(a), Self::Contact(b)) => a.pair == b.pair && a.features == b.features,
+            _ => self == other,
+        }
+    }
+
+    /// Its value and derivatives.
+    pub(crate) fn function(&self, system: &System, pairs: &Pairs, q: &[f64]) -> Row {
+        match self {
+            Self::Contact(touch) => pairs.list()[touch.pair].function(touch, system, q),
+            Self::Limit { part, upper } => {
+                let PartCoordinates::Axis {
+                    first,
+                    range: Some((lo, hi)),
+                    ..
+                } = system.parts()[*part]
+                else {
+                    return Row::default();
+                };
+                let (value, slope) = if *upper {
+                    (hi - q[first], -1.0)
+                } else {
+                    (q[first] - lo, 1.0)
+                };
+                let mut row = Row::new(value);
+                row.push(first, slope);
+                row
+            }
+        }
+    }
+}
+
+/// How far parts are beyond the ends of their ranges counts as nothing, radians or relative to the size of the mechanism: what
+/// contacts are known to.
+const AT_LIMIT: f64 = 1e-10;
+
+/// A range's end within reach: the part, its upper or lower end, and how far it is to go.
+pub(crate) fn limits(system: &System, q: &[f64]) -> Vec<(Bound, f64)> {
+    let mut all = Vec::new();
+    for (part, coordinates) in system.parts().iter().enumerate() {
+        if let PartCoordinates::Axis {
+            first,
+            range: Some((lo, hi)),
+            ..
+        } = *coordinates
+        {
+            all.push((Bound::Limit { part, upper: false }, q[first] - lo));
+            all.push((Bound::Limit { part, upper: true }, hi - q[first]));
+        }
+    }
+    all
+}
+
+/// The tolerance of the coordinate of a part at the end of its range.
+pub(crate) fn limit_tolerance(system: &System, part: usize) -> f64 {
+    match system.parts()[part].orientation() {
+        Some(_) => AT_LIMIT,
+        None => AT_LIMIT * system.size(),
+    }
+}

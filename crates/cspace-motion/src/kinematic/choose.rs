@@ -1,0 +1,185 @@
+//! Which of the contacts that touch hold the motion on.
+//!
+//! Contacts at different places all forbid: the velocity is the nearest that no contact function decreases at. Where two
+//! features touch at a corner, the features beside them touch there, too, and not all of them forbid: past a convex corner
+//! only one need. So the nearest velocities that some of the contacts allow are tried, the nearest first, and the first is taken
+//! that leads to where parts do not overlap.
+
+use cspace::Point;
+
+use crate::pairs::Pairs;
+use crate::system::{Row, System};
+
+use super::bound::{Bound, limit_tolerance, limits};
+use super::flow::Flow;
+use super::velocity::{Local, Nearest};
+use super::watch::Watch;
+
+/// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
+/// contact, which passes from one feature to the next.
+pub(crate) const SAME_PLACE: f64 = 1e-6;
+/// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
+const MOST_CONTACTS: usize = 10;
+/// Trials go as far as this, relative to the size of the mechanism: beyond what contacts are known to, and less than what
+/// follows next. A shorter one is made where something follows at once.
+const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
+/// A trial may go so many times as far.
+const MOST_FARTHER: f64 = 10.0;
+/// Otherwise its time is shortened by this, so many times at most: down to rounding.
+const SHORTER: f64 = 0.1;
+const MOST_SHORTER: usize = 16;
+/// Contacts are told when they are farther away than what leaves them by this factor.
+const REACH: f64 = 4.0;
+
+/// What goes on at a configuration.
+#[derive(Debug)]
+pub(crate) enum Choice<'a> {
+    /// These contacts hold.
+    On {
+        /// The motion.
+        flow: Flow<'a>,
+        /// Where it is a very little later.
+        next: Vec<f64>,
+    },
+    /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
+    Jammed(Vec<(Bound, f64)>),
+    /// What is allowed leads nowhere.
+    Undetermined,
+}
+
+/// The contacts that touch, and the ends of ranges that are reached.
+pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
+    let mut all = Vec::new();
+    for (index, pair) in pairs.list().iter().enumerate() {
+        // Outside of its space nothing touches, and the motion does not go on.
+        let touches = pair.touches(index, system, q, REACH * pair.touch);
+        all.extend(touches.unwrap_or_default().into_iter().map(Bound::Contact));
+    }
+    let reached = limits(system, q).into_iter().filter(|(bound, room)| {
+        matches!(bound, Bound::Limit { part, .. } if *room < REACH * limit_tolerance(system, *part))
+    });
+    all.extend(reached.map(|(bound, _)| bound));
+    all
+}
+
+/// Chooses among bounds that are reached.
+pub(crate) fn choose<'a>(
+    system: &'a System,
+    pairs: &'a Pairs,
+    bounds: &[Bound],
+    time: f64,
+    q: &[f64],
+    longest: f64,
+) -> Choice<'a> {
+    let Some(local) = Local::at(system, q, time) else {
+        return Choice::Undetermined;
+    };
+    if local.is_stuck() {
+        return Choice::Jammed(Vec::new());
+    }
+    let rows: Vec<Row> = bounds
+        .iter()
+        .map(|b| b.function(system, pairs, q))
+        .collect();
+    let place = |bound: &Bound| match bound {
+        Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
+        Bound::Limit { .. } => None,
+    };
+    let contacts: Vec<usize> = (0..bounds.len())
+        .filter(|&i| matches!(bounds[i], Bound::Contact(_)))
+        .collect();
+    let places: Vec<Option<Point>> = contacts.iter().map(|&i| place(&bounds[i])).collect();
+    let near = SAME_PLACE * system.size();
+    let has_other = |k: usize, left_out: &[usize]| {
+        (0..contacts.len()).any(|other| {
+            let same_pair = match (&bounds[contacts[k]], &bounds[contacts[other]]) {
+                (Bound::Contact(a), Bound::Contact(b)) => a.pair == b.pair,
+                _ => false,
+            };
+            let close = |(p, q): (Point, Point)| p.distance(q) <= near;
+            same_pair
+                && !left_out.contains(&other)
+                && places[k].zip(places[other]).is_some_and(close)
+        })
+    };
+    // First only those are left out that have another at the same place; then any.
+    let sets = left_out(contacts.len());
+    let (fair, other): (Vec<_>, Vec<_>) = sets
+        .into_iter()
+        .partition(|set| set.iter().all(|&k| has_other(k, set)));
+    let mut tried: Vec<Vec<usize>> = Vec::new();
+    for sets in [fair, other] {
+        let mut candidates: Vec<(Vec<usize>, f64)> = Vec::new();
+        for left_out in sets {
+            let inside: Vec<usize> = (0..bounds.len())
+                .filter(|i| !left_out.iter().any(|&k| contacts[k] == *i))
+                .collect();
+            let chosen: Vec<Row> = inside.iter().map(|&i| rows[i]).collect();
+            if let Nearest::Held { held, distance } = local.nearest(&chosen) {
+                let held: Vec<usize> = held.into_iter().map(|k| inside[k]).collect();
+                if !tried.contains(&held) {
+                    tried.push(held.clone());
+                    candidates.push((held, distance));
+                }
+            }
+        }
+        // Of equal distances, those with more contacts left in come first, as they were found.
+        candidates.sort_by(|a, b| a.1.total_cmp(&b.1));
+        for scale in TRIALS {
+            for (held, _) in &candidates {
+                let held: Vec<Bound> = held.iter().map(|&i| bounds[i]).collect();
+                if let Some((flow, next)) = tries(system, pairs, held, time, q, scale, longest) {
+                    return Choice::On { flow, next };
+                }
+            }
+        }
+    }
+    match local.nearest(&rows) {
+        Nearest::None { multipliers } => Choice::Jammed(
+            (bounds.iter().copied().zip(multipliers))
+                .filter(|(_, m)| *m > 0.0)
+                .collect(),
+        ),
+        Nearest::Held { .. } => Choice::Undetermined,
+    }
+}
+
+/// Sets of so many contacts to be left out, the smaller first.
+fn left_out(contacts: usize) -> Vec<Vec<usize>> {
+    if contacts > MOST_CONTACTS {
+        let none = core::iter::once(Vec::new());
+        return none.chain((0..contacts).map(|i| vec![i])).collect();
+    }
+    let set = |bits: usize| (0..contacts).filter(|i| bits >> i & 1 == 1).collect();
+    let mut all: Vec<Vec<usize>> = (0..1_usize << contacts).map(set).collect();
+    all.sort_by_key(Vec::len);
+    all
+}
+
+/// The motion with some bounds held, if it leads on, and where it then is.
+fn tries<'a>(
+    system: &'a System,
+    pairs: &'a Pairs,
+    held: Vec<Bound>,
+    time: f64,
+    q: &[f64],
+    scale: f64,
+    longest: f64,
+) -> Option<(Flow<'a>, Vec<f64>)> {
+    let flow = Flow::new(system, pairs, held, time, q)?;
+    let far = scale * system.size();
+    let mut h = (far / system.speed(&flow.velocity.rates)).min(longest);
+    // What begins at rest is not told by its speed.
+    for _ in 0..MOST_SHORTER {
+        let to = flow.after(h);
+        let moved = (to.as_ref()).map_or(f64::INFINITY, |to| system.moved(&flow.q, &to.q));
+        if moved > MOST_FARTHER * far {
+            h *= SHORTER;
+            continue;
+        }
+        let to = to?;
+        let met = Watch::new(system, pairs).check(&flow, h, &to);
+        return met.is_none().then_some((flow, to.q));
+    }
+    None
+}

@@ -1,0 +1,128 @@
+//! Where a contact of two features ends because one of the features does.
+//!
+//! ```text
+//!   edge: the place of the contact p is between its ends      vertex: the normal is between those of its sides
+//!
+//!        t₁ · (p − a) ≥ 0    t₂ · (b − p) ≥ 0                        n · t₁ ≥ 0    −n · t₂ ≥ 0
+//!
+//!       a →t₁ ------ p ------ b →t₂                               →t₁ ·  n ↗
+//!             (material)                                                ↓t₂
+//! ```
+//!
+//! Of an arc of more than half a turn the functions are right near the ends they belong to, which is where they are asked.
+
+use cspace::{
+    Coordinates, FeatureId, FeatureKind, FeatureName, FeatureShape, Part, Placement, Vector,
+};
+
+use crate::pairs::{MovingPair, Touch};
+use crate::system::System;
+
+/// Functions that are positive while the contact is between the ends of both features, and of which one vanishes where it
+/// comes to an end; always in the same order. Empty where the features do not say.
+pub(crate) fn ends(pair: &MovingPair, touch: &Touch, system: &System, q: &[f64]) -> Vec<f64> {
+    let Some(place) = pair.touching(touch, system, q) else {
+        return Vec::new();
+    };
+    let relative = system.relative(pair.fixed, pair.moving, q);
+    let fixed_from_moving = Placement::from(relative);
+    let moving_from_fixed = fixed_from_moving.inverse();
+    let n = place.normal;
+    let [x, y] = moving_from_fixed.point([place.on_moving.x, place.on_moving.y]);
+    let [nx, ny] = moving_from_fixed.vector([-n.x, -n.y]);
+    let fixed = Contact {
+        at: Vector::new(place.on_fixed.x, place.on_fixed.y),
+        normal: n,
+    };
+    let moving = Contact {
+        at: Vector::new(x, y),
+        normal: Vector::new(nx, ny),
+    };
+    let (f, m) = touch.features;
+    let of = |part: &Part, feature: FeatureId, contact: &Contact| contact.ends(part, feature.name);
+    let both = [
+        of(pair.space.fixed(), f, &fixed),
+        of(pair.space.moving(), m, &moving),
+    ];
+    both.into_iter().flatten().flatten().collect()
+}
+
+/// The place and the outward normal of a contact, in a part's frame.
+struct Contact {
+    at: Vector,
+    normal: Vector,
+}
+
+impl Contact {
+    fn ends(&self, part: &Part, name: FeatureName) -> Option<[f64; 2]> {
+        if name.kind != FeatureKind::Vertex {
+            let edge = Edge::of(part, name)?;
+            return Some([
+                edge.leaves.dot(self.at - edge.start),
+                edge.arrives.dot(edge.end - self.at),
+            ]);
+        }
+        let count = part.loops().get(name.loop_index as usize)?.vertices().len() as u32;
+        // Any kind but a vertex names an edge.
+        let edge = |index: u32| {
+            let kind = FeatureKind::Line;
+            Edge::of(
+                part,
+                FeatureName {
+                    kind,
+                    index,
+                    ..name
+                },
+            )
+        };
+        let (before, after) = (edge((name.index + count - 1) % count)?, edge(name.index)?);
+        let reversed = part.loops()[name.loop_index as usize].is_reversed();
+        let (before, after) = if reversed {
+            (after, before)
+        } else {
+            (before, after)
+        };
+        Some([
+            self.normal.dot(before.arrives),
+            -self.normal.dot(after.leaves),
+        ])
+    }
+}
+
+/// An edge with material on its left, and the directions of travel at its ends.
+struct Edge {
+    start: Vector,
+    end: Vector,
+    leaves: Vector,
+    arrives: Vector,
+}
+
+impl Edge {
+    fn of(part: &Part, name: FeatureName) -> Option<Self> {
+        let FeatureShape::Edge { start, end, bulge } = part.feature_shape(name)? else {
+            return None;
+        };
+        let (start, end) = (Vector::new(start[0], start[1]), Vector::new(end[0], end[1]));
+        let chord = (end - start).unit();
+        // Half of the sweep, by its tangent of a quarter.
+        let square = bulge * bulge;
+        let (cos, sin) = (
+            (1.0 - square) / (1.0 + square),
+            2.0 * bulge / (1.0 + square),
+        );
+        Some(Self {
+            start,
+            end,
+            leaves: chord * cos - chord.left() * sin,
+            arrives: chord * cos + chord.left() * sin,
+        })
+    }
+}
+
+impl MovingPair {
+    /// Where two features touch, in the fixed part's frame.
+    fn touching(&self, touch: &Touch, system: &System, q: &[f64]) -> Option<cspace::Touching> {
+        let at: Coordinates = self.coordinates(system, q);
+        touch.contact().touching(at).ok()
+    }
+}

@@ -1,0 +1,90 @@
+//! Contacts that come and go, as they are told.
+
+use crate::pairs::Pairs;
+use crate::record::{Event, EventKind};
+use crate::system::System;
+
+use super::bound::Bound;
+use super::choose::SAME_PLACE;
+use super::flow::Flow;
+
+/// A contact that no push holds closed stays if it opens by no more than this in a trial, relative to the size of the
+/// mechanism: rounding. What opens with the square of the time opens by a hundred times that.
+const STAYS: f64 = 1e-14;
+
+/// The contacts and limits that are told to be there.
+#[derive(Debug, Default)]
+pub(crate) struct Told {
+    list: Vec<(Bound, Option<cspace::Point>)>,
+}
+
+impl Told {
+    /// What has changed, when `bounds` are those that are reached and the motion goes on, to `next` in a very little while.
+    pub(crate) fn update(
+        &mut self,
+        pairs: &Pairs,
+        bounds: &[Bound],
+        flow: &Flow<'_>,
+        next: &[f64],
+    ) -> Vec<Event> {
+        let (system, q) = (flow.system, &flow.q);
+        let place = |bound: &Bound| match bound {
+            Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
+            Bound::Limit { .. } => None,
+        };
+        let opens = STAYS * system.size();
+        let stays = |bound: &Bound| {
+            let value = |q: &[f64]| bound.function(system, pairs, q).value;
+            value(next) - value(q) <= opens
+        };
+        let now: Vec<(Bound, Option<cspace::Point>)> = (flow.held.iter())
+            .chain(bounds.iter().filter(|b| !flow.held.contains(b) && stays(b)))
+            .map(|b| (*b, place(b)))
+            .collect();
+        let near = SAME_PLACE * system.size();
+        let same = |a: &(Bound, Option<cspace::Point>), b: &(Bound, Option<cspace::Point>)| {
+            let (Bound::Contact(s), Bound::Contact(t)) = (a.0, b.0) else {
+                return a.0 == b.0;
+            };
+            let close = |(p, q): (cspace::Point, cspace::Point)| p.distance(q) <= near;
+            s.pair == t.pair && (s.features == t.features || a.1.zip(b.1).is_some_and(close))
+        };
+        // Where contacts were is told for where they are now.
+        let before: Vec<(Bound, Option<cspace::Point>)> =
+            self.list.iter().map(|(b, _)| (*b, place(b))).collect();
+        let mut events = Vec::new();
+        for old in before.iter().filter(|o| now.iter().all(|n| !same(o, n))) {
+            if let Bound::Contact(_) = old.0 {
+                events.push(event(system, pairs, flow.time, old, EventKind::Release));
+            }
+        }
+        let mut told: Vec<(Bound, Option<cspace::Point>)> = Vec::new();
+        for new in &now {
+            if told.iter().any(|t| same(t, new)) {
+                continue;
+            }
+            if before.iter().all(|o| !same(o, new)) {
+                let kind = match new.0 {
+                    Bound::Contact(_) => EventKind::Touch,
+                    Bound::Limit { .. } => EventKind::Limit,
+                };
+                events.push(event(system, pairs, flow.time, new, kind));
+            }
+            told.push(*new);
+        }
+        self.list = told;
+        events
+    }
+}
+
+fn event(
+    system: &System,
+    pairs: &Pairs,
+    t: f64,
+    (bound, at): &(Bound, Option<cspace::Point>),
+    kind: EventKind,
+) -> Event {
+    let at = at.filter(|p| p.is_finite()).map(|p| [p.x, p.y]);
+    let what = super::describe::named(system, pairs, bound);
+    Event { t, kind, what, at }
+}

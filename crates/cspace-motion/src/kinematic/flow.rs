@@ -1,0 +1,191 @@
+//! Motion with the same contacts closed: an ordinary differential equation on the configurations at which they are.
+//!
+//! A step is one of Dormand and Prince's pair of orders 5 and 4; then the configuration is brought back to where contacts and
+//! joints hold, by the shortest way in the metric. Where these leave no freedom the configuration follows from them alone, and
+//! the step is but a first guess.
+
+use crate::linear::add_scaled;
+use crate::pairs::Pairs;
+use crate::system::{Row, System};
+
+use super::bound::Bound;
+use super::velocity::{Held, Local};
+
+/// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.
+const CLOSED: f64 = 1e-13;
+/// What is brought back moves by no more than this share of the step: more would be another solution.
+const CORRECTION: f64 = 0.25;
+/// Newton's steps back to closed contacts. They converge quadratically from nearby, or not at all.
+const MOST_CORRECTIONS: usize = 12;
+
+/// The stages of the pair (Dormand and Prince 1980): times, and weights of the slopes before.
+const STAGES: [(f64, &[f64]); 6] = [
+    (0.2, &[0.2]),
+    (0.3, &[3.0 / 40.0, 9.0 / 40.0]),
+    (0.8, &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0]),
+    (
+        8.0 / 9.0,
+        &[
+            19372.0 / 6561.0,
+            -25360.0 / 2187.0,
+            64448.0 / 6561.0,
+            -212.0 / 729.0,
+        ],
+    ),
+    (
+        1.0,
+        &[
+            9017.0 / 3168.0,
+            -355.0 / 33.0,
+            46732.0 / 5247.0,
+            49.0 / 176.0,
+            -5103.0 / 18656.0,
+        ],
+    ),
+    (
+        1.0,
+        &[
+            35.0 / 384.0,
+            0.0,
+            500.0 / 1113.0,
+            125.0 / 192.0,
+            -2187.0 / 6784.0,
+            11.0 / 84.0,
+        ],
+    ),
+];
+/// The difference of the two orders.
+const DIFFERENCE: [f64; 7] = [
+    71.0 / 57600.0,
+    0.0,
+    -71.0 / 16695.0,
+    71.0 / 1920.0,
+    -17253.0 / 339200.0,
+    22.0 / 525.0,
+    -1.0 / 40.0,
+];
+
+/// A motion with the same contacts closed, from a configuration on.
+#[derive(Debug, Clone)]
+pub(crate) struct Flow<'a> {
+    pub(crate) system: &'a System,
+    pub(crate) pairs: &'a Pairs,
+    pub(crate) held: Vec<Bound>,
+    pub(crate) time: f64,
+    pub(crate) q: Vec<f64>,
+    /// The velocity there.
+    pub(crate) velocity: Held,
+}
+
+/// Where a motion has come to.
+#[derive(Debug, Clone)]
+pub(crate) struct Arrived {
+    pub(crate) q: Vec<f64>,
+    pub(crate) velocity: Held,
+    /// The estimated error of the free coordinates, the largest, weighted as [`System::lengths`].
+    pub(crate) error: f64,
+}
+
+impl<'a> Flow<'a> {
+    /// From a configuration, which is brought to where contacts and joints hold; `None` if they cannot.
+    pub(crate) fn new(
+        system: &'a System,
+        pairs: &'a Pairs,
+        held: Vec<Bound>,
+        time: f64,
+        q: &[f64],
+    ) -> Option<Self> {
+        let mut q = q.to_vec();
+        let room = 1e-3 * system.size();
+        close(system, pairs, &held, time, &mut q, room)?;
+        let velocity = velocity(system, pairs, &held, time, &q)?;
+        Some(Self {
+            system,
+            pairs,
+            held,
+            time,
+            q,
+            velocity,
+        })
+    }
+
+    /// A while later; `None` if the contacts and joints cannot hold until then.
+    pub(crate) fn after(&self, h: f64) -> Option<Arrived> {
+        if h == 0.0 {
+            return Some(Arrived {
+                q: self.q.clone(),
+                velocity: self.velocity.clone(),
+                error: 0.0,
+            });
+        }
+        let mut slopes = vec![self.velocity.rates.clone()];
+        let mut q = self.q.clone();
+        for (share, weights) in STAGES {
+            q.copy_from_slice(&self.q);
+            for (weight, slope) in weights.iter().zip(&slopes) {
+                add_scaled(&mut q, h * weight, slope);
+            }
+            let time = self.time + share * h;
+            self.system.drive(time, &mut q);
+            slopes.push(velocity(self.system, self.pairs, &self.held, time, &q)?.rates);
+        }
+        let mut error = 0.0_f64;
+        let lengths = self.system.lengths();
+        for &i in self.system.free() {
+            let difference: f64 = (DIFFERENCE.iter().zip(&slopes))
+                .map(|(d, slope)| d * slope[i])
+                .sum();
+            error = error.max((h * difference).abs() * lengths[i]);
+        }
+        let moved = self.system.moved(&self.q, &q);
+        let room = CORRECTION * moved + CLOSED * self.system.size();
+        let time = self.time + h;
+        close(self.system, self.pairs, &self.held, time, &mut q, room)?;
+        let velocity = velocity(self.system, self.pairs, &self.held, time, &q)?;
+        Some(Arrived { q, velocity, error })
+    }
+}
+
+fn rows(system: &System, pairs: &Pairs, held: &[Bound], q: &[f64]) -> Vec<Row> {
+    held.iter().map(|b| b.function(system, pairs, q)).collect()
+}
+
+fn velocity(system: &System, pairs: &Pairs, held: &[Bound], time: f64, q: &[f64]) -> Option<Held> {
+    let found = Local::at(system, q, time)?.held(&rows(system, pairs, held, q));
+    found.rates.iter().all(|r| r.is_finite()).then_some(found)
+}
+
+/// Brings a configuration to where contacts and joints hold, the shortest way, by no more than `room` (length).
+pub(crate) fn close(
+    system: &System,
+    pairs: &Pairs,
+    held: &[Bound],
+    time: f64,
+    q: &mut [f64],
+    room: f64,
+) -> Option<()> {
+    system.drive(time, q);
+    let lengths = system.lengths();
+    let (mut moved, mut before) = (0.0, f64::INFINITY);
+    for _ in 0..MOST_CORRECTIONS {
+        let joints = system.joints(q);
+        let rows = rows(system, pairs, held, q);
+        let changes: Vec<f64> = joints.iter().chain(&rows).map(|r| -r.value).collect();
+        let off = changes.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+        if off == 0.0 || (off < CLOSED * system.size() && off > 0.25 * before) {
+            return Some(());
+        }
+        before = off;
+        let step = Local::at(system, q, time)?.displacement(&rows, &changes);
+        let mut farthest = 0.0_f64;
+        for (&i, d) in system.free().iter().zip(&step) {
+            q[i] += d;
+            farthest = farthest.max(d.abs() * lengths[i]);
+        }
+        moved += farthest;
+        if moved.is_nan() || moved > room {
+            return None;
+        }
+    }
+    (before < CLOSED * system.size()).then_some(())
+}

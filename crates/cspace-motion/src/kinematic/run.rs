@@ -1,0 +1,305 @@
+//! From event to event.
+
+use crate::pairs::Pairs;
+use crate::record::{Obstacle, Record, Sample, Status};
+use crate::system::System;
+
+use super::bound::Bound;
+use super::choose::{Choice, choose, touching};
+use super::describe::named;
+use super::events::Told;
+use super::flow::{Arrived, Flow};
+use super::locate::first_event;
+use super::watch::{Cause, Watch};
+
+/// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
+const LONGEST: f64 = 0.02;
+/// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
+const ERROR: f64 = 1e-13;
+/// Steps are not made shorter than this, relative to the time so far and to come.
+const SHORTEST: f64 = 1e-15;
+/// So many events in a row without progress in time do not lead on.
+const MOST_IDLE: usize = 64;
+/// Less than this share of the duration is no progress.
+const PROGRESS: f64 = 1e-12;
+/// Steps of a simulation, some minutes.
+const MOST_STEPS: usize = 10_000_000;
+/// Steps whose error is small enough only if they are shorter than this, relative to the duration, do not come to an end in
+/// half a minute: forces are too stiff for them.
+const STIFF: f64 = 1e-6;
+/// And move parts by less than this, relative to the size of the mechanism.
+const CRAWLS: f64 = 1e-6;
+/// So many times in a row.
+const MOST_CRAWLED: usize = 1000;
+
+/// A simulation under way.
+struct Run<'a> {
+    system: &'a System,
+    pairs: &'a Pairs,
+    duration: f64,
+    samples: Samples,
+    /// Times at which drives are not smooth, and the end; the next first.
+    stops: Vec<f64>,
+    record: Record,
+    told: Told,
+    /// Whether forces are too stiff to be followed.
+    stiff: bool,
+    /// The rates of all coordinates at the last step.
+    rates: Vec<f64>,
+}
+
+/// The times of samples.
+struct Samples {
+    every: f64,
+    next: usize,
+}
+
+impl Samples {
+    fn time(&self) -> f64 {
+        self.next as f64 * self.every
+    }
+}
+
+/// Follows the motion from a configuration for some time.
+pub(crate) fn run(
+    system: &System,
+    pairs: &Pairs,
+    q: Vec<f64>,
+    duration: f64,
+    every: f64,
+    progress: &dyn Fn(f64) -> bool,
+) -> Option<Record> {
+    let mut stops: Vec<f64> = (system.drives().iter())
+        .flat_map(|(_, curve)| curve.corners())
+        .filter(|&t| t > 0.0 && t < duration)
+        .chain([duration])
+        .collect();
+    stops.sort_by(|a, b| b.total_cmp(a));
+    stops.dedup();
+    let run = Run {
+        system,
+        pairs,
+        duration,
+        samples: Samples { every, next: 0 },
+        stops,
+        record: Record {
+            status: Status::Done,
+            until: 0.0,
+            reason: None,
+            obstacles: Vec::new(),
+            samples: Vec::new(),
+            events: Vec::new(),
+        },
+        told: Told::default(),
+        stiff: false,
+        rates: Vec::new(),
+    };
+    run.go(q, progress)
+}
+
+impl<'a> Run<'a> {
+    fn go(mut self, mut q: Vec<f64>, progress: &dyn Fn(f64) -> bool) -> Option<Record> {
+        let (mut time, mut idle, mut idle_since) = (0.0, 0, 0.0);
+        let mut steps = 0;
+        let mut before: Vec<Bound> = Vec::new();
+        while time < self.duration {
+            let mut bounds = touching(self.system, self.pairs, &q);
+            let new = |b: &&Bound| bounds.iter().all(|other| !b.is_same(other));
+            let more: Vec<Bound> = before.iter().filter(new).copied().collect();
+            bounds.extend(more);
+            let left = self.duration - time;
+            let choice = choose(self.system, self.pairs, &bounds, time, &q, left);
+            let (flow, next) = match choice {
+                Choice::On { flow, next } => (flow, next),
+                Choice::Jammed(obstacles) => {
+                    self.jammed(time, &q, obstacles);
+                    return Some(self.record);
+                }
+                Choice::Undetermined => {
+                    self.undetermined(time, &q, &bounds);
+                    return Some(self.record);
+                }
+            };
+            let events = self.told.update(self.pairs, &bounds, &flow, &next);
+            self.record.events.extend(events);
+            (time, q, before) = self.follow(flow, &mut steps, progress)?;
+            if time > idle_since + PROGRESS * self.duration {
+                (idle, idle_since) = (0, time);
+            } else {
+                idle += 1;
+            }
+            if self.stiff || idle > MOST_IDLE || steps > MOST_STEPS {
+                let bounds = touching(self.system, self.pairs, &q);
+                self.undetermined(time, &q, &bounds);
+                return Some(self.record);
+            }
+        }
+        self.record.until = self.duration;
+        // The end is a sample, also where it is none of the even times, or misses one by rounding.
+        let rounding = 1e-12 * self.duration;
+        if (self.record.samples.last()).is_none_or(|s| s.t < self.duration - rounding) {
+            self.record.samples.push(Sample {
+                t: self.duration,
+                coordinates: q,
+                rates: self.rates,
+            });
+        }
+        Some(self.record)
+    }
+
+    /// Goes on with the same contacts until something happens; when and where that is, and what touches. `None` if the user wants no more.
+    fn follow(
+        &mut self,
+        mut flow: Flow<'a>,
+        steps: &mut usize,
+        progress: &dyn Fn(f64) -> bool,
+    ) -> Option<(f64, Vec<f64>, Vec<Bound>)> {
+        let mut watch = Watch::new(self.system, self.pairs);
+        let mut longest = f64::INFINITY;
+        let mut crawled = 0;
+        loop {
+            *steps += 1;
+            if steps.is_multiple_of(64) && !progress(flow.time / self.duration) {
+                return None;
+            }
+            while self.stops.last().is_some_and(|&s| s <= flow.time) {
+                self.stops.pop();
+            }
+            let Some(&stop) = self.stops.last() else {
+                return Some((flow.time, flow.q, flow.held));
+            };
+            let left = stop - flow.time;
+            let size = self.system.size();
+            let even = LONGEST * size / self.system.speed(&flow.velocity.rates);
+            let mut h = left.min(even).min(longest);
+            let shortest = SHORTEST * stop;
+            // As long as it may be.
+            let arrived = loop {
+                let arrived = flow.after(h);
+                let too_long = arrived.as_ref().and_then(|to| self.too_long(&flow, to));
+                match too_long {
+                    Some(factor) if h * factor > shortest => h *= factor,
+                    // What cannot be followed at all is lost.
+                    Some(_) => break None,
+                    None => break arrived,
+                }
+            };
+            let met = match &arrived {
+                Some(to) => watch.check(&flow, h, to),
+                None => Some(Cause::Lost),
+            };
+            let (Some(to), None) = (arrived, met) else {
+                let stop = first_event(&flow, h, &mut watch);
+                let time = flow.time + stop.after;
+                self.sample(&flow, time);
+                return Some((time, stop.q, stop.bounds));
+            };
+            if !to.velocity.determined {
+                let share = (ERROR * size / to.error).powf(0.2).clamp(0.2, 4.0);
+                longest = 0.9 * h * share;
+                // Near a dead point steps are short, too, but there are few of them.
+                let crawls = self.system.moved(&flow.q, &to.q) < CRAWLS * size;
+                crawled = if longest < STIFF * self.duration && crawls {
+                    crawled + 1
+                } else {
+                    0
+                };
+                if crawled > MOST_CRAWLED {
+                    self.stiff = true;
+                    return Some((flow.time, flow.q, flow.held));
+                }
+            }
+            let end = if h == left { stop } else { flow.time + h };
+            self.sample(&flow, end);
+            watch.taken(&flow, h, &to);
+            let is_corner = end == stop;
+            flow.time = end;
+            flow.q = to.q;
+            flow.velocity = to.velocity;
+            self.rates.clone_from(&flow.velocity.rates);
+            if is_corner {
+                // Drives may jump in rate there.
+                return Some((flow.time, flow.q, flow.held));
+            }
+        }
+    }
+
+    /// By how much a step is to be shortened, if it went too far or its error is too large.
+    fn too_long(&self, flow: &Flow<'_>, to: &Arrived) -> Option<f64> {
+        let size = self.system.size();
+        let moved = self.system.moved(&flow.q, &to.q);
+        let by_error = if to.velocity.determined {
+            0.0
+        } else {
+            to.error / (ERROR * size)
+        };
+        if moved > 2.0 * LONGEST * size {
+            Some((LONGEST * size / moved).max(0.1))
+        } else if by_error > 1.0 {
+            Some((0.9 * by_error.powf(-0.2)).clamp(0.1, 0.9))
+        } else {
+            None
+        }
+    }
+
+    /// Samples up to a time, which has been reached.
+    fn sample(&mut self, flow: &Flow<'_>, end: f64) {
+        while self.samples.time() <= end && self.samples.time() <= self.duration {
+            let t = self.samples.time();
+            // What holds to the end of a step holds before.
+            if let Some(to) = flow.after((t - flow.time).max(0.0)) {
+                self.record.samples.push(Sample {
+                    t,
+                    coordinates: to.q,
+                    rates: to.velocity.rates,
+                });
+            }
+            self.samples.next += 1;
+        }
+    }
+
+    fn end(&mut self, time: f64, q: &[f64], status: Status, reason: String) {
+        self.record.until = time;
+        self.record.status = status;
+        self.record.reason = Some(reason);
+        self.record.samples.retain(|s| s.t < time);
+        self.record.samples.push(Sample {
+            t: time,
+            coordinates: q.to_vec(),
+            rates: vec![0.0; q.len()],
+        });
+    }
+
+    fn jammed(&mut self, time: f64, q: &[f64], obstacles: Vec<(Bound, f64)>) {
+        let list: Vec<String> = obstacles.iter().map(|(b, _)| self.text(b)).collect();
+        let reason = if list.is_empty() {
+            "the drives contradict the joints".to_owned()
+        } else {
+            format!("what is driven cannot go on: {}", list.join("; "))
+        };
+        self.record.obstacles = (obstacles.iter())
+            .map(|(bound, multiplier)| Obstacle {
+                what: named(self.system, self.pairs, bound),
+                multiplier: *multiplier,
+            })
+            .collect();
+        self.end(time, q, Status::Jammed, reason);
+    }
+
+    fn undetermined(&mut self, time: f64, q: &[f64], bounds: &[Bound]) {
+        let list: Vec<String> = bounds.iter().map(|b| self.text(b)).collect();
+        let reason = if self.stiff {
+            "springs or dampers are too stiff for their parts to be followed; make them softer, or the damping larger"
+                .to_owned()
+        } else if list.is_empty() {
+            "a pair left the orientations of its space, or the metric is singular".to_owned()
+        } else {
+            format!("no set of these contacts leads on: {}", list.join("; "))
+        };
+        self.end(time, q, Status::Undetermined, reason);
+    }
+
+    fn text(&self, bound: &Bound) -> String {
+        named(self.system, self.pairs, bound).to_string()
+    }
+}

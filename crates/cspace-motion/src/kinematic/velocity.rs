@@ -1,0 +1,257 @@
+//! Velocities at one configuration and time: the one that nothing holds, those that contacts hold, and the nearest that
+//! they allow.
+//!
+//! With the metric M of the outlines, which dampers add to, and the forces F, the free velocity is M⁻¹ F. In the coordinates
+//! y = Lᵀ v, M = L Lᵀ, distances are Euclidean: what is sought is the point of a cone that is nearest to y₀ = L⁻¹ F. Joints
+//! are equations and are taken out first; then the nearest point is one of least squares with multipliers that are not
+//! negative.
+//!
+//! Source: Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: least distance programming.
+
+use crate::linear::{Cholesky, Rows, dot, length, nonnegative};
+use crate::system::{Row, System};
+
+/// What is driven must move the others by no more than this many times its own speed: beyond that it is at a dead point. Near
+/// one the ratio grows as the inverse of the way that is left, and events are located to some 1e-7 of a step there.
+const MOST_AMPLIFICATION: f64 = 1e5;
+/// A bound that is violated by no more than this share of the speeds is not: rounding of gradients, which are right to some
+/// 1e-15 of the parts' sizes, over short levers.
+const ROUNDING: f64 = 1e-11;
+
+/// A residual whose square is below this (of a target of length 1) is rounding.
+const NOTHING: f64 = 1e-13;
+/// An equation of a joint that is missed by more than this share of the speeds contradicts the others: half of the digits.
+const CONTRADICTS: f64 = 1e-8;
+
+/// The linear equations of motion at one configuration and time.
+#[derive(Debug)]
+pub(crate) struct Local<'a> {
+    system: &'a System,
+    factor: Cholesky,
+    /// y of the free velocity.
+    free: Vec<f64>,
+    /// The rates of all coordinates, of those that are free 0.
+    driven: Vec<f64>,
+    joints: Vec<(Vec<f64>, f64)>,
+}
+
+/// A velocity, and what holds it.
+#[derive(Debug, Clone)]
+pub(crate) struct Held {
+    /// The rates of all coordinates.
+    pub(crate) rates: Vec<f64>,
+    /// The multiplier of each bound that was asked for, as a speed of the metric, to be compared with `speed`.
+    pub(crate) pushes: Vec<f64>,
+    /// The speed by the metric.
+    pub(crate) speed: f64,
+    /// Whether what holds it leaves no other velocity.
+    pub(crate) determined: bool,
+}
+
+/// What bounds make of the velocity.
+#[derive(Debug, Clone)]
+pub(crate) enum Nearest {
+    /// The nearest velocity, which bounds with positive multipliers hold, and its distance from the free one.
+    Held { held: Vec<usize>, distance: f64 },
+    /// There is none: these multipliers, at least 0, of the bounds combine to a contradiction.
+    None { multipliers: Vec<f64> },
+}
+
+impl<'a> Local<'a> {
+    /// At a configuration and a time; `None` if the metric is singular, or numbers are not finite.
+    pub(crate) fn at(system: &'a System, q: &[f64], time: f64) -> Option<Self> {
+        let n = system.count();
+        let (matrix, forces) = system.metric_and_forces(q);
+        let mut driven = vec![0.0; n];
+        for (i, curve) in system.drives() {
+            driven[*i] = curve.at(time).rate;
+        }
+        let free = system.free();
+        let of_free: Vec<f64> = (free.iter())
+            .flat_map(|&i| free.iter().map(move |&j| (i, j)))
+            .map(|(i, j)| matrix[i * n + j])
+            .collect();
+        let factor = Cholesky::of(&of_free, free.len())?;
+        // Dampers between driven and free parts pull.
+        let mut pull: Vec<f64> = (free.iter())
+            .map(|&i| forces[i] - dot(&matrix[i * n..(i + 1) * n], &driven))
+            .collect();
+        factor.forward(&mut pull);
+        let mut local = Self {
+            system,
+            factor,
+            free: pull,
+            driven,
+            joints: Vec::new(),
+        };
+        local.joints = (system.joints(q).iter())
+            .map(|row| local.reduced(row))
+            .collect();
+        Some(local)
+    }
+
+    /// A row in y, and the rate that drives alone give its function, negated: row · y must be that, or more.
+    pub(crate) fn reduced(&self, row: &Row) -> (Vec<f64>, f64) {
+        let free = self.system.free();
+        let mut by_free = vec![0.0; free.len()];
+        for &(i, d) in row.entries() {
+            if let Ok(k) = free.binary_search(&i) {
+                by_free[k] = d;
+            }
+        }
+        self.factor.forward(&mut by_free);
+        (by_free, -row.rate(&self.driven))
+    }
+
+    /// The rates of all coordinates of y.
+    fn rates(&self, y: &[f64]) -> Vec<f64> {
+        let mut v = y.to_vec();
+        self.factor.backward(&mut v);
+        let mut rates = self.driven.clone();
+        for (&i, v) in self.system.free().iter().zip(v) {
+            rates[i] = v;
+        }
+        rates
+    }
+
+    /// The shortest displacement of the free coordinates, by the metric, that changes functions by given amounts: joints
+    /// first, then others.
+    pub(crate) fn displacement(&self, rows: &[Row], changes: &[f64]) -> Vec<f64> {
+        let all: Vec<Vec<f64>> = (self.joints.iter().map(|(row, _)| row.clone()))
+            .chain(rows.iter().map(|row| self.reduced(row).0))
+            .collect();
+        let (y, _) = Rows::of(&all).least(changes);
+        let mut v = if y.is_empty() {
+            vec![0.0; self.system.free().len()]
+        } else {
+            y
+        };
+        self.factor.backward(&mut v);
+        v
+    }
+
+    /// The velocity that keeps some functions as they are, and joints.
+    pub(crate) fn held(&self, rows: &[Row]) -> Held {
+        let all: Vec<(Vec<f64>, f64)> = (self.joints.iter().cloned())
+            .chain(rows.iter().map(|row| self.reduced(row)))
+            .collect();
+        let vectors: Vec<Vec<f64>> = all.iter().map(|(v, _)| v.clone()).collect();
+        let solved = Rows::of(&vectors);
+        let missing: Vec<f64> = all.iter().map(|(v, b)| b - dot(v, &self.free)).collect();
+        let (correction, lambda) = solved.least(&missing);
+        let mut y = self.free.clone();
+        for (y, c) in y.iter_mut().zip(&correction) {
+            *y += c;
+        }
+        let pushes = (lambda[self.joints.len()..].iter())
+            .zip(&vectors[self.joints.len()..])
+            .map(|(l, v)| l * length(v))
+            .collect();
+        Held {
+            rates: self.rates(&y),
+            pushes,
+            speed: length(&y).max(length(&self.free)),
+            determined: solved.rank() == self.system.free().len(),
+        }
+    }
+
+    /// Whether what is driven contradicts the joints, or comes to a dead point of theirs.
+    pub(crate) fn is_stuck(&self) -> bool {
+        let vectors: Vec<Vec<f64>> = self.joints.iter().map(|(v, _)| v.clone()).collect();
+        let missing: Vec<f64> = (self.joints.iter())
+            .map(|(v, b)| b - dot(v, &self.free))
+            .collect();
+        let (y, _) = Rows::of(&vectors).least(&missing);
+        let scale = missing.iter().fold(0.0_f64, |s, m| s.max(m.abs()));
+        let off = |(v, m): (&Vec<f64>, &f64)| {
+            let found = if y.is_empty() { 0.0 } else { dot(v, &y) };
+            (found - m).abs() > CONTRADICTS * scale
+        };
+        vectors.iter().zip(&missing).any(off) || self.is_amplified(&y, scale)
+    }
+
+    /// Whether a change of velocity, in y, is more than what can be made of the free velocity and of the speeds (length per
+    /// second) that cause it.
+    fn is_amplified(&self, y: &[f64], speed: f64) -> bool {
+        let fastest = |y: &[f64]| {
+            let mut v = y.to_vec();
+            self.factor.backward(&mut v);
+            let free = self.system.free().iter();
+            let speeds = free
+                .zip(v)
+                .map(|(&i, v)| (v * self.system.lengths()[i]).abs());
+            speeds.fold(0.0, f64::max)
+        };
+        !y.is_empty() && fastest(y) > MOST_AMPLIFICATION * fastest(&self.free).max(speed)
+    }
+
+    /// The velocity nearest to the free one at which no function of `rows` decreases.
+    pub(crate) fn nearest(&self, rows: &[Row]) -> Nearest {
+        let vectors: Vec<Vec<f64>> = self.joints.iter().map(|(v, _)| v.clone()).collect();
+        let missing: Vec<f64> = (self.joints.iter())
+            .map(|(v, b)| b - dot(v, &self.free))
+            .collect();
+        let joints = Rows::of(&vectors);
+        let (correction, _) = joints.least(&missing);
+        let mut start = self.free.clone();
+        for (y, c) in start.iter_mut().zip(&correction) {
+            *y += c;
+        }
+        // Each bound g·z ≥ h for the displacement z from there, along the joints.
+        let bounds: Vec<(Vec<f64>, f64)> = (rows.iter())
+            .map(|row| {
+                let (mut g, b) = self.reduced(row);
+                let (before, rate) = (length(&g), b - dot(&g, &start));
+                joints.take_out(&mut g);
+                let long = length(&g);
+                // A bound that no free velocity changes: it holds or it does not.
+                if long <= ROUNDING * before || long == 0.0 {
+                    g.fill(0.0);
+                    let speed = if before > 0.0 { before } else { 1.0 };
+                    (g, rate / speed)
+                } else {
+                    g.iter_mut().for_each(|x| *x /= long);
+                    (g, rate / long)
+                }
+            })
+            .collect();
+        let scale = bounds.iter().fold(0.0_f64, |s, (_, h)| s.max(h.abs()));
+        let speed = length(&start).max(length(&self.free));
+        let violated = bounds.iter().any(|(_, h)| *h > ROUNDING * scale.max(speed));
+        if !violated {
+            return Nearest::Held {
+                held: Vec::new(),
+                distance: 0.0,
+            };
+        }
+        let n = start.len();
+        let columns: Vec<Vec<f64>> = (bounds.iter())
+            .map(|(g, h)| g.iter().copied().chain([h / scale]).collect())
+            .collect();
+        let mut target = vec![0.0; n + 1];
+        target[n] = 1.0;
+        let solved = nonnegative(&columns, &target);
+        // z = −r/ρ in units of `scale`, with the residual (r, ρ); if ρ is 0 there is none.
+        let rest = solved.residual[n];
+        let jams = rest < NOTHING || {
+            let z: Vec<f64> = (solved.residual[..n].iter())
+                .map(|r| -scale * r / rest)
+                .collect();
+            let missed = rows.iter().map(|row| {
+                let (g, b) = self.reduced(row);
+                (b - dot(&g, &start)).abs()
+            });
+            self.is_amplified(&z, missed.fold(0.0, f64::max))
+        };
+        if jams {
+            return Nearest::None {
+                multipliers: solved.u,
+            };
+        }
+        let held = (0..rows.len())
+            .filter(|&j| solved.u[j] > ROUNDING * rest)
+            .collect();
+        let distance = length(&solved.residual[..n]) / rest * scale;
+        Nearest::Held { held, distance }
+    }
+}

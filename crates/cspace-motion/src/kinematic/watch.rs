@@ -1,0 +1,187 @@
+//! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
+
+use cspace::{Classification, Coordinates, QueryError};
+
+use crate::pairs::{MovingPair, Pairs};
+use crate::system::System;
+
+use super::bound::{Bound, limit_tolerance, limits};
+use super::flow::{Arrived, Flow};
+
+/// A contact's push below this share of the speed, and negative, is a pull.
+const PULL: f64 = 1e-10;
+/// So many straight pieces stand for the path of a step, in each of which the first contact is sought exactly. Their distance
+/// from the path falls with the square of their number.
+const PIECES: usize = 4;
+/// A path between two configurations of a step is at most so much longer than its pieces.
+const LONGER: f64 = 1.1;
+
+/// Why a step may not be taken as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cause {
+    /// Closed contacts and joints cannot go on as they are.
+    Lost,
+    /// A contact would pull.
+    Pull,
+    /// A contact is no longer where two features touch, or the parts of a pair met.
+    Pair(usize),
+    /// A part came to the end of its range.
+    Limit,
+    /// A pair left the orientations of its space.
+    Window(usize),
+}
+
+/// What is known of each pair while the same contacts are closed.
+#[derive(Debug)]
+pub(crate) struct Watch<'a> {
+    system: &'a System,
+    pairs: &'a Pairs,
+    /// How far each pair's parts may move until they can meet; 0 if that is not known.
+    room: Vec<f64>,
+    levers: Vec<[f64; 3]>,
+}
+
+impl<'a> Watch<'a> {
+    pub(crate) fn new(system: &'a System, pairs: &'a Pairs) -> Self {
+        let parts = system.parts().iter().zip(&system.mechanism().parts);
+        Self {
+            system,
+            pairs,
+            room: vec![0.0; pairs.list().len()],
+            levers: parts.map(|(c, p)| c.levers(&p.part)).collect(),
+        }
+    }
+
+    /// How far points of the two parts of a pair move at most along a path.
+    fn travel(&self, pair: &MovingPair, path: &[Vec<f64>]) -> f64 {
+        let of = |part: usize| -> f64 {
+            let indices = self.system.parts()[part].indices();
+            (path.windows(2))
+                .map(|w| {
+                    (indices.clone().zip(self.levers[part]))
+                        .map(|(i, lever)| lever * (w[1][i] - w[0][i]).abs())
+                        .sum::<f64>()
+                })
+                .sum()
+        };
+        LONGER * (of(pair.fixed) + of(pair.moving))
+    }
+
+    /// What a step met.
+    pub(crate) fn check(&mut self, flow: &Flow<'_>, h: f64, to: &Arrived) -> Option<Cause> {
+        let pull = -PULL * to.velocity.speed;
+        if to.velocity.pushes.iter().any(|&p| p < pull) {
+            return Some(Cause::Pull);
+        }
+        for (bound, room) in limits(self.system, &to.q) {
+            if let Bound::Limit { part, .. } = bound
+                && room < -limit_tolerance(self.system, part)
+                && !flow.held.contains(&bound)
+            {
+                return Some(Cause::Limit);
+            }
+        }
+        let path = path(flow, h, to);
+        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, flow, &path))
+    }
+
+    fn check_pair(&mut self, index: usize, flow: &Flow<'_>, path: &[Vec<f64>]) -> Option<Cause> {
+        let pair = &self.pairs.list()[index];
+        let (from, to) = (&path[0], &path[path.len() - 1]);
+        let outside = |error: QueryError| match error {
+            QueryError::Outside => Cause::Window(index),
+            _ => Cause::Pair(index),
+        };
+        let held = flow.held.iter().filter_map(|b| match b {
+            Bound::Contact(touch) if touch.pair == index => Some(touch.features),
+            _ => None,
+        });
+        let mut closed = held.peekable();
+        if closed.peek().is_some() {
+            self.room[index] = 0.0;
+            let touches = match pair.touches(index, self.system, to, pair.touch) {
+                Ok(touches) => touches,
+                Err(error) => return Some(outside(error)),
+            };
+            let is_there = |features| touches.iter().any(|t| t.features == features);
+            return (!closed.all(is_there)).then_some(Cause::Pair(index));
+        }
+        let travel = self.travel(pair, path);
+        if travel <= self.room[index] {
+            return None;
+        }
+        if travel == 0.0 {
+            return None;
+        }
+        match pair.space.clearance(pair.coordinates(self.system, from)) {
+            Ok(clearance) if travel <= clearance => {
+                self.room[index] = clearance;
+                return None;
+            }
+            Ok(_) => {}
+            // It may be as deep as a contact's tolerance.
+            Err(QueryError::Blocked) => {}
+            Err(error) => return Some(outside(error)),
+        }
+        match pair.classify(self.system, to) {
+            // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
+            Ok(Classification::Blocked) => match pair.touches(index, self.system, to, pair.touch) {
+                Ok(touches) if !touches.is_empty() => {}
+                _ => return Some(Cause::Pair(index)),
+            },
+            Err(error) => return Some(outside(error)),
+            Ok(_) => {}
+        }
+        path.windows(2)
+            .find_map(|w| self.meets(pair, &w[0], &w[1]).then_some(Cause::Pair(index)))
+    }
+
+    /// Whether the parts meet on the straight way between two configurations. One that begins in contact is not told to.
+    fn meets(&self, pair: &MovingPair, from: &[f64], to: &[f64]) -> bool {
+        if pair.classify(self.system, from) != Ok(Classification::Free) {
+            return false;
+        }
+        let [a, b] = [from, to].map(|q| pair.coordinates(self.system, q));
+        let rates = match (a, b) {
+            (Coordinates::Planar(a), Coordinates::Planar(b)) => Coordinates::Planar(
+                cspace::Configuration::new(b.x - a.x, b.y - a.y, b.theta - a.theta),
+            ),
+            (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => {
+                Coordinates::Axes { u: s - u, v: t - v }
+            }
+            _ => return false,
+        };
+        matches!(
+            pair.space.first_contact(a, rates, 1.0),
+            Ok(cspace::pair::PairMotion::Contact(_))
+        )
+    }
+
+    /// That a step was taken.
+    pub(crate) fn taken(&mut self, flow: &Flow<'_>, h: f64, to: &Arrived) {
+        let path = path(flow, h, to);
+        for (index, pair) in self.pairs.list().iter().enumerate() {
+            self.room[index] -= self.travel(pair, &path);
+        }
+    }
+}
+
+/// Configurations along a step, by the cubic that has the velocities of its ends.
+fn path(flow: &Flow<'_>, h: f64, to: &Arrived) -> Vec<Vec<f64>> {
+    let (a, b) = (&flow.q, &to.q);
+    let (va, vb) = (&flow.velocity.rates, &to.velocity.rates);
+    let at = |k: usize| -> Vec<f64> {
+        let t = k as f64 / PIECES as f64;
+        let s = 1.0 - t;
+        let cubic = |i: usize| {
+            s * s * (1.0 + 2.0 * t) * a[i]
+                + t * t * (1.0 + 2.0 * s) * b[i]
+                + h * s * t * (s * va[i] - t * vb[i])
+        };
+        (0..a.len()).map(cubic).collect()
+    };
+    let mut path: Vec<Vec<f64>> = vec![a.clone()];
+    path.extend((1..PIECES).map(at));
+    path.push(b.clone());
+    path
+}

@@ -1,0 +1,64 @@
+//! Mechanisms in motion.
+//!
+//! A [`Simulation`] holds a mechanism as a [`System`] of coordinates and the configuration space of every pair that can meet,
+//! each computed once. Contacts are then not searched for along the way: the spaces know them.
+//!
+//! # Kinematic motion
+//!
+//! [`Simulation::kinematic`] follows motion without inertia: at each instant the velocity is the one nearest to the free velocity
+//! that drives, joints, ranges and contacts allow,
+//!
+//! min ½ |v − M⁻¹ F|²_M  subject to  J v = drives,  ∇fᵢ · v ≥ 0 for every closed contact i,
+//!
+//! with the mass matrix M of the outlines at unit density, to which dampers add, and the forces F of loads, weights and springs. It is a
+//! projection on a convex cone, so the answer is unique. If there is none the mechanism is jammed, and multipliers prove it.
+//! At a convex corner of the parts, where either of two contacts will do, the nearer of the two velocities is taken.
+//!
+//! Contact functions fᵢ are those of [`cspace::FeatureContact`], in the model's unit of length; angles are in radians, times in
+//! seconds.
+//!
+//! ```
+//! use cspace::mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
+//! use cspace::Part;
+//! use cspace_motion::{EventKind, Settings, Simulation, Status};
+//! // A block slides towards another and pushes it.
+//! let mut mechanism = Mechanism::new("two blocks");
+//! mechanism.parts.push(PartEntry::prismatic(Part::rectangle("pusher", (0.0, 0.0), 2.0, 2.0)?, (1.0, 0.0)));
+//! mechanism.parts.push(PartEntry::planar(Part::rectangle("block", (4.0, 0.5), 2.0, 2.0)?));
+//! mechanism.pairs = mechanism.every_two();
+//! mechanism.dynamics.drives.push(Drive { part: 0, motion: DriveMotion::Rate(1.0) });
+//! let record = Simulation::new(&mechanism)?.kinematic(&Settings { time: 5.0, every: None })?;
+//! assert_eq!(record.status, Status::Done);
+//! // They are 2 apart, and meet side to side.
+//! assert!(record.events.iter().all(|e| e.kind == EventKind::Touch && (e.t - 2.0).abs() < 1e-9));
+//! let end = record.samples.last().ok_or("there is one")?;
+//! // x of the block: it is pushed from 2 s on and does not turn.
+//! assert!((end.coordinates[1] - 3.0).abs() < 1e-9 && end.coordinates[3].abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # How far it can be trusted
+//!
+//! Closed contacts and joints hold to 10⁻¹³ of the size; parts that are apart overlap at no sample by more than
+//! [`MovingPair::touch`], some 10⁻¹⁰ of the size, and events are located to rounding where the motion is not tangent to a contact.
+//! Whether parts that are apart meet within a step is asked of their space along four straight pieces that stand for the path of the step, where
+//! their clearance does not answer it; steps move no part by more than a fiftieth of the mechanism's size.
+
+// It reads no files and prints nothing.
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
+mod drive;
+mod error;
+mod kinematic;
+mod linear;
+mod pairs;
+mod record;
+mod simulate;
+mod system;
+
+pub use drive::{DriveCurve, Driven};
+pub use error::SimulateError;
+pub use pairs::{MovingPair, Pairs, Touch};
+pub use record::{Event, EventKind, Obstacle, Record, Sample, Status, What};
+pub use simulate::{Settings, Simulation};
+pub use system::{PartCoordinates, Row, System};

@@ -1,0 +1,246 @@
+//! The pairs of a mechanism that can meet, with their configuration spaces.
+
+use cspace::mechanism::MechanismError;
+use cspace::{
+    Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
+    PairEntry, PairSpace, PatchId, Point, Progress, QueryError, Relation, Rotation,
+    contact_function,
+};
+use rayon::prelude::*;
+
+use crate::error::SimulateError;
+use crate::system::{Row, System};
+
+/// Contacts this near count as touching, relative to the size of the pair: a dozen times the resolution of a space, so that
+/// what is computed of a contact does not leave it by rounding.
+const TOUCHING: f64 = 1e-10;
+/// And at least so many times the pair's own resolution, which is larger where parts were moved to break ties.
+const RESOLUTIONS: f64 = 4.0;
+
+/// Patches that end within this of an orientation are there, too (radians): critical orientations are known to that, and what
+/// keeps two sides together turns by rounding alone.
+const BESIDE: f64 = 2e-10;
+
+/// A pair of parts that can meet.
+#[derive(Debug)]
+pub struct MovingPair {
+    /// The index of the part in whose frame configurations are.
+    pub fixed: usize,
+    /// The index of the other.
+    pub moving: usize,
+    /// Its configuration space.
+    pub space: PairSpace,
+    /// The parts touch if they are no farther apart, in the model's unit of length.
+    pub touch: f64,
+    ranges: [Option<(f64, f64)>; 2],
+}
+
+/// A contact of two features.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// The pair, as it is listed.
+    pub pair: usize,
+    /// Its patch.
+    pub patch: PatchId,
+    /// The features of the fixed and of the moving part.
+    pub features: (FeatureId, FeatureId),
+    contact: FeatureContact,
+}
+
+impl Touch {
+    /// The contact of the features, by which its function is evaluated.
+    pub fn contact(&self) -> &FeatureContact {
+        &self.contact
+    }
+}
+
+/// The pairs of a mechanism.
+#[derive(Debug)]
+pub struct Pairs {
+    list: Vec<MovingPair>,
+    apart: Vec<(usize, usize)>,
+}
+
+impl Pairs {
+    /// Computes the spaces of all pairs of a mechanism that a joint does not connect, each once, in parallel. Pairs whose parts
+    /// never meet are left out, and so are those whose parts both stand still.
+    ///
+    /// # Errors
+    /// If a space cannot be computed.
+    pub fn compute(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, MechanismError> {
+        let candidates = mechanism.pairs.par_iter().filter(|pair| {
+            let moves = |i: usize| {
+                mechanism.parts[i]
+                    .axis
+                    .is_none_or(|a| a.motion != cspace::AxisMotion::Fixed)
+            };
+            (moves(pair.fixed) || moves(pair.moving))
+                && !matches!(mechanism.relation(pair), Relation::Joint(..))
+        });
+        let computed: Vec<MovingPair> = candidates
+            .map(|pair| MovingPair::compute(mechanism, pair, progress))
+            .collect::<Result<_, _>>()?;
+        let (list, apart): (Vec<_>, Vec<_>) = computed
+            .into_iter()
+            .partition(|p| p.space.patch_count() > 0);
+        Ok(Self {
+            list,
+            apart: apart.iter().map(|p| (p.fixed, p.moving)).collect(),
+        })
+    }
+
+    /// Those that can meet.
+    pub fn list(&self) -> &[MovingPair] {
+        &self.list
+    }
+
+    /// The parts of those that never meet.
+    pub fn apart(&self) -> &[(usize, usize)] {
+        &self.apart
+    }
+}
+
+impl MovingPair {
+    fn compute(
+        mechanism: &Mechanism,
+        pair: &PairEntry,
+        progress: &dyn Progress,
+    ) -> Result<Self, MechanismError> {
+        let space = mechanism.compute_with(pair, &Options::default(), progress)?;
+        let size = space.fixed().size().max(space.moving().size());
+        let ranges = match mechanism.relation(pair) {
+            Relation::Axes { fixed, moving } => [fixed.range, moving.range],
+            _ => [None, None],
+        };
+        Ok(Self {
+            fixed: pair.fixed,
+            moving: pair.moving,
+            touch: (TOUCHING * size).max(RESOLUTIONS * space.resolution()),
+            space,
+            ranges,
+        })
+    }
+
+    /// The configuration of the pair.
+    ///
+    /// A coordinate beyond the end of its range by no more than a contact's tolerance is brought back to it.
+    pub fn coordinates(&self, system: &System, q: &[f64]) -> Coordinates {
+        let PairSpace::FixedAxes(_) = &self.space else {
+            return Coordinates::Planar(system.relative(self.fixed, self.moving, q));
+        };
+        let along = |i: usize, range: Option<(f64, f64)>| {
+            let t = system.parts()[i].indices().next().map_or(0.0, |k| q[k]);
+            match range {
+                Some((lo, _)) if t < lo && t > lo - self.touch => lo,
+                Some((_, hi)) if t > hi && t < hi + self.touch => hi,
+                _ => t,
+            }
+        };
+        Coordinates::Axes {
+            u: along(self.fixed, self.ranges[0]),
+            v: along(self.moving, self.ranges[1]),
+        }
+    }
+
+    /// Whether the parts are apart, touch or overlap.
+    ///
+    /// # Errors
+    /// If nothing was computed there.
+    pub fn classify(&self, system: &System, q: &[f64]) -> Result<Classification, QueryError> {
+        self.space.classify(self.coordinates(system, q))
+    }
+
+    /// The contacts within a tolerance, the nearest first, each pair of features once.
+    ///
+    /// # Errors
+    /// If nothing was computed there.
+    pub fn touches(
+        &self,
+        index: usize,
+        system: &System,
+        q: &[f64],
+        tolerance: f64,
+    ) -> Result<Vec<Touch>, QueryError> {
+        let at = self.coordinates(system, q);
+        let mut near = self.space.contacts(at, tolerance)?;
+        if let Coordinates::Planar(c) = at {
+            // Where sides are parallel, patches end and others begin: both touch.
+            let moving = self.space.moving();
+            let within = tolerance + BESIDE * moving.size();
+            let middle = moving.bounds().center();
+            let placed = c.fixed_from_moving(middle);
+            for theta in [c.theta - BESIDE, c.theta + BESIDE] {
+                // Turned about the middle of the part, so that nothing of it moves by more than that.
+                let turned = Rotation::by(theta) * middle.to_vector();
+                let beside = Configuration::new(placed.x - turned.x, placed.y - turned.y, theta);
+                let beside = Coordinates::Planar(beside);
+                // Beyond the window nothing touches.
+                near.extend(self.space.contacts(beside, within).unwrap_or_default());
+            }
+        }
+        let mut found: Vec<Touch> = Vec::new();
+        for (id, _) in near {
+            let patch = self.space.patch(id)?;
+            let features = patch.features()?;
+            if found.iter().all(|t| t.features != features) {
+                found.push(Touch {
+                    pair: index,
+                    patch: id,
+                    features,
+                    contact: patch.contact()?,
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    /// The contact function of a contact and its derivatives by the coordinates of the system: 0 in contact, positive apart,
+    /// in the model's unit of length.
+    pub fn function(&self, touch: &Touch, system: &System, q: &[f64]) -> Row {
+        let real = |_, x| cspace::Scalar::constant(x);
+        let fixed = touch.contact.fixed.map(real);
+        let moving = touch.contact.moving.map(real);
+        system.row([self.fixed, self.moving], q, |a, b| {
+            contact_function(&fixed, &moving, &a.inverse().compose(b))
+        })
+    }
+
+    /// Where two features touch, in the assembly's frame.
+    ///
+    /// # Errors
+    /// None but for coordinates of another class, which it makes itself.
+    pub fn point(&self, touch: &Touch, system: &System, q: &[f64]) -> Result<Point, QueryError> {
+        let place = touch.contact.touching(self.coordinates(system, q))?;
+        let p = place.on_fixed.midpoint(place.on_moving);
+        let [x, y] = system.placement(self.fixed, q).point([p.x, p.y]);
+        Ok(Point::new(x, y))
+    }
+
+    /// That the parts do not overlap at the start.
+    ///
+    /// # Errors
+    /// If they do, or nothing was computed there.
+    pub fn check_start(&self, system: &System, q: &[f64]) -> Result<(), SimulateError> {
+        let [fixed, moving] =
+            [self.fixed, self.moving].map(|i| system.mechanism().parts[i].part.name().to_owned());
+        let failed = |error: QueryError| SimulateError::Query {
+            fixed: fixed.clone(),
+            moving: moving.clone(),
+            error,
+        };
+        match self.classify(system, q) {
+            Ok(Classification::Blocked) => {
+                let at = self.coordinates(system, q);
+                let nearest = self.space.nearest_contact(at).map_err(failed)?;
+                Err(SimulateError::Overlap {
+                    fixed,
+                    moving,
+                    depth: nearest.map_or(f64::INFINITY, |n| n.distance),
+                })
+            }
+            Ok(_) => Ok(()),
+            Err(QueryError::Outside) => Err(SimulateError::Outside { fixed, moving }),
+            Err(error) => Err(failed(error)),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! From a mechanism to what becomes of it.
+
+use cspace::{ComputeError, Mechanism, Progress, Stage};
+
+use crate::error::SimulateError;
+use crate::kinematic::{close, run};
+use crate::pairs::Pairs;
+use crate::record::Record;
+use crate::system::{PartCoordinates, System};
+
+/// Samples there are unless other times are asked for.
+const SAMPLES: f64 = 200.0;
+/// As many as some gigabytes hold.
+const MOST_SAMPLES: usize = 10_000_000;
+/// Parts may be moved by this much to make joints hold at the start, relative to the size of the mechanism.
+const MOST_ASSEMBLING: f64 = 10.0;
+
+/// What is wanted of a simulation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// How long, in seconds.
+    pub time: f64,
+    /// The time between samples; a 200th of the whole if none is given.
+    pub every: Option<f64>,
+}
+
+/// A mechanism that is ready to move: its coordinates, the spaces of its pairs, and where it starts.
+#[derive(Debug)]
+pub struct Simulation {
+    system: System,
+    pairs: Pairs,
+    start: Vec<f64>,
+}
+
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}
+
+impl Simulation {
+    /// Prepares a mechanism: computes the spaces of its pairs, and brings parts that joints carry to where these hold.
+    ///
+    /// # Errors
+    /// If the mechanism makes no sense, nothing of it moves, joints cannot hold, or parts overlap at the start.
+    pub fn new(mechanism: &Mechanism) -> Result<Self, SimulateError> {
+        Self::new_with(mechanism, &Silent)
+    }
+
+    /// As [`new`](Self::new), telling `progress` of the stages of each space.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); and what `progress` returns.
+    pub fn new_with(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, SimulateError> {
+        mechanism.check()?;
+        let system = System::new(mechanism);
+        if system.count() == 0 {
+            return Err(SimulateError::NothingMoves);
+        }
+        let mut start = system.start();
+        check_ranges(&system, &start)?;
+        let pairs = Pairs::compute(mechanism, progress)?;
+        let room = MOST_ASSEMBLING * system.size();
+        let closed = close(&system, &pairs, &[], 0.0, &mut start, room);
+        if closed.is_none() {
+            return Err(system.open_joint(&system.start()));
+        }
+        check_ranges(&system, &start)?;
+        for pair in pairs.list() {
+            pair.check_start(&system, &start)?;
+        }
+        Ok(Self {
+            system,
+            pairs,
+            start,
+        })
+    }
+
+    /// The coordinates.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// The pairs.
+    pub fn pairs(&self) -> &Pairs {
+        &self.pairs
+    }
+
+    /// All coordinates at the start.
+    pub fn start(&self) -> &[f64] {
+        &self.start
+    }
+
+    /// Kinematic motion: drives move, other parts go only where contacts, springs and loads push them.
+    ///
+    /// # Errors
+    /// If times make no sense.
+    pub fn kinematic(&self, settings: &Settings) -> Result<Record, SimulateError> {
+        self.kinematic_with(settings, &Silent)
+    }
+
+    /// As [`kinematic`](Self::kinematic); every now and then `progress` is told of the last stage.
+    ///
+    /// # Errors
+    /// As [`kinematic`](Self::kinematic); and what `progress` returns.
+    pub fn kinematic_with(
+        &self,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<Record, SimulateError> {
+        let time = settings.time;
+        let every = settings.every.unwrap_or(time / SAMPLES);
+        for (what, value) in [("the time", time), ("the time between samples", every)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(SimulateError::Time { what, value });
+            }
+        }
+        let samples = time / every;
+        if samples > MOST_SAMPLES as f64 {
+            return Err(SimulateError::TooMany {
+                samples,
+                most: MOST_SAMPLES,
+            });
+        }
+        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
+        let start = self.start.clone();
+        run(&self.system, &self.pairs, start, time, every, &goes_on)
+            .ok_or(SimulateError::Interrupted)
+    }
+}
+
+/// That all parts are within their ranges.
+fn check_ranges(system: &System, q: &[f64]) -> Result<(), SimulateError> {
+    for (i, part) in system.parts().iter().enumerate() {
+        if let PartCoordinates::Axis {
+            first,
+            range: Some((lo, hi)),
+            ..
+        } = *part
+        {
+            let slack = 1e-9 * (hi - lo);
+            if q[first] < lo - slack || q[first] > hi + slack {
+                let part = system.mechanism().parts[i].part.name().to_owned();
+                return Err(SimulateError::Range { part });
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,233 @@
+//! All coordinates of a mechanism, and which of them are free.
+
+use cspace::mechanism::PartPosition;
+use cspace::{AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement};
+
+use super::joint;
+use super::layout::{Derived, PartCoordinates, row_of};
+use super::metric;
+use super::row::Row;
+use crate::drive::DriveCurve;
+use crate::error::SimulateError;
+
+/// A mechanism as a system of coordinates.
+///
+/// Parts that turn or slide have one coordinate, parts that move in the plane have three, x, y and θ; they follow each other
+/// in the order of the parts. Coordinates of driven parts are known functions of time, the others are free.
+#[derive(Debug, Clone)]
+pub struct System {
+    mechanism: Mechanism,
+    parts: Vec<PartCoordinates>,
+    moments: Vec<AreaMoments>,
+    count: usize,
+    /// The prescribed coordinates.
+    drives: Vec<(usize, DriveCurve)>,
+    free: Vec<usize>,
+    /// Joints that are not already what the parts' own axes say.
+    joints: Vec<JointEntry>,
+    size: f64,
+    lengths: Vec<f64>,
+}
+
+impl System {
+    /// The system of a mechanism that has been [checked](Mechanism::check).
+    pub fn new(mechanism: &Mechanism) -> Self {
+        let mut count = 0;
+        let parts: Vec<PartCoordinates> = (mechanism.parts.iter())
+            .map(|entry| {
+                let first = count;
+                let (coordinates, more) = match entry.axis {
+                    None => (PartCoordinates::Planar { first }, 3),
+                    Some(axis) if axis.motion == AxisMotion::Fixed => (PartCoordinates::Fixed, 0),
+                    Some(axis) => {
+                        let (motion, range) = (axis.motion, axis.range);
+                        let on = PartCoordinates::Axis {
+                            first,
+                            motion,
+                            range,
+                        };
+                        (on, 1)
+                    }
+                };
+                count += more;
+                coordinates
+            })
+            .collect();
+        let drives: Vec<(usize, DriveCurve)> = (mechanism.dynamics.drives.iter())
+            .filter_map(|drive| {
+                let start = match mechanism.dynamics.part(drive.part).start {
+                    Some(PartPosition::Axis(u)) => u,
+                    _ => 0.0,
+                };
+                let curve = DriveCurve::new(drive, start);
+                Some((parts[drive.part].indices().next()?, curve))
+            })
+            .collect();
+        let free = (0..count)
+            .filter(|i| drives.iter().all(|d| d.0 != *i))
+            .collect();
+        // A joint with the ground of a part that has an axis is that axis.
+        let tells = |j: &&JointEntry| {
+            let is = |i: usize| parts[i];
+            let (a, b) = (is(j.parts.0), is(j.parts.1));
+            let planar = |p| matches!(p, PartCoordinates::Planar { .. });
+            let fixed = |p| p == PartCoordinates::Fixed;
+            planar(a) || planar(b) || !(fixed(a) || fixed(b))
+        };
+        let sizes = mechanism.parts.iter().map(|p| p.part.size());
+        let mut lengths = vec![1.0; count];
+        for (part, entry) in parts.iter().zip(&mechanism.parts) {
+            if let Some(i) = part.orientation() {
+                lengths[i] = entry.part.size();
+            }
+        }
+        Self {
+            lengths,
+            joints: mechanism.joints.iter().filter(tells).copied().collect(),
+            moments: (mechanism.parts.iter()).map(|p| p.part.moments()).collect(),
+            size: sizes.fold(0.0, f64::max),
+            mechanism: mechanism.clone(),
+            parts,
+            count,
+            drives,
+            free,
+        }
+    }
+
+    /// The mechanism.
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
+    }
+
+    /// The coordinates of each part.
+    pub fn parts(&self) -> &[PartCoordinates] {
+        &self.parts
+    }
+
+    /// How many coordinates there are.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The indices of the coordinates that are not prescribed.
+    pub fn free(&self) -> &[usize] {
+        &self.free
+    }
+
+    /// The prescribed coordinates, each with its motion.
+    pub fn drives(&self) -> &[(usize, DriveCurve)] {
+        &self.drives
+    }
+
+    /// The size of the largest part, in the model's unit of length.
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// The length that a unit of each coordinate counts: the size of the part for an angle, 1 for a length.
+    pub fn lengths(&self) -> &[f64] {
+        &self.lengths
+    }
+
+    /// All coordinates at the start, as they are given. Joints may not hold there.
+    pub fn start(&self) -> Vec<f64> {
+        let mut q = vec![0.0; self.count];
+        for (i, part) in self.parts.iter().enumerate() {
+            let indices = part.indices();
+            match self.mechanism.dynamics.part(i).start {
+                Some(PartPosition::Axis(u)) if indices.len() == 1 => q[indices.start] = u,
+                Some(PartPosition::Planar(c)) if indices.len() == 3 => {
+                    q[indices].copy_from_slice(&[c.x, c.y, c.theta]);
+                }
+                _ => {}
+            }
+        }
+        self.drive(0.0, &mut q);
+        q
+    }
+
+    /// Brings the prescribed coordinates to where they are at a time.
+    pub fn drive(&self, time: f64, q: &mut [f64]) {
+        for (i, curve) in &self.drives {
+            q[*i] = curve.at(time).value;
+        }
+    }
+
+    /// Where a part is, in the assembly's frame.
+    pub fn placement(&self, part: usize, q: &[f64]) -> Placement<f64> {
+        self.parts[part].placement(|i| q[i])
+    }
+
+    /// Where a part is in another's frame, its orientation not brought home by turns.
+    pub fn relative(&self, fixed: usize, moving: usize, q: &[f64]) -> Configuration {
+        let [a, b] = [fixed, moving].map(|i| self.placement(i, q));
+        let [x, y] = a.inverse().compose(&b).position;
+        let turned = |i: usize| self.parts[i].orientation().map_or(0.0, |k| q[k]);
+        Configuration::new(x, y, turned(moving) - turned(fixed))
+    }
+
+    /// A function of where two parts are, with its derivatives by their coordinates.
+    pub(crate) fn row(
+        &self,
+        [a, b]: [usize; 2],
+        q: &[f64],
+        function: impl Fn(&Placement<Derived>, &Placement<Derived>) -> Derived,
+    ) -> Row {
+        row_of([&self.parts[a], &self.parts[b]], q, function)
+    }
+
+    /// The equations of all joints: 0 where they hold, in the model's unit of length.
+    pub fn joints(&self, q: &[f64]) -> Vec<Row> {
+        (self.joints.iter())
+            .flat_map(|entry| {
+                let (a, b) = entry.parts;
+                let parts = [&self.parts[a], &self.parts[b]];
+                joint::equations(&entry.joint, parts, q, self.size)
+            })
+            .collect()
+    }
+
+    /// That a joint cannot hold: the one that is worst at a configuration.
+    pub(crate) fn open_joint(&self, q: &[f64]) -> SimulateError {
+        let name = |i: usize| self.mechanism.parts[i].part.name().to_owned();
+        let gaps = self.joints.iter().map(|entry| {
+            let (a, b) = entry.parts;
+            let parts = [&self.parts[a], &self.parts[b]];
+            let rows = joint::equations(&entry.joint, parts, q, self.size);
+            let gap = rows.iter().fold(0.0_f64, |m, r| m.max(r.value.abs()));
+            (gap, a, b)
+        });
+        let worst = gaps.max_by(|a, b| a.0.total_cmp(&b.0));
+        let (gap, a, b) = worst.unwrap_or((0.0, 0, 0));
+        SimulateError::Joints {
+            part: name(a),
+            other: name(b),
+            gap,
+        }
+    }
+
+    /// The largest rate, angles counted by the sizes of their parts.
+    pub(crate) fn speed(&self, rates: &[f64]) -> f64 {
+        let each = rates.iter().zip(&self.lengths);
+        each.map(|(r, l)| (r * l).abs()).fold(0.0, f64::max)
+    }
+
+    /// The largest change of a coordinate, angles counted by the sizes of their parts.
+    pub(crate) fn moved(&self, from: &[f64], to: &[f64]) -> f64 {
+        let each = from.iter().zip(to).zip(&self.lengths);
+        each.map(|((a, b), l)| ((a - b) * l).abs())
+            .fold(0.0, f64::max)
+    }
+
+    /// The mass matrix of the outlines at unit density with the resistance of dampers, n × n by rows, and the forces of
+    /// loads, weights and springs on the coordinates.
+    pub(crate) fn metric_and_forces(&self, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let n = self.count;
+        let (mut matrix, mut forces) = (vec![0.0; n * n], vec![0.0; n]);
+        for (part, moments) in self.parts.iter().zip(&self.moments) {
+            metric::add_outline(&mut matrix, n, part, moments, q);
+        }
+        self.add_forces(q, &mut forces, &mut matrix);
+        (matrix, forces)
+    }
+}

@@ -1,0 +1,113 @@
+//! Forces on the coordinates: loads, weights and springs; and dampers, which resist rates.
+
+use cspace::mechanism::{Load, LoadKind, Spring, SpringKind};
+use cspace::{Point, Scalar};
+
+use super::coordinates::System;
+use super::layout::{Derived, PartCoordinates, row_of};
+use super::row::Row;
+
+/// x and y of a point of a part in the assembly's frame.
+fn place(part: &PartCoordinates, p: Point, q: &[f64]) -> [Row; 2] {
+    let at = [Derived::constant(p.x), Derived::constant(p.y)];
+    [0, 1].map(|k| row_of([part, &PartCoordinates::Fixed], q, |a, _| a.point(at)[k]))
+}
+
+/// Adds what a force along a function of the coordinates does to them.
+fn push(forces: &mut [f64], row: &Row, force: f64) {
+    for &(i, d) in row.entries() {
+        forces[i] += force * d;
+    }
+}
+
+impl System {
+    /// The forces on all coordinates, and the resistances that dampers add to `matrix`, n × n by rows.
+    pub(crate) fn add_forces(&self, q: &[f64], forces: &mut [f64], matrix: &mut [f64]) {
+        for load in &self.mechanism().dynamics.loads {
+            self.add_load(load, q, forces);
+        }
+        let gravity = self.mechanism().dynamics.gravity;
+        for (i, part) in self.parts().iter().enumerate() {
+            if let Some(mass) = self.mechanism().mass_properties(i) {
+                let [x, y] = place(part, mass.center, q);
+                push(forces, &x, mass.mass * gravity.x);
+                push(forces, &y, mass.mass * gravity.y);
+            }
+        }
+        for spring in &self.mechanism().dynamics.springs {
+            self.add_spring(spring, q, forces, matrix);
+        }
+    }
+
+    fn add_load(&self, load: &Load, q: &[f64], forces: &mut [f64]) {
+        let part = &self.parts()[load.part];
+        match load.kind {
+            LoadKind::Force { force, at } => {
+                let entry = &self.mechanism().parts[load.part].part;
+                let center = || {
+                    self.mechanism()
+                        .dynamics
+                        .part(load.part)
+                        .center_of_mass(entry)
+                };
+                let [x, y] = place(part, at.unwrap_or_else(center), q);
+                push(forces, &x, force.x);
+                push(forces, &y, force.y);
+            }
+            LoadKind::Torque(torque) => {
+                if let Some(i) = part.orientation() {
+                    forces[i] += torque;
+                }
+            }
+        }
+    }
+
+    fn add_spring(&self, spring: &Spring, q: &[f64], forces: &mut [f64], matrix: &mut [f64]) {
+        let ground = PartCoordinates::Fixed;
+        let first = &self.parts()[spring.part];
+        let second = spring.other.map_or(&ground, |i| &self.parts()[i]);
+        let (row, force, damping) = match spring.kind {
+            SpringKind::Linear {
+                at: (p, r),
+                stiffness,
+                length,
+                damping,
+            } => {
+                let ([px, py], [rx, ry]) = (place(first, p, q), place(second, r, q));
+                let (x, y) = (px.plus(-1.0, &rx), py.plus(-1.0, &ry));
+                let distance = x.value.hypot(y.value);
+                if distance == 0.0 {
+                    // It has no direction there, and pulls nowhere.
+                    return;
+                }
+                let along = Row::new(0.0)
+                    .plus(x.value / distance, &x)
+                    .plus(y.value / distance, &y);
+                (along, -stiffness * (distance - length), damping)
+            }
+            SpringKind::Torsion {
+                stiffness,
+                angle,
+                damping,
+            } => {
+                let turned = |part: &PartCoordinates| {
+                    let mut row = Row::default();
+                    if let Some(i) = part.orientation() {
+                        row = Row::new(q[i]);
+                        row.push(i, 1.0);
+                    }
+                    row
+                };
+                let between = turned(first).plus(-1.0, &turned(second));
+                (between, -stiffness * (between.value - angle), damping)
+            }
+        };
+        push(forces, &row, force);
+        let n = self.count();
+        for &(i, a) in row.entries() {
+            for &(j, b) in row.entries() {
+                matrix[i * n + j] += damping * a * b;
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Which coordinates say where a part is, and where it then is.
+
+use cspace::{AxisMotion, Dual, Part, Placement, Point, Scalar};
+
+use super::row::{MOST, Row};
+
+/// The coordinates of a part, by their first index in the system.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PartCoordinates {
+    /// It does not move.
+    Fixed,
+    /// One: how far it has turned or slid.
+    Axis {
+        /// Its index.
+        first: usize,
+        /// How it moves.
+        motion: AxisMotion,
+        /// The least and the largest it may be.
+        range: Option<(f64, f64)>,
+    },
+    /// Three: x, y and θ of its frame in the assembly's.
+    Planar {
+        /// The index of x.
+        first: usize,
+    },
+}
+
+impl PartCoordinates {
+    /// The indices of its coordinates.
+    pub fn indices(&self) -> core::ops::Range<usize> {
+        match *self {
+            Self::Fixed => 0..0,
+            Self::Axis { first, .. } => first..first + 1,
+            Self::Planar { first } => first..first + 3,
+        }
+    }
+
+    /// Where the part is, from numbers of any kind: `variable` makes one of the coordinate of an index.
+    pub fn placement<T: Scalar>(&self, variable: impl Fn(usize) -> T) -> Placement<T> {
+        let point = |p: Point| [T::constant(p.x), T::constant(p.y)];
+        match *self {
+            Self::Fixed => Placement::identity(),
+            Self::Axis { first, motion, .. } => match motion {
+                AxisMotion::Fixed => Placement::identity(),
+                AxisMotion::Revolute { center } => Placement::turn(point(center), variable(first)),
+                AxisMotion::Prismatic { direction } => Placement::slide(
+                    [T::constant(direction.x), T::constant(direction.y)],
+                    variable(first),
+                ),
+            },
+            Self::Planar { first } => {
+                Placement::new([variable(first), variable(first + 1)], variable(first + 2))
+            }
+        }
+    }
+
+    /// The index of the coordinate that is its orientation, if it turns.
+    pub fn orientation(&self) -> Option<usize> {
+        match *self {
+            Self::Axis {
+                first,
+                motion: AxisMotion::Revolute { .. },
+                ..
+            } => Some(first),
+            Self::Planar { first } => Some(first + 2),
+            _ => None,
+        }
+    }
+
+    /// How fast a point of the part moves at most, per unit of the rate of each of its coordinates.
+    pub(crate) fn levers(&self, part: &Part) -> [f64; 3] {
+        let reach = |from: Point| {
+            let corners = part.edges().flat_map(|e| {
+                let b = e.bounds();
+                [b.min.x, b.max.x].map(|x| [b.min.y, b.max.y].map(|y| Point::new(x, y)))
+            });
+            (corners.flatten().map(|p| from.distance(p))).fold(0.0, f64::max)
+        };
+        match self {
+            Self::Axis {
+                motion: AxisMotion::Revolute { center },
+                ..
+            } => [reach(*center), 0.0, 0.0],
+            Self::Planar { .. } => [1.0, 1.0, reach(Point::ORIGIN)],
+            _ => [1.0, 0.0, 0.0],
+        }
+    }
+}
+
+/// Numbers that carry the derivatives by the coordinates of two parts.
+pub(crate) type Derived = Dual<MOST>;
+
+/// A function of where two parts are, with its derivatives by their coordinates.
+pub(crate) fn row_of(
+    parts: [&PartCoordinates; 2],
+    q: &[f64],
+    function: impl Fn(&Placement<Derived>, &Placement<Derived>) -> Derived,
+) -> Row {
+    let [a, b] = parts;
+    let (of_a, of_b) = (a.indices(), b.indices());
+    let at_a = a.placement(|i| Derived::variable(q[i], i - of_a.start));
+    let at_b = b.placement(|i| Derived::variable(q[i], of_a.len() + i - of_b.start));
+    let found = function(&at_a, &at_b);
+    let mut row = Row::new(found.value);
+    for (i, slope) in of_a.chain(of_b).zip(found.slope) {
+        row.push(i, slope);
+    }
+    row
+}

@@ -1,0 +1,12 @@
+//! A mechanism as a system of coordinates, with what constrains them and what pushes.
+
+mod coordinates;
+mod force;
+mod joint;
+mod layout;
+mod metric;
+mod row;
+
+pub use coordinates::System;
+pub use layout::PartCoordinates;
+pub use row::Row;
