@@ -37,6 +37,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Dynamic motion
+//!
+//! [`dynamic`] integrates systems with masses, impacts and friction from event to event. It is not joined to mechanisms yet: what moves
+//! is written down as a [`dynamic::World`].
+//!
 //! # How far it can be trusted
 //!
 //! Closed contacts and joints hold to 10⁻¹³ of the size; parts that are apart overlap at no sample by more than
@@ -48,6 +53,7 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod drive;
+pub mod dynamic;
 mod error;
 mod kinematic;
 mod linear;

@@ -1,0 +1,50 @@
+//! Impacts that accumulate: their times come nearer to each other as a geometric series, and have a limit.
+
+/// The series is closed when what is left of it is less than this share of the time that is simulated.
+const LEFT: f64 = 1e-10;
+/// Or when the ways between impacts are shorter than this share of the size: rounding leaves little of them.
+const WAY: f64 = 1e-12;
+/// Its ratio is the same from one interval to the next but for this.
+const STEADY: f64 = 1e-2;
+/// Intervals are compared with those so many impacts before: two feet of a block strike in turn.
+const TURNS: usize = 2;
+
+/// The times of impacts, the last ones.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Impacts {
+    times: Vec<f64>,
+}
+
+impl Impacts {
+    pub(super) fn add(&mut self, t: f64) {
+        /// No more are compared.
+        const KEPT: usize = 8;
+        self.times.push(t);
+        if self.times.len() > KEPT {
+            self.times.remove(0);
+        }
+    }
+
+    /// How long it takes until all impacts to come are over, if they accumulate and are nearly over: with intervals d, r d, r² d … this
+    /// is d r / (1 − r) after the last.
+    ///
+    /// `way` is how far the contacts open in a unit of time after the last, as a share of the size.
+    pub(super) fn rest(&self, span: f64, way: f64) -> Option<f64> {
+        let d: Vec<f64> = self.times.windows(2).map(|w| w[1] - w[0]).collect();
+        let n = d.len();
+        if n < 2 * TURNS + 1 {
+            return None;
+        }
+        let sum = |i: usize| d[i + 1 - TURNS..=i].iter().sum::<f64>();
+        let (last, before, first) = (sum(n - 1), sum(n - 1 - TURNS), sum(n - 2));
+        let ratio = last / before;
+        let falls = d
+            .windows(2)
+            .skip(n - 1 - TURNS)
+            .all(|w| w[1] < w[0] * (1.0 + STEADY));
+        let left = last * ratio / (1.0 - ratio);
+        let is_over = left < LEFT * span || way * last < WAY;
+        // What does not part does not strike again.
+        (way > 0.0 && ratio < 1.0 && first > last && falls && is_over).then_some(left)
+    }
+}

@@ -1,0 +1,23 @@
+//! Dynamics with contacts: event-driven, on exact contact functions.
+//!
+//! Between events the contacts that bear are constraints, and what they do (stick, slide, in which direction) stays the same:
+//! the motion is smooth, and integrated with high order (`flow.rs`). An event is the root of a function: of a gap, of a contact's
+//! force, of a rate of sliding, of what friction is short of. It is found by taking the step again, shorter, until the function
+//! is 0 at its end: to rounding, without interpolation (`step.rs`). At an event, impacts change velocities at once, and the modes of
+//! the contacts are found anew (`modes.rs`). Impacts that accumulate are closed at their limit (`accumulate.rs`).
+
+mod accumulate;
+mod flow;
+mod modes;
+mod run;
+mod step;
+mod world;
+
+pub use modes::Mode;
+pub use run::{Ended, Event, EventKind, Motion, Options, run};
+pub use world::{State, Surface, Touch, World};
+
+/// Contacts with gaps of this share of the size or less are closed: more than what projection leaves.
+pub const CLOSED: f64 = 1e-10;
+/// Rates of this share of the largest so far are 0.
+pub const STILL: f64 = 1e-10;
