@@ -32,6 +32,9 @@ const CRAWLS: f64 = 1e-6;
 /// So many times in a row.
 const MOST_CRAWLED: usize = 1000;
 
+const TOO_STIFF: &str = "springs or dampers are too stiff for their parts to be followed; make them softer, or the damping larger";
+const TOO_FAST: &str = "parts move too fast to be followed; make drives slower or forces weaker, or ask for a shorter time";
+
 /// A simulation under way.
 struct Run<'a> {
     system: &'a System,
@@ -42,8 +45,8 @@ struct Run<'a> {
     stops: Vec<f64>,
     record: Record,
     told: Told,
-    /// Whether forces are too stiff to be followed.
-    stiff: bool,
+    /// Why the motion cannot be followed, if that has nothing to do with contacts.
+    gave_up: Option<&'static str>,
     /// The rates of all coordinates at the last step.
     rates: Vec<f64>,
 }
@@ -91,7 +94,7 @@ pub(crate) fn run(
             events: Vec::new(),
         },
         told: Told::default(),
-        stiff: false,
+        gave_up: None,
         rates: Vec::new(),
     };
     run.go(q, progress)
@@ -128,7 +131,7 @@ impl<'a> Run<'a> {
             } else {
                 idle += 1;
             }
-            if self.stiff || idle > MOST_IDLE || steps > MOST_STEPS {
+            if self.gave_up.is_some() || idle > MOST_IDLE {
                 let bounds = touching(self.system, self.pairs, &q);
                 self.undetermined(time, &q, &bounds);
                 return Some(self.record);
@@ -172,6 +175,15 @@ impl<'a> Run<'a> {
             let size = self.system.size();
             let even = LONGEST * size / self.system.speed(&flow.velocity.rates);
             let mut h = left.min(even).min(longest);
+            let drives = self.system.drives().iter();
+            let driven = drives
+                .map(|(i, _)| (flow.velocity.rates[*i] * self.system.lengths()[*i]).abs())
+                .fold(0.0, f64::max);
+            let many = left * driven > MOST_STEPS as f64 * LONGEST * size;
+            if many || flow.time + h <= flow.time || *steps > MOST_STEPS {
+                self.gave_up = Some(TOO_FAST);
+                return Some((flow.time, flow.q, flow.held));
+            }
             let shortest = SHORTEST * stop;
             // As long as it may be.
             let arrived = loop {
@@ -205,7 +217,7 @@ impl<'a> Run<'a> {
                     0
                 };
                 if crawled > MOST_CRAWLED {
-                    self.stiff = true;
+                    self.gave_up = Some(TOO_STIFF);
                     return Some((flow.time, flow.q, flow.held));
                 }
             }
@@ -288,9 +300,8 @@ impl<'a> Run<'a> {
 
     fn undetermined(&mut self, time: f64, q: &[f64], bounds: &[Bound]) {
         let list: Vec<String> = bounds.iter().map(|b| self.text(b)).collect();
-        let reason = if self.stiff {
-            "springs or dampers are too stiff for their parts to be followed; make them softer, or the damping larger"
-                .to_owned()
+        let reason = if let Some(why) = self.gave_up {
+            why.to_owned()
         } else if list.is_empty() {
             "a pair left the orientations of its space, or the metric is singular".to_owned()
         } else {

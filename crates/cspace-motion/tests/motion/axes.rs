@@ -206,3 +206,24 @@ fn the_end_is_a_sample() {
         assert_eq!(last.rates, [2.0]);
     }
 }
+
+/// Nor does a drive that no step can follow go on for ever.
+#[test]
+fn hostile_drives_are_told() {
+    for rate in [1e30, 1e300, f64::MAX] {
+        let block = Part::rectangle("block", (0.0, 0.0), 2.0, 3.0).unwrap();
+        let wall = Part::rectangle("wall", (9.0, 0.0), 2.0, 3.0).unwrap();
+        let parts = vec![
+            PartEntry::revolute(block, (0.0, 0.0)),
+            PartEntry::planar(wall),
+        ];
+        let simulation =
+            cspace_motion::Simulation::new(&driven(mechanism(parts), 0, rate)).unwrap();
+        let settings = cspace_motion::Settings {
+            time: 3.0,
+            every: None,
+        };
+        let record = simulation.kinematic(&settings).unwrap();
+        assert_eq!(record.status, Status::Undetermined, "{rate}");
+    }
+}
