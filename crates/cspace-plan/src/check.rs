@@ -12,8 +12,10 @@ use crate::path::Legs;
 use crate::planner::PlanError;
 use crate::route::along;
 
-/// A path may begin and end in contact: its first and last leg are judged from this share of them on.
+/// What begins or ends in contact is judged from this share of the size on, or of a longer leg.
 const END: f64 = 1e-3;
+/// Parts this near, as a share of their size, touch.
+const TOUCHING: f64 = 1e-10;
 /// The time of a first contact is found by so many halvings.
 const HALVINGS: usize = 60;
 
@@ -86,27 +88,36 @@ pub fn check(scene: &Scene, path: &[Coordinates]) -> Result<Checked, PlanError> 
     let (Some(&first), Some(&last)) = (places.first(), places.last()) else {
         return outside;
     };
-    let is_blocked = |at: Coords| scene.clearance(at) > 0.0 && scene.overlaps(at);
+    let touch = TOUCHING * scene.size() + scene.rounding(first, last);
+    let touches = |at: Coords| scene.clearance(at) <= touch;
+    let is_blocked = |at: Coords| !touches(at) && scene.overlaps(at);
     if is_blocked(first) {
         return Ok(Checked::FromBlocked);
     }
     if is_blocked(last) {
         return Ok(Checked::ToBlocked);
     }
-    // Distances have no sign: the middle of what is judged is free where it is free somewhere.
-    let mut known_free = scene.clearance(first) > 0.0;
+    let (leaves, arrives) = (touches(first), touches(last));
     let count = places.len().saturating_sub(1);
     for (leg, ends) in places.windows(2).enumerate() {
-        let share = |end: bool, s: f64| if end { s } else { 0.0 };
-        let from = along(ends[0], ends[1], share(leg == 0, END));
-        let to = along(ends[1], ends[0], share(leg + 1 == count, END));
-        if !known_free {
-            if scene.clearance(from) > 0.0 && scene.overlaps(from) {
-                return Ok(Checked::FromBlocked);
+        // What begins or ends in contact is looked at from a little beside it.
+        let share = |touches: bool| {
+            let long = (0..3)
+                .map(|k| ((ends[1][k] - ends[0][k]) * scene.levers()[k]).abs())
+                .fold(scene.size(), f64::max);
+            if touches {
+                END * scene.size() / long
+            } else {
+                0.0
             }
-            known_free = true;
+        };
+        let from = along(ends[0], ends[1], share(leg == 0 && leaves));
+        let to = along(ends[1], ends[0], share(leg + 1 == count && arrives));
+        // Distances have no sign: what is judged is free where it is free at its beginning.
+        if leg == 0 && scene.overlaps(from) {
+            return Ok(Checked::FromBlocked);
         }
-        if !scene.is_apart(from, to, 0.0) {
+        if !scene.is_apart(from, to, scene.rounding(from, to)) {
             return Ok(Checked::Meets(meeting(
                 scene,
                 leg,
@@ -150,7 +161,7 @@ fn meeting(
     let (mut free, mut met) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (free + met);
-        if scene.is_apart(from, along(from, to, middle), 0.0) {
+        if scene.is_apart(from, along(from, to, middle), scene.rounding(from, to)) {
             free = middle;
         } else {
             met = middle;

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use cspace::{ComputeError, Coordinates, Vector};
 use cspace_plan::PlanError;
-use cspace_plan::escape::{Escape, Escaped, Field};
+use cspace_plan::escape::{Escape, Escaped, Field, FieldError};
 use serde::Serialize;
 
 use crate::args::{EscapeArgs, Format};
@@ -93,7 +93,11 @@ fn field(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure>
     };
     let gravity = given.unwrap_or(model.dynamics.gravity);
     let (field, weighs) = Field::of_pair(model, entry, gravity).map_err(|error| {
-        Failure::input(error).help("take it out of the model, or choose another pair")
+        let help = match error {
+            FieldError::Still { .. } => "name the pair the other way around: --pair FIXED,MOVING",
+            _ => "take it out of the model, or choose another pair",
+        };
+        Failure::input(error).help(help)
     })?;
     Ok((field, weighs || gravity == Vector::ZERO))
 }

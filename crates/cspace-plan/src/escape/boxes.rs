@@ -208,14 +208,10 @@ impl<'a> Boxes<'a> {
 
 /// Legs keep at least this share of the parts' size.
 const KEPT: f64 = 1e-10;
-/// And this share of how far from their origins the parts are: their distances are rounded by as much.
-const ROUNDED: f64 = 1e-14;
 
 /// Whether a leg is free that begins at a free configuration: nothing on it touches, and so nothing overlaps.
 pub(super) fn is_free(scene: &Scene, from: Coords, to: Coords) -> bool {
-    let levers = scene.levers();
-    let far = (0..2).map(|k| (from[k].abs() + to[k].abs()) * levers[k]);
-    let kept = KEPT * scene.size() + ROUNDED * (far.sum::<f64>() + levers[2]);
+    let kept = KEPT * scene.size() + scene.rounding(from, to);
     scene.is_apart(from, to, kept)
 }
 

@@ -285,9 +285,14 @@ impl<'a> Escape<'a> {
             [pass] if bracket.is_closed => Some(pass.energy),
             _ => None,
         };
+        // A pass is as exact as rounding, and bounds are no better.
+        let (least, most) = match energy {
+            Some(e) => (least.max(0.0).min(e), most.max(e)),
+            None => (least.max(0.0), most),
+        };
         Ok(Held {
             energy,
-            least: least.max(0.0),
+            least,
             most,
             passes: at,
             path: way.map_or_else(Vec::new, |w| {

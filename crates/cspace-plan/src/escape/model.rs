@@ -1,7 +1,7 @@
 //! The field of force of a pair, from what its mechanism says.
 
 use cspace::mechanism::{LoadKind, SpringKind};
-use cspace::{Mechanism, PairEntry, Vector};
+use cspace::{AxisMotion, Mechanism, PairEntry, Vector};
 
 use super::energy::{Body, Field, Spring, Weight};
 
@@ -12,6 +12,12 @@ pub enum FieldError {
     /// A torque or a torsion spring counts whole turns.
     #[error("the torque on part `{part}` counts whole turns, which a configuration does not")]
     Torque {
+        /// The part.
+        part: String,
+    },
+    /// The part whose energy is asked for stands still.
+    #[error("part `{part}` is the moving one of the pair, and stands still in the model")]
+    Still {
         /// The part.
         part: String,
     },
@@ -32,7 +38,7 @@ impl Field {
     /// The second part of the answer is whether the moving part has a mass in the model; without one it weighs as 1 kg.
     ///
     /// # Errors
-    /// Of torques and torsion springs on these parts, and springs to others.
+    /// Of torques and torsion springs on these parts, springs to others, and a moving part that stands still.
     pub fn of_pair(
         mechanism: &Mechanism,
         pair: &PairEntry,
@@ -47,6 +53,14 @@ impl Field {
         let name = |part: usize| {
             (mechanism.parts.get(part)).map_or_else(String::new, |p| p.part.name().to_owned())
         };
+        let stands = |part: usize| {
+            (mechanism.parts.get(part).and_then(|p| p.axis))
+                .is_some_and(|a| a.motion == AxisMotion::Fixed)
+        };
+        if stands(pair.moving) && !stands(pair.fixed) {
+            let part = name(pair.moving);
+            return Err(FieldError::Still { part });
+        }
         let mut field = Self::default();
         let weighs = mechanism.mass_properties(pair.moving).is_some();
         for (part, on) in [(pair.fixed, Body::Fixed), (pair.moving, Body::Moving)] {

@@ -52,7 +52,7 @@ pub(super) fn way(question: &Question<'_>, energy: &Energy<'_>, bracket: &Bracke
     let highest = |a: Coords, b: Coords| energy.highest(a, b, tolerance);
     let most = (places.windows(2))
         .map(|leg| highest(leg[0], leg[1]))
-        .fold(f64::NEG_INFINITY, f64::max);
+        .fold(energy.value(places[0]), f64::max);
     // As few legs as pass with no more energy.
     let passes = |a: Coords, b: Coords| highest(a, b) <= most && is_free(scene, a, b);
     let mut kept = vec![places[0]];

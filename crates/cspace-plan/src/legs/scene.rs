@@ -289,6 +289,16 @@ impl Scene {
         self.search(from, to).least()
     }
 
+    /// How much distances on a leg are rounded, at most: parts far from their origins lose digits.
+    pub fn rounding(&self, from: Coords, to: Coords) -> f64 {
+        /// Distances are rounded by this share of how far from their origins the parts are.
+        const ROUNDED: f64 = 1e-14;
+        let far: f64 = (0..2)
+            .map(|k| from[k].abs().max(to[k].abs()) * self.levers[k])
+            .sum();
+        ROUNDED * (far + self.levers[2] + self.size)
+    }
+
     /// Whether the boundaries are farther apart than a distance all along a leg.
     pub fn is_apart(&self, from: Coords, to: Coords, distance: f64) -> bool {
         self.search(from, to).is_apart(distance)

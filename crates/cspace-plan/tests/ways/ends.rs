@@ -6,6 +6,7 @@ use cspace::{
     Axis, AxisMotion, Configuration, Coordinates, Options, PairSpace, Part, Point, Relation,
 };
 use cspace_oracle::shapes::{rounded_peg, slotted_block};
+use cspace_plan::legs::Scene;
 use cspace_plan::{Checked, PlanError, Planner, Verdict, Wishes, check};
 
 fn space(window: Option<(f64, f64)>) -> PairSpace {
@@ -96,5 +97,29 @@ fn a_lever_goes_around_what_blocks_it() {
         };
         let checked = check(planner.scene(), &path.configurations).unwrap();
         assert!(matches!(checked, Checked::Free(_)), "{checked:?}");
+    }
+}
+
+/// A path that begins and ends a little beside contact is judged all along: a disc does not go through a peg.
+#[test]
+fn a_path_through_material_is_refused_from_beside_contact() {
+    let circle = |x: f64, r: f64| Part::circle("circle", (x, 0.0), r).unwrap();
+    let scene = Scene::new(&circle(15.0, 10.0), &circle(0.0, 30.0), None);
+    let at = |x: f64, y: f64| Coordinates::Planar(Configuration::new(x, y, 0.0));
+    let beside = (40.0_f64 * 40.0 - 15.0 * 15.0).sqrt();
+    for above in [1e-3, 1e-7, 0.0] {
+        let y = beside + above;
+        for to in [30.0, 70.0, 1e5] {
+            let checked = check(&scene, &[at(0.0, y), at(to, y)]).unwrap();
+            assert!(
+                !matches!(checked, Checked::Free(_)),
+                "{above} {to} {checked:?}"
+            );
+        }
+        let over = check(
+            &scene,
+            &[at(0.0, y), at(0.0, 41.0), at(30.0, 41.0), at(30.0, y)],
+        );
+        assert!(matches!(over.unwrap(), Checked::Free(_)), "{above}");
     }
 }
