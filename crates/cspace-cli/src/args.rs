@@ -767,8 +767,8 @@ Examples:
   cspace escape models/ball_in_c.toml --from 0,0,0 --gravity=0,-1
 
 The least energy by which the moving part gets from --from to --to, or out,
-while the fixed part stays: over the lowest pass, where contacts balance gravity,
-loads and springs of the model. `cage` if no energy is enough.
+while the fixed part stays: over the lowest pass, where contacts balance
+gravity, loads and springs of the model. `cage` if no energy is enough.
 
 The bounds are certain: no way needs less than `least`, and the path printed
 needs no more than `most`. `energy` is that of the one pass between them, to
