@@ -772,8 +772,9 @@ gravity, loads and springs of the model. `cage` if no energy is enough.
 
 The bounds are certain: no way needs less than `least`, and the path printed
 needs no more than `most`. `energy` is that of the one pass between them, to
-rounding; it is null where there are several or the bounds stay far apart. Energies are counted from that at --from.
-Without a mass in the model the part weighs as 1 kg.
+rounding; it is null where there are several or the bounds stay far apart.
+Energies are counted from that at --from. Without a mass in the model the part
+weighs as 1 kg.
 
 -o OUT writes the answer, by extension as text or .json.";
 
