@@ -34,26 +34,46 @@ pub(crate) fn off_contact(
     let Some(direction) = rise(&touching, scene.levers(), None, 1.0) else {
         return Ok(None);
     };
-    let mut step = LONGEST * scene.size();
+    let ahead = |step: f64, share: f64| -> Coords {
+        scene.within_limits(core::array::from_fn(|k| {
+            numbers[k] + direction[k] * step * share
+        }))
+    };
+    let first = LONGEST * scene.size();
+    let best = widest(
+        scene,
+        first,
+        |step| ahead(step, 1.0),
+        |step, to, clearance| {
+            clearance > 2.0 * TOUCHING * resolution
+                && scene.is_apart(ahead(step, FIRST), to, 0.1 * FIRST * clearance)
+        },
+    );
+    Ok(best.map(|b| b.1))
+}
+
+/// Of the ends of legs with a first step, and that halved again and again, the one with the most clearance, with that; only free
+/// ones that pass.
+fn widest(
+    scene: &Scene,
+    first: f64,
+    ahead: impl Fn(f64) -> Coords,
+    passes: impl Fn(f64, Coords, f64) -> bool,
+) -> Option<(f64, Coords)> {
+    let mut step = first;
     let mut best: Option<(f64, Coords)> = None;
     for _ in 0..HALVINGS {
-        let ahead = |share: f64| -> Coords {
-            scene.within_limits(core::array::from_fn(|k| {
-                numbers[k] + direction[k] * step * share
-            }))
-        };
-        let to = ahead(1.0);
+        let to = ahead(step);
         let clearance = scene.clearance(to);
         if best.is_none_or(|b| clearance > b.0)
-            && clearance > 2.0 * TOUCHING * resolution
-            && scene.is_apart(ahead(FIRST), to, 0.1 * FIRST * clearance)
+            && passes(step, to, clearance)
             && !scene.overlaps(to)
         {
             best = Some((clearance, to));
         }
         step *= 0.5;
     }
-    Ok(best.map(|b| b.1))
+    best
 }
 
 /// Clearance of less than this share of the parts' size is little.
@@ -74,15 +94,12 @@ pub(crate) fn off_near(scene: &Scene, at: Coords) -> Coords {
         .map(|k| (direction[k] * scene.levers()[k]).powi(2))
         .sum::<f64>()
         .sqrt();
-    let mut step = LONGEST * scene.size() / length;
-    let mut best = (clearance, at);
-    for _ in 0..HALVINGS {
-        let to = scene.within_limits(core::array::from_fn(|k| at[k] + direction[k] * step));
-        let there = scene.clearance(to);
-        if there > best.0 && scene.is_apart(at, to, 0.5 * clearance) && !scene.overlaps(to) {
-            best = (there, to);
-        }
-        step *= 0.5;
-    }
-    best.1
+    let ahead = |step: f64| -> Coords {
+        scene.within_limits(core::array::from_fn(|k| at[k] + direction[k] * step))
+    };
+    let first = LONGEST * scene.size() / length;
+    let best = widest(scene, first, ahead, |_, to, there| {
+        there > clearance && scene.is_apart(at, to, 0.5 * clearance)
+    });
+    best.map_or(at, |b| b.1)
 }

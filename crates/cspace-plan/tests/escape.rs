@@ -177,6 +177,7 @@ fn a_rectangle_in_a_trough_is_lifted_over_the_wall() {
         let space = planar(&trough.unwrap(), &block);
         let held = held(&space, &weight(), at(0.0, height / 2.0, 0.0), None);
         assert!(held.least <= wall && wall <= held.most, "{held:?}");
+        assert!(held.most - held.least < 0.2 * wall, "{held:?}");
         if let Some(energy) = held.energy {
             assert!((energy - wall).abs() < 1e-9, "{energy}");
         }

@@ -2,6 +2,8 @@
 
 use nalgebra::DVector;
 
+use crate::dormand_prince::{DIFFERENCE, STAGES};
+
 use super::flow::{Bearings, Flow};
 use super::modes::Mode;
 use super::world::{State, World};
@@ -12,47 +14,6 @@ const TOLERANCE: f64 = 1e-12;
 const ROOT: f64 = 1e-15;
 /// And after so many steps at most.
 const TRIES: usize = 100;
-
-/// Dormand and Prince's method of fifth order, with its error of fourth (J. Comp. Appl. Math. 6, 1980).
-const A: [[f64; 6]; 6] = [
-    [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
-    [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
-    [
-        19372.0 / 6561.0,
-        -25360.0 / 2187.0,
-        64448.0 / 6561.0,
-        -212.0 / 729.0,
-        0.0,
-        0.0,
-    ],
-    [
-        9017.0 / 3168.0,
-        -355.0 / 33.0,
-        46732.0 / 5247.0,
-        49.0 / 176.0,
-        -5103.0 / 18656.0,
-        0.0,
-    ],
-    [
-        35.0 / 384.0,
-        0.0,
-        500.0 / 1113.0,
-        125.0 / 192.0,
-        -2187.0 / 6784.0,
-        11.0 / 84.0,
-    ],
-];
-const C: [f64; 6] = [0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
-const ERROR: [f64; 7] = [
-    71.0 / 57600.0,
-    0.0,
-    -71.0 / 16695.0,
-    71.0 / 1920.0,
-    -17253.0 / 339200.0,
-    22.0 / 525.0,
-    -1.0 / 40.0,
-];
 
 /// A function that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
@@ -101,25 +62,21 @@ impl<W: World + ?Sized> Flow<'_, W> {
     ) -> Option<(State, f64)> {
         let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);
         let mut at = from.clone();
-        for stage in 0..7 {
-            if stage > 0 {
-                at.t = from.t + C[stage - 1] * h;
-                at.q.copy_from(&from.q);
-                at.v.copy_from(&from.v);
-                for (weight, slope) in A[stage - 1].iter().zip(&slopes) {
-                    if *weight != 0.0 {
-                        at.q += &slope.0 * (h * weight);
-                        at.v += &slope.1 * (h * weight);
-                    }
-                }
+        slopes.push((at.v.clone(), self.accelerations(&at, bearings)?.x));
+        for (time, weights) in STAGES {
+            at.t = from.t + time * h;
+            at.q.copy_from(&from.q);
+            at.v.copy_from(&from.v);
+            for (&weight, slope) in weights.iter().zip(&slopes) {
+                at.q += &slope.0 * (h * weight);
+                at.v += &slope.1 * (h * weight);
             }
-            let found = self.accelerations(&at, bearings)?;
-            slopes.push((at.v.clone(), found.x));
+            slopes.push((at.v.clone(), self.accelerations(&at, bearings)?.x));
         }
         let mut error = 0.0_f64;
         for k in 0..at.q.len() {
             let (mut q, mut v) = (0.0, 0.0);
-            for (weight, slope) in ERROR.iter().zip(&slopes) {
+            for (weight, slope) in DIFFERENCE.iter().zip(&slopes) {
                 q += h * weight * slope.0[k];
                 v += h * weight * slope.1[k];
             }

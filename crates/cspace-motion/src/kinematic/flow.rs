@@ -4,6 +4,7 @@
 //! joints hold, by the shortest way in the metric. Where these leave no freedom the configuration follows from them alone, and
 //! the step is but a first guess.
 
+use crate::dormand_prince::{DIFFERENCE, STAGES};
 use crate::linear::add_scaled;
 use crate::pairs::Pairs;
 use crate::system::{Row, System};
@@ -17,53 +18,6 @@ const CLOSED: f64 = 1e-13;
 const CORRECTION: f64 = 0.25;
 /// Newton's steps back to closed contacts. They converge quadratically from nearby, or not at all.
 const MOST_CORRECTIONS: usize = 12;
-
-/// The stages of the pair (Dormand and Prince 1980): times, and weights of the slopes before.
-const STAGES: [(f64, &[f64]); 6] = [
-    (0.2, &[0.2]),
-    (0.3, &[3.0 / 40.0, 9.0 / 40.0]),
-    (0.8, &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0]),
-    (
-        8.0 / 9.0,
-        &[
-            19372.0 / 6561.0,
-            -25360.0 / 2187.0,
-            64448.0 / 6561.0,
-            -212.0 / 729.0,
-        ],
-    ),
-    (
-        1.0,
-        &[
-            9017.0 / 3168.0,
-            -355.0 / 33.0,
-            46732.0 / 5247.0,
-            49.0 / 176.0,
-            -5103.0 / 18656.0,
-        ],
-    ),
-    (
-        1.0,
-        &[
-            35.0 / 384.0,
-            0.0,
-            500.0 / 1113.0,
-            125.0 / 192.0,
-            -2187.0 / 6784.0,
-            11.0 / 84.0,
-        ],
-    ),
-];
-/// The difference of the two orders.
-const DIFFERENCE: [f64; 7] = [
-    71.0 / 57600.0,
-    0.0,
-    -71.0 / 16695.0,
-    71.0 / 1920.0,
-    -17253.0 / 339200.0,
-    22.0 / 525.0,
-    -1.0 / 40.0,
-];
 
 /// A motion with the same contacts closed, from a configuration on.
 #[derive(Debug, Clone)]

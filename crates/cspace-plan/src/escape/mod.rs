@@ -247,13 +247,10 @@ impl<'a> Escape<'a> {
     }
 
     fn told(&self, question: &Question<'_>, bracket: Bracket) -> Result<Held, PlanError> {
-        let start = self.energy(None).value(question.from);
-        let passes = Passes {
-            space: self.space,
-            scene: &self.scene,
-            energy: self.energy(None),
-        };
-        let way = way::way(question, &self.energy(None), &bracket);
+        let start = question.plain.value(question.from);
+        let passes = Passes::new(self.space, &self.scene, self.energy(None));
+        let passes = passes.map_err(PlanError::Pair)?;
+        let way = way::way(question, &bracket);
         let most = way.as_ref().map_or(f64::INFINITY, |w| w.energy);
         let slack = 1e-9 * question.within;
         // Each place at which the least energy can be: the ends, and the passes between the bounds.
@@ -262,7 +259,7 @@ impl<'a> Escape<'a> {
         for end in ends.into_iter().flatten() {
             at.push(Pass {
                 at: self.scene.coordinates(end),
-                energy: passes.energy.value(end) - start,
+                energy: question.plain.value(end) - start,
                 touching: Vec::new(),
             });
         }

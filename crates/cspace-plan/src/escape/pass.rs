@@ -9,9 +9,13 @@
 //! with the contact functions f of at most as many contacts as there are coordinates. Newton's method finds it to rounding from a
 //! place nearby.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{DMatrix, DVector};
 
-use cspace::{FeatureKind, FeatureName, Location, PairSpace, Point, QueryError, SecondOrder};
+use cspace::{
+    FeatureKind, FeatureName, Location, PairSpace, PatchId, Point, QueryError, SecondOrder,
+};
 
 use crate::legs::{Coords, Scene};
 
@@ -59,13 +63,35 @@ struct Contact {
 
 /// Where passes are looked for.
 pub(super) struct Passes<'a> {
-    pub(super) space: &'a PairSpace,
-    pub(super) scene: &'a Scene,
-    /// In the coordinates of configurations.
-    pub(super) energy: Energy<'a>,
+    space: &'a PairSpace,
+    scene: &'a Scene,
+    energy: Energy<'a>,
+    /// A patch of each two features that touch.
+    patches: BTreeMap<(FeatureName, FeatureName), PatchId>,
 }
 
-impl Passes<'_> {
+impl<'a> Passes<'a> {
+    /// Of a pair, with its energy in the coordinates of configurations.
+    pub(super) fn new(
+        space: &'a PairSpace,
+        scene: &'a Scene,
+        energy: Energy<'a>,
+    ) -> Result<Self, QueryError> {
+        let mut patches = BTreeMap::new();
+        for patch in space.patches() {
+            let (fixed, moving) = patch.features()?;
+            patches
+                .entry((fixed.name, moving.name))
+                .or_insert(patch.id());
+        }
+        Ok(Self {
+            space,
+            scene,
+            energy,
+            patches,
+        })
+    }
+
     fn contact(&self, features: (FeatureName, FeatureName)) -> Option<Contact> {
         let both = features.0.kind == FeatureKind::Vertex && features.1.kind == FeatureKind::Vertex;
         let equations = if both {
@@ -88,10 +114,7 @@ impl Passes<'_> {
                 })
                 .collect()
         } else {
-            let patch = self.space.patches().find(|p| {
-                p.features()
-                    .is_ok_and(|(a, b)| (a.name, b.name) == features)
-            })?;
+            let patch = self.space.patch(*self.patches.get(&features)?).ok()?;
             vec![Constraint::Contact(patch.contact().ok()?)]
         };
         Some(Contact {

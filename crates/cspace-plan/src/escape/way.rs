@@ -4,7 +4,6 @@ use crate::legs::Coords;
 use crate::route::along;
 
 use super::boxes::is_free;
-use super::energy::Energy;
 use super::search::{Bracket, Question};
 
 /// A leg is halved so often at most.
@@ -18,7 +17,8 @@ pub(super) struct Legs {
 }
 
 /// The way of a bracket as legs, `None` if there is none or some leg does not pass.
-pub(super) fn way(question: &Question<'_>, energy: &Energy<'_>, bracket: &Bracket) -> Option<Legs> {
+pub(super) fn way(question: &Question<'_>, bracket: &Bracket) -> Option<Legs> {
+    let energy = &question.plain;
     let scene = question.scene;
     let tolerance = 1e-3 * question.within;
     let mut places = bracket.begin.clone();
