@@ -66,6 +66,9 @@ mod system;
 pub use drive::{DriveCurve, Driven};
 pub use error::SimulateError;
 pub use pairs::{MovingPair, Pairs, Touch};
-pub use record::{Event, EventKind, Obstacle, Record, Sample, Status, What};
+pub use record::{
+    ContactForce, DriveForce, Energy, Event, EventKind, Forces, JointForce, Obstacle, Record,
+    Sample, Status, What,
+};
 pub use simulate::{Settings, Simulation};
 pub use system::{PartCoordinates, Row, System};

@@ -12,16 +12,26 @@ pub enum Status {
     Jammed,
     /// It cannot be told how it goes on.
     Undetermined,
+    /// No accelerations and forces satisfy the laws of contact and friction.
+    Inconsistent,
 }
 
 /// What happens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
-    /// Two parts come into contact.
+    /// Two parts strike each other: their rates change at once.
+    Impact,
+    /// Two parts come into contact that lasts.
     Touch,
     /// They part.
     Release,
+    /// They no longer slide on each other.
+    Stick,
+    /// They begin to slide on each other.
+    Slip,
+    /// Impacts accumulate, and are over here.
+    Rest,
     /// A part comes to an end of its range.
     Limit,
 }
@@ -85,6 +95,73 @@ pub struct Sample {
     pub coordinates: Vec<f64>,
     /// Their rates.
     pub rates: Vec<f64>,
+    /// The forces there, of a motion with masses.
+    pub forces: Option<Forces>,
+}
+
+/// The forces between parts at a time, in kg·unit/s², torques in kg·unit²/s².
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Forces {
+    /// Of each closed contact and each end of a range that is reached.
+    pub contacts: Vec<ContactForce>,
+    /// Of each joint between two parts, in the order of the mechanism's pairs.
+    pub joints: Vec<JointForce>,
+    /// Of each drive.
+    pub drives: Vec<DriveForce>,
+}
+
+/// The force at a contact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ContactForce {
+    /// Which.
+    #[serde(flatten)]
+    pub what: What,
+    /// Where, in the assembly's frame; limits are nowhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<[f64; 2]>,
+    /// The force with which the parts press on each other, 0 or more.
+    pub normal: f64,
+    /// The force of friction.
+    pub tangential: f64,
+}
+
+/// The force in a joint: what it does to the second of its parts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct JointForce {
+    /// The names of its two parts.
+    pub parts: [String; 2],
+    /// The force on the second part, in the assembly's frame.
+    pub force: [f64; 2],
+    /// The torque on the second part, about the joint's place in it.
+    pub torque: f64,
+}
+
+/// What a drive does.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DriveForce {
+    /// The name of the driven part.
+    pub part: String,
+    /// Its torque, or its force if the part slides.
+    pub force: f64,
+    /// Its power: force times rate, in kg·unit²/s³.
+    pub power: f64,
+}
+
+/// What became of the energy, in kg·unit²/s²: the end's is the start's and the work of drives less what is lost, but for `drift`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Energy {
+    /// Kinetic energy, and the potential energy of weights, loads and springs, at the start.
+    pub start: f64,
+    /// The same at the end.
+    pub end: f64,
+    /// What drives have put in.
+    pub drives: f64,
+    /// What friction and dampers have taken.
+    pub friction: f64,
+    /// What impacts have taken.
+    pub impacts: f64,
+    /// What is left over: the error of the integration.
+    pub drift: f64,
 }
 
 /// A contact that forbids a motion, with its share of the proof.
@@ -113,4 +190,8 @@ pub struct Record {
     pub samples: Vec<Sample>,
     /// Events in order of time.
     pub events: Vec<Event>,
+    /// The balance of energy, of a motion with masses.
+    pub energy: Option<Energy>,
+    /// How far closed contacts and joints were open at most after a step, before it was corrected, in the model's unit of length.
+    pub open: f64,
 }

@@ -92,6 +92,8 @@ pub(crate) fn run(
             obstacles: Vec::new(),
             samples: Vec::new(),
             events: Vec::new(),
+            energy: None,
+            open: 0.0,
         },
         told: Told::default(),
         gave_up: None,
@@ -145,6 +147,7 @@ impl<'a> Run<'a> {
                 t: self.duration,
                 coordinates: q,
                 rates: self.rates,
+                forces: None,
             });
         }
         Some(self.record)
@@ -264,6 +267,7 @@ impl<'a> Run<'a> {
                     t,
                     coordinates: to.q,
                     rates: to.velocity.rates,
+                    forces: None,
                 });
             }
             self.samples.next += 1;
@@ -279,6 +283,7 @@ impl<'a> Run<'a> {
             t: time,
             coordinates: q.to_vec(),
             rates: vec![0.0; q.len()],
+            forces: None,
         });
     }
 

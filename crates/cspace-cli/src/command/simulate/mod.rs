@@ -136,6 +136,7 @@ fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt::Result {
         Status::Done => writeln!(text, "done: {until} s")?,
         Status::Jammed => writeln!(text, "jammed at {until:.9} s")?,
         Status::Undetermined => writeln!(text, "undetermined from {until:.9} s on")?,
+        Status::Inconsistent => writeln!(text, "inconsistent at {until:.9} s")?,
     }
     if let Some(reason) = &told.reason {
         writeln!(text, "  {}", shown::text(reason))?;
@@ -176,9 +177,13 @@ fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt::Result {
 
 fn describe_event(text: &mut String, event: &Event) -> fmt::Result {
     let kind = match event.kind {
+        EventKind::Impact => "impact",
         EventKind::Touch => "touch",
         EventKind::Release => "release",
+        EventKind::Stick => "stick",
+        EventKind::Slip => "slip",
         EventKind::Limit => "limit",
+        EventKind::Rest => "rest",
     };
     write!(text, "  {:.6} s {kind:7} ", event.t)?;
     match &event.what {
