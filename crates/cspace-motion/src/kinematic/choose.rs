@@ -7,17 +7,14 @@
 
 use cspace::Point;
 
+use crate::contact::{Bound, SAME_PLACE, Watch, limit_tolerance, limits};
 use crate::pairs::Pairs;
 use crate::system::{Row, System};
 
-use super::bound::{Bound, limit_tolerance, limits};
+use super::check::goes_on;
 use super::flow::Flow;
 use super::velocity::{Local, Nearest};
-use super::watch::Watch;
 
-/// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
-/// contact, which passes from one feature to the next.
-pub(crate) const SAME_PLACE: f64 = 1e-6;
 /// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
 const MOST_CONTACTS: usize = 10;
 /// Trials go as far as this, relative to the size of the mechanism: beyond what contacts are known to, and less than what
@@ -178,8 +175,8 @@ fn tries<'a>(
             continue;
         }
         let to = to?;
-        let met = Watch::new(system, pairs).check(&flow, h, &to);
-        return met.is_none().then_some((flow, to.q));
+        let leads_on = goes_on(&mut Watch::new(system, pairs), &flow, h, &to);
+        return leads_on.then_some((flow, to.q));
     }
     None
 }
