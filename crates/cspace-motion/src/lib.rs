@@ -57,6 +57,7 @@ mod dormand_prince;
 mod drive;
 pub mod dynamic;
 mod error;
+mod inertial;
 mod kinematic;
 mod linear;
 mod pairs;

@@ -5,10 +5,10 @@ mod describe;
 mod ends;
 mod watch;
 
-pub(crate) use bound::{Bound, limit_tolerance, limits};
+pub(crate) use bound::{Bound, limit_tolerance, limits, touching};
 pub(crate) use describe::named;
 pub(crate) use ends::ends;
-pub(crate) use watch::{Met, Watch, path};
+pub(crate) use watch::{Watch, path};
 
 /// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
 /// contact, which passes from one feature to the next.

@@ -47,6 +47,11 @@ pub enum Ended {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
+    /// What is driven strikes what cannot give way.
+    Jammed {
+        /// The contacts concerned.
+        contacts: Vec<usize>,
+    },
     /// Several do.
     Undetermined {
         /// The contacts concerned.
@@ -75,6 +80,9 @@ pub trait Observer {
 
     /// The state at the start and at the ends of all steps.
     fn step(&mut self, _state: &State) {}
+
+    /// An event, and the state just after it.
+    fn event(&mut self, _event: &Event, _state: &State) {}
 
     /// Whether it is to go on, asked now and then with the time it has come to.
     fn goes_on(&self, _t: f64) -> bool {
@@ -244,7 +252,9 @@ impl<W: World + ?Sized> Run<'_, W> {
             self.state = state;
         }
         let closed = self.flow.world.closed(self.state.t, &self.state.q);
-        self.settle(closed, &[])?;
+        let settled = self.settle(closed, &[]);
+        self.announce(0, observer);
+        settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
         self.show(&self.state.clone(), self.state.t, observer)?;
@@ -293,10 +303,20 @@ impl<W: World + ?Sized> Run<'_, W> {
             if at_once > AT_ONCE {
                 return Err(self.stuck());
             }
-            self.happen(&stepped.events)?;
+            let told = self.events.len();
+            let happened = self.happen(&stepped.events);
+            self.announce(told, observer);
+            happened?;
             longest = longest.min(1e-3 * self.span);
         }
         Ok(())
+    }
+
+    /// Tells events from the one of a number on.
+    fn announce(&self, from: usize, observer: &mut dyn Observer) {
+        for event in &self.events[from..] {
+            observer.event(event, &self.state);
+        }
     }
 
     /// Samples up to a time, with the contacts that bear: they are taken from a state before.
@@ -447,13 +467,14 @@ impl<W: World + ?Sized> Run<'_, W> {
         const SHORTER: f64 = 0.1;
         const MOST: usize = 16;
         let far = scale * self.flow.world.size();
-        let mut h = (far / self.state.v.amax()).min(1e-3 * self.span);
+        let speed = self.flow.world.reach(&self.state.v);
+        let mut h = (far / speed).min(1e-3 * self.span);
         let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
         for _ in 0..MOST {
             if let Some(taken) = self
                 .flow
                 .take(&self.state, h, &self.bearings, &self.largest)
-                && (&taken.state.q - &self.state.q).amax() <= FARTHER * far
+                && self.flow.world.reach(&(&taken.state.q - &self.state.q)) <= FARTHER * far
             {
                 return !self.flow.world.met(Step {
                     from: &self.state,
@@ -590,7 +611,13 @@ impl<W: World + ?Sized> Run<'_, W> {
             bearings,
             zero: ZERO,
         };
-        let solution = self.one(problem.solutions(), closed)?;
+        let solutions = problem.solutions();
+        if solutions.is_empty() {
+            // Impacts of what is free to move have solutions.
+            let contacts = closed.to_vec();
+            return Err(Ended::Jammed { contacts });
+        }
+        let solution = self.one(solutions, closed)?;
         let before = world.kinetic(&self.state);
         let forces = solution.normal.iter().zip(&solution.tangential);
         let acting = Acting {

@@ -347,7 +347,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             if value(&to) >= 0.0 {
                 break;
             }
-            let moved = (&to.state.q - &end.state.q).amax();
+            let moved = self.world.reach(&(&to.state.q - &end.state.q));
             if above == 0.0 || moved > NEAR_EVENT * self.world.size() {
                 return None;
             }

@@ -76,7 +76,7 @@ pub trait World {
     fn joint_bends(&self, state: &State) -> DVector<f64> {
         let here = self.joints(state.t, &state.q);
         let along = |k: usize| {
-            -change(self.size(), state, |t, q| {
+            -change(self, state, |t, q| {
                 let there = self.joints(t, q);
                 there.rows.row(k).transpose().dot(&state.v) - there.rates[k]
             })
@@ -95,7 +95,7 @@ pub trait World {
     fn bends(&self, contact: usize, state: &State) -> (Touch, [f64; 2]) {
         let touch = self.touch(contact, state.t, &state.q);
         let of = |rate: fn(&Touch, &DVector<f64>) -> f64| {
-            change(self.size(), state, |t, q| {
+            change(self, state, |t, q| {
                 rate(&self.touch(contact, t, q), &state.v)
             })
         };
@@ -159,6 +159,11 @@ pub trait World {
     /// What counts as a length of 1: contacts are closed to [`CLOSED`](super::CLOSED) of it.
     fn size(&self) -> f64;
 
+    /// How far a change of the coordinates, or their rates, moves what moves most; angles may count by lengths.
+    fn reach(&self, change: &DVector<f64>) -> f64 {
+        change.amax()
+    }
+
     /// The longest step from a state, s.
     fn longest(&self, _state: &State) -> f64 {
         f64::INFINITY
@@ -212,13 +217,17 @@ impl Joints {
 }
 
 /// How a function of time and coordinates changes along the motion.
-fn change(size: f64, state: &State, of: impl Fn(f64, &DVector<f64>) -> f64) -> f64 {
+fn change<W: World + ?Sized>(
+    world: &W,
+    state: &State,
+    of: impl Fn(f64, &DVector<f64>) -> f64,
+) -> f64 {
     let State { t, q, v } = state;
-    let speed = v.amax();
+    let speed = world.reach(v);
     if speed == 0.0 {
         return 0.0;
     }
-    let ahead = WAY * size / speed;
+    let ahead = WAY * world.size() / speed;
     (of(t + ahead, &(q + v * ahead)) - of(t - ahead, &(q - v * ahead))) / (2.0 * ahead)
 }
 

@@ -7,7 +7,7 @@
 
 use cspace::Point;
 
-use crate::contact::{Bound, SAME_PLACE, Watch, limit_tolerance, limits};
+use crate::contact::{Bound, SAME_PLACE, Watch};
 use crate::pairs::Pairs;
 use crate::system::{Row, System};
 
@@ -25,9 +25,6 @@ const MOST_FARTHER: f64 = 10.0;
 /// Otherwise its time is shortened by this, so many times at most: down to rounding.
 const SHORTER: f64 = 0.1;
 const MOST_SHORTER: usize = 16;
-/// Contacts are told when they are farther away than what leaves them by this factor.
-const REACH: f64 = 4.0;
-
 /// What goes on at a configuration.
 #[derive(Debug)]
 pub(crate) enum Choice<'a> {
@@ -42,21 +39,6 @@ pub(crate) enum Choice<'a> {
     Jammed(Vec<(Bound, f64)>),
     /// What is allowed leads nowhere.
     Undetermined,
-}
-
-/// The contacts that touch, and the ends of ranges that are reached.
-pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
-    let mut all = Vec::new();
-    for (index, pair) in pairs.list().iter().enumerate() {
-        // Outside of its space nothing touches, and the motion does not go on.
-        let touches = pair.touches(index, system, q, REACH * pair.touch);
-        all.extend(touches.unwrap_or_default().into_iter().map(Bound::Contact));
-    }
-    let reached = limits(system, q).into_iter().filter(|(bound, room)| {
-        matches!(bound, Bound::Limit { part, .. } if *room < REACH * limit_tolerance(system, *part))
-    });
-    all.extend(reached.map(|(bound, _)| bound));
-    all
 }
 
 /// Chooses among bounds that are reached.

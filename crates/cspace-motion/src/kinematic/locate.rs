@@ -4,10 +4,9 @@
 //! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
 //! root is found to rounding.
 
-use crate::contact::{Bound, Watch, ends};
+use crate::contact::{Bound, Watch, ends, touching};
 
 use super::check::goes_on;
-use super::choose::touching;
 use super::flow::{Arrived, Flow};
 
 /// Events are located to this share of a step.

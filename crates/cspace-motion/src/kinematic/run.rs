@@ -1,12 +1,12 @@
 //! From event to event.
 
-use crate::contact::{Bound, Watch, named};
+use crate::contact::{Bound, Watch, named, touching};
 use crate::pairs::Pairs;
 use crate::record::{Obstacle, Record, Sample, Status};
 use crate::system::System;
 
 use super::check::{goes_on, step};
-use super::choose::{Choice, choose, touching};
+use super::choose::{Choice, choose};
 use super::events::Told;
 use super::flow::{Arrived, Flow};
 use super::locate::first_event;
