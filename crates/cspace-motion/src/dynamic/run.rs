@@ -213,6 +213,7 @@ pub fn run<W: World + ?Sized>(
         span: options.until - start.t,
         state: start,
         bearings: Vec::new(),
+        parting: Vec::new(),
         impacts: Impacts::default(),
         events: Vec::new(),
         steps: 0,
@@ -237,6 +238,8 @@ struct Run<'a, W: World + ?Sized> {
     largest: (DVector<f64>, DVector<f64>),
     span: f64,
     bearings: Bearings,
+    /// Contacts that have begun to open at the last event, and may close again.
+    parting: Vec<usize>,
     impacts: Impacts,
     events: Vec<Event>,
     steps: usize,
@@ -271,9 +274,13 @@ impl<W: World + ?Sized> Run<'_, W> {
             if self.state.t + h <= self.state.t {
                 return Err(Ended::TooMany);
             }
+            let mut gaps = self.flow.world.watched();
+            gaps.extend(&self.parting);
+            gaps.sort_unstable();
+            gaps.dedup();
             let stepped = self
                 .flow
-                .step(&self.state, h, &self.bearings, &self.largest)
+                .step(&self.state, h, &self.bearings, &gaps, &self.largest)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
             let from = core::mem::replace(&mut self.state, stepped.state);
@@ -436,6 +443,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let saved = (
             self.state.clone(),
             self.bearings.clone(),
+            self.parting.clone(),
             self.impacts.clone(),
             self.events.len(),
             self.work,
@@ -447,7 +455,8 @@ impl<W: World + ?Sized> Run<'_, W> {
                 if settled.is_ok() && self.leads_on(scale) {
                     return Ok(());
                 }
-                let (state, bearings, impacts, events, work) = &saved;
+                let (state, bearings, parting, impacts, events, work) = &saved;
+                self.parting.clone_from(parting);
                 self.state.clone_from(state);
                 self.bearings.clone_from(bearings);
                 self.impacts.clone_from(impacts);
@@ -522,7 +531,8 @@ impl<W: World + ?Sized> Run<'_, W> {
             if let Some(left) = self.impacts.rest(self.span, way) {
                 // What bounces is closed for good: the rates at which it opens are gone in the limit.
                 let reach = way * left * self.flow.world.size();
-                for i in self.flow.world.watched() {
+                let watched = self.flow.world.watched();
+                for i in watched.into_iter().chain(self.parting.iter().copied()) {
                     if !closed.contains(&i) && self.touch(i).gap <= reach {
                         closed.push(i);
                     }
@@ -544,7 +554,8 @@ impl<W: World + ?Sized> Run<'_, W> {
             let (rate, still) = self.opening(*i);
             rate <= still
         };
-        let resting: Vec<usize> = closed.into_iter().filter(stays).collect();
+        let (resting, parting): (Vec<usize>, Vec<usize>) = closed.into_iter().partition(stays);
+        self.parting = parting;
         let mut problem = self.problem(&resting);
         for (k, i) in resting.iter().enumerate() {
             if halted.iter().any(|h| h == i || self.is_same(*h, *i)) {

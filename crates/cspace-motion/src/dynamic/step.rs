@@ -20,6 +20,9 @@ const LOCATED: f64 = 1e-14;
 /// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
 const NEAR_EVENT: f64 = 1e-6;
 
+/// And one whose root is not farther ahead than this: what contacts are known to.
+const EARLY: f64 = 4.0 * super::CLOSED;
+
 /// A function that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
 /// And is looked at down to this share of the step.
@@ -131,9 +134,14 @@ impl<W: World + ?Sized> Flow<'_, W> {
     }
 
     /// The functions that are watched, at a state.
-    pub(super) fn watches(&self, state: &State, bearings: &Bearings) -> Option<Vec<Watch>> {
+    pub(super) fn watches(
+        &self,
+        state: &State,
+        bearings: &Bearings,
+        gaps: &[usize],
+    ) -> Option<Vec<Watch>> {
         let mut found = Vec::new();
-        for contact in self.world.watched() {
+        for &contact in gaps {
             if bearings.iter().all(|b| b.0 != contact) {
                 let value = self.world.touch(contact, state.t, &state.q).gap;
                 found.push(Watch {
@@ -169,12 +177,13 @@ impl<W: World + ?Sized> Flow<'_, W> {
         Some(found)
     }
 
-    /// A step of at most a length, to the first event in it if there is one. `None` if the equations of the modes have no solution.
+    /// A step of at most a length, to the first event in it if there is one, with the gaps of some contacts looked at. `None` if the equations of the modes have no solution.
     pub(super) fn step(
         &self,
         from: &State,
         longest: f64,
         bearings: &Bearings,
+        gaps: &[usize],
         largest: &(DVector<f64>, DVector<f64>),
     ) -> Option<Stepped> {
         let mut h = longest;
@@ -194,13 +203,13 @@ impl<W: World + ?Sized> Flow<'_, W> {
             h *= (0.9 * taken.error.powf(-0.2)).clamp(0.1, 0.9);
         };
         let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
-        let before = self.watches(from, bearings)?;
+        let before = self.watches(from, bearings, gaps)?;
         let at = |h: f64| -> Option<(Taken, Vec<Watch>)> {
             let taken = self.take(from, h, bearings, largest)?;
-            let watches = self.watches(&taken.state, bearings)?;
+            let watches = self.watches(&taken.state, bearings, gaps)?;
             Some((taken, watches))
         };
-        let mut watches = self.watches(&taken.state, bearings)?;
+        let mut watches = self.watches(&taken.state, bearings, gaps)?;
         // A gap that closes and opens again within the step.
         for k in 0..before.len() {
             let (first, last) = (before[k], watches[k]);
@@ -221,8 +230,11 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
         }
         let mut events = Vec::new();
+        let mut ignored: Vec<usize> = Vec::new();
         // Of what falls below 0 the first; then what is below 0 there, if anything still is.
-        while let Some(k) = (0..watches.len()).find(|&k| falls(&before[k], &watches[k])) {
+        while let Some(k) =
+            (0..watches.len()).find(|k| !ignored.contains(k) && falls(&before[*k], &watches[*k]))
+        {
             let value = |h: f64| at(h).map(|(_, w)| w[k].value);
             // What begins at 0 and grows is positive somewhere in between.
             let mut begin = (0.0, before[k].value);
@@ -237,6 +249,12 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 ahead
             };
             let (state, mut there) = at(first)?;
+            let (contact, at) = (before[k].contact, &state.state);
+            if watches[k].kind == Watched::Gap && !self.world.is_there(contact, at.t, &at.q) {
+                // Beyond the ends of its features a contact has no gap.
+                ignored.push(k);
+                continue;
+            }
             // It is 0 here, whatever rounding makes of it.
             there[k].value = 0.0;
             events.retain(|&(j, _): &(usize, Watched)| there[j].value <= 0.0);
@@ -328,7 +346,8 @@ impl<W: World + ?Sized> Flow<'_, W> {
         })
     }
 
-    /// The last root before a time of a function that is negative then, if it is near; just after it.
+    /// The last root before a time of a function that is negative then, or the first after it of one that is nearly 0, if it is near;
+    /// just after it.
     fn last_root(
         &self,
         after: f64,
@@ -336,18 +355,28 @@ impl<W: World + ?Sized> Flow<'_, W> {
         at: &dyn Fn(f64) -> Option<Taken>,
         value: &dyn Fn(&Taken) -> f64,
     ) -> Option<(f64, Taken)> {
-        if value(end) >= 0.0 {
-            return None;
-        }
         let (mut below, mut above, mut back) = (after, after, LOCATED * after);
-        loop {
+        // Spaces tell contacts a little early.
+        let mut early = value(end) >= 0.0;
+        while early {
+            below = after + back;
+            back *= 2.0;
+            let to = at(below)?;
+            let moved = self.world.reach(&(&to.state.q - &end.state.q));
+            if moved > EARLY * self.world.size() {
+                return None;
+            }
+            early = value(&to) >= 0.0;
+        }
+        let ahead = below > after;
+        while !ahead {
             above = (above - back).max(0.0);
             back *= 2.0;
             let to = at(above)?;
+            let moved = self.world.reach(&(&to.state.q - &end.state.q));
             if value(&to) >= 0.0 {
                 break;
             }
-            let moved = self.world.reach(&(&to.state.q - &end.state.q));
             if above == 0.0 || moved > NEAR_EVENT * self.world.size() {
                 return None;
             }

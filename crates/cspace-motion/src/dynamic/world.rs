@@ -116,6 +116,11 @@ pub trait World {
         vec![closed.to_vec()]
     }
 
+    /// Whether the features of a contact, whose gap is 0, are within their ends there.
+    fn is_there(&self, _contact: usize, _t: f64, _q: &DVector<f64>) -> bool {
+        true
+    }
+
     /// Whether two contacts take each other's place there.
     fn is_same(&self, a: usize, b: usize, _t: f64, _q: &DVector<f64>) -> bool {
         a == b

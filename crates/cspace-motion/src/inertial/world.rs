@@ -218,6 +218,16 @@ impl World for Mechanical<'_> {
             .collect()
     }
 
+    fn is_there(&self, contact: usize, t: f64, q: &DVector<f64>) -> bool {
+        let Bound::Contact(touch) = self.bound(contact) else {
+            return true;
+        };
+        let q = self.bodies.coordinates(t, q);
+        let pair = &self.pairs.list()[touch.pair];
+        let touches = pair.touches(touch.pair, &self.bodies.system, &q, pair.touch);
+        touches.is_ok_and(|all| all.iter().any(|t| t.features == touch.features))
+    }
+
     fn is_same(&self, a: usize, b: usize, t: f64, q: &DVector<f64>) -> bool {
         a == b || self.are_same(a, b, &self.bodies.coordinates(t, q))
     }
