@@ -209,7 +209,8 @@ pub fn run<W: World + ?Sized>(
     };
     let mut run = Run {
         flow,
-        largest: (DVector::zeros(start.q.len()), DVector::zeros(start.q.len())),
+        largest: DVector::zeros(start.q.len()),
+        fastest: 0.0,
         span: options.until - start.t,
         state: start,
         bearings: Vec::new(),
@@ -234,8 +235,10 @@ pub fn run<W: World + ?Sized>(
 struct Run<'a, W: World + ?Sized> {
     flow: Flow<'a, W>,
     state: State,
-    /// The largest values of coordinates and rates so far.
-    largest: (DVector<f64>, DVector<f64>),
+    /// The largest value of each rate so far.
+    largest: DVector<f64>,
+    /// The largest rate so far, as the world measures rates.
+    fastest: f64,
     span: f64,
     bearings: Bearings,
     /// Contacts that have begun to open at the last event, and may close again.
@@ -280,7 +283,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             gaps.dedup();
             let stepped = self
                 .flow
-                .step(&self.state, h, &self.bearings, &gaps, &self.largest)
+                .step(&self.state, h, &self.bearings, &gaps, self.fastest)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
             let from = core::mem::replace(&mut self.state, stepped.state);
@@ -310,6 +313,10 @@ impl<W: World + ?Sized> Run<'_, W> {
             if at_once > AT_ONCE {
                 return Err(self.stuck());
             }
+            if std::env::var("DBG").is_ok() {
+                let c = self.flow.world.closed(self.state.t, &self.state.q);
+                eprintln!("EVENT {} {:?} met {} closed {:?} bear {:?} openings {:?} gaps {:?}", self.state.t, stepped.events, stepped.met, c, self.bearings, c.iter().map(|&c| self.opening(c)).collect::<Vec<_>>(), c.iter().map(|&c| self.touch(c).gap).collect::<Vec<_>>());
+            }
             let told = self.events.len();
             let happened = self.happen(&stepped.events);
             self.announce(told, observer);
@@ -335,7 +342,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             } else if from.t + h >= self.state.t {
                 self.state.clone()
             } else {
-                let taken = self.flow.take(from, h, &self.bearings, &self.largest);
+                let taken = self.flow.take(from, h, &self.bearings, self.fastest);
                 taken.ok_or_else(|| self.stuck())?.state
             };
             let solution = self.flow.accelerations(&at, &self.bearings);
@@ -348,21 +355,28 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn stuck(&self) -> Ended {
+        eprintln!(
+            "STUCK at {} steps {} {:?} {:?} v {:?}",
+            self.state.t,
+            self.steps,
+            self.bearings,
+            self.events.len(),
+            self.state.v
+        );
+        eprintln!("{}", std::backtrace::Backtrace::force_capture());
         Ended::Stuck {
             contacts: self.bearings.iter().map(|b| b.0).collect(),
         }
     }
 
     fn look(&mut self) {
-        // A coordinate that has not moved yet is as right as a way of the whole size is.
-        let floor = 1e-6 * self.flow.world.size();
-        for k in 0..self.state.q.len() {
-            self.largest.0[k] = self.largest.0[k].max(self.state.q[k].abs()).max(floor);
-        }
-        let fastest = self.largest.1.amax().max(self.state.v.amax());
-        let floor = (1e-6 * fastest).max(1e-6 * self.flow.world.size() / self.span);
+        // What has not moved yet is as slow as what crosses a millionth of the size in the time of the simulation.
+        let slow = 1e-6 * self.flow.world.size() / self.span;
+        let fastest = self.flow.world.reach(&self.state.v);
+        self.fastest = self.fastest.max(fastest).max(slow);
+        let floor = 1e-6 * self.largest.amax().max(self.state.v.amax()).max(slow);
         for k in 0..self.state.v.len() {
-            self.largest.1[k] = self.largest.1[k].max(self.state.v[k].abs()).max(floor);
+            self.largest[k] = self.largest[k].max(self.state.v[k].abs()).max(floor);
         }
     }
 
@@ -378,7 +392,7 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// A rate that counts as none, of a row.
     fn still(&self, row: &DVector<f64>) -> f64 {
-        let terms = row.iter().zip(self.largest.1.iter());
+        let terms = row.iter().zip(self.largest.iter());
         STILL * terms.map(|(r, v)| (r * v).abs()).sum::<f64>()
     }
 
@@ -480,9 +494,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let mut h = (far / speed).min(1e-3 * self.span);
         let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
         for _ in 0..MOST {
-            if let Some(taken) = self
-                .flow
-                .take(&self.state, h, &self.bearings, &self.largest)
+            if let Some(taken) = self.flow.take(&self.state, h, &self.bearings, self.fastest)
                 && self.flow.world.reach(&(&taken.state.q - &self.state.q)) <= FARTHER * far
             {
                 return !self.flow.world.met(Step {

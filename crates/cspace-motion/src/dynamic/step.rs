@@ -8,8 +8,8 @@ use super::flow::{Bearings, Flow};
 use super::modes::Mode;
 use super::world::{Acting, Sought, State, Step, World};
 
-/// Errors of a step, as a share of the largest value of each coordinate and rate so far.
-const TOLERANCE: f64 = 1e-12;
+/// The error of a step, as a share of the size, and of the largest rate so far.
+const TOLERANCE: f64 = 1e-11;
 /// A root in a step is found to this share of it, or to rounding of the time.
 const ROOT: f64 = 1e-15;
 /// And after so many steps at most.
@@ -82,7 +82,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         from: &State,
         h: f64,
         bearings: &Bearings,
-        largest: &(DVector<f64>, DVector<f64>),
+        fastest: f64,
     ) -> Option<Taken> {
         let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);
         let mut work = [0.0; 2];
@@ -110,16 +110,13 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
             slopes.push(slope(&at, k + 1)?);
         }
-        let mut error = 0.0_f64;
-        for k in 0..at.q.len() {
-            let (mut q, mut v) = (0.0, 0.0);
-            for (weight, slope) in DIFFERENCE.iter().zip(&slopes) {
-                q += h * weight * slope.0[k];
-                v += h * weight * slope.1[k];
-            }
-            error = error.max(q.abs() / (TOLERANCE * largest.0[k]));
-            error = error.max(v.abs() / (TOLERANCE * largest.1[k]));
+        let (mut q, mut v) = (DVector::zeros(at.q.len()), DVector::zeros(at.q.len()));
+        for (weight, slope) in DIFFERENCE.iter().zip(&slopes) {
+            q.axpy(h * weight, &slope.0, 1.0);
+            v.axpy(h * weight, &slope.1, 1.0);
         }
+        let error = (self.world.reach(&q) / self.world.size()).max(self.world.reach(&v) / fastest)
+            / TOLERANCE;
         if error.is_nan() {
             return None;
         }
@@ -184,19 +181,21 @@ impl<W: World + ?Sized> Flow<'_, W> {
         longest: f64,
         bearings: &Bearings,
         gaps: &[usize],
-        largest: &(DVector<f64>, DVector<f64>),
+        fastest: f64,
     ) -> Option<Stepped> {
         let mut h = longest;
         let shortest = 1e-12 * longest.max(f64::MIN_POSITIVE);
         let mut taken = loop {
             // What cannot be followed so far may be followed less far.
-            let Some(taken) = self.take(from, h, bearings, largest) else {
+            let Some(taken) = self.take(from, h, bearings, fastest) else {
+                if std::env::var("DBG").is_ok() { eprintln!("t {} h {h:e} none", from.t); }
                 h *= 0.25;
                 if h < shortest {
                     return None;
                 }
                 continue;
             };
+            if std::env::var("DBG").is_ok() { eprintln!("t {} h {h:e} error {:e} open {:e} {:?}", from.t, taken.error, taken.open, bearings); }
             if taken.error <= 1.0 || h <= shortest {
                 break taken;
             }
@@ -205,7 +204,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
         let before = self.watches(from, bearings, gaps)?;
         let at = |h: f64| -> Option<(Taken, Vec<Watch>)> {
-            let taken = self.take(from, h, bearings, largest)?;
+            let taken = self.take(from, h, bearings, fastest)?;
             let watches = self.watches(&taken.state, bearings, gaps)?;
             Some((taken, watches))
         };
@@ -277,7 +276,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         };
         let mut is_met = met(&taken.state);
         if is_met {
-            let found = self.first_met(from, h, bearings, largest, &met)?;
+            let found = self.first_met(from, h, bearings, fastest, &met)?;
             // What would have happened later does not.
             events = found.1.into_iter().map(|c| (c, Watched::Gap)).collect();
             taken = found.0;
@@ -301,12 +300,11 @@ impl<W: World + ?Sized> Flow<'_, W> {
         from: &State,
         h: f64,
         bearings: &Bearings,
-        largest: &(DVector<f64>, DVector<f64>),
+        fastest: f64,
         met: &dyn Fn(&State) -> bool,
     ) -> Option<(Taken, Vec<usize>)> {
-        let at = |h: f64| self.take(from, h, bearings, largest);
+        let at = |h: f64| self.take(from, h, bearings, fastest);
         let (mut before, mut after) = (0.0, h);
-        let mut last = None;
         while after - before > LOCATED * h {
             let middle = 0.5 * (before + after);
             if middle <= before || middle >= after {
@@ -314,10 +312,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
             match at(middle) {
                 Some(to) if !met(&to.state) => before = middle,
-                found => {
-                    after = middle;
-                    last = found.or(last);
-                }
+                _ => after = middle,
             }
         }
         let end = match at(after) {
@@ -325,8 +320,9 @@ impl<W: World + ?Sized> Flow<'_, W> {
             None => at(before)?,
         };
         let bearing: Vec<usize> = bearings.iter().map(|b| b.0).collect();
+        let last = at(before)?;
         let step = Step {
-            from,
+            from: &last.state,
             to: &end.state,
             bearing: &bearing,
         };

@@ -131,7 +131,7 @@ pub trait World {
         false
     }
 
-    /// Of a step that met something and ends just after it, the functions of which one has a root there.
+    /// Of a step that begins just before it met something and ends just after, the functions of which one has a root there.
     fn sought(&self, _step: Step<'_>) -> Vec<Sought> {
         Vec::new()
     }
