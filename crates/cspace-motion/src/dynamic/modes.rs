@@ -198,6 +198,11 @@ impl Problem<'_> {
         (force, rate)
     }
 
+    /// What counts as an acceleration of contacts.
+    pub(super) fn zero_rate(&self, solution: &Solution) -> f64 {
+        self.scales(solution).1
+    }
+
     fn holds(&self, s: &Solution) -> bool {
         let (force, rate) = self.scales(s);
         let (force, rate) = (force * self.zero, rate * self.zero);

@@ -6,7 +6,7 @@ use super::STILL;
 use super::accumulate::Impacts;
 use super::flow::{Bearings, Flow, ZERO};
 use super::modes::{Bearing, Mode, Problem, Solution};
-use super::step::Watched;
+use super::step::{Looked, Watched};
 use super::world::{Acting, State, Step, Touch, World};
 
 /// What happens.
@@ -214,7 +214,7 @@ pub fn run<W: World + ?Sized>(
         span: options.until - start.t,
         state: start,
         bearings: Vec::new(),
-        parting: Vec::new(),
+        looked: Looked::default(),
         impacts: Impacts::default(),
         events: Vec::new(),
         steps: 0,
@@ -241,8 +241,8 @@ struct Run<'a, W: World + ?Sized> {
     fastest: f64,
     span: f64,
     bearings: Bearings,
-    /// Contacts that have begun to open at the last event, and may close again.
-    parting: Vec<usize>,
+    /// Contacts that have begun to open at the last event, and may close again; and those that others keep from sliding.
+    looked: Looked,
     impacts: Impacts,
     events: Vec<Event>,
     steps: usize,
@@ -277,13 +277,13 @@ impl<W: World + ?Sized> Run<'_, W> {
             if self.state.t + h <= self.state.t {
                 return Err(Ended::TooMany);
             }
-            let mut gaps = self.flow.world.watched();
-            gaps.extend(&self.parting);
-            gaps.sort_unstable();
-            gaps.dedup();
+            let mut looked = self.looked.clone();
+            looked.gaps.extend(self.flow.world.watched());
+            looked.gaps.sort_unstable();
+            looked.gaps.dedup();
             let stepped = self
                 .flow
-                .step(&self.state, h, &self.bearings, &gaps, self.fastest)
+                .step(&self.state, h, &self.bearings, &looked, self.fastest)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
             let from = core::mem::replace(&mut self.state, stepped.state);
@@ -315,7 +315,16 @@ impl<W: World + ?Sized> Run<'_, W> {
             }
             if std::env::var("DBG").is_ok() {
                 let c = self.flow.world.closed(self.state.t, &self.state.q);
-                eprintln!("EVENT {} {:?} met {} closed {:?} bear {:?} openings {:?} gaps {:?}", self.state.t, stepped.events, stepped.met, c, self.bearings, c.iter().map(|&c| self.opening(c)).collect::<Vec<_>>(), c.iter().map(|&c| self.touch(c).gap).collect::<Vec<_>>());
+                eprintln!(
+                    "EVENT {} {:?} met {} closed {:?} bear {:?} openings {:?} gaps {:?}",
+                    self.state.t,
+                    stepped.events,
+                    stepped.met,
+                    c,
+                    self.bearings,
+                    c.iter().map(|&c| self.opening(c)).collect::<Vec<_>>(),
+                    c.iter().map(|&c| self.touch(c).gap).collect::<Vec<_>>()
+                );
             }
             let told = self.events.len();
             let happened = self.happen(&stepped.events);
@@ -457,7 +466,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let saved = (
             self.state.clone(),
             self.bearings.clone(),
-            self.parting.clone(),
+            self.looked.clone(),
             self.impacts.clone(),
             self.events.len(),
             self.work,
@@ -469,8 +478,8 @@ impl<W: World + ?Sized> Run<'_, W> {
                 if settled.is_ok() && self.leads_on(scale) {
                     return Ok(());
                 }
-                let (state, bearings, parting, impacts, events, work) = &saved;
-                self.parting.clone_from(parting);
+                let (state, bearings, looked, impacts, events, work) = &saved;
+                self.looked.clone_from(looked);
                 self.state.clone_from(state);
                 self.bearings.clone_from(bearings);
                 self.impacts.clone_from(impacts);
@@ -544,7 +553,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                 // What bounces is closed for good: the rates at which it opens are gone in the limit.
                 let reach = way * left * self.flow.world.size();
                 let watched = self.flow.world.watched();
-                for i in watched.into_iter().chain(self.parting.iter().copied()) {
+                for i in watched.into_iter().chain(self.looked.gaps.iter().copied()) {
                     if !closed.contains(&i) && self.touch(i).gap <= reach {
                         closed.push(i);
                     }
@@ -567,7 +576,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             rate <= still
         };
         let (resting, parting): (Vec<usize>, Vec<usize>) = closed.into_iter().partition(stays);
-        self.parting = parting;
+        self.looked.gaps = parting;
         let mut problem = self.problem(&resting);
         for (k, i) in resting.iter().enumerate() {
             if halted.iter().any(|h| h == i || self.is_same(*h, *i)) {
@@ -575,6 +584,16 @@ impl<W: World + ?Sized> Run<'_, W> {
             }
         }
         let solution = self.one(problem.solutions(), &resting)?;
+        let rate = (solution.rates.iter()).fold(0.0_f64, |m, r| m.max(r.1.abs()));
+        let idles = |&k: &usize| {
+            let slides = problem.bearings[k].slides.is_some();
+            let begins = solution.rates[k].1.abs() > ZERO * rate.max(problem.zero_rate(&solution));
+            !slides && !begins
+        };
+        self.looked.idle = (0..resting.len())
+            .filter(idles)
+            .map(|k| resting[k])
+            .collect();
         self.bearings = (resting.iter().copied())
             .zip(solution.modes)
             .filter(|(_, mode)| *mode != Mode::Open)

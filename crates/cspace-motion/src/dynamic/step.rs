@@ -23,10 +23,10 @@ const NEAR_EVENT: f64 = 1e-6;
 /// And one whose root is not farther ahead than this: what contacts are known to.
 const EARLY: f64 = 4.0 * super::CLOSED;
 
-/// A function that is smaller than this share of its value at the end of a step begins at 0.
+/// A function other than a gap that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
 /// And is looked at down to this share of the step.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST: f64 = 1e-12;
 
 /// What may happen to a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +39,15 @@ pub(super) enum Watched {
     Sliding,
     /// What the friction of one that sticks is short of.
     Sticking,
+}
+
+/// What is looked at in steps between two events, beside the forces of what bears.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Looked {
+    /// Contacts whose gaps may close.
+    pub(super) gaps: Vec<usize>,
+    /// Contacts with the force of sliding that others keep from it: they do not slide, and begin to only after another event.
+    pub(super) idle: Vec<usize>,
 }
 
 /// A function that ends a step where it falls below 0.
@@ -135,10 +144,10 @@ impl<W: World + ?Sized> Flow<'_, W> {
         &self,
         state: &State,
         bearings: &Bearings,
-        gaps: &[usize],
+        looked: &Looked,
     ) -> Option<Vec<Watch>> {
         let mut found = Vec::new();
-        for &contact in gaps {
+        for &contact in &looked.gaps {
             if bearings.iter().all(|b| b.0 != contact) {
                 let value = self.world.touch(contact, state.t, &state.q).gap;
                 found.push(Watch {
@@ -163,6 +172,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 Mode::Stick => (Watched::Sticking, friction * normal - tangential.abs()),
                 // Without friction it does not matter which way it slides.
                 _ if friction == 0.0 => continue,
+                _ if looked.idle.contains(&contact) => continue,
                 mode => (Watched::Sliding, rate * mode.direction()),
             };
             found.push(Watch {
@@ -180,7 +190,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         from: &State,
         longest: f64,
         bearings: &Bearings,
-        gaps: &[usize],
+        looked: &Looked,
         fastest: f64,
     ) -> Option<Stepped> {
         let mut h = longest;
@@ -188,27 +198,34 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let mut taken = loop {
             // What cannot be followed so far may be followed less far.
             let Some(taken) = self.take(from, h, bearings, fastest) else {
-                if std::env::var("DBG").is_ok() { eprintln!("t {} h {h:e} none", from.t); }
+                if std::env::var("DBG").is_ok() {
+                    eprintln!("t {} h {h:e} none", from.t);
+                }
                 h *= 0.25;
                 if h < shortest {
                     return None;
                 }
                 continue;
             };
-            if std::env::var("DBG").is_ok() { eprintln!("t {} h {h:e} error {:e} open {:e} {:?}", from.t, taken.error, taken.open, bearings); }
+            if std::env::var("DBG").is_ok() {
+                eprintln!(
+                    "t {} h {h:e} error {:e} open {:e} {:?}",
+                    from.t, taken.error, taken.open, bearings
+                );
+            }
             if taken.error <= 1.0 || h <= shortest {
                 break taken;
             }
             h *= (0.9 * taken.error.powf(-0.2)).clamp(0.1, 0.9);
         };
         let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
-        let before = self.watches(from, bearings, gaps)?;
+        let before = self.watches(from, bearings, looked)?;
         let at = |h: f64| -> Option<(Taken, Vec<Watch>)> {
             let taken = self.take(from, h, bearings, fastest)?;
-            let watches = self.watches(&taken.state, bearings, gaps)?;
+            let watches = self.watches(&taken.state, bearings, looked)?;
             Some((taken, watches))
         };
-        let mut watches = self.watches(&taken.state, bearings, gaps)?;
+        let mut watches = self.watches(&taken.state, bearings, looked)?;
         // A gap that closes and opens again within the step.
         for k in 0..before.len() {
             let (first, last) = (before[k], watches[k]);
@@ -238,7 +255,11 @@ impl<W: World + ?Sized> Flow<'_, W> {
             // What begins at 0 and grows is positive somewhere in between.
             let mut begin = (0.0, before[k].value);
             let mut ahead = h;
-            while begin.1 <= START * watches[k].value.abs() && ahead > SHORTEST * h {
+            let nothing = match watches[k].kind {
+                Watched::Gap => f64::EPSILON * self.world.size(),
+                _ => START * watches[k].value.abs(),
+            };
+            while begin.1 <= nothing && ahead > SHORTEST * h {
                 ahead *= 0.5;
                 begin = (ahead, value(ahead)?);
             }

@@ -244,7 +244,10 @@ impl World for Mechanical<'_> {
         // Where there is nothing but blocked space behind, nothing is told to touch.
         let before = self.bodies.coordinates(step.from.t, &step.from.q);
         let mut sought: Vec<Sought> = Vec::new();
-        for bound in [&before, &q].iter().flat_map(|q| touching(system, self.pairs, q)) {
+        for bound in [&before, &q]
+            .iter()
+            .flat_map(|q| touching(system, self.pairs, q))
+        {
             let number = self.numbers.number(&bound);
             let gap = Sought::Gap(number);
             if !step.bearing.contains(&number) && !sought.contains(&gap) {
