@@ -547,7 +547,10 @@ impl<W: World + ?Sized> Run<'_, W> {
             for &contact in &struck {
                 self.tell(EventKind::Impact, contact);
             }
-            let parts = |&i: &usize| self.opening(i).0;
+            let parts = |&i: &usize| {
+                let (rate, still) = self.opening(i);
+                if rate > still { rate } else { 0.0 }
+            };
             let way = closed.iter().map(parts).fold(0.0, f64::max) / self.flow.world.size();
             if let Some(left) = self.impacts.rest(self.span, way) {
                 // What bounces is closed for good: the rates at which it opens are gone in the limit.
@@ -587,7 +590,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let rate = (solution.rates.iter()).fold(0.0_f64, |m, r| m.max(r.1.abs()));
         let idles = |&k: &usize| {
             let slides = problem.bearings[k].slides.is_some();
-            let begins = solution.rates[k].1.abs() > ZERO * rate.max(problem.zero_rate(&solution));
+            let begins = solution.rates[k].1.abs() > ZERO * rate.max(problem.terms(&solution));
             !slides && !begins
         };
         self.looked.idle = (0..resting.len())
