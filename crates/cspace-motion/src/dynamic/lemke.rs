@@ -21,11 +21,10 @@ const NEGATIVE: f64 = 1e-9;
 /// Exchanges are as many as a few times the unknowns in practice; more than this many times mean that rounding leads in circles.
 const TIMES: usize = 20;
 
-/// z and w of a solution; of each pair at least one is exactly 0.
+/// z of a solution, exactly 0 outside of the basis.
 #[derive(Debug, Clone)]
 pub(super) struct Complementary {
     pub(super) z: DVector<f64>,
-    pub(super) w: DVector<f64>,
     /// Whether z is among the unknowns of the basis, rather than w.
     pub(super) basic: Vec<bool>,
 }
@@ -120,22 +119,20 @@ fn answer(m: &DMatrix<f64>, q: &DVector<f64>, basic: Vec<bool>) -> Outcome {
     let largest = terms.iter().fold(0.0_f64, |a, b| a.max(*b));
     let long = z.amax();
     for i in 0..n {
-        let (z, w) = (&mut z[i], &mut w[i]);
+        let (z, w) = (&mut z[i], w[i]);
         let wrong = if basic[i] {
             *z < -NEGATIVE * long || w.abs() > NEGATIVE * largest
         } else {
-            *w < -NEGATIVE * largest
+            w < -NEGATIVE * largest
         };
         if wrong || !z.is_finite() {
             return Outcome::TooLong;
         }
         if basic[i] {
-            (*z, *w) = (z.max(0.0), 0.0);
-        } else {
-            *w = w.max(0.0);
+            *z = z.max(0.0);
         }
     }
-    Outcome::Solution(Complementary { z, w, basic })
+    Outcome::Solution(Complementary { z, basic })
 }
 
 /// Unknowns are numbered: w from 0, z from n, z₀ is 2 n. Those of the basis by the others: basis + table · outside = right.
@@ -297,11 +294,12 @@ mod tests {
     }
 
     fn check(m: &DMatrix<f64>, q: &DVector<f64>, found: &Complementary) {
-        let off = (m * &found.z + q - &found.w).amax();
-        let terms = q.amax() + m.amax() * found.z.amax() * q.len() as f64;
-        assert!(off <= 1e-12 * terms, "{off} {terms} {m} {q}");
-        for (z, w) in found.z.iter().zip(&found.w) {
-            assert!(*z >= 0.0 && *w >= 0.0 && z * w == 0.0);
+        let w = m * &found.z + q;
+        let rounding = 1e-12 * (q.amax() + m.amax() * found.z.amax() * q.len() as f64);
+        for (i, (z, w)) in found.z.iter().zip(&w).enumerate() {
+            assert!(*z >= 0.0 && *w >= -rounding, "{z} {w} {m} {q}");
+            assert!(*z == 0.0 || w.abs() <= rounding, "{z} {w} {m} {q}");
+            assert!(found.basic[i] || *z == 0.0);
         }
     }
 
