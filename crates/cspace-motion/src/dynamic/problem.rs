@@ -38,6 +38,8 @@ pub(super) struct Bearing {
     pub(super) friction: f64,
     /// The direction in which it slides already.
     pub(super) slides: Option<f64>,
+    /// Whether it has come to where it does not stick any more: of modes with the same accelerations sticking is the last.
+    pub(super) lets_go: bool,
 }
 
 impl Bearing {
@@ -48,6 +50,7 @@ impl Bearing {
             Some(_) => &[Mode::Open, Mode::Backward],
             // Without friction sticking and sliding are the same.
             None if self.friction == 0.0 => &[Mode::Open, Mode::Forward],
+            None if self.lets_go => &[Mode::Open, Mode::Forward, Mode::Backward, Mode::Stick],
             None => &[Mode::Open, Mode::Stick, Mode::Forward, Mode::Backward],
         }
     }

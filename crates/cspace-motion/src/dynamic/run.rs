@@ -145,6 +145,11 @@ const CROWD: f64 = 1e-6;
 /// what follows next. A shorter one is made where something follows at once.
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 
+/// Contacts that cease to stick within this share of the time that is simulated do so together.
+const LOOSE: f64 = 1e-8;
+/// Slow are rates of this share of the largest so far.
+const SLOW: f64 = 1e-5;
+
 /// A motion from a state; `observer` is told the states it asks for.
 ///
 /// Times are in s, coordinates and forces in units that fit together.
@@ -215,6 +220,7 @@ pub fn run<W: World + ?Sized>(
         state: start,
         bearings: Vec::new(),
         looked: Looked::default(),
+        loose: (0.0, Vec::new()),
         impacts: Impacts::default(),
         events: Vec::new(),
         steps: 0,
@@ -232,6 +238,17 @@ pub fn run<W: World + ?Sized>(
     }
 }
 
+/// What contacts have come to at an event.
+#[derive(Debug, Clone, Default)]
+struct Reached {
+    /// Their sliding to its end: they do not slide at this moment, whatever rounding says.
+    halted: Vec<usize>,
+    /// All the friction there is.
+    loose: Vec<usize>,
+    /// The other side, without having opened by more than rounding: they stay, if they open slowly.
+    back: Vec<usize>,
+}
+
 struct Run<'a, W: World + ?Sized> {
     flow: Flow<'a, W>,
     state: State,
@@ -243,6 +260,8 @@ struct Run<'a, W: World + ?Sized> {
     bearings: Bearings,
     /// Contacts that have begun to open at the last event, and may close again; and those that others keep from sliding.
     looked: Looked,
+    /// Contacts that did not stick any more, since a time.
+    loose: (f64, Vec<usize>),
     impacts: Impacts,
     events: Vec<Event>,
     steps: usize,
@@ -258,7 +277,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             self.state = state;
         }
         let closed = self.flow.world.closed(self.state.t, &self.state.q);
-        let settled = self.settle(closed, &[]);
+        let settled = self.settle(closed, &Reached::default());
         self.announce(0, observer);
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
@@ -415,19 +434,28 @@ impl<W: World + ?Sized> Run<'_, W> {
     fn happen(&mut self, events: &[(usize, Watched)]) -> Result<(), Ended> {
         let before = self.bearings.clone();
         let mut closed: Vec<usize> = self.flow.world.closed(self.state.t, &self.state.q);
-        let gaps = events.iter().filter(|e| e.1 == Watched::Gap);
+        let gaps = (events.iter()).filter(|e| matches!(e.1, Watched::Gap | Watched::Back));
         for contact in gaps.map(|e| e.0).chain(before.iter().map(|b| b.0)) {
             if !closed.contains(&contact) {
                 closed.push(contact);
             }
         }
         closed.sort_unstable();
-        // A contact whose sliding came to its end does not slide at this moment, whatever rounding says.
-        let halted: Vec<usize> = (events.iter())
-            .filter(|e| e.1 == Watched::Sliding)
-            .map(|e| e.0)
-            .collect();
-        self.settle(closed, &halted)?;
+        let of = |kind: Watched| -> Vec<usize> {
+            let all = events.iter().filter(|e| e.1 == kind);
+            all.map(|e| e.0).collect()
+        };
+        // Contacts that share a load let go one after the other.
+        if self.state.t > self.loose.0 + LOOSE * self.span {
+            self.loose = (self.state.t, Vec::new());
+        }
+        self.loose.1.extend(of(Watched::Sticking));
+        let reached = Reached {
+            halted: of(Watched::Sliding),
+            loose: self.loose.1.clone(),
+            back: of(Watched::Back),
+        };
+        self.settle(closed, &reached)?;
         for &(contact, mode) in &before {
             let now = self.bearings.iter().find(|b| b.0 == contact);
             // A contact that passes from one feature to the next goes on.
@@ -458,10 +486,10 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
-    fn settle(&mut self, closed: Vec<usize>, halted: &[usize]) -> Result<(), Ended> {
+    fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
         let sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
         if sets.len() < 2 {
-            return self.settle_with(closed, halted);
+            return self.settle_with(closed, at);
         }
         let saved = (
             self.state.clone(),
@@ -474,7 +502,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let mut failed = None;
         for scale in TRIALS {
             for set in &sets {
-                let settled = self.settle_with(set.clone(), halted);
+                let settled = self.settle_with(set.clone(), at);
                 if settled.is_ok() && self.leads_on(scale) {
                     return Ok(());
                 }
@@ -518,7 +546,7 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     /// Impacts of the contacts that are closed, then what each of them does from now on.
-    fn settle_with(&mut self, mut closed: Vec<usize>, halted: &[usize]) -> Result<(), Ended> {
+    fn settle_with(&mut self, mut closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
         /// Impacts follow each other at one time where contacts pass them on.
         const MOST: usize = 50;
         let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
@@ -561,9 +589,11 @@ impl<W: World + ?Sized> Run<'_, W> {
                         closed.push(i);
                     }
                 }
+                let before = self.flow.world.kinetic(&self.state);
                 let stay = closed.iter().map(|&i| (i, Mode::Forward)).collect();
                 let state = self.flow.projected(self.state.clone(), &stay);
                 self.state = state.ok_or_else(|| self.stuck())?.0;
+                self.work.impacts += before - self.flow.world.kinetic(&self.state);
                 let v = self.state.v.clone();
                 self.state.q += v * left;
                 self.state.t += left;
@@ -576,27 +606,24 @@ impl<W: World + ?Sized> Run<'_, W> {
         // Those that part are open from now on.
         let stays = |i: &usize| {
             let (rate, still) = self.opening(*i);
-            rate <= still
+            let slow = if at.back.contains(i) {
+                SLOW * still / STILL
+            } else {
+                still
+            };
+            rate <= slow
         };
         let (resting, parting): (Vec<usize>, Vec<usize>) = closed.into_iter().partition(stays);
         self.looked.gaps = parting;
         let mut problem = self.problem(&resting);
         for (k, i) in resting.iter().enumerate() {
-            if halted.iter().any(|h| h == i || self.is_same(*h, *i)) {
+            let is_among = |all: &[usize]| all.iter().any(|h| h == i || self.is_same(*h, *i));
+            if is_among(&at.halted) {
                 problem.bearings[k].slides = None;
             }
+            problem.bearings[k].lets_go = is_among(&at.loose);
         }
         let solution = self.one(problem.solutions(), &resting)?;
-        let rate = (solution.rates.iter()).fold(0.0_f64, |m, r| m.max(r.1.abs()));
-        let idles = |&k: &usize| {
-            let slides = problem.bearings[k].slides.is_some();
-            let begins = solution.rates[k].1.abs() > ZERO * rate.max(problem.terms(&solution));
-            !slides && !begins
-        };
-        self.looked.idle = (0..resting.len())
-            .filter(idles)
-            .map(|k| resting[k])
-            .collect();
         self.bearings = (resting.iter().copied())
             .zip(solution.modes)
             .filter(|(_, mode)| *mode != Mode::Open)
@@ -604,6 +631,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &self.bearings) {
             self.state = state;
         }
+        self.looked.idle = self.flow.idle(&self.state, &self.bearings);
         for (contact, _) in self.bearings.clone() {
             if !known
                 .iter()
@@ -645,6 +673,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                     tangent: touch.tangent,
                     friction: surface.friction,
                     slides: None,
+                    lets_go: false,
                 }
             })
             .collect();

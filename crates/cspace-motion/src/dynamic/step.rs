@@ -33,6 +33,8 @@ const SHORTEST: f64 = 1e-12;
 pub(super) enum Watched {
     /// The gap of a contact that does not bear.
     Gap,
+    /// The same, where it never opened by more than rounding.
+    Back,
     /// The force of one that does.
     Force,
     /// The rate at which one slides.
@@ -263,6 +265,10 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 ahead *= 0.5;
                 begin = (ahead, value(ahead)?);
             }
+            let kind = match watches[k].kind {
+                Watched::Gap if begin.1 <= nothing => Watched::Back,
+                kind => kind,
+            };
             let first = if begin.1 > 0.0 {
                 root(begin, (h, watches[k].value), value)?
             } else {
@@ -278,7 +284,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             // It is 0 here, whatever rounding makes of it.
             there[k].value = 0.0;
             events.retain(|&(j, _): &(usize, Watched)| there[j].value <= 0.0);
-            events.push((k, watches[k].kind));
+            events.push((k, kind));
             for &(j, _) in &events {
                 there[j].value = 0.0;
             }

@@ -13,6 +13,7 @@ fn bearing(normal: DVector<f64>, tangent: DVector<f64>, friction: f64) -> Bearin
         c: 0.0,
         friction,
         slides: None,
+        lets_go: false,
     }
 }
 
@@ -109,6 +110,7 @@ fn random<'a>(numbers: &mut Numbers, mass: &'a DMatrix<f64>, contacts: usize) ->
                     0.5 * numbers.share()
                 },
                 slides: slides.then(|| numbers.number().signum()),
+                lets_go: false,
             }
         })
         .collect();
