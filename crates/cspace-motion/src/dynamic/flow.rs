@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::linear::{Cholesky, Rows, length};
 
+use super::direct::Lightness;
 use super::modes::{Bearing, Mode, Problem, Solution};
 use super::world::{Joints, State, Touch, World};
 
@@ -24,6 +25,8 @@ pub(super) struct Flow<'a, W: World + ?Sized> {
     inverse: DMatrix<f64>,
     /// The factor L of its mass matrix.
     factor: Cholesky,
+    /// If that is diagonal.
+    lightness: Option<Lightness>,
 }
 
 impl<'a, W: World + ?Sized> Flow<'a, W> {
@@ -35,14 +38,15 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             world,
             inverse,
             factor,
+            lightness: Lightness::of(world.mass()),
         })
     }
 
     /// The problem of accelerations for some contacts; those that slide faster than `still` have their direction.
     pub(super) fn problem(&self, state: &State, contacts: &[usize], still: f64) -> Problem<'_> {
-        let bearings = (contacts.iter())
-            .map(|&i| {
-                let (touch, [b, c]) = self.world.bends(i, state);
+        let equations = self.world.equations(state, contacts);
+        let bearings = (contacts.iter().zip(equations.contacts))
+            .map(|(&i, (touch, [b, c]))| {
                 let rate = touch.sliding(&state.v);
                 Bearing {
                     b,
@@ -57,9 +61,9 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             .collect();
         Problem {
             mass: self.world.mass(),
-            h: self.world.force(state),
-            joints: self.world.joints(state.t, &state.q).rows,
-            j: self.world.joint_bends(state),
+            h: equations.force,
+            joints: equations.joints,
+            j: equations.joint_bends,
             bearings,
             zero: ZERO,
         }
@@ -68,6 +72,13 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
     /// Accelerations and forces with contacts in their modes.
     pub(super) fn accelerations(&self, state: &State, bearings: &Bearings) -> Option<Solution> {
         let contacts: Vec<usize> = bearings.iter().map(|b| b.0).collect();
+        if let Some(lightness) = &self.lightness {
+            let equations = self.world.equations(state, &contacts);
+            let friction = |i: usize| self.world.surface(i).friction;
+            if let Some(found) = lightness.accelerations(&equations, bearings, friction) {
+                return Some(found);
+            }
+        }
         let modes: Vec<Mode> = bearings.iter().map(|b| b.1).collect();
         self.problem(state, &contacts, f64::INFINITY).within(&modes)
     }
@@ -78,7 +89,11 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             .map(|b| self.world.touch(b.0, state.t, &state.q))
             .collect();
         let joints = self.world.joints(state.t, &state.q).rows;
-        let held = rows(&joints, &touches, bearings, true);
+        let stuck: Vec<&Touch> = (touches.iter().zip(bearings))
+            .filter(|(_, b)| b.1 == Mode::Stick)
+            .map(|(touch, _)| touch)
+            .collect();
+        let held = rows(&joints, &touches, &stuck);
         let scaled = |row: DVector<f64>| -> Vec<f64> {
             let mut row = row.as_slice().to_vec();
             self.factor.forward(&mut row);
@@ -126,27 +141,39 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             if off.amax() <= 4.0 * f64::EPSILON * world.size() {
                 break;
             }
-            state.q += self.least(&rows(&joints.rows, &touches, bearings, false), &-&off)?;
+            state.q += self.least(&joints.rows, &touches, &[], &-&off)?;
             (joints, touches) = at(&state);
         }
-        let rows = rows(&joints.rows, &touches, bearings, true);
-        let mut off = &rows * &state.v;
-        let count = joints.rates.len();
-        for k in 0..count {
-            off[k] -= joints.rates[k];
-        }
-        let sticks = (touches.iter().zip(bearings)).filter(|(_, b)| b.1 == Mode::Stick);
-        let drifts = (touches.iter().map(|t| t.drift[0])).chain(sticks.map(|(t, _)| t.drift[1]));
-        for (k, drift) in drifts.enumerate() {
-            off[count + k] += drift;
-        }
-        let step = self.least(&rows, &-off)?;
+        let stuck: Vec<&Touch> = (touches.iter().zip(bearings))
+            .filter(|(_, b)| b.1 == Mode::Stick)
+            .map(|(touch, _)| touch)
+            .collect();
+        let jointed = &joints.rows * &state.v - &joints.rates;
+        let opening = touches.iter().map(|t| t.opening(&state.v));
+        let sliding = stuck.iter().map(|t| t.sliding(&state.v));
+        let off = DVector::from_iterator(
+            jointed.len() + touches.len() + stuck.len(),
+            jointed.iter().copied().chain(opening).chain(sliding),
+        );
+        let step = self.least(&joints.rows, &touches, &stuck, &-off)?;
         state.v += step;
         Some((state, open))
     }
 
-    /// The least change, in the metric of the masses, that changes what rows measure.
-    fn least(&self, rows: &DMatrix<f64>, by: &DVector<f64>) -> Option<DVector<f64>> {
+    /// The least change, in the metric of the masses, that changes what joints, gaps and what sticks measure.
+    fn least(
+        &self,
+        joints: &DMatrix<f64>,
+        touches: &[Touch],
+        stuck: &[&Touch],
+        by: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
+        if let Some(lightness) = &self.lightness
+            && let Some(found) = lightness.least(joints, touches, stuck, by)
+        {
+            return Some(found);
+        }
+        let rows = rows(joints, touches, stuck);
         let across = &self.inverse * rows.transpose();
         let svd = (rows * &across).try_svd(true, true, 5.0 * f64::EPSILON, 500)?;
         let least = 1e-12 * svd.singular_values.max();
@@ -155,22 +182,11 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
 }
 
 /// The rows of joints, contacts, and of those that stick their tangents.
-fn rows(
-    joints: &DMatrix<f64>,
-    touches: &[Touch],
-    bearings: &Bearings,
-    sticks: bool,
-) -> DMatrix<f64> {
+fn rows(joints: &DMatrix<f64>, touches: &[Touch], stuck: &[&Touch]) -> DMatrix<f64> {
     let mut rows: Vec<DVector<f64>> = (0..joints.nrows())
         .map(|k| joints.row(k).transpose())
         .collect();
     rows.extend(touches.iter().map(|t| t.normal.clone()));
-    if sticks {
-        let stuck = touches
-            .iter()
-            .zip(bearings)
-            .filter(|(_, b)| b.1 == Mode::Stick);
-        rows.extend(stuck.map(|(t, _)| t.tangent.clone()));
-    }
+    rows.extend(stuck.iter().map(|t| t.tangent.clone()));
     DMatrix::from_fn(rows.len(), joints.ncols(), |i, k| rows[i][k])
 }

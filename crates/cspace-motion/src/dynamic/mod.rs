@@ -7,6 +7,7 @@
 //! the contacts are found anew (`modes.rs`). Impacts that accumulate are closed at their limit (`accumulate.rs`).
 
 mod accumulate;
+mod direct;
 mod flow;
 mod friction;
 mod lemke;
@@ -21,7 +22,7 @@ mod world;
 
 pub use modes::Mode;
 pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run};
-pub use world::{Acting, Joints, Sought, State, Step, Surface, Touch, World};
+pub use world::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 
 /// Contacts with gaps of this share of the size or less are closed: more than what projection leaves.
 pub const CLOSED: f64 = 1e-10;

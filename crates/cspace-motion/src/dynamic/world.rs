@@ -102,6 +102,16 @@ pub trait World {
         (touch, [of(Touch::opening), of(Touch::sliding)])
     }
 
+    /// All that accelerations depend on at a state, with some contacts.
+    fn equations(&self, state: &State, contacts: &[usize]) -> Equations {
+        Equations {
+            force: self.force(state),
+            joints: self.joints(state.t, &state.q).rows,
+            joint_bends: self.joint_bends(state),
+            contacts: contacts.iter().map(|&i| self.bends(i, state)).collect(),
+        }
+    }
+
     /// The contacts that are closed: those that are watched, with no gap but [`CLOSED`](super::CLOSED) of the size.
     fn closed(&self, t: f64, q: &DVector<f64>) -> Vec<usize> {
         let limit = super::CLOSED * self.size();
@@ -198,6 +208,19 @@ impl<'a> Acting<'a> {
             joints: &solution.joints,
         }
     }
+}
+
+/// What accelerations depend on.
+#[derive(Debug, Clone)]
+pub struct Equations {
+    /// The forces h.
+    pub force: DVector<f64>,
+    /// J.
+    pub joints: DMatrix<f64>,
+    /// What J v̇ has.
+    pub joint_bends: DVector<f64>,
+    /// Contacts, as [`World::bends`] tells them.
+    pub contacts: Vec<(Touch, [f64; 2])>,
 }
 
 /// Constraints at a configuration.
