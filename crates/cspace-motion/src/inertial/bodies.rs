@@ -1,5 +1,6 @@
 //! Coordinates, rates and masses of all parts, from the free ones and the time.
 
+use cspace::Placement;
 use nalgebra::{DMatrix, DVector};
 
 use crate::dynamic::State;
@@ -25,6 +26,13 @@ impl All {
             slope: [self.v[i]],
         }
     }
+}
+
+/// All coordinates at a time with the placements of all parts.
+#[derive(Debug, Clone)]
+pub(super) struct Posed {
+    pub(super) all: All,
+    pub(super) parts: Vec<Placement<InTime>>,
 }
 
 /// A system with its masses.
@@ -105,6 +113,16 @@ impl Bodies {
             (q[*i], v[*i], a[*i]) = (at.value, at.rate, at.acceleration);
         }
         All { q, v, a }
+    }
+
+    /// All of a state.
+    pub(super) fn posed(&self, state: &State) -> Posed {
+        let all = self.all(state);
+        let parts = self.system.parts().iter();
+        Posed {
+            parts: parts.map(|p| p.placement(|i| all.at(i))).collect(),
+            all,
+        }
     }
 
     /// The free ones of some numbers of all coordinates.

@@ -3,13 +3,13 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use cspace::{FeatureId, Placement, Scalar, TouchingPlace, touching_place};
+use cspace::{FeatureId, Scalar, TouchingPlace, touching_place};
 
 use crate::contact::{Bound, limits};
 use crate::pairs::Pairs;
 use crate::system::System;
 
-use super::bodies::All;
+use super::bodies::Posed;
 use super::rates::{InTime, Rates, still};
 
 /// The features of a pair that touch.
@@ -72,7 +72,8 @@ impl Numbers {
 }
 
 /// The gap of a bound and the rates at which it opens and slides.
-pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, all: &All) -> Opening {
+pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, posed: &Posed) -> Opening {
+    let all = &posed.all;
     match bound {
         Bound::Limit { .. } => {
             let row = bound.function(system, pairs, &all.q);
@@ -89,7 +90,7 @@ pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, all: &All) 
         Bound::Contact(touch) => {
             let pair = &pairs.list()[touch.pair];
             let parts = [pair.fixed, pair.moving].map(|i| system.parts()[i]);
-            let [a, b]: [Placement<InTime>; 2] = parts.map(|p| p.placement(|i| all.at(i)));
+            let [a, b] = [pair.fixed, pair.moving].map(|i| &posed.parts[i]);
             let real = |_, x| InTime::constant(x);
             let contact = touch.contact();
             let TouchingPlace {
@@ -100,7 +101,7 @@ pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, all: &All) 
             } = touching_place(
                 &contact.fixed.map(real),
                 &contact.moving.map(real),
-                &a.inverse().compose(&b),
+                &a.inverse().compose(b),
             );
             let (p, r, n) = (a.point(on_fixed), a.point(on_moving), a.vector(n));
             let t = [-n[1], n[0]];

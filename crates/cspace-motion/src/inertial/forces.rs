@@ -1,34 +1,146 @@
 //! Forces on all coordinates, energies, and what drives have to do.
 
 use cspace::mechanism::{LoadKind, SpringKind};
-use cspace::{Placement, Point};
+use cspace::{AxisMotion, Placement, Point, Vector};
 
 use crate::dynamic::Acting;
 
-use super::bodies::{All, Bodies};
+use crate::system::PartCoordinates;
+
+use super::bodies::{All, Bodies, Posed};
 use super::contacts::Opening;
 use super::joints::Constraint;
+use super::rates::still;
 
-/// The forces of loads, weights, springs and dampers on all coordinates.
-pub(super) fn forces(bodies: &Bodies, all: &All) -> Vec<f64> {
-    let n = bodies.system.count();
-    let (mut forces, mut damping) = (vec![0.0; n], vec![0.0; n * n]);
-    bodies.system.add_forces(&all.q, &mut forces, &mut damping);
-    for i in 0..n {
-        for k in 0..n {
-            forces[i] -= damping[i * n + k] * all.v[k];
+/// The forces of loads, weights, springs and dampers on all coordinates; and what dampers take, per second.
+pub(super) fn forces(bodies: &Bodies, posed: &Posed) -> (Vec<f64>, f64) {
+    let system = &bodies.system;
+    let dynamics = &system.mechanism().dynamics;
+    let mut pushing = Pushing {
+        bodies,
+        posed,
+        forces: vec![0.0; system.count()],
+    };
+    let mut damped = 0.0;
+    if dynamics.gravity != Vector::ZERO {
+        for i in 0..system.parts().len() {
+            if let Some(mass) = system.mass(i) {
+                pushing.push(i, mass.center, dynamics.gravity * mass.mass);
+            }
         }
     }
-    forces
+    for load in &dynamics.loads {
+        match load.kind {
+            LoadKind::Force { force, at } => {
+                pushing.push(load.part, at.unwrap_or(system.center(load.part)), force);
+            }
+            LoadKind::Torque(torque) => pushing.turn(load.part, torque),
+        }
+    }
+    for spring in &dynamics.springs {
+        match spring.kind {
+            SpringKind::Linear {
+                at: (p, r),
+                stiffness,
+                length,
+                damping,
+            } => {
+                let (first, moves) = pushing.point(spring.part, p);
+                let (second, other) = match spring.other {
+                    Some(i) => pushing.point(i, r),
+                    None => (r, Vector::ZERO),
+                };
+                let apart = first - second;
+                let distance = apart.length();
+                if distance == 0.0 {
+                    // It has no direction there, and pulls nowhere.
+                    continue;
+                }
+                let along = apart * distance.recip();
+                let rate = along.dot(moves - other);
+                damped += damping * rate * rate;
+                let force = along * (-stiffness * (distance - length) - damping * rate);
+                pushing.push(spring.part, p, force);
+                if let Some(i) = spring.other {
+                    pushing.push(i, r, -force);
+                }
+            }
+            SpringKind::Torsion {
+                stiffness,
+                angle,
+                damping,
+            } => {
+                let (turned, turns) = pushing.turned(spring.part);
+                let (other, others) = spring.other.map_or((0.0, 0.0), |i| pushing.turned(i));
+                let rate = turns - others;
+                damped += damping * rate * rate;
+                let torque = -stiffness * (turned - other - angle) - damping * rate;
+                pushing.turn(spring.part, torque);
+                if let Some(i) = spring.other {
+                    pushing.turn(i, -torque);
+                }
+            }
+        }
+    }
+    (pushing.forces, damped)
 }
 
-/// What dampers take, per second.
-pub(super) fn damped(bodies: &Bodies, all: &All) -> f64 {
-    let n = bodies.system.count();
-    let (mut forces, mut damping) = (vec![0.0; n], vec![0.0; n * n]);
-    bodies.system.add_forces(&all.q, &mut forces, &mut damping);
-    let row = |i: usize| -> f64 { (0..n).map(|k| damping[i * n + k] * all.v[k]).sum() };
-    (0..n).map(|i| all.v[i] * row(i)).sum()
+/// Forces on coordinates, as they gather.
+struct Pushing<'a> {
+    bodies: &'a Bodies,
+    posed: &'a Posed,
+    forces: Vec<f64>,
+}
+
+impl Pushing<'_> {
+    /// Where a point of a part is in the assembly's frame, and its velocity.
+    fn point(&self, part: usize, p: Point) -> (Point, Vector) {
+        let [x, y] = self.posed.parts[part].point([still(p.x), still(p.y)]);
+        (
+            Point::new(x.value, y.value),
+            Vector::new(x.slope[0], y.slope[0]),
+        )
+    }
+
+    /// The orientation of a part and its rate.
+    fn turned(&self, part: usize) -> (f64, f64) {
+        let all = &self.posed.all;
+        let of = |i: usize| (all.q[i], all.v[i]);
+        let parts = self.bodies.system.parts();
+        parts[part].orientation().map_or((0.0, 0.0), of)
+    }
+
+    fn turn(&mut self, part: usize, torque: f64) {
+        if let Some(i) = self.bodies.system.parts()[part].orientation() {
+            self.forces[i] += torque;
+        }
+    }
+
+    /// A force on a point of a part, in the assembly's frame.
+    fn push(&mut self, part: usize, p: Point, force: Vector) {
+        let q = &self.posed.all.q;
+        match self.bodies.system.parts()[part] {
+            PartCoordinates::Fixed => {}
+            PartCoordinates::Axis { first, motion, .. } => match motion {
+                AxisMotion::Fixed => {}
+                AxisMotion::Revolute { center } => {
+                    let arm = self.point(part, p).0 - center;
+                    self.forces[first] += arm.cross(force);
+                }
+                AxisMotion::Prismatic { direction } => {
+                    self.forces[first] += direction.unit().dot(force);
+                }
+            },
+            PartCoordinates::Planar { first, center } => {
+                self.forces[first] += force.x;
+                self.forces[first + 1] += force.y;
+                if p != center {
+                    let arm = self.point(part, p).0 - Point::new(q[first], q[first + 1]);
+                    self.forces[first + 2] += arm.cross(force);
+                }
+            }
+        }
+    }
 }
 
 /// The kinetic energy of all parts.
@@ -89,11 +201,12 @@ pub(super) fn potential(bodies: &Bodies, q: &[f64]) -> f64 {
     energy
 }
 
-/// The force of each drive on its coordinate, or its impulse if there are no accelerations.
+/// The force of each drive on its coordinate, beside what pushes on it, or its impulse if nothing is said of that.
 pub(super) fn drives(
     bodies: &Bodies,
     all: &All,
     acting: &Acting<'_>,
+    pushes: Option<&[f64]>,
     contacts: &[Opening],
     joints: &[Constraint],
 ) -> Vec<(usize, f64)> {
@@ -101,7 +214,6 @@ pub(super) fn drives(
     if system.drives().is_empty() {
         return Vec::new();
     }
-    let pushes = acting.accelerations.map(|_| forces(bodies, all));
     let of = |rates: &super::rates::Rates, i: usize| -> f64 {
         (rates.entries().iter())
             .filter(|e| e.0 == i)
@@ -110,9 +222,7 @@ pub(super) fn drives(
     };
     (system.drives().iter())
         .map(|&(i, _)| {
-            let own = pushes
-                .as_ref()
-                .map_or(0.0, |h| bodies.masses[i] * all.a[i] - h[i]);
+            let own = pushes.map_or(0.0, |h| bodies.masses[i] * all.a[i] - h[i]);
             let pressed: f64 = (acting.contacts.iter().zip(contacts))
                 .map(|((_, n, t), c)| n * of(&c.normal, i) + t * of(&c.tangent, i))
                 .sum();

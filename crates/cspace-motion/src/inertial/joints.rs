@@ -5,7 +5,7 @@ use cspace::{Placement, Point, Scalar};
 
 use crate::system::{PartCoordinates, System};
 
-use super::bodies::All;
+use super::bodies::{All, Posed};
 use super::rates::{InTime, Rates, still};
 
 /// A constraint: its value, which is 0 where it holds, and how that changes.
@@ -17,14 +17,14 @@ pub(super) struct Constraint {
 
 /// The constraints of all joints, in their order: how far a point of the first part is from that of the second, across what they
 /// may do, and last how far the parts are turned to each other, times the size.
-pub(super) fn constraints(system: &System, all: &All) -> Vec<Constraint> {
+pub(super) fn constraints(system: &System, posed: &Posed) -> Vec<Constraint> {
     let mut found = Vec::new();
     for entry in system.joint_entries() {
         let (a, b) = entry.parts;
         let joined = Joined {
             parts: [system.parts()[a], system.parts()[b]],
-            placed: [a, b].map(|i| system.parts()[i].placement(|k| all.at(k))),
-            all,
+            placed: [posed.parts[a], posed.parts[b]],
+            all: &posed.all,
         };
         let (x, y) = ([still(1.0), still(0.0)], [still(0.0), still(1.0)]);
         match entry.joint {

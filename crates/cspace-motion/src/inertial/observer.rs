@@ -25,7 +25,8 @@ impl Gathering<'_> {
         system.mechanism().parts[part].part.name().to_owned()
     }
 
-    fn forces(&self, all: &All, acting: &Acting<'_>) -> Forces {
+    fn forces(&self, state: &State, acting: &Acting<'_>) -> Forces {
+        let all = &self.world.bodies.all(state);
         let system = &self.world.bodies.system;
         let contacts = (acting.contacts.iter())
             .map(|&(number, normal, tangential)| ContactForce {
@@ -58,7 +59,7 @@ impl Gathering<'_> {
                 }
             })
             .collect();
-        let drives = (self.world.drive_forces(all, acting).into_iter())
+        let drives = (self.world.drive_forces(state, acting).into_iter())
             .map(|(i, force)| {
                 let part = system.parts().iter().position(|p| p.indices().contains(&i));
                 DriveForce {
@@ -99,8 +100,7 @@ impl Observer for Gathering<'_> {
     }
 
     fn sample(&mut self, state: &State, acting: &Acting<'_>) {
-        let all = self.world.bodies.all(state);
-        let forces = self.forces(&all, acting);
+        let forces = self.forces(state, acting);
         let mut sample = self.told(state, Some(forces));
         sample.t = self.next();
         self.samples.push(sample);

@@ -1,17 +1,19 @@
 //! A mechanism with masses as a [`World`].
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use cspace::Point;
+use cspace::mechanism::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{Bound, SAME_PLACE, Watch, ends, nearly_touching, path, touching};
-use crate::dynamic::{Acting, Joints, Sought, State, Step, Surface, Touch, World};
+use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
 
-use super::bodies::{All, Bodies};
+use super::bodies::{All, Bodies, Posed};
 use super::contacts::{Numbers, Opening, opening};
-use super::forces::{damped, drives, forces, kinetic};
+use super::forces::{drives, forces, kinetic};
 use super::joints::{Constraint, constraints};
 use super::rates::Rates;
 
@@ -30,6 +32,8 @@ pub(super) struct Mechanical<'a> {
     pub(super) pairs: &'a Pairs,
     numbers: Numbers,
     watch: RefCell<Watch<'a>>,
+    last: RefCell<Option<Rc<Known>>>,
+    has_dampers: bool,
 }
 
 impl<'a> Mechanical<'a> {
@@ -37,6 +41,8 @@ impl<'a> Mechanical<'a> {
         Self {
             numbers: Numbers::new(&bodies.system),
             watch: RefCell::new(Watch::new(&bodies.system, pairs)),
+            last: RefCell::new(None),
+            has_dampers: has_dampers(bodies.system.mechanism()),
             bodies,
             pairs,
         }
@@ -47,8 +53,8 @@ impl<'a> Mechanical<'a> {
         self.numbers.bound(number)
     }
 
-    pub(super) fn opening(&self, number: usize, all: &All) -> Opening {
-        opening(&self.bodies.system, self.pairs, &self.bound(number), all)
+    fn opening(&self, number: usize, posed: &Posed) -> Opening {
+        opening(&self.bodies.system, self.pairs, &self.bound(number), posed)
     }
 
     /// The place of a contact, in the assembly's frame.
@@ -63,16 +69,36 @@ impl<'a> Mechanical<'a> {
         }
     }
 
-    /// The force of each drive.
-    pub(super) fn drive_forces(&self, all: &All, acting: &Acting<'_>) -> Vec<(usize, f64)> {
+    /// The force of each drive, by its coordinate.
+    pub(super) fn drive_forces(&self, state: &State, acting: &Acting<'_>) -> Vec<(usize, f64)> {
         if self.bodies.system.drives().is_empty() {
             return Vec::new();
         }
-        let contacts: Vec<Opening> = (acting.contacts.iter())
-            .map(|c| self.opening(c.0, all))
-            .collect();
-        let joints = constraints(&self.bodies.system, all);
-        drives(self.bodies, all, acting, &contacts, &joints)
+        let known = self.known(state, acting.contacts.iter().map(|c| c.0));
+        let pushes = acting.accelerations.map(|_| &known.forces.0[..]);
+        let (all, contacts) = (&known.posed.all, &known.contacts);
+        drives(self.bodies, all, acting, pushes, contacts, &known.joints)
+    }
+
+    /// What is known of a state with some contacts: once computed, it is kept for the next that asks.
+    fn known(&self, state: &State, contacts: impl Iterator<Item = usize> + Clone) -> Rc<Known> {
+        if let Some(known) = &*self.last.borrow()
+            && known.state == *state
+            && contacts.clone().eq(known.numbers.iter().copied())
+        {
+            return Rc::clone(known);
+        }
+        let posed = self.bodies.posed(state);
+        let known = Rc::new(Known {
+            state: state.clone(),
+            numbers: contacts.clone().collect(),
+            contacts: contacts.map(|i| self.opening(i, &posed)).collect(),
+            joints: constraints(&self.bodies.system, &posed),
+            forces: forces(self.bodies, &posed),
+            posed,
+        });
+        *self.last.borrow_mut() = Some(Rc::clone(&known));
+        known
     }
 
     /// Coefficients of the free rates, and what driven ones add.
@@ -88,30 +114,36 @@ impl<'a> Mechanical<'a> {
         (row, drift)
     }
 
-    fn touch_of(&self, contact: usize, all: &All) -> (Touch, Opening) {
-        let open = self.opening(contact, all);
+    fn touch_of(&self, open: &Opening, all: &All) -> Touch {
         let (normal, opens) = self.split(&open.normal, &all.v);
         let (tangent, slides) = self.split(&open.tangent, &all.v);
-        let touch = Touch {
+        Touch {
             gap: open.gap,
             normal,
             tangent,
             drift: [opens, slides],
-        };
-        (touch, open)
+        }
+    }
+
+    fn rows(&self, joints: &[Constraint], count: usize) -> DMatrix<f64> {
+        let mut rows = DMatrix::zeros(joints.len(), count);
+        for (k, joint) in joints.iter().enumerate() {
+            for &(i, r) in joint.rates.entries() {
+                if let Some(place) = self.bodies.place[i] {
+                    rows[(k, place)] += r.value;
+                }
+            }
+        }
+        rows
     }
 
     /// All of a configuration at rest, but for what is driven.
-    fn at(&self, t: f64, q: &DVector<f64>) -> All {
-        self.bodies.all(&State {
+    fn at(&self, t: f64, q: &DVector<f64>) -> Posed {
+        self.bodies.posed(&State {
             t,
             q: q.clone(),
             v: DVector::zeros(q.len()),
         })
-    }
-
-    fn constraints(&self, all: &All) -> Vec<Constraint> {
-        constraints(&self.bodies.system, all)
     }
 
     fn path(&self, step: &Step<'_>) -> Vec<Vec<f64>> {
@@ -142,27 +174,43 @@ impl World for Mechanical<'_> {
     }
 
     fn force(&self, state: &State) -> DVector<f64> {
-        let all = self.bodies.all(state);
-        self.bodies.free(&forces(self.bodies, &all))
+        let known = self.known(state, core::iter::empty());
+        self.bodies.free(&known.forces.0)
     }
 
     fn joints(&self, t: f64, q: &DVector<f64>) -> Joints {
-        let all = self.at(t, q);
-        let found = self.constraints(&all);
-        let rows: Vec<(DVector<f64>, f64)> =
-            found.iter().map(|c| self.split(&c.rates, &all.v)).collect();
+        if self.bodies.system.joint_entries().is_empty() {
+            return Joints::none(q.len());
+        }
+        let posed = self.at(t, q);
+        let found = constraints(&self.bodies.system, &posed);
+        let rates = found.iter().map(|c| -c.rates.rate(&posed.all.v));
         Joints {
             values: DVector::from_iterator(found.len(), found.iter().map(|c| c.value)),
-            rows: DMatrix::from_fn(found.len(), q.len(), |i, k| rows[i].0[k]),
-            rates: DVector::from_iterator(found.len(), rows.iter().map(|r| -r.1)),
+            rates: DVector::from_iterator(found.len(), rates),
+            rows: self.rows(&found, q.len()),
         }
     }
 
     fn joint_bends(&self, state: &State) -> DVector<f64> {
-        let all = self.bodies.all(state);
-        let found = self.constraints(&all);
-        let bends = found.iter().map(|c| -c.rates.change(&all.v, &all.a));
-        DVector::from_iterator(found.len(), bends)
+        let known = self.known(state, core::iter::empty());
+        known.joint_bends()
+    }
+
+    fn equations(&self, state: &State, contacts: &[usize]) -> Equations {
+        let known = self.known(state, contacts.iter().copied());
+        let all = &known.posed.all;
+        Equations {
+            force: self.bodies.free(&known.forces.0),
+            joints: self.rows(&known.joints, state.q.len()),
+            joint_bends: known.joint_bends(),
+            contacts: (known.contacts.iter())
+                .map(|open| {
+                    let bends = [open.normal, open.tangent].map(|r| r.change(&all.v, &all.a));
+                    (self.touch_of(open, all), bends)
+                })
+                .collect(),
+        }
     }
 
     fn watched(&self) -> Vec<usize> {
@@ -170,14 +218,8 @@ impl World for Mechanical<'_> {
     }
 
     fn touch(&self, contact: usize, t: f64, q: &DVector<f64>) -> Touch {
-        self.touch_of(contact, &self.at(t, q)).0
-    }
-
-    fn bends(&self, contact: usize, state: &State) -> (Touch, [f64; 2]) {
-        let all = self.bodies.all(state);
-        let (touch, open) = self.touch_of(contact, &all);
-        let bends = [open.normal, open.tangent].map(|r| r.change(&all.v, &all.a));
-        (touch, bends)
+        let posed = self.at(t, q);
+        self.touch_of(&self.opening(contact, &posed), &posed.all)
     }
 
     fn closed(&self, t: f64, q: &DVector<f64>) -> Vec<usize> {
@@ -285,19 +327,18 @@ impl World for Mechanical<'_> {
     }
 
     fn powers(&self, state: &State, acting: &Acting<'_>) -> [f64; 2] {
-        let all = self.bodies.all(state);
-        let driven = self.drive_forces(&all, acting);
-        let put_in = driven.iter().map(|&(i, force)| force * all.v[i]).sum();
-        let rubbed: f64 = (acting.contacts.iter())
-            .filter(|c| c.2 != 0.0)
-            .map(|&(i, _, force)| -force * self.opening(i, &all).tangent.rate(&all.v))
+        let rubs = acting.contacts.iter().any(|c| c.2 != 0.0);
+        if !rubs && !self.has_dampers && self.bodies.system.drives().is_empty() {
+            return [0.0; 2];
+        }
+        let known = self.known(state, acting.contacts.iter().map(|c| c.0));
+        let v = &known.posed.all.v;
+        let driven = self.drive_forces(state, acting);
+        let put_in = driven.iter().map(|&(i, force)| force * v[i]).sum();
+        let rubbed: f64 = (acting.contacts.iter().zip(&known.contacts))
+            .map(|(&(_, _, force), open)| -force * open.tangent.rate(v))
             .sum();
-        let damped = if self.has_dampers() {
-            damped(self.bodies, &all)
-        } else {
-            0.0
-        };
-        [put_in, rubbed + damped]
+        [put_in, rubbed + known.forces.1]
     }
 
     fn kinetic(&self, state: &State) -> f64 {
@@ -345,14 +386,28 @@ impl World for Mechanical<'_> {
     }
 }
 
-impl Mechanical<'_> {
-    fn has_dampers(&self) -> bool {
-        use cspace::mechanism::SpringKind;
-        let springs = self.bodies.system.mechanism().dynamics.springs.iter();
-        springs.into_iter().any(|s| match s.kind {
-            SpringKind::Linear { damping, .. } | SpringKind::Torsion { damping, .. } => {
-                damping != 0.0
-            }
-        })
+fn has_dampers(mechanism: &cspace::Mechanism) -> bool {
+    mechanism.dynamics.springs.iter().any(|s| match s.kind {
+        SpringKind::Linear { damping, .. } | SpringKind::Torsion { damping, .. } => damping != 0.0,
+    })
+}
+
+/// What is known of a state.
+#[derive(Debug)]
+struct Known {
+    state: State,
+    numbers: Vec<usize>,
+    posed: Posed,
+    contacts: Vec<Opening>,
+    joints: Vec<Constraint>,
+    /// On all coordinates, and what dampers take.
+    forces: (Vec<f64>, f64),
+}
+
+impl Known {
+    fn joint_bends(&self) -> DVector<f64> {
+        let All { v, a, .. } = &self.posed.all;
+        let bends = self.joints.iter().map(|c| -c.rates.change(v, a));
+        DVector::from_iterator(self.joints.len(), bends)
     }
 }
