@@ -440,6 +440,11 @@ pub(crate) struct SimulateArgs {
     /// Tell the rates of all coordinates as well
     #[arg(long)]
     pub(crate) rates: bool,
+    /// Tell the forces at contacts, in joints and of drives as well; dynamic mode
+    #[arg(long)]
+    pub(crate) forces: bool,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it

@@ -40,9 +40,8 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
         else {
             continue;
         };
-        let of_pair = |c: &ContactInterval| {
-            c.to.is_none() && c.fixed == *fixed && c.moving == *moving
-        };
+        let of_pair =
+            |c: &ContactInterval| c.to.is_none() && c.fixed == *fixed && c.moving == *moving;
         match event.kind {
             // A contact at which impacts have come to rest lasts, whether or not a touch tells so as well.
             EventKind::Touch | EventKind::Rest => {

@@ -32,8 +32,23 @@ pub struct Cycle {
     pub since: f64,
     /// How far two cycles are from each other at most, in the model's unit of length; angles count by the sizes of their parts.
     pub difference: f64,
+    /// The part that is driven to turn at a constant rate, if there is one: the first. Ratios are by its advance.
+    pub driver: Option<usize>,
     /// What each part that can move does in it, in the order of the mechanism.
     pub parts: Vec<PartCycle>,
+}
+
+impl Cycle {
+    /// The advance of a part on its axis by that of the driver: for parts that turn the ratio of transmission, for others a
+    /// length per radian.
+    pub fn ratio(&self, part: usize) -> Option<f64> {
+        let advance = |i: usize| match self.parts.iter().find(|p| p.part == i)?.advance[..] {
+            [u] => Some(u),
+            _ => None,
+        };
+        let by = advance(self.driver?)?;
+        (by != 0.0).then_some(advance(part)? / by)
+    }
 }
 
 /// What a part does in a cycle, for each of its coordinates: u, or x, y and θ. Lengths are in the model's unit, angles in radians.
@@ -167,7 +182,10 @@ fn repeats(
     let n = system.count();
     let ranges: Vec<(f64, f64)> = (0..n).map(|i| trajectory.extent(i, start, until)).collect();
     let moves = ranges.iter().zip(lengths);
-    if !moves.clone().any(|((lo, hi), l)| (hi - lo) * l >= MOVES * size) {
+    if !moves
+        .clone()
+        .any(|((lo, hi), l)| (hi - lo) * l >= MOVES * size)
+    {
         return None;
     }
     let mut advance = Vec::new();
@@ -225,6 +243,7 @@ fn repeats(
         period,
         since,
         difference,
+        driver: super::phase::Clock::of(system).driver(),
         parts,
     })
 }

@@ -105,11 +105,15 @@ fn swing(
     [part, off]: [usize; 2],
     from: f64,
 ) -> Option<Swing> {
-    let joined = system.mechanism().joints.iter().filter_map(|j| match j.parts {
-        (a, b) if a == part => Some(b),
-        (a, b) if b == part => Some(a),
-        _ => None,
-    });
+    let joined = system
+        .mechanism()
+        .joints
+        .iter()
+        .filter_map(|j| match j.parts {
+            (a, b) if a == part => Some(b),
+            (a, b) if b == part => Some(a),
+            _ => None,
+        });
     let of = |i: usize| cycle.parts.iter().find(|p| p.part == i);
     let swings = |i: &usize| {
         let coordinate = system.parts()[*i].indices().start;
@@ -142,10 +146,9 @@ fn is_coaxial(system: &System, a: usize, b: usize) -> bool {
     /// Relative to the size of the mechanism, or to a unit vector.
     const SAME_AXIS: f64 = 1e-9;
     match (motion(system, a), motion(system, b)) {
-        (
-            Some(AxisMotion::Revolute { center: a }),
-            Some(AxisMotion::Revolute { center: b }),
-        ) => a.distance(b) <= SAME_AXIS * system.size(),
+        (Some(AxisMotion::Revolute { center: a }), Some(AxisMotion::Revolute { center: b })) => {
+            a.distance(b) <= SAME_AXIS * system.size()
+        }
         (
             Some(AxisMotion::Prismatic { direction: a }),
             Some(AxisMotion::Prismatic { direction: b }),
@@ -155,12 +158,7 @@ fn is_coaxial(system: &System, a: usize, b: usize) -> bool {
 }
 
 /// By how much a part on its axis goes on after a time, before it turns back.
-fn goes_on(
-    system: &System,
-    trajectory: &Trajectory<'_>,
-    part: usize,
-    from: f64,
-) -> Option<f64> {
+fn goes_on(system: &System, trajectory: &Trajectory<'_>, part: usize, from: f64) -> Option<f64> {
     let i = system.parts()[part].indices().start;
     let back = BACK * system.size() / system.lengths()[i];
     let begin = trajectory.at(from, i);

@@ -57,7 +57,11 @@ impl<'a> Clock<'a> {
                 let turned = curve.at(t).value.rem_euclid(TAU).to_degrees();
                 let shown = plain(turned, 1);
                 // A turn but for rounding is none.
-                if shown == "360.0" { "0.0".to_owned() } else { shown }
+                if shown == "360.0" {
+                    "0.0".to_owned()
+                } else {
+                    shown
+                }
             }
             None => plain(t, 3),
         }

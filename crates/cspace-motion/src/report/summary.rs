@@ -143,15 +143,26 @@ impl Teller<'_> {
 
     fn advances(&self, cycle: &Cycle, part: usize, advance: f64) -> String {
         let name = self.name(part);
-        let does = if self.turns(part) { "turns" } else { "moves on by" };
+        let does = if self.turns(part) {
+            "turns"
+        } else {
+            "moves on by"
+        };
         let Some((driven, driver)) = self.driven(cycle).zip(self.clock.name()) else {
             let way = match (self.turns(part), advance > 0.0) {
                 (true, true) => " counter-clockwise",
                 (true, false) => " clockwise",
                 (false, _) => "",
             };
-            let shown = if self.turns(part) { advance.abs() } else { advance };
-            return format!("the {name} {does} {}{way} per cycle", self.amount(part, shown));
+            let shown = if self.turns(part) {
+                advance.abs()
+            } else {
+                advance
+            };
+            return format!(
+                "the {name} {does} {}{way} per cycle",
+                self.amount(part, shown)
+            );
         };
         let ratio = advance / driven;
         if !self.turns(part) {

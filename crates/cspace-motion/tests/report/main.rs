@@ -21,7 +21,14 @@ fn run(name: &str, time: f64) -> (Simulation, Record) {
 
 #[test]
 fn show() {
-    for (name, time) in [("geneva", 2.0), ("ratchet_mechanism", 2.5), ("escapement", 4.0), ("gears_on_shafts", 1.0), ("cam_tappet", 3.0), ("rack_pinion", 0.7)] {
+    for (name, time) in [
+        ("geneva", 2.0),
+        ("ratchet_mechanism", 2.5),
+        ("escapement", 4.0),
+        ("gears_on_shafts", 1.0),
+        ("cam_tappet", 3.0),
+        ("rack_pinion", 0.7),
+    ] {
         let (simulation, record) = run(name, time);
         let report = Report::of(simulation.system(), &record);
         println!("== {name} {} knots, {:?}", record.trace.len(), report.cycle);
