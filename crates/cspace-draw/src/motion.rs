@@ -1,6 +1,6 @@
 //! A mechanism in motion on one page: frames, coordinates and contacts over time, paths in planes of motions, words.
 
-use cspace::FixedAxesSpace;
+use cspace::{Axis, FixedAxesSpace};
 
 use crate::colour::{BLOCKED, INK, KINDS, MARK, kind, part as colours};
 use crate::font;
@@ -11,6 +11,7 @@ use crate::plane::{axis, draw as draw_plane, seen};
 use crate::plot::{Plot, text, title};
 use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Scene, Stroke};
 use crate::timeline::{ContactRow, Timeline, Track};
+use crate::view::turns_for_ever;
 
 /// What is shown of a motion.
 #[derive(Debug, Clone, Default)]
@@ -306,8 +307,8 @@ impl<'a> Page<'a> {
             let (u, v) = plane.space.axes();
             let plot = Plot {
                 area,
-                x: seen(u, whole[0]),
-                y: seen(v, whole[1]),
+                x: about(u, plane.path.iter().map(|p| p.0), seen(u, whole[0])),
+                y: about(v, plane.path.iter().map(|p| p.1), seen(v, whole[1])),
                 em,
             };
             draw_plane(items, plane.space, plot, Labels::None, &plane.path);
@@ -332,6 +333,24 @@ impl<'a> Page<'a> {
             items.push(text(line, base, em, Anchor::Start, INK));
         }
     }
+}
+
+/// Of a part that turns a little way only what is about this is seen; otherwise all.
+fn about(axis: Axis, way: impl Iterator<Item = f64>, all: (f64, f64)) -> (f64, f64) {
+    /// Of what is seen; a third of a turn is no little way.
+    const LITTLE: f64 = 1.0 / 3.0;
+    /// To either side, of the way, and at least so much, in radians.
+    const BESIDE: f64 = 0.4;
+    const LEAST: f64 = 0.1;
+    let (lo, hi) = way.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+        (lo.min(x), hi.max(x))
+    });
+    let wide = hi - lo;
+    if !turns_for_ever(axis) || !(0.0..LITTLE * (all.1 - all.0)).contains(&wide) {
+        return all;
+    }
+    let margin = (BESIDE * wide).max(LEAST);
+    (lo - margin, hi + margin)
 }
 
 /// A text, cut where it would be wider than there is room.

@@ -83,9 +83,14 @@ impl Timeline<'_> {
 
     /// How high it is, with strips of a height.
     pub(crate) fn height(&self, strip: f64) -> f64 {
+        Self::ABOVE + self.inner(strip) + Self::BELOW
+    }
+
+    /// The same without what is above and below.
+    fn inner(&self, strip: f64) -> f64 {
         let tracks = self.tracks.len() as f64 * (strip + Self::BETWEEN);
         let rows: f64 = self.rows.iter().map(Self::row_height).sum();
-        Self::ABOVE + tracks + rows + Self::BELOW
+        tracks + rows
     }
 
     fn row_height(row: &ContactRow) -> f64 {
@@ -109,6 +114,11 @@ impl Timeline<'_> {
             y: range,
             em,
         };
+        self.letters(
+            items,
+            &plot(top, 0.0, (0.0, 1.0)),
+            top + self.inner(strip) * em,
+        );
         for track in self.tracks {
             let plot = plot(y, strip * em, range(track));
             self.track(items, track, &plot, &time);
@@ -125,7 +135,6 @@ impl Timeline<'_> {
             quantity: Quantity::Length,
         };
         axis.frame_with(items, [&time, &none], [true, false]);
-        self.letters(items, &axis, top);
     }
 
     fn track(&self, items: &mut Vec<Item>, track: &Track, plot: &Plot, time: &AxisLabel) {
@@ -262,14 +271,16 @@ impl Timeline<'_> {
         }
     }
 
-    /// The letters of frames above the strips, with a line down to the axis.
-    fn letters(&self, items: &mut Vec<Item>, axis: &Plot, top: f64) {
+    /// The letters of frames above the strips, with lines down to the axis that lie under all else.
+    fn letters(&self, items: &mut Vec<Item>, axis: &Plot, foot: f64) {
+        const LINE: Colour = Colour(0xea, 0x9a, 0xa6);
+        let top = axis.area.lo.y;
         let em = self.em;
         let mut last = f64::NEG_INFINITY;
         for (t, letter) in self.letters {
             let x = axis.place(*t, 0.0).x;
-            let line = Path::through([Dot::new(x, top), Dot::new(x, axis.area.lo.y)]);
-            items.push(Item::drawn(line, MARK, 0.06 * em));
+            let line = Path::through([Dot::new(x, top), Dot::new(x, foot)]);
+            items.push(Item::drawn(line, LINE, 0.08 * em));
             // Those of moments side by side stand beside each other.
             let at = x.max(last + 0.9 * em);
             last = at;

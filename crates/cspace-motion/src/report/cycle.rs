@@ -226,8 +226,8 @@ fn repeats(
     }
     let slides = (0..n).any(|i| steps[i] == Step::Any && advance[i] != 0.0);
     let seen = if slides { SEEN_ADVANCING } else { SEEN };
-    let enough = start - since >= seen * period * (1.0 - SAME);
-    if !enough || !same_events(record, since, start, period) {
+    let since = since.max(last_change(record, start, period));
+    if start - since < seen * period * (1.0 - SAME) {
         return None;
     }
     let parts = (system.parts().iter().enumerate())
@@ -258,20 +258,19 @@ fn exact_advance(trajectory: &Trajectory<'_>, i: usize, period: f64, until: f64)
     })
 }
 
-/// Whether events between two times come again a period later, and no others. Those at the ends may be on either side.
-fn same_events(record: &Record, from: f64, to: f64, period: f64) -> bool {
+/// The last time before `to` at which something happens that does not happen again a period later, or happens anew then.
+fn last_change(record: &Record, to: f64, period: f64) -> f64 {
     let near = REPEATS * period;
-    let events = |from: f64, to: f64| {
-        (record.events.iter()).filter(move |e| {
-            // A motion that settles may tell of sticking or not.
-            !matches!(e.kind, EventKind::Stick | EventKind::Slip) && e.t > from && e.t < to
-        })
-    };
     let has = |event: &Event, at: f64| {
         let mut near_by = record.events.iter().filter(|e| (e.t - at).abs() <= near);
         near_by.any(|e| alike(e, event))
     };
-    let (from, to) = (from + near, to - near);
-    events(from, to).all(|e| has(e, e.t + period))
-        && events(from + period, to + period).all(|e| has(e, e.t - period))
+    // A motion that settles may tell of sticking or not; what happens at the end may do so a little later.
+    let counts = |e: &&Event| !matches!(e.kind, EventKind::Stick | EventKind::Slip);
+    let events = || record.events.iter().filter(counts);
+    let gone = (events().filter(|e| e.t < to - near && !has(e, e.t + period))).map(|e| e.t);
+    let new = events()
+        .filter(|e| e.t >= period && e.t < to + period - near && !has(e, e.t - period))
+        .map(|e| e.t - period);
+    gone.chain(new).fold(0.0, f64::max)
 }

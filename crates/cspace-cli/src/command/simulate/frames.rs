@@ -20,9 +20,13 @@ pub(super) fn frames<'a>(
     trajectory: &Trajectory<'_>,
 ) -> Result<Vec<MotionFrame<'a>>, Failure> {
     let until = record.until;
+    /// A cycle that takes less of the whole is too short to be found again above the strips.
+    const LEAST: f64 = 0.2;
     let (from, step) = match &report.cycle {
-        Some(cycle) => (until - cycle.period, cycle.period / FRAMES as f64),
-        None => (0.0, until / (FRAMES - 1) as f64),
+        Some(cycle) if cycle.period >= LEAST * until => {
+            (until - cycle.period, cycle.period / FRAMES as f64)
+        }
+        _ => (0.0, until / (FRAMES - 1) as f64),
     };
     let mut chosen: Vec<&Sample> = Vec::new();
     for k in 0..FRAMES {
@@ -75,6 +79,7 @@ fn frame<'a>(simulation: &'a Simulation, moment: &Sample) -> Result<MotionFrame<
             parts,
             joints: (model.joints.iter()).map(|j| moved(j, &at)).collect(),
             contacts: contacts(simulation, q, &at)?,
+            without_origins: true,
             ..PartsPicture::default()
         },
     })
