@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use cspace::mechanism::{Drive, DriveMotion};
 use cspace::{Mechanism, Part, PartEntry, Vertex};
-use cspace_motion::{Cycle, PartCycle, Report, Trajectory};
+use cspace_motion::{ContactForce, Cycle, DriveForce, Forces, PartCycle, Report, Trajectory, What};
 
 use crate::{model, run, told};
 
@@ -164,4 +164,42 @@ fn rest_is_a_cycle_of_what_goes_on() {
     // It was pushed to where the discs are in line.
     let trajectory = Trajectory::of(&record);
     assert!((trajectory.at(3.0, 1) - 1.0).abs() < 1e-9);
+}
+
+/// Of forces the largest between each two parts is told, and the most and the mean of each drive's power.
+#[test]
+fn forces_are_told_where_they_are_known() {
+    let (simulation, mut record) = run(&model("gears_on_shafts"), 1.0, Some(0.25));
+    for (k, sample) in record.samples.iter_mut().enumerate() {
+        let k = k as f64;
+        let what = What::Contact {
+            fixed: "gear".into(),
+            moving: "pinion".into(),
+            features: ["a".into(), "b".into()],
+        };
+        sample.forces = Some(Forces {
+            contacts: vec![ContactForce {
+                what,
+                at: None,
+                normal: 10.0 * k * (4.0 - k),
+                tangential: 1.0,
+            }],
+            joints: Vec::new(),
+            drives: vec![DriveForce {
+                part: "gear".into(),
+                force: k,
+                power: 2.0 * k,
+            }],
+        });
+    }
+    let report = Report::of(simulation.system(), &record);
+    says(
+        &report,
+        "gear and pinion press on each other with at most 40.00 kg·mm/s², at 180.0 deg of the gear",
+    );
+    // 0, 2, .. 8 at even times: 4 on average.
+    says(
+        &report,
+        "the drive of the gear gives at most 8.000 kg·mm²/s³, at 0.0 deg of the gear, and 4.000 on average",
+    );
 }

@@ -89,3 +89,69 @@ impl Column {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cspace::mechanism::{Drive, DriveMotion};
+    use cspace::{Part, PartEntry};
+
+    /// The forces of a pair are added up, a part's range and its drive have columns of their own.
+    #[test]
+    fn columns_hold_sums() {
+        let block = |name: &str, x: f64| Part::rectangle(name, (x, 0.0), 2.0, 2.0).unwrap();
+        let mut model = Mechanism::new("blocks");
+        let slide = cspace::Axis::prismatic(cspace::Vector::new(1.0, 0.0)).within(0.0, 9.0);
+        (model.parts).push(PartEntry::prismatic(block("a", 0.0), (1.0, 0.0)));
+        (model.parts).push(PartEntry::prismatic(block("b", 4.0), (1.0, 0.0)));
+        model.parts[1].axis = Some(slide);
+        let motion = DriveMotion::Rate(1.0);
+        model.dynamics.drives.push(Drive { part: 0, motion });
+        let all = columns(&model, &[[0, 1]]);
+        let names: Vec<String> = all.iter().map(Column::name).collect();
+        let expected = [
+            "a-b.normal",
+            "a-b.tangential",
+            "b.limit",
+            "a.force",
+            "a.power",
+        ];
+        assert_eq!(names, expected);
+        let contact = |fixed: &str, normal, tangential| ContactForce {
+            what: What::Contact {
+                fixed: fixed.to_owned(),
+                moving: "b".to_owned(),
+                features: ["".to_owned(), "".to_owned()],
+            },
+            at: None,
+            normal,
+            tangential,
+        };
+        let limit = ContactForce {
+            what: What::Limit {
+                part: "b".to_owned(),
+                limit: "upper",
+            },
+            at: None,
+            normal: 7.0,
+            tangential: 0.0,
+        };
+        let forces = Forces {
+            contacts: vec![
+                contact("a", 1.0, 0.5),
+                contact("a", 2.0, -0.25),
+                contact("c", 9.0, 9.0),
+                limit,
+            ],
+            joints: Vec::new(),
+            drives: vec![DriveForce {
+                part: "a".to_owned(),
+                force: 3.0,
+                power: 4.0,
+            }],
+        };
+        let values: Vec<f64> = all.iter().map(|c| c.value(&forces)).collect();
+        assert_eq!(values, [3.0, 0.25, 7.0, 3.0, 4.0]);
+        assert!(all.iter().all(|c| c.value(&Forces::default()) == 0.0));
+    }
+}
