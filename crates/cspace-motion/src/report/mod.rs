@@ -59,13 +59,17 @@ impl Report {
         let drops = (cycle.as_ref()).map_or(Vec::new(), |cycle| {
             drops::find(system, &trajectory, &contacts, cycle, record.until)
         });
-        let mut report = Self {
+        let found = summary::Found {
+            contacts: &contacts,
+            cycle: cycle.as_ref(),
+            drops: &drops,
+        };
+        let summary = summary::sentences(system, record, &trajectory, &found);
+        Self {
             contacts,
             cycle,
             drops,
-            summary: Vec::new(),
-        };
-        report.summary = summary::sentences(system, record, &trajectory, &report);
-        report
+            summary,
+        }
     }
 }

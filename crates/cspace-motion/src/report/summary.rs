@@ -4,12 +4,13 @@ use core::f64::consts::TAU;
 
 use cspace::AxisMotion;
 
-use super::contacts::together;
+use super::contacts::{ContactInterval, together};
 use super::cycle::{Cycle, PartCycle};
+use super::drops::Drop;
+use super::forces;
 use super::number::{bare_length, brief, degrees, length, percent, plain, with_unit};
 use super::phase::Clock;
 use super::trajectory::Trajectory;
-use super::{Report, forces};
 use crate::record::Record;
 use crate::system::{PartCoordinates, System};
 
@@ -24,12 +25,19 @@ const NEAR: f64 = 1e-9;
 /// So many spans of time are told one by one; of more, their number.
 const MOST_SPANS: usize = 2;
 
+/// What was found of a motion.
+pub(super) struct Found<'a> {
+    pub(super) contacts: &'a [ContactInterval],
+    pub(super) cycle: Option<&'a Cycle>,
+    pub(super) drops: &'a [Drop],
+}
+
 /// What is told: the cycle, what each part does in it, drops, contacts, forces.
 pub(super) fn sentences(
     system: &System,
     record: &Record,
     trajectory: &Trajectory<'_>,
-    report: &Report,
+    report: &Found<'_>,
 ) -> Vec<String> {
     let teller = Teller {
         system,
@@ -254,7 +262,7 @@ impl Teller<'_> {
     }
 
     /// How much larger a stroke is than the step for which it is there, once for each part that swings.
-    fn spares(&self, report: &Report) -> Vec<String> {
+    fn spares(&self, report: &Found<'_>) -> Vec<String> {
         let mut told: Vec<usize> = Vec::new();
         let mut all = Vec::new();
         for swing in report.drops.iter().filter_map(|d| d.swing) {
@@ -268,7 +276,7 @@ impl Teller<'_> {
         all
     }
 
-    fn drops(&self, report: &Report) -> Vec<String> {
+    fn drops(&self, report: &Found<'_>) -> Vec<String> {
         (report.drops.iter())
             .map(|d| {
                 let mut text = format!(
@@ -288,14 +296,14 @@ impl Teller<'_> {
             .collect()
     }
 
-    fn contacts(&self, report: &Report) -> Vec<String> {
+    fn contacts(&self, report: &Found<'_>) -> Vec<String> {
         let until = self.record.until;
         let near = NEAR * until;
         let mechanism = self.system.mechanism();
         let mut all = Vec::new();
         for pair in &mechanism.pairs {
             let [a, b] = [pair.fixed, pair.moving].map(|i| self.name(i));
-            let spans = together(&report.contacts, [a, b], until, near);
+            let spans = together(report.contacts, [a, b], until, near);
             let Some(last) = spans.iter().rev().find(|s| s.1 < until - near) else {
                 // It is open to the end, or not at all.
                 if let Some((from, _)) = spans.first() {

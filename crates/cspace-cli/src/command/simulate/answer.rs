@@ -9,7 +9,12 @@ use cspace_motion::{
 };
 use serde::Serialize;
 
-use super::Wanted;
+/// What is told beside coordinates.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted {
+    pub(super) rates: bool,
+    pub(super) forces: bool,
+}
 
 /// The whole answer.
 #[derive(Debug, Serialize)]

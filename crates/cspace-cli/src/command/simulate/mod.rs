@@ -21,7 +21,7 @@ use crate::picture::format;
 use crate::progress::{Bar, catch_interrupts};
 use crate::subject::{read_model, set_threads};
 
-use answer::Told;
+use answer::{Told, Wanted};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
@@ -87,13 +87,6 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         return output::write(output, &answer);
     }
     output::write(None, &answer)
-}
-
-/// What is told beside coordinates.
-#[derive(Debug, Clone, Copy)]
-struct Wanted {
-    rates: bool,
-    forces: bool,
 }
 
 /// Refuses a name that does not say what is written, samples, answer or picture.

@@ -5,8 +5,8 @@ use cspace_motion::{Forces, Record, Simulation};
 
 use crate::failure::Failure;
 
-use super::answer::moving;
-use super::{Wanted, force};
+use super::answer::{Wanted, moving};
+use super::force;
 
 /// The columns `t`, then those of each part that can move, then their rates and the forces if they are asked for.
 pub(super) fn csv(
