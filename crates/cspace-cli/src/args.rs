@@ -440,6 +440,11 @@ pub(crate) struct SimulateArgs {
     /// Tell the rates of all coordinates as well
     #[arg(long)]
     pub(crate) rates: bool,
+    /// Tell the forces at contacts, in joints and of drives as well; dynamic mode
+    #[arg(long)]
+    pub(crate) forces: bool,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
@@ -805,6 +810,12 @@ Examples:
   cspace simulate models/geneva.toml --time 2
   cspace simulate models/ratchet_mechanism.toml --time 3 --every 0.01 -o run.csv
   cspace simulate models/gears_on_shafts.toml --time 1 --rates --format json
+  cspace simulate models/escapement.toml --time 3 -o run.svg
+
+The answer tells whether the motion repeats, what each part does in a cycle,
+and which contacts last how long. -o OUT.csv writes the samples beside it,
+-o OUT.svg, .png or .pdf a page: the mechanism at some times, each part's
+motion and the contacts over time, the way in the plane of each pair on axes.
 
 The model says what moves it: [[drive]], [[load]] and [[spring]]. In the
 kinematic mode drives move; other parts go only where contacts, springs and
@@ -821,7 +832,7 @@ the exit code is 0.
 
 -o OUT.csv writes the samples: t, then NAME.u of each part that turns or
 slides, NAME.x, NAME.y, NAME.theta of others, and with --rates NAME.du or
-NAME.vx, NAME.vy, NAME.omega. Any other OUT gets the text or JSON.";
+NAME.vx, NAME.vy, NAME.omega. OUT.txt or .json gets the answer.";
 
 const PLAY: &str = "\
 Examples:

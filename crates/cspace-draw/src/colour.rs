@@ -26,6 +26,21 @@ pub(crate) fn kind(fixed: FeatureName, moving: FeatureName) -> usize {
     }
 }
 
+/// The ground of a contact in a row of them, and what is legible on it, by the number of its pair of features.
+pub(crate) fn bar(number: usize) -> (Colour, Colour) {
+    const WHITE: Colour = Colour(0xff, 0xff, 0xff);
+    const BARS: [(Colour, Colour); 7] = [
+        (Colour(0x00, 0x72, 0xb2), WHITE),
+        (Colour(0xe6, 0x9f, 0x00), INK),
+        (Colour(0x00, 0x9e, 0x73), WHITE),
+        (Colour(0xcc, 0x79, 0xa7), INK),
+        (Colour(0x56, 0xb4, 0xe9), INK),
+        (Colour(0xd5, 0x5e, 0x00), WHITE),
+        (Colour(0xf0, 0xe4, 0x42), INK),
+    ];
+    BARS[number % BARS.len()]
+}
+
 /// The ground of a free region, by its number.
 pub(crate) fn region(number: u32) -> Colour {
     const GROUNDS: [Colour; 7] = [

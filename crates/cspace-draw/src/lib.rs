@@ -6,7 +6,8 @@
 //! ```text
 //!   parts     ┐
 //!   slices    ├─→  Scene  ─→  svg, png, pdf
-//!   plane     ┘
+//!   plane     ┤
+//!   motion    ┘
 //! ```
 //!
 //! | picture | function |
@@ -14,6 +15,7 @@
 //! | parts as drawn or at a configuration | [`parts`] |
 //! | slices of a contact space, the parts beside | [`slices`] |
 //! | the plane of motions of a pair with fixed axes | [`plane`] |
+//! | a mechanism in motion: parts, coordinates, contacts over time | [`motion`] |
 //!
 //! ```
 //! use cspace::{Axis, FixedAxesSpace, Part, Vector};
@@ -38,6 +40,7 @@ mod format;
 mod labels;
 mod legend;
 mod line;
+mod motion;
 mod options;
 mod outline;
 mod parts;
@@ -50,10 +53,12 @@ mod slice;
 mod strips;
 mod svg;
 mod ticks;
+mod timeline;
 mod view;
 
 pub use error::PictureError;
 pub use format::PictureFormat;
+pub use motion::{MotionFrame, MotionPicture, PlanePath, motion};
 pub use options::{Labels, PictureOptions};
 pub use parts::{ContactMark, PartsPicture, PlacedPart, UnusedPath, parts};
 pub use pdf::pdf;
@@ -62,3 +67,4 @@ pub use png::png;
 pub use scene::{Anchor, Area, Colour, Dot, Item, Path, Scene, Step, Stroke, Text};
 pub use slice::{SlicesPicture, slices};
 pub use svg::svg;
+pub use timeline::{ContactBar, ContactRow, Track, TrackCurve};

@@ -64,6 +64,8 @@ pub struct PartsPicture<'a> {
     pub unused: Vec<UnusedPath>,
     /// Places of a drawing where something is wrong, and what; marked in red.
     pub faults: Vec<(Point, String)>,
+    /// Whether the origins of the parts' frames are left out.
+    pub without_origins: bool,
     /// Said below the picture, such as the configuration.
     pub remarks: Vec<String>,
 }
@@ -165,7 +167,9 @@ pub(crate) fn draw(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plo
         });
     }
     for p in &picture.parts {
-        frame_origin(items, p, plot);
+        if !picture.without_origins {
+            frame_origin(items, p, plot);
+        }
         motion(items, p, plot);
     }
     for joint in &picture.joints {

@@ -5,10 +5,10 @@ use core::f64::consts::PI;
 use cspace::fixed_axes::BranchForm;
 use cspace::{Axis, AxisMotion, FixedAxesSpace};
 
-use crate::colour::{BLOCKED, INK, KINDS, kind, region as ground};
+use crate::colour::{BLOCKED, INK, KINDS, MARK, kind, region as ground};
 use crate::labels::Placed;
 use crate::legend::{Legend, Sign};
-use crate::line::follow;
+use crate::line::{follow, simplified};
 use crate::options::{Labels, PictureOptions};
 use crate::plot::{AxisLabel, Plot, title};
 use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
@@ -44,6 +44,26 @@ pub fn plane(space: &FixedAxesSpace, options: &PictureOptions) -> Scene {
         axis("u", space.fixed().name(), fixed, options),
         axis("v", space.moving().name(), moving, options),
     ];
+    draw(&mut items, space, plot, options.labels, &[]);
+    plot.frame(&mut items, [&labels[0], &labels[1]]);
+    legend.draw(&mut items, Dot::new(em, foot));
+    Scene {
+        width,
+        height,
+        title: options.title.clone(),
+        items,
+    }
+}
+
+/// The plane with its free regions and contact curves, and a path in it, in the rectangle of a plot.
+pub(crate) fn draw(
+    items: &mut Vec<Item>,
+    space: &FixedAxesSpace,
+    plot: Plot,
+    labels: Labels,
+    path: &[(f64, f64)],
+) {
+    let Plot { area, em, .. } = plot;
     let view = View::of(space, plot);
     let mut inner = vec![Item::filled(Path::rectangle(area), BLOCKED)];
     let strips = strips(space, &view);
@@ -62,26 +82,71 @@ pub fn plane(space: &FixedAxesSpace, options: &PictureOptions) -> Scene {
     let curves = curves(space, &view);
     draw_curves(&mut inner, space, &curves, em);
     channels(&mut inner, space, &view, &strips, em);
-    if options.labels != Labels::None {
-        let mut placed = Placed::new(area, options.labels == Labels::All);
+    if labels != Labels::None {
+        let mut placed = Placed::new(area, labels == Labels::All);
         if space.regions().len() > 1 {
             number_regions(&mut inner, &strips, &mut placed, em);
         }
         name_curves(&mut inner, space, &curves, &mut placed, em);
     }
+    along(&mut inner, &view, path);
     items.push(Item::Clipped { area, items: inner });
-    plot.frame(&mut items, [&labels[0], &labels[1]]);
-    legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
+}
+
+/// A path in every period that is seen, from a ring to a dot.
+fn along(items: &mut Vec<Item>, view: &View, path: &[(f64, f64)]) {
+    let em = view.plot.em;
+    let range = |a: f64, b: f64| (a.min(b), a.max(b));
+    // Lines by the periods by which they are moved: what goes on in the same is one line.
+    let mut lines: Vec<((f64, f64), Vec<Dot>)> = Vec::new();
+    let mut open: Vec<((f64, f64), Vec<Dot>)> = Vec::new();
+    for leg in path.windows(2) {
+        let (a, b) = (leg[0], leg[1]);
+        let copies = view.copies(range(a.0, b.0), range(a.1, b.1));
+        let ended = |o: &((f64, f64), Vec<Dot>)| !copies.contains(&o.0);
+        lines.extend(open.extract_if(.., |o| ended(o)));
+        for shift in copies {
+            let at = |p: (f64, f64)| view.place((p.0 + shift.0, p.1 + shift.1));
+            match open.iter_mut().find(|o| o.0 == shift) {
+                Some((_, line)) => line.push(at(b)),
+                None => open.push((shift, vec![at(a), at(b)])),
+            }
+        }
+    }
+    lines.extend(open);
+    let mut drawn = Path::new();
+    for (_, line) in &lines {
+        drawn.line_through(simplified(line));
+    }
+    items.push(Item::drawn(
+        drawn.clone(),
+        Colour(0xff, 0xff, 0xff),
+        0.5 * em,
+    ));
+    items.push(Item::drawn(drawn, MARK, 0.22 * em));
+    let ends = [(path.first(), true), (path.last(), false)];
+    for (end, is_start) in ends.into_iter().filter_map(|(p, s)| Some((*p?, s))) {
+        for (du, dv) in view.copies((end.0, end.0), (end.1, end.1)) {
+            let at = view.place((end.0 + du, end.1 + dv));
+            items.push(Item::Shape {
+                path: Path::circle(at, 0.42 * em),
+                fill: Some(if is_start {
+                    Colour(0xff, 0xff, 0xff)
+                } else {
+                    MARK
+                }),
+                stroke: Some(Stroke {
+                    colour: MARK,
+                    width: 0.18 * em,
+                }),
+                title: Some(if is_start { "start" } else { "end" }.to_owned()),
+            });
+        }
     }
 }
 
 /// What of a coordinate is seen: of a full turn from −180° to 180°.
-fn seen(axis: Axis, extent: (f64, f64)) -> (f64, f64) {
+pub(crate) fn seen(axis: Axis, extent: (f64, f64)) -> (f64, f64) {
     if turns_for_ever(axis) {
         return (-PI, PI);
     }
@@ -92,7 +157,7 @@ fn seen(axis: Axis, extent: (f64, f64)) -> (f64, f64) {
     (extent.0 - margin, extent.1 + margin)
 }
 
-fn axis(name: &str, part: &str, axis: Axis, options: &PictureOptions) -> AxisLabel {
+pub(crate) fn axis(name: &str, part: &str, axis: Axis, options: &PictureOptions) -> AxisLabel {
     let unit = options.unit.as_deref();
     match axis.motion {
         AxisMotion::Revolute { .. } => AxisLabel {

@@ -92,9 +92,15 @@ impl Plot {
     fn ticks(&self, [x, y]: [&AxisLabel; 2]) -> [Vec<(f64, String)>; 2] {
         // A number is some four letters wide, and half as much apart from the next.
         let most = |dots: f64, letters: f64| (dots / (letters * self.em)).clamp(2.0, 12.0);
+        /// In a strip that is lower than this numbers stand closer.
+        const LOW: f64 = 10.0;
+        let apart = match self.area.height() < LOW * self.em {
+            true => 1.8,
+            false => 3.0,
+        };
         [
             ticks(self.x, most(self.area.width(), 4.5), x.quantity),
-            ticks(self.y, most(self.area.height(), 3.0), y.quantity),
+            ticks(self.y, most(self.area.height(), apart), y.quantity),
         ]
     }
 

@@ -86,6 +86,14 @@ impl DriveCurve {
         }
     }
 
+    /// Its rate, if that never changes.
+    pub fn even_rate(&self) -> Option<f64> {
+        match self.shape {
+            Shape::Even { rate, .. } => Some(rate),
+            Shape::Spline(_) => None,
+        }
+    }
+
     /// The times at which it is not smooth: the points of a table.
     pub fn corners(&self) -> impl Iterator<Item = f64> + '_ {
         let knots: &[Knot] = match &self.shape {

@@ -62,6 +62,7 @@ mod kinematic;
 mod linear;
 mod pairs;
 mod record;
+mod report;
 mod simulate;
 mod system;
 
@@ -69,8 +70,9 @@ pub use drive::{DriveCurve, Driven};
 pub use error::SimulateError;
 pub use pairs::{MovingPair, Pairs, Touch};
 pub use record::{
-    ContactForce, DriveForce, Energy, Event, EventKind, Forces, JointForce, Obstacle, Record,
-    Sample, Status, What,
+    ContactForce, DriveForce, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED, Obstacle,
+    Record, Sample, Status, What,
 };
+pub use report::{ContactInterval, Cycle, Drop, PartCycle, Report, Swing, Trajectory};
 pub use simulate::{Settings, Simulation};
 pub use system::{PartCoordinates, Row, System};

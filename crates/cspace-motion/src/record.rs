@@ -174,6 +174,9 @@ pub struct Obstacle {
     pub multiplier: f64,
 }
 
+/// More steps than these are not traced; instants at which contacts change still are.
+pub const MOST_TRACED: usize = 200_000;
+
 /// What became of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
@@ -190,6 +193,9 @@ pub struct Record {
     pub samples: Vec<Sample>,
     /// Events in order of time.
     pub events: Vec<Event>,
+    /// All coordinates in order of time, whatever the samples: after each step, unless there are more than [`MOST_TRACED`], and
+    /// twice where contacts change or drives are not smooth, with the rates right before and right after.
+    pub trace: Vec<Sample>,
     /// The balance of energy, of a motion with masses.
     pub energy: Option<Energy>,
     /// How far closed contacts and joints were open at most after a step, before it was corrected, in the model's unit of length.

@@ -113,5 +113,5 @@ fn cages_and_escape() {
 
 #[test]
 fn motion() {
-    is_true("motion.md", 4);
+    is_true("motion.md", 6);
 }

@@ -129,3 +129,105 @@ fn threads_change_nothing() {
     };
     assert_eq!(run("1"), run("2"));
 }
+
+/// A picture is written beside the answer, the same in words whatever its format, and shows each part, pair and event.
+#[test]
+fn a_motion_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let args = ["simulate", &model("ratchet_mechanism"), "--time", "1.6"];
+    let plain = printed(&args);
+    for (name, begins) in [
+        ("a.svg", &b"<svg"[..]),
+        ("a.png", b"\x89PNG"),
+        ("a.pdf", b"%PDF"),
+    ] {
+        let path = folder.path().join(name);
+        let told = printed(&[&args[..], &["-o", path.to_str().unwrap()]].concat());
+        assert_eq!(told, plain);
+        assert!(std::fs::read(path).unwrap().starts_with(begins), "{name}");
+    }
+    let drawn = std::fs::read_to_string(folder.path().join("a.svg")).unwrap();
+    for said in [
+        ">driver</text>",
+        ">pawl θ</text>",
+        ">ratchet</text>",
+        ">driver – link</text>",
+        ">ratchet – pawl</text>",
+        ">time, s</text>",
+        ">u: driver turns, degrees</text>",
+        "drops off the ratchet",
+    ] {
+        assert!(drawn.contains(said), "{said}");
+    }
+    let events = plain
+        .lines()
+        .filter(|l| l.contains(" s touch ") || l.contains(" s release "));
+    for event in events {
+        let time = event.trim_start().split(' ').next().unwrap();
+        assert!(drawn.contains(&format!("{time} s: ")), "{event}");
+    }
+    assert!(drawn.len() < 400_000, "{}", drawn.len());
+}
+
+#[test]
+fn what_is_told_has_words_and_numbers() {
+    let answer = json(&["simulate", &model("ratchet_mechanism"), "--time", "2"]);
+    let summary = answer["summary"].as_array().unwrap();
+    let says = |words: &str| summary.iter().any(|s| s.as_str().unwrap().contains(words));
+    assert!(
+        says("the ratchet turns 18.000 deg per turn of the driver"),
+        "{summary:?}"
+    );
+    let cycle = &answer["cycle"];
+    assert_eq!(cycle["driver"], "driver");
+    assert!((cycle["period"].as_f64().unwrap() - 1.0).abs() < 1e-12);
+    let ratio = cycle["parts"]["ratchet"]["ratio"].as_f64().unwrap();
+    assert!((ratio - 0.05).abs() < 1e-12);
+    assert_eq!(cycle["parts"]["link"]["advance"], 0.0);
+    assert!(cycle["parts"]["pawl"]["least"].as_array().unwrap().len() == 3);
+    // Each contact that ends does so at a release, those that do not are open at the end.
+    let contacts = answer["contacts"].as_array().unwrap();
+    let events = answer["events"].as_array().unwrap();
+    let releases = events.iter().filter(|e| e["kind"] == "release").count();
+    assert_eq!(
+        contacts.iter().filter(|c| c.get("to").is_some()).count(),
+        releases
+    );
+    assert!(answer.get("energy").is_none());
+    // What is seen once does not repeat.
+    let once = json(&["simulate", &model("ratchet_mechanism"), "--time", "1"]);
+    assert!(once.get("cycle").is_none());
+}
+
+#[test]
+fn forces_and_pictures_are_refused_where_they_make_no_sense() {
+    let (_folder, path) = file(JAM);
+    let run = |more: &[&str]| cspace(&[&["simulate", &path, "--time", "1"], more].concat());
+    fails(
+        run(&["--forces"]),
+        2,
+        &["--forces", "dynamic mode", "a mass"],
+    );
+    let (_heavy, heavy) = file(&JAM.replace("name = \"block\"", "name = \"block\"\nmass = 1"));
+    let args = [
+        "simulate",
+        &heavy,
+        "--time",
+        "1",
+        "--mode",
+        "kinematic",
+        "--forces",
+    ];
+    fails(
+        cspace(&args),
+        2,
+        &["--forces", "leave out --mode kinematic"],
+    );
+    fails(
+        run(&["--size", "800x600"]),
+        2,
+        &["--size is about pictures"],
+    );
+    fails(run(&["-o", "run.xyz"]), 2, &["run.xyz", ".csv", ".png"]);
+    fails(run(&["-o", "run.svg", "--u=0,1"]), 2, &["--x and --y"]);
+}

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod formats;
+mod motions;
 mod planes;
 mod reference;
 mod scenes;

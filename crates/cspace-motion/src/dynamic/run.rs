@@ -81,6 +81,9 @@ pub trait Observer {
     /// The state at the start and at the ends of all steps.
     fn step(&mut self, _state: &State) {}
 
+    /// The state after what happened at an event: rates may not be what they were at the end of the step.
+    fn changed(&mut self, _state: &State) {}
+
     /// An event, and the state just after it.
     fn event(&mut self, _event: &Event, _state: &State) {}
 
@@ -349,6 +352,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             let happened = self.happen(&stepped.events);
             self.announce(told, observer);
             happened?;
+            observer.changed(&self.state);
             longest = longest.min(1e-3 * self.span);
         }
         Ok(())
@@ -550,7 +554,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         /// Impacts follow each other at one time where contacts pass them on.
         const MOST: usize = 50;
         let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
-        let mut struck = Vec::new();
+        let (mut struck, mut rested) = (Vec::new(), Vec::new());
         for round in 0..=MOST {
             let strikes = |i: &usize| {
                 let (rate, still) = self.opening(*i);
@@ -600,6 +604,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                 for &contact in &closed {
                     self.tell(EventKind::Rest, contact);
                 }
+                rested.clone_from(&closed);
                 self.impacts = Impacts::default();
             }
         }

@@ -4,7 +4,9 @@ use cspace::pair::Joint;
 
 use crate::contact::{Bound, named};
 use crate::dynamic::{self, Acting, Observer, State};
-use crate::record::{ContactForce, DriveForce, Event, EventKind, Forces, JointForce, Sample};
+use crate::record::{
+    ContactForce, DriveForce, Event, EventKind, Forces, JointForce, MOST_TRACED, Sample,
+};
 
 use super::bodies::All;
 use super::world::Mechanical;
@@ -16,6 +18,7 @@ pub(super) struct Gathering<'a> {
     pub(super) duration: f64,
     pub(super) samples: Vec<Sample>,
     pub(super) events: Vec<Event>,
+    pub(super) trace: Vec<Sample>,
     pub(super) progress: &'a dyn Fn(f64) -> bool,
 }
 
@@ -104,6 +107,16 @@ impl Observer for Gathering<'_> {
         let mut sample = self.told(state, Some(forces));
         sample.t = self.next();
         self.samples.push(sample);
+    }
+
+    fn step(&mut self, state: &State) {
+        if self.trace.len() < MOST_TRACED {
+            self.trace.push(self.told(state, None));
+        }
+    }
+
+    fn changed(&mut self, state: &State) {
+        self.trace.push(self.told(state, None));
     }
 
     fn event(&mut self, event: &dynamic::Event, state: &State) {

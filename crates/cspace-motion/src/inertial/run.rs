@@ -39,6 +39,7 @@ pub(crate) fn run(
         duration,
         samples: Vec::new(),
         events: Vec::new(),
+        trace: Vec::new(),
         progress,
     };
     let options = Options {
@@ -115,6 +116,7 @@ pub(crate) fn run(
         reason,
         obstacles: Vec::new(),
         samples,
+        trace: gathering.trace,
         events: gathering.events,
         energy: Some(energy),
         open: motion.open,

@@ -2,7 +2,7 @@
 
 use crate::contact::{Bound, Watch, named, touching};
 use crate::pairs::Pairs;
-use crate::record::{Obstacle, Record, Sample, Status};
+use crate::record::{MOST_TRACED, Obstacle, Record, Sample, Status};
 use crate::system::System;
 
 use super::check::{goes_on, step};
@@ -91,6 +91,7 @@ pub(crate) fn run(
             obstacles: Vec::new(),
             samples: Vec::new(),
             events: Vec::new(),
+            trace: Vec::new(),
             energy: None,
             open: 0.0,
         },
@@ -126,6 +127,7 @@ impl<'a> Run<'a> {
             };
             let events = self.told.update(self.pairs, &bounds, &flow, &next);
             self.record.events.extend(events);
+            self.trace_instant(&flow, &q);
             (time, q, before) = self.follow(flow, &mut steps, progress)?;
             if time > idle_since + PROGRESS * self.duration {
                 (idle, idle_since) = (0, time);
@@ -202,6 +204,9 @@ impl<'a> Run<'a> {
             let Some(to) = arrived else {
                 let stop = first_event(&flow, h, &mut watch);
                 let time = flow.time + stop.after;
+                if let Some(before) = flow.after(stop.after) {
+                    self.rates = before.velocity.rates;
+                }
                 self.sample(&flow, time);
                 return Some((time, stop.q, stop.bounds));
             };
@@ -228,10 +233,28 @@ impl<'a> Run<'a> {
             flow.q = to.q;
             flow.velocity = to.velocity;
             self.rates.clone_from(&flow.velocity.rates);
+            self.trace_step(&flow);
             if is_corner {
                 // Drives may jump in rate there.
                 return Some((flow.time, flow.q, flow.held));
             }
+        }
+    }
+
+    /// Where contacts may have changed: the rates before, and those with which it goes on.
+    fn trace_instant(&mut self, flow: &Flow<'_>, q: &[f64]) {
+        if flow.time > 0.0 {
+            let rates = self.rates.clone();
+            self.record.trace.push(moment(flow.time, q, rates));
+        }
+        let after = moment(flow.time, &flow.q, flow.velocity.rates.clone());
+        self.record.trace.push(after);
+    }
+
+    fn trace_step(&mut self, flow: &Flow<'_>) {
+        if self.record.trace.len() < MOST_TRACED {
+            let here = moment(flow.time, &flow.q, flow.velocity.rates.clone());
+            self.record.trace.push(here);
         }
     }
 
@@ -313,5 +336,14 @@ impl<'a> Run<'a> {
 
     fn text(&self, bound: &Bound) -> String {
         named(self.system, self.pairs, bound).to_string()
+    }
+}
+
+fn moment(t: f64, q: &[f64], rates: Vec<f64>) -> Sample {
+    Sample {
+        t,
+        coordinates: q.to_vec(),
+        rates,
+        forces: None,
     }
 }

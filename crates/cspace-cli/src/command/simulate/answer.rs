@@ -3,8 +3,18 @@
 use std::collections::BTreeMap;
 
 use cspace::Mechanism;
-use cspace_motion::{Event, Obstacle, PartCoordinates, Record, Sample, Status, System};
+use cspace_motion::{
+    ContactInterval, Cycle, Energy, Event, Forces, Obstacle, PartCoordinates, Record, Report,
+    Sample, Status, System,
+};
 use serde::Serialize;
+
+/// What is told beside coordinates.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted {
+    pub(super) rates: bool,
+    pub(super) forces: bool,
+}
 
 /// The whole answer.
 #[derive(Debug, Serialize)]
@@ -19,6 +29,12 @@ pub(super) struct Told {
     pub(super) parts: Vec<String>,
     pub(super) samples: Vec<Row>,
     pub(super) events: Vec<Event>,
+    pub(super) contacts: Vec<ContactInterval>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) cycle: Option<Period>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) energy: Option<Energy>,
+    pub(super) summary: Vec<String>,
     pub(super) seconds: f64,
 }
 
@@ -30,6 +46,53 @@ pub(super) struct Row {
     pub(super) parts: BTreeMap<String, Numbers>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) rates: Option<BTreeMap<String, Numbers>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) forces: Option<Forces>,
+}
+
+/// The cycle in which the motion repeats.
+#[derive(Debug, Serialize)]
+pub(super) struct Period {
+    period: f64,
+    since: f64,
+    difference: f64,
+    /// What is driven evenly, by which ratios are told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    driver: Option<String>,
+    parts: BTreeMap<String, InCycle>,
+}
+
+/// What a part does in a cycle.
+#[derive(Debug, Serialize)]
+struct InCycle {
+    advance: Numbers,
+    least: Numbers,
+    greatest: Numbers,
+    /// Its advance, by that of the driver.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ratio: Option<f64>,
+}
+
+impl Period {
+    fn of(model: &Mechanism, cycle: &Cycle) -> Self {
+        let name = |i: usize| model.parts[i].part.name().to_owned();
+        let parts = cycle.parts.iter().map(|p| {
+            let told = InCycle {
+                advance: Numbers::of(&p.advance),
+                least: Numbers::of(&p.least),
+                greatest: Numbers::of(&p.greatest),
+                ratio: cycle.ratio(p.part),
+            };
+            (name(p.part), told)
+        });
+        Self {
+            period: cycle.period,
+            since: cycle.since,
+            difference: cycle.difference,
+            driver: cycle.driver.map(name),
+            parts: parts.collect(),
+        }
+    }
 }
 
 /// Of a part with one degree of freedom, or with three.
@@ -38,6 +101,16 @@ pub(super) struct Row {
 pub(super) enum Numbers {
     One(f64),
     Three([f64; 3]),
+}
+
+impl Numbers {
+    fn of(all: &[f64]) -> Self {
+        match *all {
+            [x, y, theta] => Self::Three([x, y, theta]),
+            [u] => Self::One(u),
+            _ => Self::One(0.0),
+        }
+    }
 }
 
 /// Names and coordinates of the parts that can move.
@@ -53,33 +126,33 @@ impl Told {
     pub(super) fn of(
         model: &Mechanism,
         system: &System,
-        record: Record,
-        with_rates: bool,
+        (record, report): (&Record, &Report),
+        wanted: Wanted,
         seconds: f64,
     ) -> Self {
-        let numbers = |part: PartCoordinates, all: &[f64]| match all[part.indices()] {
-            [x, y, theta] => Numbers::Three([x, y, theta]),
-            [u] => Numbers::One(u),
-            _ => Numbers::One(0.0),
-        };
         let by_name = |all: &[f64]| -> BTreeMap<String, Numbers> {
             moving(model, system)
-                .map(|(name, part)| (name.to_owned(), numbers(part, all)))
+                .map(|(name, part)| (name.to_owned(), Numbers::of(&all[part.indices()])))
                 .collect()
         };
         let row = |s: &Sample| Row {
             t: s.t,
             parts: by_name(&s.coordinates),
-            rates: with_rates.then(|| by_name(&s.rates)),
+            rates: wanted.rates.then(|| by_name(&s.rates)),
+            forces: s.forces.clone().filter(|_| wanted.forces),
         };
         Self {
             status: record.status,
-            reason: record.reason,
-            obstacles: record.obstacles,
+            reason: record.reason.clone(),
+            obstacles: record.obstacles.clone(),
             until: record.until,
             parts: moving(model, system).map(|(n, _)| n.to_owned()).collect(),
             samples: record.samples.iter().map(row).collect(),
-            events: record.events,
+            events: record.events.clone(),
+            contacts: report.contacts.clone(),
+            cycle: report.cycle.as_ref().map(|c| Period::of(model, c)),
+            energy: record.energy,
+            summary: report.summary.clone(),
             seconds,
         }
     }

@@ -1,34 +1,42 @@
 //! `cspace simulate`.
 
 mod answer;
+mod force;
+mod frames;
+mod picture;
 mod table;
+mod text;
 
-use std::fmt::{self, Write};
 use std::path::Path;
 use std::time::Instant;
 
 use cspace::{ComputeError, Mechanism, MechanismError, PairError};
 use cspace_io::shown;
-use cspace_motion::{Event, EventKind, Settings, SimulateError, Simulation, Status, What};
+use cspace_motion::{Report, Settings, SimulateError, Simulation};
 
 use crate::args::{Format, Mode, SimulateArgs};
 use crate::failure::{Failure, note};
 use crate::output;
+use crate::picture::format;
 use crate::progress::{Bar, catch_interrupts};
 use crate::subject::{read_model, set_threads};
-use crate::wording::{count, degrees, length};
 
-use answer::{Numbers, Told};
+use answer::{Told, Wanted};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
-    args.result.check_answer()?;
     let output = args.result.output.as_deref();
+    let drawn = format(output);
+    if drawn.is_none() {
+        args.picture.refuse()?;
+        check_name(output)?;
+    }
     output::check(output)?;
     output::check_apart(output, &args.file)?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (path, model) = read_model(&args.file, "a simulation is of all of its parts")?;
-    let mode = mode_of(&model, args.mode);
+    let mode = mode_of(&path, &model, args)?;
+    let options = picture::options(args, &model)?;
     check_names(&path, &model)?;
     let begin = Instant::now();
     let failed = |error: SimulateError| failure(&path, error);
@@ -51,33 +59,53 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         note(format_args!("{} and {} never meet", name(a), name(b)));
     }
     let system = simulation.system();
-    let csv = match is_csv(output) {
-        true => Some(table::csv(&model, system, &record, args.rates)?),
-        false => None,
+    let report = Report::of(system, &record);
+    let wanted = Wanted {
+        rates: args.rates,
+        forces: args.forces,
     };
     let told = Told::of(
         &model,
         system,
-        record,
-        args.rates,
+        (&record, &report),
+        wanted,
         begin.elapsed().as_secs_f64(),
     );
     let answer = match args.result.format() {
         Format::Json => super::json(&told)?,
         Format::Text => {
             let mut text = String::new();
-            describe(&mut text, &model, &told).map_err(Failure::work)?;
+            text::describe(&mut text, &model, &told).map_err(Failure::work)?;
             text.into_bytes()
         }
     };
-    // A table is written beside the answer.
-    match csv {
-        Some(csv) => {
-            output::write(output, &csv)?;
-            output::write(None, &answer)
-        }
-        None => output::write(output, &answer),
+    // A table and a picture are written beside the answer.
+    if let Some(format) = drawn {
+        let scene = picture::scene(&simulation, &record, &report, &options)?;
+        crate::picture::write(output, format, &scene)?;
+    } else if is_csv(output) {
+        let csv = table::csv(&model, &simulation, &record, wanted)?;
+        output::write(output, &csv)?;
+    } else {
+        return output::write(output, &answer);
     }
+    output::write(None, &answer)
+}
+
+/// Refuses a name that does not say what is written, samples, answer or picture.
+fn check_name(path: Option<&Path>) -> Result<(), Failure> {
+    const KNOWN: [&str; 3] = ["csv", "json", "txt"];
+    let Some((path, extension)) = path.and_then(|p| Some((p, p.extension()?))) else {
+        return Ok(());
+    };
+    if KNOWN.iter().any(|k| extension.eq_ignore_ascii_case(k)) {
+        return Ok(());
+    }
+    Err(Failure::input(format_args!(
+        "{}: the extension does not tell what to write",
+        path.display()
+    ))
+    .help("let the name end in .csv for the samples, in .json or .txt for the answer, or in .svg, .png or .pdf for a picture"))
 }
 
 fn is_csv(path: Option<&Path>) -> bool {
@@ -85,9 +113,9 @@ fn is_csv(path: Option<&Path>) -> bool {
 }
 
 /// Without masses the mode is kinematic, unless another is asked for.
-fn mode_of(model: &Mechanism, mode: Option<Mode>) -> Mode {
+fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, Failure> {
     let has_mass = (0..model.parts.len()).any(|i| model.dynamics.part(i).mass.is_some());
-    match mode {
+    let mode = match args.mode {
         Some(Mode::Dynamic) if !has_mass => {
             note("no part has a mass, so the mode is kinematic");
             Mode::Kinematic
@@ -95,12 +123,24 @@ fn mode_of(model: &Mechanism, mode: Option<Mode>) -> Mode {
         Some(mode) => mode,
         None if has_mass => Mode::Dynamic,
         None => Mode::Kinematic,
+    };
+    if args.forces && mode == Mode::Kinematic {
+        let why = if has_mass {
+            "leave out --mode kinematic, or --forces"
+        } else {
+            "give parts a mass or a density, or leave --forces out"
+        };
+        return Err(Failure::input(format_args!(
+            "{}: --forces is about the dynamic mode; in the kinematic mode parts have no inertia, and forces no meaning",
+            path.display()
+        ))
+        .help(why));
     }
+    Ok(mode)
 }
 
-/// A sample has its time and its rates beside the parts.
 fn check_names(path: &Path, model: &Mechanism) -> Result<(), Failure> {
-    let taken = |name: &&str| ["t", "rates"].contains(name);
+    let taken = |name: &&str| ["t", "rates", "forces"].contains(name);
     match model.parts.iter().map(|p| p.part.name()).find(taken) {
         Some(name) => Err(Failure::input(format_args!(
             "{}: a part is called {name}, which is the name of another column of the result",
@@ -123,77 +163,5 @@ fn failure(path: &Path, error: SimulateError) -> Failure {
             Failure::work(format_args!("{}: {error}", path.display()))
         }
         _ => Failure::input(format_args!("{}: {error}", path.display())),
-    }
-}
-
-fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt::Result {
-    /// More of them are for programs.
-    const MOST: usize = 40;
-    let unit = (model.unit.as_deref()).map_or(String::new(), |u| format!(" {}", shown::text(u)));
-    let until = shown::number(told.until);
-    match told.status {
-        Status::Done => writeln!(text, "done: {until} s")?,
-        Status::Jammed => writeln!(text, "jammed at {until:.9} s")?,
-        Status::Undetermined => writeln!(text, "undetermined from {until:.9} s on")?,
-        Status::Inconsistent => writeln!(text, "inconsistent at {until:.9} s")?,
-    }
-    if let Some(reason) = &told.reason {
-        writeln!(text, "  {}", shown::text(reason))?;
-    }
-    if let (Some(first), Some(last)) = (told.samples.first(), told.samples.last()) {
-        for name in &told.parts {
-            let turns = model.parts.iter().any(|p| {
-                p.part.name() == name
-                    && (p.axis)
-                        .is_some_and(|a| matches!(a.motion, cspace::AxisMotion::Revolute { .. }))
-            });
-            let shown_at = |n: &Numbers| match n {
-                Numbers::One(u) if turns => degrees(*u),
-                Numbers::One(u) => format!("{}{unit}", length(*u)),
-                Numbers::Three([x, y, theta]) => format!(
-                    "x {}, y {}{unit}, theta {}",
-                    length(*x),
-                    length(*y),
-                    degrees(*theta)
-                ),
-            };
-            if let (Some(a), Some(b)) = (first.parts.get(name), last.parts.get(name)) {
-                let name = shown::text(name);
-                writeln!(text, "{name}: from {} to {}", shown_at(a), shown_at(b))?;
-            }
-        }
-    }
-    writeln!(text, "{}", count(told.events.len(), "event", "events"))?;
-    for event in told.events.iter().take(MOST) {
-        describe_event(text, event)?;
-    }
-    if told.events.len() > MOST {
-        let more = told.events.len() - MOST;
-        writeln!(text, "  {more} more; --format json has all")?;
-    }
-    Ok(())
-}
-
-fn describe_event(text: &mut String, event: &Event) -> fmt::Result {
-    let kind = match event.kind {
-        EventKind::Impact => "impact",
-        EventKind::Touch => "touch",
-        EventKind::Release => "release",
-        EventKind::Stick => "stick",
-        EventKind::Slip => "slip",
-        EventKind::Limit => "limit",
-        EventKind::Rest => "rest",
-    };
-    write!(text, "  {:.6} s {kind:7} ", event.t)?;
-    match &event.what {
-        What::Contact {
-            fixed,
-            moving,
-            features: [f, m],
-        } => {
-            let [fixed, moving, f, m] = [fixed, moving, f, m].map(|t| shown::text(t));
-            writeln!(text, "{f} of {fixed} and {m} of {moving}")
-        }
-        What::Limit { part, limit } => writeln!(text, "{limit} end of {}", shown::text(part)),
     }
 }

@@ -1,19 +1,21 @@
 //! A motion as CSV.
 
 use cspace::Mechanism;
-use cspace_motion::{Record, System};
+use cspace_motion::{Forces, Record, Simulation};
 
 use crate::failure::Failure;
 
-use super::answer::moving;
+use super::answer::{Wanted, moving};
+use super::force;
 
-/// The columns `t`, then those of each part that can move, then their rates if they are asked for.
+/// The columns `t`, then those of each part that can move, then their rates and the forces if they are asked for.
 pub(super) fn csv(
     model: &Mechanism,
-    system: &System,
+    simulation: &Simulation,
     record: &Record,
-    with_rates: bool,
+    wanted: Wanted,
 ) -> Result<Vec<u8>, Failure> {
+    let system = simulation.system();
     let columns = |one: &str, three: [&str; 3]| -> Vec<String> {
         moving(model, system)
             .flat_map(|(name, part)| match part.indices().len() {
@@ -24,16 +26,27 @@ pub(super) fn csv(
     };
     let mut header = vec!["t".to_owned()];
     header.extend(columns("u", ["x", "y", "theta"]));
-    if with_rates {
+    if wanted.rates {
         header.extend(columns("du", ["vx", "vy", "omega"]));
     }
+    let pairs = simulation.pairs().list().iter();
+    let pairs: Vec<[usize; 2]> = pairs.map(|p| [p.fixed, p.moving]).collect();
+    let forces = match wanted.forces {
+        true => force::columns(model, &pairs),
+        false => Vec::new(),
+    };
+    header.extend(forces.iter().map(force::Column::name));
+    let none = Forces::default();
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(&header).map_err(Failure::work)?;
     for sample in &record.samples {
-        let rates = sample.rates.iter().filter(|_| with_rates);
+        let rates = sample.rates.iter().filter(|_| wanted.rates);
+        let there = sample.forces.as_ref().unwrap_or(&none);
         let numbers = core::iter::once(&sample.t)
             .chain(&sample.coordinates)
-            .chain(rates);
+            .chain(rates)
+            .copied()
+            .chain(forces.iter().map(|c| c.value(there)));
         let texts = numbers.map(|x| format!("{x:?}"));
         writer.write_record(texts).map_err(Failure::work)?;
     }

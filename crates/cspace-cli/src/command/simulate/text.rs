@@ -1,0 +1,112 @@
+//! What becomes of a mechanism, as text.
+
+use std::fmt::{self, Write};
+
+use cspace::Mechanism;
+use cspace_io::shown;
+use cspace_motion::{Energy, Event, EventKind, Status, What};
+
+use crate::wording::{count, degrees, length};
+
+use super::answer::{Numbers, Told};
+
+pub(super) fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt::Result {
+    /// More of them are for programs.
+    const MOST: usize = 40;
+    let unit = (model.unit.as_deref()).map_or(String::new(), |u| format!(" {}", shown::text(u)));
+    let until = shown::number(told.until);
+    match told.status {
+        Status::Done => writeln!(text, "done: {until} s")?,
+        Status::Jammed => writeln!(text, "jammed at {until:.9} s")?,
+        Status::Undetermined => writeln!(text, "undetermined from {until:.9} s on")?,
+        Status::Inconsistent => writeln!(text, "inconsistent at {until:.9} s")?,
+    }
+    if let Some(reason) = &told.reason {
+        writeln!(text, "  {}", shown::text(reason))?;
+    }
+    if let (Some(first), Some(last)) = (told.samples.first(), told.samples.last()) {
+        for name in &told.parts {
+            let turns = model.parts.iter().any(|p| {
+                p.part.name() == name
+                    && (p.axis)
+                        .is_some_and(|a| matches!(a.motion, cspace::AxisMotion::Revolute { .. }))
+            });
+            let shown_at = |n: &Numbers| match n {
+                Numbers::One(u) if turns => degrees(*u),
+                Numbers::One(u) => format!("{}{unit}", length(*u)),
+                Numbers::Three([x, y, theta]) => format!(
+                    "x {}, y {}{unit}, theta {}",
+                    length(*x),
+                    length(*y),
+                    degrees(*theta)
+                ),
+            };
+            if let (Some(a), Some(b)) = (first.parts.get(name), last.parts.get(name)) {
+                let name = shown::text(name);
+                writeln!(text, "{name}: from {} to {}", shown_at(a), shown_at(b))?;
+            }
+        }
+    }
+    for sentence in &told.summary {
+        writeln!(text, "{}", shown::text(sentence))?;
+    }
+    if let Some(energy) = &told.energy {
+        describe_energy(text, model, energy)?;
+    }
+    writeln!(text, "{}", count(told.events.len(), "event", "events"))?;
+    for event in told.events.iter().take(MOST) {
+        describe_event(text, event)?;
+    }
+    if told.events.len() > MOST {
+        let more = told.events.len() - MOST;
+        writeln!(text, "  {more} more; --format json has all")?;
+    }
+    Ok(())
+}
+
+/// From the start to the end: what drives put in, and what was lost.
+fn describe_energy(text: &mut String, model: &Mechanism, energy: &Energy) -> fmt::Result {
+    let unit = model.unit.as_deref().unwrap_or("unit");
+    let Energy {
+        start,
+        end,
+        drives,
+        friction,
+        impacts,
+        drift,
+    } = *energy;
+    writeln!(
+        text,
+        "energy: {start:.6e} at the start, {drives:.6e} from drives, less {friction:.6e} by friction and {impacts:.6e} by \
+         impacts: {end:.6e} kg·{}²/s² at the end, {drift:.1e} off",
+        shown::text(unit)
+    )
+}
+
+/// What an event is called.
+pub(super) fn kind(event: &Event) -> &'static str {
+    match event.kind {
+        EventKind::Impact => "impact",
+        EventKind::Touch => "touch",
+        EventKind::Release => "release",
+        EventKind::Stick => "stick",
+        EventKind::Slip => "slip",
+        EventKind::Limit => "limit",
+        EventKind::Rest => "rest",
+    }
+}
+
+fn describe_event(text: &mut String, event: &Event) -> fmt::Result {
+    write!(text, "  {:.6} s {:7} ", event.t, kind(event))?;
+    match &event.what {
+        What::Contact {
+            fixed,
+            moving,
+            features: [f, m],
+        } => {
+            let [fixed, moving, f, m] = [fixed, moving, f, m].map(|t| shown::text(t));
+            writeln!(text, "{f} of {fixed} and {m} of {moving}")
+        }
+        What::Limit { part, limit } => writeln!(text, "{limit} end of {}", shown::text(part)),
+    }
+}

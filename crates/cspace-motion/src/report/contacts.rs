@@ -1,0 +1,153 @@
+//! Contacts from touch to release.
+
+use serde::Serialize;
+
+use crate::record::{EventKind, Record, What};
+
+/// A contact from the instant at which two features meet to that at which the parts leave each other there. On the way the
+/// contact may pass on to features next to them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ContactInterval {
+    /// The name of the pair's fixed part.
+    pub fixed: String,
+    /// The name of its moving part.
+    pub moving: String,
+    /// The features of the two that touch first.
+    pub features: [String; 2],
+    /// When it begins, in seconds.
+    pub from: f64,
+    /// When it ends; `None` if it lasts to the end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to: Option<f64>,
+}
+
+impl ContactInterval {
+    /// When it ends, at the latest with the motion.
+    pub fn end(&self, until: f64) -> f64 {
+        self.to.unwrap_or(until)
+    }
+}
+
+/// The contacts of a record, by their beginnings.
+pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
+    let mut all: Vec<ContactInterval> = Vec::new();
+    for event in &record.events {
+        let What::Contact {
+            fixed,
+            moving,
+            features,
+        } = &event.what
+        else {
+            continue;
+        };
+        let of_pair =
+            |c: &ContactInterval| c.to.is_none() && c.fixed == *fixed && c.moving == *moving;
+        match event.kind {
+            // A contact at which impacts have come to rest lasts, whether or not a touch tells so as well.
+            EventKind::Touch | EventKind::Rest => {
+                let is_open = |c: &ContactInterval| of_pair(c) && c.features == *features;
+                if event.kind == EventKind::Touch || !all.iter().any(is_open) {
+                    all.push(ContactInterval {
+                        fixed: fixed.clone(),
+                        moving: moving.clone(),
+                        features: features.clone(),
+                        from: event.t,
+                        to: None,
+                    });
+                }
+            }
+            // The features are those of the end: the contact with most of them, the oldest of these.
+            EventKind::Release => {
+                let same = |c: &ContactInterval| {
+                    let pairs = c.features.iter().zip(features);
+                    pairs.filter(|(a, b)| a == b).count()
+                };
+                let open = all.iter_mut().filter(|c| of_pair(c)).rev();
+                if let Some(best) = open.max_by_key(|c| same(c)) {
+                    best.to = Some(event.t);
+                }
+            }
+            EventKind::Impact | EventKind::Stick | EventKind::Slip | EventKind::Limit => {}
+        }
+    }
+    all
+}
+
+/// The times at which two parts touch anywhere, from and to, without gaps shorter than `near`.
+pub(super) fn together(
+    contacts: &[ContactInterval],
+    [fixed, moving]: [&str; 2],
+    until: f64,
+    near: f64,
+) -> Vec<(f64, f64)> {
+    let mut joined: Vec<(f64, f64)> = Vec::new();
+    let of_pair = contacts
+        .iter()
+        .filter(|c| c.fixed == fixed && c.moving == moving);
+    // They are in order of their beginnings.
+    for contact in of_pair {
+        let (from, to) = (contact.from, contact.end(until));
+        match joined.last_mut() {
+            Some(last) if from <= last.1 + near => last.1 = last.1.max(to),
+            _ => joined.push((from, to)),
+        }
+    }
+    joined
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::{Event, Status};
+
+    fn event(t: f64, kind: EventKind, features: [&str; 2]) -> Event {
+        let what = What::Contact {
+            fixed: "a".into(),
+            moving: "b".into(),
+            features: features.map(String::from),
+        };
+        Event {
+            t,
+            kind,
+            what,
+            at: None,
+        }
+    }
+
+    #[test]
+    fn releases_end_the_contact_they_are_of() {
+        use EventKind::{Impact, Release, Rest, Touch};
+        let events = vec![
+            event(0.0, Touch, ["line 1", "arc 1"]),
+            event(0.5, Impact, ["line 9", "arc 9"]),
+            event(1.0, Touch, ["line 2", "arc 2"]),
+            event(2.0, Release, ["line 3", "arc 2"]),
+            event(3.0, Release, ["line 7", "arc 7"]),
+            event(4.0, Rest, ["line 1", "arc 1"]),
+            event(4.0, Touch, ["line 2", "arc 1"]),
+            event(5.0, Release, ["line 4", "arc 4"]),
+        ];
+        let record = Record {
+            status: Status::Done,
+            until: 6.0,
+            reason: None,
+            obstacles: Vec::new(),
+            samples: Vec::new(),
+            events,
+            trace: Vec::new(),
+            energy: None,
+            open: 0.0,
+        };
+        let all = intervals(&record);
+        let ends: Vec<(f64, Option<f64>)> = all.iter().map(|c| (c.from, c.to)).collect();
+        let expected = [
+            (0.0, Some(3.0)),
+            (1.0, Some(2.0)),
+            (4.0, Some(5.0)),
+            (4.0, None),
+        ];
+        assert_eq!(ends, expected);
+        let joined = together(&all, ["a", "b"], 6.0, 1e-9);
+        assert_eq!(joined, [(0.0, 3.0), (4.0, 6.0)]);
+    }
+}

@@ -1,0 +1,177 @@
+//! Where a part that is pushed loses hold of another, and falls on to the next place.
+
+use cspace::AxisMotion;
+
+use super::contacts::{ContactInterval, together};
+use super::cycle::Cycle;
+use super::trajectory::Trajectory;
+use crate::system::{PartCoordinates, System};
+
+/// What takes no more than this share of a cycle is a drop; what takes longer is a time apart.
+const QUICK: f64 = 0.25;
+/// A part that swings does so by more than this, relative to the size of the mechanism; less is play.
+const SWINGS: f64 = 1e-2;
+/// It turns back when it has come back by this, relative to the size of the mechanism: more than what is computed is off.
+const BACK: f64 = 1e-8;
+/// Gaps shorter than this, relative to the duration, are none: the error of an event's time.
+const NEAR: f64 = 1e-9;
+
+/// A part that loads, springs or its weight push leaves another and lands on it again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drop {
+    /// The index of the part that drops.
+    pub part: usize,
+    /// The index of the part that it drops off and lands on.
+    pub off: usize,
+    /// When it leaves, in seconds.
+    pub leaves: f64,
+    /// When it lands.
+    pub lands: f64,
+    /// The part that carries it, or that it drops off, if that swings.
+    pub swing: Option<Swing>,
+}
+
+/// A part that swings, and off which another drops. Lengths are in the model's unit, angles in radians.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swing {
+    /// Its index.
+    pub part: usize,
+    /// By how much it goes on after the other has left before it turns back.
+    pub goes_on: f64,
+    /// If it swings about the axis of a wheel, or along that of a rack, which it moves on: by how much its stroke is larger than
+    /// the step.
+    pub spare: Option<f64>,
+}
+
+/// The drops of the last cycle.
+pub(super) fn find(
+    system: &System,
+    trajectory: &Trajectory<'_>,
+    contacts: &[ContactInterval],
+    cycle: &Cycle,
+    until: f64,
+) -> Vec<Drop> {
+    let mechanism = system.mechanism();
+    let mut drops = Vec::new();
+    for pair in &mechanism.pairs {
+        let parts = [pair.fixed, pair.moving];
+        let Some((part, off)) = pushed(system, parts) else {
+            continue;
+        };
+        let names = parts.map(|i| mechanism.parts[i].part.name());
+        let touching = together(contacts, names, until, NEAR * until);
+        for gap in touching.windows(2) {
+            let (leaves, lands) = (gap[0].1, gap[1].0);
+            let is_last = lands > until - cycle.period * (1.0 - 1e-9);
+            if is_last && lands - leaves < QUICK * cycle.period {
+                drops.push(Drop {
+                    part,
+                    off,
+                    leaves,
+                    lands,
+                    swing: swing(system, trajectory, cycle, [part, off], leaves),
+                });
+            }
+        }
+    }
+    drops.sort_by(|a, b| a.leaves.total_cmp(&b.leaves));
+    drops
+}
+
+/// Which of two parts loads, springs or weight act on, and the other. Of two such the second.
+fn pushed(system: &System, [a, b]: [usize; 2]) -> Option<(usize, usize)> {
+    let mechanism = system.mechanism();
+    let dynamics = &mechanism.dynamics;
+    let is_pushed = |i: usize| {
+        let moves = system.parts()[i].indices();
+        let driven = system.drives().iter().any(|d| moves.contains(&d.0));
+        let loads = dynamics.loads.iter().any(|l| l.part == i);
+        let springs = (dynamics.springs.iter()).any(|s| s.part == i || s.other == Some(i));
+        let falls = dynamics.gravity.length() > 0.0 && dynamics.part(i).mass.is_some();
+        !moves.is_empty() && !driven && (loads || springs || falls)
+    };
+    match (is_pushed(a), is_pushed(b)) {
+        (_, true) => Some((b, a)),
+        (true, false) => Some((a, b)),
+        (false, false) => None,
+    }
+}
+
+/// What swings where a part drops off another at a time.
+fn swing(
+    system: &System,
+    trajectory: &Trajectory<'_>,
+    cycle: &Cycle,
+    [part, off]: [usize; 2],
+    from: f64,
+) -> Option<Swing> {
+    let joined = system
+        .mechanism()
+        .joints
+        .iter()
+        .filter_map(|j| match j.parts {
+            (a, b) if a == part => Some(b),
+            (a, b) if b == part => Some(a),
+            _ => None,
+        });
+    let of = |i: usize| cycle.parts.iter().find(|p| p.part == i);
+    let swings = |i: &usize| {
+        let coordinate = system.parts()[*i].indices().start;
+        motion(system, *i).is_some()
+            && of(*i).is_some_and(|p| {
+                let stroke = p.stroke(0) * system.lengths()[coordinate];
+                p.advance[0] == 0.0 && stroke > SWINGS * system.size()
+            })
+    };
+    let carrier = joined.chain([off]).find(swings)?;
+    let step = of(off).filter(|_| is_coaxial(system, carrier, off));
+    let step = step.map_or(0.0, |p| p.advance[0].abs());
+    let stroke = of(carrier)?.stroke(0);
+    Some(Swing {
+        part: carrier,
+        goes_on: goes_on(system, trajectory, carrier, from)?,
+        spare: (step > 0.0 && step < stroke).then_some(stroke - step),
+    })
+}
+
+fn motion(system: &System, part: usize) -> Option<AxisMotion> {
+    match system.parts()[part] {
+        PartCoordinates::Axis { motion, .. } => Some(motion),
+        _ => None,
+    }
+}
+
+/// Whether two parts turn about one axis, or slide along the same direction.
+fn is_coaxial(system: &System, a: usize, b: usize) -> bool {
+    /// Relative to the size of the mechanism, or to a unit vector.
+    const SAME_AXIS: f64 = 1e-9;
+    match (motion(system, a), motion(system, b)) {
+        (Some(AxisMotion::Revolute { center: a }), Some(AxisMotion::Revolute { center: b })) => {
+            a.distance(b) <= SAME_AXIS * system.size()
+        }
+        (
+            Some(AxisMotion::Prismatic { direction: a }),
+            Some(AxisMotion::Prismatic { direction: b }),
+        ) => (a.x * b.y - a.y * b.x).abs() <= SAME_AXIS,
+        _ => false,
+    }
+}
+
+/// By how much a part on its axis goes on after a time, before it turns back.
+fn goes_on(system: &System, trajectory: &Trajectory<'_>, part: usize, from: f64) -> Option<f64> {
+    let i = system.parts()[part].indices().start;
+    let back = BACK * system.size() / system.lengths()[i];
+    let begin = trajectory.at(from, i);
+    let (mut sense, mut farthest) = (0.0, 0.0_f64);
+    for (_, value) in trajectory.curve(i).into_iter().filter(|(t, _)| *t > from) {
+        let gone = value - begin;
+        if sense == 0.0 && gone.abs() > back {
+            sense = gone.signum();
+        }
+        if sense * gone < farthest - back {
+            return Some(farthest);
+        }
+        farthest = farthest.max(sense * gone);
+    }
+    None
+}

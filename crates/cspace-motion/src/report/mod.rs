@@ -1,0 +1,75 @@
+//! What a designer wants to know of a motion: contacts from touch to release, whether it repeats, what that comes to, in words.
+
+mod contacts;
+mod cycle;
+mod drops;
+mod forces;
+mod number;
+mod phase;
+mod summary;
+mod trajectory;
+
+pub use contacts::ContactInterval;
+pub use cycle::{Cycle, PartCycle};
+pub use drops::{Drop, Swing};
+pub use trajectory::Trajectory;
+
+use crate::record::Record;
+use crate::system::System;
+
+/// What can be told of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// Contacts, in the order in which they begin.
+    pub contacts: Vec<ContactInterval>,
+    /// The cycle in which the motion repeats, if it does.
+    pub cycle: Option<Cycle>,
+    /// Where a part loses hold of another and falls on to the next place, in one cycle.
+    pub drops: Vec<Drop>,
+    /// Sentences.
+    pub summary: Vec<String>,
+}
+
+impl Report {
+    /// Of a motion of a system.
+    ///
+    /// ```
+    /// use cspace::mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
+    /// use cspace::{Part, Vertex};
+    /// use cspace_motion::{Report, Settings, Simulation};
+    /// let disc = |name: &str, x: f64| {
+    ///     Part::new(name, vec![vec![Vertex::new(x - 10.0, 0.0, 1.0), Vertex::new(x + 10.0, 0.0, 1.0)]])
+    /// };
+    /// let mut mechanism = Mechanism::new("cam and roller");
+    /// mechanism.parts.push(PartEntry::revolute(disc("cam", 3.0)?, (0.0, 0.0)));
+    /// mechanism.parts.push(PartEntry::prismatic(disc("roller", 23.0)?, (1.0, 0.0)));
+    /// mechanism.pairs = mechanism.every_two();
+    /// let motion = DriveMotion::Rate(core::f64::consts::TAU);
+    /// mechanism.dynamics.drives.push(Drive { part: 0, motion });
+    /// let simulation = Simulation::new(&mechanism)?;
+    /// let record = simulation.kinematic(&Settings { time: 2.0, every: None })?;
+    /// let report = Report::of(simulation.system(), &record);
+    /// assert!((report.cycle.ok_or("no cycle")?.period - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(system: &System, record: &Record) -> Self {
+        let trajectory = Trajectory::of(record);
+        let contacts = contacts::intervals(record);
+        let cycle = cycle::find(system, record, &trajectory);
+        let drops = (cycle.as_ref()).map_or(Vec::new(), |cycle| {
+            drops::find(system, &trajectory, &contacts, cycle, record.until)
+        });
+        let found = summary::Found {
+            contacts: &contacts,
+            cycle: cycle.as_ref(),
+            drops: &drops,
+        };
+        let summary = summary::sentences(system, record, &trajectory, &found);
+        Self {
+            contacts,
+            cycle,
+            drops,
+            summary,
+        }
+    }
+}
