@@ -30,6 +30,24 @@ pub enum SimulateError {
     /// Nothing can move.
     #[error("no part can move; give a part a motion other than fixed")]
     NothingMoves,
+    /// A part that is free to move has no mass.
+    #[error(
+        "{part} has no mass, and others have one; give it a mass or a density, or ask for the kinematic mode"
+    )]
+    NoMass {
+        /// Name of the part.
+        part: String,
+    },
+    /// A mass or an inertia is too small beside the others, or too large, to be computed with.
+    #[error(
+        "the mass or the inertia of {part} is {value:e}, which is out of all proportion to the others; correct it"
+    )]
+    Mass {
+        /// Name of the part.
+        part: String,
+        /// Its mass or inertia.
+        value: f64,
+    },
     /// Two parts overlap at the start.
     #[error(
         "{fixed} and {moving} overlap at the start, by {depth:.3e}; give one of them another `start`, or draw them apart"

@@ -52,10 +52,12 @@
 // It reads no files and prints nothing.
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
+mod contact;
 mod dormand_prince;
 mod drive;
 pub mod dynamic;
 mod error;
+mod inertial;
 mod kinematic;
 mod linear;
 mod pairs;

@@ -3,6 +3,7 @@
 use cspace::{ComputeError, Mechanism, Progress, Stage};
 
 use crate::error::SimulateError;
+use crate::inertial;
 use crate::kinematic::{close, run};
 use crate::pairs::Pairs;
 use crate::record::Record;
@@ -93,6 +94,30 @@ impl Simulation {
         &self.start
     }
 
+    /// Dynamic motion: parts with masses, impacts and friction.
+    ///
+    /// # Errors
+    /// If times make no sense, or a part that is free to move has no mass.
+    pub fn dynamic(&self, settings: &Settings) -> Result<Record, SimulateError> {
+        self.dynamic_with(settings, &Silent)
+    }
+
+    /// As [`dynamic`](Self::dynamic); every now and then `progress` is told of the last stage.
+    ///
+    /// # Errors
+    /// As [`dynamic`](Self::dynamic); and what `progress` returns.
+    pub fn dynamic_with(
+        &self,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<Record, SimulateError> {
+        let (time, every) = settings.times()?;
+        let system = System::about_masses(self.system.mechanism());
+        let start = (self.start.clone(), self.system.start_rates());
+        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
+        inertial::run(system, &self.pairs, start, time, every, &goes_on)
+    }
+
     /// Kinematic motion: drives move, other parts go only where contacts, springs and loads push them.
     ///
     /// # Errors
@@ -110,8 +135,19 @@ impl Simulation {
         settings: &Settings,
         progress: &dyn Progress,
     ) -> Result<Record, SimulateError> {
-        let time = settings.time;
-        let every = settings.every.unwrap_or(time / SAMPLES);
+        let (time, every) = settings.times()?;
+        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
+        let start = self.start.clone();
+        run(&self.system, &self.pairs, start, time, every, &goes_on)
+            .ok_or(SimulateError::Interrupted)
+    }
+}
+
+impl Settings {
+    /// The duration and the time between samples.
+    fn times(&self) -> Result<(f64, f64), SimulateError> {
+        let time = self.time;
+        let every = self.every.unwrap_or(time / SAMPLES);
         for (what, value) in [("the time", time), ("the time between samples", every)] {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(SimulateError::Time { what, value });
@@ -124,10 +160,7 @@ impl Simulation {
                 most: MOST_SAMPLES,
             });
         }
-        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
-        let start = self.start.clone();
-        run(&self.system, &self.pairs, start, time, every, &goes_on)
-            .ok_or(SimulateError::Interrupted)
+        Ok((time, every))
     }
 }
 

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use cspace_motion::dynamic::{
-    Ended, EventKind, Motion, Options, State, Surface, Touch, World, run,
+    Ended, EventKind, Motion, Observer, Options, State, Surface, Touch, World, run,
 };
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
@@ -19,19 +19,13 @@ impl World for Written {
     fn mass(&self) -> &DMatrix<f64> {
         &self.mass
     }
-    fn force(&self, _: f64, q: &DVector<f64>, v: &DVector<f64>) -> DVector<f64> {
-        (self.force)(q, v)
+    fn force(&self, state: &State) -> DVector<f64> {
+        (self.force)(&state.q, &state.v)
     }
-    fn joints(&self, _: f64, q: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
-        (DVector::zeros(0), DMatrix::zeros(0, q.len()))
+    fn watched(&self) -> Vec<usize> {
+        (0..self.touches.len()).collect()
     }
-    fn drift(&self, _: f64) -> (DVector<f64>, DVector<f64>) {
-        (DVector::zeros(0), DVector::zeros(0))
-    }
-    fn contacts(&self) -> usize {
-        self.touches.len()
-    }
-    fn touch(&self, contact: usize, q: &DVector<f64>) -> Touch {
+    fn touch(&self, contact: usize, _: f64, q: &DVector<f64>) -> Touch {
         (self.touches[contact])(q)
     }
     fn surface(&self, contact: usize) -> Surface {
@@ -39,6 +33,16 @@ impl World for Written {
     }
     fn size(&self) -> f64 {
         self.size
+    }
+}
+
+/// The states at the ends of steps.
+#[derive(Default)]
+struct Steps(Vec<State>);
+
+impl Observer for Steps {
+    fn step(&mut self, state: &State) {
+        self.0.push(state.clone());
     }
 }
 
@@ -55,7 +59,7 @@ fn at(q: DVector<f64>, v: DVector<f64>) -> State {
 
 fn moved(world: &Written, start: State, until: f64) -> Motion {
     let longest = until;
-    run(world, start, &Options { until, longest }, &mut |_| ())
+    run(world, start, &Options { until, longest }, &mut ())
 }
 
 fn times(motion: &Motion, kind: EventKind) -> Vec<f64> {
@@ -75,6 +79,7 @@ fn ball(restitution: f64) -> Written {
             gap: q[0],
             normal: dvector![1.0],
             tangent: dvector![0.0],
+            drift: [0.0; 2],
         }],
         surfaces: vec![surface(0.0, restitution)],
         size: 1.0,
@@ -113,6 +118,7 @@ fn a_block_slides_down_and_sticks() {
             gap: q[1],
             normal: dvector![0.0, 1.0],
             tangent: dvector![1.0, 0.0],
+            drift: [0.0; 2],
         }],
         surfaces: vec![surface(friction, 0.0)],
         size: 1.0,
@@ -162,6 +168,7 @@ fn a_rocking_block_loses_housner_s_share() {
             gap: q[1] + sin * x + cos * y,
             normal: dvector![0.0, 1.0, cos * x - sin * y],
             tangent: dvector![1.0, 0.0, -sin * x - cos * y],
+            drift: [0.0; 2],
         }
     }
     let m = 3.0;
@@ -176,7 +183,7 @@ fn a_rocking_block_loses_housner_s_share() {
     let tilt = 0.1_f64;
     let (sin, cos) = tilt.sin_cos();
     let q = dvector![B * cos - H * sin, B * sin + H * cos, tilt];
-    let mut rates = Vec::new();
+    let mut steps = Steps::default();
     let motion = run(
         &block,
         at(q, DVector::zeros(3)),
@@ -184,9 +191,10 @@ fn a_rocking_block_loses_housner_s_share() {
             until: 1.0,
             longest: 0.01,
         },
-        &mut |state| rates.push((state.t, state.v[2])),
+        &mut steps,
     );
     assert_eq!(motion.ended, Ended::Done);
+    let rates: Vec<(f64, f64)> = steps.0.iter().map(|s| (s.t, s.v[2])).collect();
     let first = times(&motion, EventKind::Impact)[0];
     let before = rates.iter().rev().find(|r| r.0 <= first).unwrap().1;
     // Angular momentum about the right corner: the energy on the way there gives the rate before.
@@ -235,16 +243,19 @@ fn the_woodpecker_pecks() {
                 gap: L.0 + L.1 - L.2 - R.0 - HIGH.1 * q[2],
                 normal: dvector![0.0, 0.0, -HIGH.1],
                 tangent: dvector![1.0, L.0, L.1 - L.2],
+                drift: [0.0; 2],
             },
             |q| Touch {
                 gap: R.1 - R.0 + HIGH.0 * q[1],
                 normal: dvector![0.0, HIGH.0, 0.0],
                 tangent: dvector![1.0, R.1, 0.0],
+                drift: [0.0; 2],
             },
             |q| Touch {
                 gap: R.1 - R.0 - HIGH.0 * q[1],
                 normal: dvector![0.0, -HIGH.0, 0.0],
                 tangent: dvector![1.0, R.1, 0.0],
+                drift: [0.0; 2],
             },
         ],
         surfaces: vec![surface(0.3, 0.5), surface(0.3, 0.0), surface(0.3, 0.0)],
@@ -254,14 +265,13 @@ fn the_woodpecker_pecks() {
         dvector![0.0, -0.0006 / 0.0058, -0.2788],
         dvector![-0.3411, 0.0, -7.4583],
     );
-    let mut heights = Vec::new();
+    let mut steps = Steps::default();
     let options = Options {
         until: 3.5,
         longest: 1.0,
     };
-    let motion = run(&woodpecker, start, &options, &mut |state| {
-        heights.push((state.t, state.q[0]));
-    });
+    let motion = run(&woodpecker, start, &options, &mut steps);
+    let heights: Vec<(f64, f64)> = steps.0.iter().map(|s| (s.t, s.q[0])).collect();
     assert_eq!(motion.ended, Ended::Done);
     let impacts = times(&motion, EventKind::Impact);
     let known = [0.077_877_992, 0.080_988_805, 0.081_575_329, 0.118_675_113];
@@ -299,6 +309,7 @@ fn painleve_s_rod_is_told() {
             gap: q[1] - sin,
             normal: dvector![0.0, 1.0, -cos],
             tangent: dvector![1.0, 0.0, sin],
+            drift: [0.0; 2],
         }
     }
     for (theta, friction, omega) in [
@@ -346,6 +357,7 @@ fn a_disc_slides_then_rolls() {
             gap: q[1] - 0.3,
             normal: dvector![0.0, 1.0, 0.0],
             tangent: dvector![1.0, 0.0, 0.3],
+            drift: [0.0; 2],
         }],
         surfaces: vec![surface(0.25, 0.0)],
         size: 0.6,

@@ -114,9 +114,10 @@ pub mod space;
 mod union_find;
 
 pub use contact::{
-    ContactFunction, ContactValue, FeatureShape, Placement, Spiral, Swing, Touching,
-    contact_function, touching,
+    ContactFunction, ContactValue, FeatureShape, Placement, Spiral, Swing, Touching, TouchingPlace,
+    contact_function, touching, touching_place,
 };
+
 pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use geometry::{Configuration, Point, Rotation, Vector};

@@ -13,6 +13,8 @@ const TURNS: usize = 2;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Impacts {
     times: Vec<f64>,
+    /// Those of the last many, the last first.
+    recent: std::collections::VecDeque<f64>,
 }
 
 impl Impacts {
@@ -20,8 +22,18 @@ impl Impacts {
         /// No more are compared.
         const KEPT: usize = 8;
         self.times.push(t);
+        self.recent.push_front(t);
         if self.times.len() > KEPT {
             self.times.remove(0);
+        }
+    }
+
+    /// Whether the last so many came within a time.
+    pub(super) fn is_crowded(&mut self, time: f64, many: usize) -> bool {
+        self.recent.truncate(many);
+        match (self.recent.front(), self.recent.back()) {
+            (Some(last), Some(first)) => self.recent.len() == many && last - first < time,
+            _ => false,
         }
     }
 

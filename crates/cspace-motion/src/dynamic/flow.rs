@@ -3,10 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::modes::{Bearing, Mode, Problem, Solution};
-use super::world::{State, Touch, World};
+use super::world::{Joints, State, Touch, World};
 
-/// Directions change by differences over so long a way, as a share of the size: their error is its square.
-const WAY: f64 = 1e-5;
 /// Inequalities hold to this share.
 pub(super) const ZERO: f64 = 1e-9;
 /// Newton's method for gaps and joints converges in two or three steps.
@@ -31,27 +29,13 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
 
     /// The problem of accelerations for some contacts; those that slide faster than `still` have their direction.
     pub(super) fn problem(&self, state: &State, contacts: &[usize], still: f64) -> Problem<'_> {
-        let State { t, q, v } = state;
-        let speed = v.amax();
-        let ahead = if speed > 0.0 {
-            WAY * self.world.size() / speed
-        } else {
-            0.0
-        };
-        let beside = [q - v * ahead, q + v * ahead];
-        let change = |of: &dyn Fn(&DVector<f64>) -> DVector<f64>| -> f64 {
-            if ahead == 0.0 {
-                return 0.0;
-            }
-            (of(&beside[1]) - of(&beside[0])).dot(v) / (2.0 * ahead)
-        };
         let bearings = (contacts.iter())
             .map(|&i| {
-                let touch = self.world.touch(i, q);
-                let rate = touch.tangent.dot(v);
+                let (touch, [b, c]) = self.world.bends(i, state);
+                let rate = touch.sliding(&state.v);
                 Bearing {
-                    b: change(&|q| self.world.touch(i, q).normal),
-                    c: change(&|q| self.world.touch(i, q).tangent),
+                    b,
+                    c,
                     normal: touch.normal,
                     tangent: touch.tangent,
                     friction: self.world.surface(i).friction,
@@ -59,16 +43,11 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
                 }
             })
             .collect();
-        let (_, joints) = self.world.joints(*t, q);
-        let (_, mut j) = self.world.drift(*t);
-        for k in 0..joints.nrows() {
-            j[k] -= change(&|q| self.world.joints(*t, q).1.row(k).transpose());
-        }
         Problem {
             mass: self.world.mass(),
-            h: self.world.force(*t, q, v),
-            joints,
-            j,
+            h: self.world.force(state),
+            joints: self.world.joints(state.t, &state.q).rows,
+            j: self.world.joint_bends(state),
             bearings,
             zero: ZERO,
         }
@@ -81,44 +60,49 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         self.problem(state, &contacts, f64::INFINITY).within(&modes)
     }
 
-    /// The nearest state, in the metric of the masses, in which joints hold and the contacts that bear are closed.
-    pub(super) fn projected(&self, mut state: State, bearings: &Bearings) -> Option<State> {
+    /// The nearest state, in the metric of the masses, in which joints hold and the contacts that bear are closed; and how far they
+    /// were open.
+    pub(super) fn projected(&self, mut state: State, bearings: &Bearings) -> Option<(State, f64)> {
         let world = self.world;
+        let mut open = 0.0;
+        let at = |state: &State| -> (Joints, Vec<Touch>) {
+            let touch = |b: &(usize, Mode)| world.touch(b.0, state.t, &state.q);
+            let joints = world.joints(state.t, &state.q);
+            (joints, bearings.iter().map(touch).collect())
+        };
+        let (mut joints, mut touches) = at(&state);
+        if joints.values.is_empty() && touches.is_empty() {
+            return Some((state, open));
+        }
         for round in 0..PROJECTIONS {
-            let touches: Vec<Touch> = bearings
-                .iter()
-                .map(|b| world.touch(b.0, &state.q))
-                .collect();
-            let (values, joints) = world.joints(state.t, &state.q);
             let gaps = touches.iter().map(|t| t.gap);
             let off = DVector::from_iterator(
-                values.len() + touches.len(),
-                values.iter().copied().chain(gaps),
+                joints.values.len() + touches.len(),
+                joints.values.iter().copied().chain(gaps),
             );
-            let rows = rows(&joints, &touches, bearings, false);
-            if rows.nrows() == 0 {
-                return Some(state);
+            if round == 0 {
+                open = off.amax();
             }
-            let step = self.least(&rows, &-&off)?;
-            state.q += step;
-            if round > 0 && off.amax() <= 4.0 * f64::EPSILON * world.size() {
+            if off.amax() <= 4.0 * f64::EPSILON * world.size() {
                 break;
             }
+            state.q += self.least(&rows(&joints.rows, &touches, bearings, false), &-&off)?;
+            (joints, touches) = at(&state);
         }
-        let touches: Vec<Touch> = bearings
-            .iter()
-            .map(|b| world.touch(b.0, &state.q))
-            .collect();
-        let (_, joints) = world.joints(state.t, &state.q);
-        let (rates, _) = world.drift(state.t);
-        let rows = rows(&joints, &touches, bearings, true);
+        let rows = rows(&joints.rows, &touches, bearings, true);
         let mut off = &rows * &state.v;
-        for k in 0..rates.len() {
-            off[k] -= rates[k];
+        let count = joints.rates.len();
+        for k in 0..count {
+            off[k] -= joints.rates[k];
+        }
+        let sticks = (touches.iter().zip(bearings)).filter(|(_, b)| b.1 == Mode::Stick);
+        let drifts = (touches.iter().map(|t| t.drift[0])).chain(sticks.map(|(t, _)| t.drift[1]));
+        for (k, drift) in drifts.enumerate() {
+            off[count + k] += drift;
         }
         let step = self.least(&rows, &-off)?;
         state.v += step;
-        Some(state)
+        Some((state, open))
     }
 
     /// The least change, in the metric of the masses, that changes what rows measure.

@@ -14,8 +14,8 @@ mod step;
 mod world;
 
 pub use modes::Mode;
-pub use run::{Ended, Event, EventKind, Motion, Options, run};
-pub use world::{State, Surface, Touch, World};
+pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run};
+pub use world::{Acting, Joints, Sought, State, Step, Surface, Touch, World};
 
 /// Contacts with gaps of this share of the size or less are closed: more than what projection leaves.
 pub const CLOSED: f64 = 1e-10;

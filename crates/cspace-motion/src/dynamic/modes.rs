@@ -73,6 +73,8 @@ pub(super) struct Solution {
     pub(super) normal: Vec<f64>,
     /// λ_T.
     pub(super) tangential: Vec<f64>,
+    /// μ of each row of the joints.
+    pub(super) joints: DVector<f64>,
     /// a_N and a_T.
     pub(super) rates: Vec<(f64, f64)>,
 }
@@ -161,6 +163,7 @@ impl Problem<'_> {
             modes: modes.to_vec(),
             normal: vec![0.0; modes.len()],
             tangential: vec![0.0; modes.len()],
+            joints: found.rows(n, joints).into_owned(),
             rates: Vec::new(),
         };
         for (k, &i) in bears.iter().enumerate() {

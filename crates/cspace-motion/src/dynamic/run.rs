@@ -2,12 +2,12 @@
 
 use nalgebra::DVector;
 
+use super::STILL;
 use super::accumulate::Impacts;
 use super::flow::{Bearings, Flow, ZERO};
 use super::modes::{Bearing, Mode, Problem, Solution};
 use super::step::Watched;
-use super::world::{State, Touch, World};
-use super::{CLOSED, STILL};
+use super::world::{Acting, State, Step, Touch, World};
 
 /// What happens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,6 +47,11 @@ pub enum Ended {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
+    /// What is driven strikes what cannot give way.
+    Jammed {
+        /// The contacts concerned.
+        contacts: Vec<usize>,
+    },
     /// Several do.
     Undetermined {
         /// The contacts concerned.
@@ -57,7 +62,36 @@ pub enum Ended {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
+    /// Steps are too many, because forces are too stiff or rates too large.
+    TooMany,
+    /// The observer wants no more.
+    Interrupted,
 }
+
+/// Who is told of a motion on its way.
+pub trait Observer {
+    /// The next time at which a sample is wanted, s.
+    fn next(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// The state and the forces at that time.
+    fn sample(&mut self, _state: &State, _acting: &Acting<'_>) {}
+
+    /// The state at the start and at the ends of all steps.
+    fn step(&mut self, _state: &State) {}
+
+    /// An event, and the state just after it.
+    fn event(&mut self, _event: &Event, _state: &State) {}
+
+    /// Whether it is to go on, asked now and then with the time it has come to.
+    fn goes_on(&self, _t: f64) -> bool {
+        true
+    }
+}
+
+/// Nobody.
+impl Observer for () {}
 
 /// A motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,6 +104,21 @@ pub struct Motion {
     pub events: Vec<Event>,
     /// Steps between events.
     pub steps: usize,
+    /// How far closed contacts and joints were open at most after a step, before they were brought together.
+    pub open: f64,
+    /// What became of energy.
+    pub work: Work,
+}
+
+/// What drives put in, and what is lost.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Work {
+    /// By drives.
+    pub drives: f64,
+    /// To friction and dampers.
+    pub friction: f64,
+    /// To impacts.
+    pub impacts: f64,
 }
 
 /// What is asked of a motion.
@@ -86,7 +135,17 @@ const AT_ONE_TIME: f64 = 1e-13;
 /// No more events happen at one time.
 const AT_ONCE: usize = 200;
 
-/// A motion from a state; `sample` is told the states at the ends of all steps.
+/// There are no more steps than that.
+const MOST_STEPS: usize = 10_000_000;
+/// So many impacts within [`CROWD`] of the time that is simulated do not bounce any more.
+const MOST_IMPACTS: usize = 300;
+/// A share of the time that is simulated.
+const CROWD: f64 = 1e-6;
+/// Trials of one of several sets of contacts go as far as this, as shares of the size: beyond what contacts are known to, and less than
+/// what follows next. A shorter one is made where something follows at once.
+const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
+
+/// A motion from a state; `observer` is told the states it asks for.
 ///
 /// Times are in s, coordinates and forces in units that fit together.
 ///
@@ -99,23 +158,18 @@ const AT_ONCE: usize = 200;
 ///     fn mass(&self) -> &DMatrix<f64> {
 ///         &self.0
 ///     }
-///     fn force(&self, _: f64, _: &DVector<f64>, _: &DVector<f64>) -> DVector<f64> {
+///     fn force(&self, _: &State) -> DVector<f64> {
 ///         DVector::from_element(1, -9.81)
 ///     }
-///     fn joints(&self, _: f64, _: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
-///         (DVector::zeros(0), DMatrix::zeros(0, 1))
+///     fn watched(&self) -> Vec<usize> {
+///         vec![0]
 ///     }
-///     fn drift(&self, _: f64) -> (DVector<f64>, DVector<f64>) {
-///         (DVector::zeros(0), DVector::zeros(0))
-///     }
-///     fn contacts(&self) -> usize {
-///         1
-///     }
-///     fn touch(&self, _: usize, q: &DVector<f64>) -> Touch {
+///     fn touch(&self, _: usize, _: f64, q: &DVector<f64>) -> Touch {
 ///         Touch {
 ///             gap: q[0],
 ///             normal: DVector::from_element(1, 1.0),
 ///             tangent: DVector::zeros(1),
+///             drift: [0.0; 2],
 ///         }
 ///     }
 ///     fn surface(&self, _: usize) -> Surface {
@@ -127,7 +181,7 @@ const AT_ONCE: usize = 200;
 /// }
 /// let ball = Ball(DMatrix::identity(1, 1));
 /// let start = State { t: 0.0, q: DVector::from_element(1, 1.0), v: DVector::zeros(1) };
-/// let motion = run(&ball, start, &Options { until: 3.0, longest: 1.0 }, &mut |_| ());
+/// let motion = run(&ball, start, &Options { until: 3.0, longest: 1.0 }, &mut ());
 /// // It falls for √(2 h / g), and is at rest three times as late.
 /// let fall = f64::sqrt(2.0 / 9.81);
 /// assert!((motion.events[0].t - fall).abs() < 1e-12);
@@ -139,16 +193,19 @@ pub fn run<W: World + ?Sized>(
     world: &W,
     start: State,
     options: &Options,
-    sample: &mut dyn FnMut(&State),
+    observer: &mut dyn Observer,
 ) -> Motion {
+    let stopped = |ended, last| Motion {
+        ended,
+        last,
+        events: Vec::new(),
+        steps: 0,
+        open: 0.0,
+        work: Work::default(),
+    };
     let Some(flow) = Flow::new(world) else {
         let contacts = Vec::new();
-        return Motion {
-            ended: Ended::Stuck { contacts },
-            last: start,
-            events: Vec::new(),
-            steps: 0,
-        };
+        return stopped(Ended::Stuck { contacts }, start);
     };
     let mut run = Run {
         flow,
@@ -159,13 +216,17 @@ pub fn run<W: World + ?Sized>(
         impacts: Impacts::default(),
         events: Vec::new(),
         steps: 0,
+        open: 0.0,
+        work: Work::default(),
     };
-    let ended = run.go(options, sample).err().unwrap_or(Ended::Done);
+    let ended = run.go(options, observer).err().unwrap_or(Ended::Done);
     Motion {
         ended,
         last: run.state,
         events: run.events,
         steps: run.steps,
+        open: run.open,
+        work: run.work,
     }
 }
 
@@ -179,36 +240,60 @@ struct Run<'a, W: World + ?Sized> {
     impacts: Impacts,
     events: Vec<Event>,
     steps: usize,
+    open: f64,
+    work: Work,
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
-    fn go(&mut self, options: &Options, sample: &mut dyn FnMut(&State)) -> Result<(), Ended> {
-        sample(&self.state.clone());
+    fn go(&mut self, options: &Options, observer: &mut dyn Observer) -> Result<(), Ended> {
         self.look();
-        let closed = self.closed(0.0);
-        self.settle(closed, &[])?;
+        observer.step(&self.state);
+        if let Some((state, _)) = self.flow.projected(self.state.clone(), &Vec::new()) {
+            self.state = state;
+        }
+        let closed = self.flow.world.closed(self.state.t, &self.state.q);
+        let settled = self.settle(closed, &[]);
+        self.announce(0, observer);
+        settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
+        self.show(&self.state.clone(), self.state.t, observer)?;
         while self.state.t < options.until {
+            if self.steps.is_multiple_of(64) && !observer.goes_on(self.state.t) {
+                return Err(Ended::Interrupted);
+            }
+            if self.steps > MOST_STEPS {
+                return Err(Ended::TooMany);
+            }
             let left = options.until - self.state.t;
+            let far = self.flow.world.longest(&self.state);
+            let h = longest.min(left).min(far);
+            if self.state.t + h <= self.state.t {
+                return Err(Ended::TooMany);
+            }
             let stepped = self
                 .flow
-                .step(
-                    &self.state,
-                    longest.min(left),
-                    &self.bearings,
-                    &self.largest,
-                )
+                .step(&self.state, h, &self.bearings, &self.largest)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
-            self.state = stepped.state;
+            let from = core::mem::replace(&mut self.state, stepped.state);
             if self.state.t + 1e-15 * options.until.abs() >= options.until {
                 self.state.t = options.until;
             }
+            let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
+            self.flow.world.taken(Step {
+                from: &from,
+                to: &self.state,
+                bearing: &bearing,
+            });
+            self.open = self.open.max(stepped.open);
+            self.work.drives += stepped.work[0];
+            self.work.friction += stepped.work[1];
             longest = stepped.next.min(options.longest);
             self.look();
-            sample(&self.state.clone());
-            if stepped.events.is_empty() {
+            self.show(&from, self.state.t, observer)?;
+            observer.step(&self.state);
+            if stepped.events.is_empty() && !stepped.met {
                 continue;
             }
             at_once += 1;
@@ -218,8 +303,39 @@ impl<W: World + ?Sized> Run<'_, W> {
             if at_once > AT_ONCE {
                 return Err(self.stuck());
             }
-            self.happen(&stepped.events)?;
+            let told = self.events.len();
+            let happened = self.happen(&stepped.events);
+            self.announce(told, observer);
+            happened?;
             longest = longest.min(1e-3 * self.span);
+        }
+        Ok(())
+    }
+
+    /// Tells events from the one of a number on.
+    fn announce(&self, from: usize, observer: &mut dyn Observer) {
+        for event in &self.events[from..] {
+            observer.event(event, &self.state);
+        }
+    }
+
+    /// Samples up to a time, with the contacts that bear: they are taken from a state before.
+    fn show(&self, from: &State, until: f64, observer: &mut dyn Observer) -> Result<(), Ended> {
+        while observer.next() <= until {
+            let h = (observer.next() - from.t).max(0.0);
+            let at = if h == 0.0 {
+                from.clone()
+            } else if from.t + h >= self.state.t {
+                self.state.clone()
+            } else {
+                let taken = self.flow.take(from, h, &self.bearings, &self.largest);
+                taken.ok_or_else(|| self.stuck())?.state
+            };
+            let solution = self.flow.accelerations(&at, &self.bearings);
+            let solution = solution.ok_or_else(|| self.stuck())?;
+            let before = observer.next();
+            observer.sample(&at, &Acting::of(&solution, &self.bearings));
+            debug_assert!(observer.next() > before, "samples go on");
         }
         Ok(())
     }
@@ -244,15 +360,13 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn touch(&self, contact: usize) -> Touch {
-        self.flow.world.touch(contact, &self.state.q)
+        let state = &self.state;
+        self.flow.world.touch(contact, state.t, &state.q)
     }
 
-    /// Contacts that are closed, to a gap more than rounding.
-    fn closed(&self, more: f64) -> Vec<usize> {
-        let limit = CLOSED * self.flow.world.size() + more;
-        (0..self.flow.world.contacts())
-            .filter(|&i| self.touch(i).gap <= limit)
-            .collect()
+    fn is_same(&self, a: usize, b: usize) -> bool {
+        let state = &self.state;
+        self.flow.world.is_same(a, b, state.t, &state.q)
     }
 
     /// A rate that counts as none, of a row.
@@ -261,15 +375,18 @@ impl<W: World + ?Sized> Run<'_, W> {
         STILL * terms.map(|(r, v)| (r * v).abs()).sum::<f64>()
     }
 
+    /// The rate at which a closed contact opens, and what counts as none.
+    fn opening(&self, contact: usize) -> (f64, f64) {
+        let touch = self.touch(contact);
+        let still = self.still(&touch.normal) + STILL * touch.drift[0].abs();
+        (touch.opening(&self.state.v), still)
+    }
+
     fn happen(&mut self, events: &[(usize, Watched)]) -> Result<(), Ended> {
         let before = self.bearings.clone();
-        let mut closed: Vec<usize> = self.closed(0.0);
-        for &(contact, kind) in events {
-            if kind == Watched::Gap && !closed.contains(&contact) {
-                closed.push(contact);
-            }
-        }
-        for &(contact, _) in &before {
+        let mut closed: Vec<usize> = self.flow.world.closed(self.state.t, &self.state.q);
+        let gaps = events.iter().filter(|e| e.1 == Watched::Gap);
+        for contact in gaps.map(|e| e.0).chain(before.iter().map(|b| b.0)) {
             if !closed.contains(&contact) {
                 closed.push(contact);
             }
@@ -282,8 +399,13 @@ impl<W: World + ?Sized> Run<'_, W> {
             .collect();
         self.settle(closed, &halted)?;
         for &(contact, mode) in &before {
-            let now = self.bearings.iter().find(|b| b.0 == contact).map(|b| b.1);
-            let kind = match (mode, now) {
+            let now = self.bearings.iter().find(|b| b.0 == contact);
+            // A contact that passes from one feature to the next goes on.
+            let now = now.or_else(|| {
+                let is_new = |i: usize| before.iter().all(|b| b.0 != i);
+                (self.bearings.iter()).find(|b| is_new(b.0) && self.is_same(b.0, contact))
+            });
+            let kind = match (mode, now.map(|b| b.1)) {
                 (_, None) => EventKind::Release,
                 (Mode::Stick, Some(Mode::Forward | Mode::Backward)) => EventKind::Slip,
                 (Mode::Forward | Mode::Backward, Some(Mode::Stick)) => EventKind::Stick,
@@ -295,27 +417,93 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn tell(&mut self, kind: EventKind, contact: usize) {
-        self.events.push(Event {
-            t: self.state.t,
-            kind,
-            contact,
-        });
+        let t = self.state.t;
+        let told = self.events.iter().rev().take_while(|e| e.t == t);
+        // Features that take each other's place are one contact.
+        let mut same = told.filter(|e| e.kind == kind);
+        if same.any(|e| self.is_same(e.contact, contact)) {
+            return;
+        }
+        self.events.push(Event { t, kind, contact });
+    }
+
+    /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
+    fn settle(&mut self, closed: Vec<usize>, halted: &[usize]) -> Result<(), Ended> {
+        let sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
+        if sets.len() < 2 {
+            return self.settle_with(closed, halted);
+        }
+        let saved = (
+            self.state.clone(),
+            self.bearings.clone(),
+            self.impacts.clone(),
+            self.events.len(),
+            self.work,
+        );
+        let mut failed = None;
+        for scale in TRIALS {
+            for set in &sets {
+                let settled = self.settle_with(set.clone(), halted);
+                if settled.is_ok() && self.leads_on(scale) {
+                    return Ok(());
+                }
+                let (state, bearings, impacts, events, work) = &saved;
+                self.state.clone_from(state);
+                self.bearings.clone_from(bearings);
+                self.impacts.clone_from(impacts);
+                self.events.truncate(*events);
+                self.work = *work;
+                failed = failed.or(settled.err());
+            }
+        }
+        Err(failed.unwrap_or(Ended::Stuck { contacts: closed }))
+    }
+
+    /// Whether a very short step, as far as a share of the size, meets nothing.
+    fn leads_on(&self, scale: f64) -> bool {
+        /// A trial may go so many times as far.
+        const FARTHER: f64 = 10.0;
+        /// Otherwise its time is shortened by this, so many times at most: down to rounding.
+        const SHORTER: f64 = 0.1;
+        const MOST: usize = 16;
+        let far = scale * self.flow.world.size();
+        let speed = self.flow.world.reach(&self.state.v);
+        let mut h = (far / speed).min(1e-3 * self.span);
+        let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
+        for _ in 0..MOST {
+            if let Some(taken) = self
+                .flow
+                .take(&self.state, h, &self.bearings, &self.largest)
+                && self.flow.world.reach(&(&taken.state.q - &self.state.q)) <= FARTHER * far
+            {
+                return !self.flow.world.met(Step {
+                    from: &self.state,
+                    to: &taken.state,
+                    bearing: &bearing,
+                });
+            }
+            h *= SHORTER;
+        }
+        false
     }
 
     /// Impacts of the contacts that are closed, then what each of them does from now on.
-    fn settle(&mut self, mut closed: Vec<usize>, halted: &[usize]) -> Result<(), Ended> {
+    fn settle_with(&mut self, mut closed: Vec<usize>, halted: &[usize]) -> Result<(), Ended> {
         /// Impacts follow each other at one time where contacts pass them on.
         const MOST: usize = 50;
         let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
         let mut struck = Vec::new();
-        for _ in 0..MOST {
+        for round in 0..=MOST {
             let strikes = |i: &usize| {
-                let touch = self.touch(*i);
-                touch.normal.dot(&self.state.v) < -self.still(&touch.normal)
+                let (rate, still) = self.opening(*i);
+                rate < -still
             };
             let hits: Vec<usize> = closed.iter().copied().filter(strikes).collect();
             if hits.is_empty() {
                 break;
+            }
+            if round == MOST {
+                return Err(Ended::Stuck { contacts: hits });
             }
             for &hit in &hits {
                 if !struck.contains(&hit) {
@@ -329,14 +517,19 @@ impl<W: World + ?Sized> Run<'_, W> {
             for &contact in &struck {
                 self.tell(EventKind::Impact, contact);
             }
-            let parts = |&i: &usize| self.touch(i).normal.dot(&self.state.v);
+            let parts = |&i: &usize| self.opening(i).0;
             let way = closed.iter().map(parts).fold(0.0, f64::max) / self.flow.world.size();
             if let Some(left) = self.impacts.rest(self.span, way) {
                 // What bounces is closed for good: the rates at which it opens are gone in the limit.
-                closed = self.closed(way * left * self.flow.world.size());
+                let reach = way * left * self.flow.world.size();
+                for i in self.flow.world.watched() {
+                    if !closed.contains(&i) && self.touch(i).gap <= reach {
+                        closed.push(i);
+                    }
+                }
                 let stay = closed.iter().map(|&i| (i, Mode::Forward)).collect();
                 let state = self.flow.projected(self.state.clone(), &stay);
-                self.state = state.ok_or_else(|| self.stuck())?;
+                self.state = state.ok_or_else(|| self.stuck())?.0;
                 let v = self.state.v.clone();
                 self.state.q += v * left;
                 self.state.t += left;
@@ -348,13 +541,13 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
         // Those that part are open from now on.
         let stays = |i: &usize| {
-            let touch = self.touch(*i);
-            touch.normal.dot(&self.state.v) <= self.still(&touch.normal)
+            let (rate, still) = self.opening(*i);
+            rate <= still
         };
         let resting: Vec<usize> = closed.into_iter().filter(stays).collect();
         let mut problem = self.problem(&resting);
         for (k, i) in resting.iter().enumerate() {
-            if halted.contains(i) {
+            if halted.iter().any(|h| h == i || self.is_same(*h, *i)) {
                 problem.bearings[k].slides = None;
             }
         }
@@ -363,11 +556,14 @@ impl<W: World + ?Sized> Run<'_, W> {
             .zip(solution.modes)
             .filter(|(_, mode)| *mode != Mode::Open)
             .collect();
-        if let Some(state) = self.flow.projected(self.state.clone(), &self.bearings) {
+        if let Some((state, _)) = self.flow.projected(self.state.clone(), &self.bearings) {
             self.state = state;
         }
         for (contact, _) in self.bearings.clone() {
-            if !known.contains(&contact) && !struck.contains(&contact) && self.steps > 0 {
+            if !known
+                .iter()
+                .any(|&k| k == contact || self.is_same(k, contact))
+            {
                 self.tell(EventKind::Touch, contact);
             }
         }
@@ -377,9 +573,10 @@ impl<W: World + ?Sized> Run<'_, W> {
     fn problem(&self, contacts: &[usize]) -> Problem<'_> {
         let mut problem = self.flow.problem(&self.state, contacts, 0.0);
         for (k, &i) in contacts.iter().enumerate() {
-            let tangent = self.touch(i).tangent;
-            let rate = tangent.dot(&self.state.v);
-            let slides = rate.abs() > self.still(&tangent);
+            let touch = self.touch(i);
+            let rate = touch.sliding(&self.state.v);
+            let still = self.still(&touch.tangent) + STILL * touch.drift[1].abs();
+            let slides = rate.abs() > still;
             problem.bearings[k].slides = slides.then_some(rate.signum());
         }
         problem
@@ -388,16 +585,17 @@ impl<W: World + ?Sized> Run<'_, W> {
     /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once.
     fn impact(&mut self, closed: &[usize]) -> Result<(), Ended> {
         let world = self.flow.world;
-        let (_, joints) = world.joints(self.state.t, &self.state.q);
-        let (rates, _) = world.drift(self.state.t);
+        let joints = world.joints(self.state.t, &self.state.q);
+        let crowded = self.impacts.is_crowded(CROWD * self.span, MOST_IMPACTS);
         let bearings = (closed.iter())
             .map(|&i| {
                 let touch = self.touch(i);
                 let surface = world.surface(i);
-                let rate = touch.normal.dot(&self.state.v);
+                let rate = touch.opening(&self.state.v);
+                let restitution = if crowded { 0.0 } else { surface.restitution };
                 Bearing {
-                    b: surface.restitution * rate.min(0.0),
-                    c: 0.0,
+                    b: touch.drift[0] + restitution * rate.min(0.0),
+                    c: touch.drift[1],
                     normal: touch.normal,
                     tangent: touch.tangent,
                     friction: surface.friction,
@@ -408,13 +606,31 @@ impl<W: World + ?Sized> Run<'_, W> {
         let problem = Problem {
             mass: world.mass(),
             h: world.mass() * &self.state.v,
-            joints,
-            j: rates,
+            joints: joints.rows,
+            j: joints.rates,
             bearings,
             zero: ZERO,
         };
-        let solution = self.one(problem.solutions(), closed)?;
-        self.state.v = solution.x;
+        let solutions = problem.solutions();
+        if solutions.is_empty() {
+            // Impacts of what is free to move have solutions.
+            let contacts = closed.to_vec();
+            return Err(Ended::Jammed { contacts });
+        }
+        let solution = self.one(solutions, closed)?;
+        let before = world.kinetic(&self.state);
+        let forces = solution.normal.iter().zip(&solution.tangential);
+        let acting = Acting {
+            accelerations: None,
+            contacts: (closed.iter().zip(forces))
+                .map(|(&i, (&n, &t))| (i, n, t))
+                .collect(),
+            joints: &solution.joints,
+        };
+        let drives = world.powers(&self.state, &acting)[0];
+        self.state.v.clone_from(&solution.x);
+        self.work.drives += drives;
+        self.work.impacts += before + drives - world.kinetic(&self.state);
         Ok(())
     }
 

@@ -6,7 +6,7 @@ use crate::dormand_prince::{DIFFERENCE, STAGES};
 
 use super::flow::{Bearings, Flow};
 use super::modes::Mode;
-use super::world::{State, World};
+use super::world::{Acting, Sought, State, Step, World};
 
 /// Errors of a step, as a share of the largest value of each coordinate and rate so far.
 const TOLERANCE: f64 = 1e-12;
@@ -14,6 +14,11 @@ const TOLERANCE: f64 = 1e-12;
 const ROOT: f64 = 1e-15;
 /// And after so many steps at most.
 const TRIES: usize = 100;
+
+/// What a step met is located to this share of it.
+const LOCATED: f64 = 1e-14;
+/// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
+const NEAR_EVENT: f64 = 1e-6;
 
 /// A function that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
@@ -47,31 +52,60 @@ pub(super) struct Stepped {
     pub(super) state: State,
     /// What ended it, if anything did.
     pub(super) events: Vec<(usize, Watched)>,
+    /// Whether it met something beside these.
+    pub(super) met: bool,
     /// How long the next may be.
     pub(super) next: f64,
+    /// How far closed contacts and joints were open before they were brought together.
+    pub(super) open: f64,
+    /// The work of drives and what was lost by friction, on the way.
+    pub(super) work: [f64; 2],
+}
+
+/// The end of a step.
+#[derive(Debug, Clone)]
+pub(super) struct Taken {
+    pub(super) state: State,
+    /// The error, as a share of what is allowed.
+    pub(super) error: f64,
+    pub(super) open: f64,
+    pub(super) work: [f64; 2],
 }
 
 impl<W: World + ?Sized> Flow<'_, W> {
-    /// One step of a length, with its error as a share of what is allowed.
-    fn take(
+    /// One step of a length.
+    pub(super) fn take(
         &self,
         from: &State,
         h: f64,
         bearings: &Bearings,
         largest: &(DVector<f64>, DVector<f64>),
-    ) -> Option<(State, f64)> {
+    ) -> Option<Taken> {
         let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);
+        let mut work = [0.0; 2];
         let mut at = from.clone();
-        slopes.push((at.v.clone(), self.accelerations(&at, bearings)?.x));
-        for (time, weights) in STAGES {
+        // The weights of the last stage are those of the step.
+        let shares = STAGES.last().map_or(&[][..], |s| &s.1[..]);
+        let mut slope = |at: &State, k: usize| {
+            let solution = self.accelerations(at, bearings)?;
+            if let Some(share) = shares.get(k).filter(|s| **s != 0.0) {
+                let acting = Acting::of(&solution, bearings);
+                let powers = self.world.powers(at, &acting);
+                work[0] += share * h * powers[0];
+                work[1] += share * h * powers[1];
+            }
+            Some((at.v.clone(), solution.x))
+        };
+        slopes.push(slope(&at, 0)?);
+        for (k, (time, weights)) in STAGES.iter().enumerate() {
             at.t = from.t + time * h;
             at.q.copy_from(&from.q);
             at.v.copy_from(&from.v);
             for (&weight, slope) in weights.iter().zip(&slopes) {
-                at.q += &slope.0 * (h * weight);
-                at.v += &slope.1 * (h * weight);
+                at.q.axpy(h * weight, &slope.0, 1.0);
+                at.v.axpy(h * weight, &slope.1, 1.0);
             }
-            slopes.push((at.v.clone(), self.accelerations(&at, bearings)?.x));
+            slopes.push(slope(&at, k + 1)?);
         }
         let mut error = 0.0_f64;
         for k in 0..at.q.len() {
@@ -83,17 +117,25 @@ impl<W: World + ?Sized> Flow<'_, W> {
             error = error.max(q.abs() / (TOLERANCE * largest.0[k]));
             error = error.max(v.abs() / (TOLERANCE * largest.1[k]));
         }
+        if error.is_nan() {
+            return None;
+        }
         // The last stage is the end of the step.
-        let end = self.projected(at, bearings)?;
-        Some((end, error))
+        let (state, open) = self.projected(at, bearings)?;
+        Some(Taken {
+            state,
+            error,
+            open,
+            work,
+        })
     }
 
     /// The functions that are watched, at a state.
     pub(super) fn watches(&self, state: &State, bearings: &Bearings) -> Option<Vec<Watch>> {
         let mut found = Vec::new();
-        for contact in 0..self.world.contacts() {
+        for contact in self.world.watched() {
             if bearings.iter().all(|b| b.0 != contact) {
-                let value = self.world.touch(contact, &state.q).gap;
+                let value = self.world.touch(contact, state.t, &state.q).gap;
                 found.push(Watch {
                     contact,
                     kind: Watched::Gap,
@@ -110,7 +152,8 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 value: normal,
             });
             let friction = self.world.surface(contact).friction;
-            let rate = self.world.touch(contact, &state.q).tangent.dot(&state.v);
+            let touch = self.world.touch(contact, state.t, &state.q);
+            let rate = touch.sliding(&state.v);
             let (kind, value) = match mode {
                 Mode::Stick => (Watched::Sticking, friction * normal - tangential.abs()),
                 // Without friction it does not matter which way it slides.
@@ -135,21 +178,29 @@ impl<W: World + ?Sized> Flow<'_, W> {
         largest: &(DVector<f64>, DVector<f64>),
     ) -> Option<Stepped> {
         let mut h = longest;
-        let (mut end, error) = loop {
-            let (end, error) = self.take(from, h, bearings, largest)?;
-            if error <= 1.0 || h <= 1e-12 * longest.max(f64::MIN_POSITIVE) {
-                break (end, error);
+        let shortest = 1e-12 * longest.max(f64::MIN_POSITIVE);
+        let mut taken = loop {
+            // What cannot be followed so far may be followed less far.
+            let Some(taken) = self.take(from, h, bearings, largest) else {
+                h *= 0.25;
+                if h < shortest {
+                    return None;
+                }
+                continue;
+            };
+            if taken.error <= 1.0 || h <= shortest {
+                break taken;
             }
-            h *= (0.9 * error.powf(-0.2)).clamp(0.1, 0.9);
+            h *= (0.9 * taken.error.powf(-0.2)).clamp(0.1, 0.9);
         };
-        let next = h * (0.9 * error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
+        let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
         let before = self.watches(from, bearings)?;
-        let at = |h: f64| -> Option<(State, Vec<Watch>)> {
-            let (state, _) = self.take(from, h, bearings, largest)?;
-            let watches = self.watches(&state, bearings)?;
-            Some((state, watches))
+        let at = |h: f64| -> Option<(Taken, Vec<Watch>)> {
+            let taken = self.take(from, h, bearings, largest)?;
+            let watches = self.watches(&taken.state, bearings)?;
+            Some((taken, watches))
         };
-        let mut watches = self.watches(&end, bearings)?;
+        let mut watches = self.watches(&taken.state, bearings)?;
         // A gap that closes and opens again within the step.
         for k in 0..before.len() {
             let (first, last) = (before[k], watches[k]);
@@ -157,17 +208,15 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 continue;
             }
             let rate = |state: &State| {
-                self.world
-                    .touch(first.contact, &state.q)
-                    .normal
-                    .dot(&state.v)
+                let touch = self.world.touch(first.contact, state.t, &state.q);
+                touch.opening(&state.v)
             };
-            if rate(from) < 0.0 && rate(&end) > 0.0 {
-                let lowest = |h: f64| at(h).map(|(state, _)| -rate(&state));
-                let least = root((0.0, -rate(from)), (h, -rate(&end)), lowest)?;
-                let (state, there) = at(least)?;
-                if there[k].value < 0.0 {
-                    (h, end, watches) = (least, state, there);
+            if rate(from) < 0.0 && rate(&taken.state) > 0.0 {
+                let lowest = |h: f64| at(h).map(|(taken, _)| -rate(&taken.state));
+                let least = root((0.0, -rate(from)), (h, -rate(&taken.state)), lowest)?;
+                let (there, values) = at(least)?;
+                if values[k].value < 0.0 {
+                    (h, taken, watches) = (least, there, values);
                 }
             }
         }
@@ -198,16 +247,124 @@ impl<W: World + ?Sized> Flow<'_, W> {
             if first >= h {
                 break;
             }
-            (h, end, watches) = (first, state, there);
+            (h, taken, watches) = (first, state, there);
+        }
+        let mut events: Vec<(usize, Watched)> = (events.into_iter())
+            .map(|(k, kind)| (before[k].contact, kind))
+            .collect();
+        let bearing: Vec<usize> = bearings.iter().map(|b| b.0).collect();
+        let met = |to: &State| {
+            let bearing = &bearing;
+            self.world.met(Step { from, to, bearing })
+        };
+        let mut is_met = met(&taken.state);
+        if is_met {
+            let found = self.first_met(from, h, bearings, largest, &met)?;
+            // What would have happened later does not.
+            events = found.1.into_iter().map(|c| (c, Watched::Gap)).collect();
+            taken = found.0;
+            is_met = true;
         }
         Some(Stepped {
-            state: end,
-            events: events
-                .into_iter()
-                .map(|(k, kind)| (before[k].contact, kind))
-                .collect(),
+            state: taken.state,
+            events,
+            met: is_met,
             next,
+            open: taken.open,
+            work: taken.work,
         })
+    }
+
+    /// Where a step first met something, and the contacts that closed there.
+    ///
+    /// Halving the step tells it as well as contacts are told by their spaces; then the function is looked for that vanishes there.
+    fn first_met(
+        &self,
+        from: &State,
+        h: f64,
+        bearings: &Bearings,
+        largest: &(DVector<f64>, DVector<f64>),
+        met: &dyn Fn(&State) -> bool,
+    ) -> Option<(Taken, Vec<usize>)> {
+        let at = |h: f64| self.take(from, h, bearings, largest);
+        let (mut before, mut after) = (0.0, h);
+        let mut last = None;
+        while after - before > LOCATED * h {
+            let middle = 0.5 * (before + after);
+            if middle <= before || middle >= after {
+                break;
+            }
+            match at(middle) {
+                Some(to) if !met(&to.state) => before = middle,
+                found => {
+                    after = middle;
+                    last = found.or(last);
+                }
+            }
+        }
+        let end = match at(after) {
+            Some(end) => end,
+            None => at(before)?,
+        };
+        let bearing: Vec<usize> = bearings.iter().map(|b| b.0).collect();
+        let step = Step {
+            from,
+            to: &end.state,
+            bearing: &bearing,
+        };
+        let mut first: Option<(f64, Taken, Sought)> = None;
+        for sought in self.world.sought(step) {
+            let value = |to: &Taken| self.world.value(sought, to.state.t, &to.state.q);
+            if let Some((h, taken)) = self.last_root(after, &end, &at, &value)
+                && first.as_ref().is_none_or(|f| h < f.0)
+            {
+                first = Some((h, taken, sought));
+            }
+        }
+        Some(match first {
+            Some((_, taken, Sought::Gap(contact))) => (taken, vec![contact]),
+            Some((_, taken, Sought::End(..))) => (taken, Vec::new()),
+            None => (end, Vec::new()),
+        })
+    }
+
+    /// The last root before a time of a function that is negative then, if it is near; just after it.
+    fn last_root(
+        &self,
+        after: f64,
+        end: &Taken,
+        at: &dyn Fn(f64) -> Option<Taken>,
+        value: &dyn Fn(&Taken) -> f64,
+    ) -> Option<(f64, Taken)> {
+        if value(end) >= 0.0 {
+            return None;
+        }
+        let (mut below, mut above, mut back) = (after, after, LOCATED * after);
+        loop {
+            above = (above - back).max(0.0);
+            back *= 2.0;
+            let to = at(above)?;
+            if value(&to) >= 0.0 {
+                break;
+            }
+            let moved = self.world.reach(&(&to.state.q - &end.state.q));
+            if above == 0.0 || moved > NEAR_EVENT * self.world.size() {
+                return None;
+            }
+            below = above;
+        }
+        while below - above > LOCATED * after {
+            let middle = 0.5 * (above + below);
+            if middle <= above || middle >= below {
+                break;
+            }
+            if value(&at(middle)?) >= 0.0 {
+                above = middle;
+            } else {
+                below = middle;
+            }
+        }
+        Some((below, at(below)?))
     }
 }
 

@@ -2,16 +2,55 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// A contact as a function of the coordinates, at one configuration.
+use super::modes::{Mode, Solution};
+
+/// A contact as a function of the coordinates, at one configuration and time.
 #[derive(Debug, Clone)]
 pub struct Touch {
     /// How far the features are apart, along their common normal.
     pub gap: f64,
-    /// ∂gap/∂q: the rate of the gap is `normal · v`.
+    /// ∂gap/∂q: the rate of the gap is `normal · v + drift[0]`.
     pub normal: DVector<f64>,
-    /// The rate at which the features slide past each other is `tangent · v`.
+    /// The rate at which the features slide past each other is `tangent · v + drift[1]`.
     pub tangent: DVector<f64>,
+    /// What these rates are where no coordinate changes: that of contacts with what is driven.
+    pub drift: [f64; 2],
 }
+
+impl Touch {
+    /// The rate of the gap.
+    pub fn opening(&self, v: &DVector<f64>) -> f64 {
+        self.normal.dot(v) + self.drift[0]
+    }
+
+    /// The rate of sliding.
+    pub fn sliding(&self, v: &DVector<f64>) -> f64 {
+        self.tangent.dot(v) + self.drift[1]
+    }
+}
+
+/// A step of the motion, as it is judged by a [`World`].
+#[derive(Debug, Clone, Copy)]
+pub struct Step<'a> {
+    /// Where it begins.
+    pub from: &'a State,
+    /// Where it ends.
+    pub to: &'a State,
+    /// The contacts that bear all the way.
+    pub bearing: &'a [usize],
+}
+
+/// A function that tells when a step met something: positive before, negative after.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sought {
+    /// The gap of a contact.
+    Gap(usize),
+    /// How far a contact is from where its features end.
+    End(usize, usize),
+}
+
+/// Directions change by differences over so long a way, as a share of the size: their error is its square.
+const WAY: f64 = 1e-5;
 
 /// A mechanical system with contacts:
 ///
@@ -19,32 +58,177 @@ pub struct Touch {
 /// M v̇ = h(t, q, v) + Jᵀ μ + Σ λ_N n + Σ λ_T τ,   q̇ = v
 /// ```
 ///
-/// M is constant; contacts are numbered and stay the same.
+/// M is constant and has an inverse; contacts are numbered and keep their numbers.
 pub trait World {
     /// The mass matrix M.
     fn mass(&self) -> &DMatrix<f64>;
 
     /// The forces h.
-    fn force(&self, t: f64, q: &DVector<f64>, v: &DVector<f64>) -> DVector<f64>;
+    fn force(&self, state: &State) -> DVector<f64>;
 
-    /// Constraints that hold always: the values that are 0, and their rows J by the coordinates. A rate that depends on time alone, of
-    /// a drive, and its derivative are those of [`drift`](Self::drift).
-    fn joints(&self, t: f64, q: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>);
+    /// Constraints that hold always: the values that are 0, their rows J by the coordinates, and the rates that J v has, which are 0
+    /// unless a constraint depends on time. None unless a world has some.
+    fn joints(&self, _t: f64, q: &DVector<f64>) -> Joints {
+        Joints::none(q.len())
+    }
 
-    /// Of constraints that depend on time: the rates −∂c/∂t that J v has, and what J v̇ has beside −J̇ v.
-    fn drift(&self, t: f64) -> (DVector<f64>, DVector<f64>);
+    /// What J v̇ has: −J̇ v, and the derivatives of the rates that J v has. By differences along v unless a world knows better.
+    fn joint_bends(&self, state: &State) -> DVector<f64> {
+        let here = self.joints(state.t, &state.q);
+        let along = |k: usize| {
+            -change(self, state, |t, q| {
+                let there = self.joints(t, q);
+                there.rows.row(k).transpose().dot(&state.v) - there.rates[k]
+            })
+        };
+        DVector::from_fn(here.values.len(), |k, _| along(k))
+    }
 
-    /// How many contacts there are.
-    fn contacts(&self) -> usize;
+    /// The contacts whose gaps are looked at in every step.
+    fn watched(&self) -> Vec<usize>;
 
     /// A contact at a configuration.
-    fn touch(&self, contact: usize, q: &DVector<f64>) -> Touch;
+    fn touch(&self, contact: usize, t: f64, q: &DVector<f64>) -> Touch;
+
+    /// A contact, and what its rates of opening and of sliding change by where no rate does: ṅ · v, τ̇ · v and the derivatives of the
+    /// drift. By differences along v unless a world knows better.
+    fn bends(&self, contact: usize, state: &State) -> (Touch, [f64; 2]) {
+        let touch = self.touch(contact, state.t, &state.q);
+        let of = |rate: fn(&Touch, &DVector<f64>) -> f64| {
+            change(self, state, |t, q| {
+                rate(&self.touch(contact, t, q), &state.v)
+            })
+        };
+        (touch, [of(Touch::opening), of(Touch::sliding)])
+    }
+
+    /// The contacts that are closed: those that are watched, with no gap but [`CLOSED`](super::CLOSED) of the size.
+    fn closed(&self, t: f64, q: &DVector<f64>) -> Vec<usize> {
+        let limit = super::CLOSED * self.size();
+        let mut closed = self.watched();
+        closed.retain(|&i| self.touch(i, t, q).gap <= limit);
+        closed
+    }
+
+    /// The sets of closed contacts of which one goes on to hold, the first that leads on: all of them, unless contacts that
+    /// take each other's place are among them.
+    fn alternatives(&self, closed: &[usize], _t: f64, _q: &DVector<f64>) -> Vec<Vec<usize>> {
+        vec![closed.to_vec()]
+    }
+
+    /// Whether two contacts take each other's place there.
+    fn is_same(&self, a: usize, b: usize, _t: f64, _q: &DVector<f64>) -> bool {
+        a == b
+    }
+
+    /// Whether a step met what no watched contact tells.
+    fn met(&self, _step: Step<'_>) -> bool {
+        false
+    }
+
+    /// Of a step that met something and ends just after it, the functions of which one has a root there.
+    fn sought(&self, _step: Step<'_>) -> Vec<Sought> {
+        Vec::new()
+    }
+
+    /// The value of one of them.
+    fn value(&self, sought: Sought, t: f64, q: &DVector<f64>) -> f64 {
+        match sought {
+            Sought::Gap(contact) => self.touch(contact, t, q).gap,
+            Sought::End(..) => 1.0,
+        }
+    }
+
+    /// The power of what is driven, and what friction at contacts and dampers take, per second. With impulses for forces and the
+    /// mean of the rates before and after for the rates it is the work in an impact.
+    fn powers(&self, _state: &State, _acting: &Acting<'_>) -> [f64; 2] {
+        [0.0; 2]
+    }
+
+    /// The kinetic energy of all that moves.
+    fn kinetic(&self, state: &State) -> f64 {
+        0.5 * state.v.dot(&(self.mass() * &state.v))
+    }
+
+    /// That a step is taken.
+    fn taken(&self, _step: Step<'_>) {}
 
     /// The coefficients of friction and of restitution of a contact.
     fn surface(&self, contact: usize) -> Surface;
 
-    /// What counts as a length of 1: contacts are closed to `CLOSED` of it.
+    /// What counts as a length of 1: contacts are closed to [`CLOSED`](super::CLOSED) of it.
     fn size(&self) -> f64;
+
+    /// How far a change of the coordinates, or their rates, moves what moves most; angles may count by lengths.
+    fn reach(&self, change: &DVector<f64>) -> f64 {
+        change.amax()
+    }
+
+    /// The longest step from a state, s.
+    fn longest(&self, _state: &State) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// The forces of contacts and joints at a time, or the impulses of an impact.
+#[derive(Debug, Clone)]
+pub struct Acting<'a> {
+    /// The accelerations; `None` in an impact.
+    pub accelerations: Option<&'a DVector<f64>>,
+    /// The contacts that bear, with λ_N and λ_T.
+    pub contacts: Vec<(usize, f64, f64)>,
+    /// μ, of the constraints.
+    pub joints: &'a DVector<f64>,
+}
+
+impl<'a> Acting<'a> {
+    pub(super) fn of(solution: &'a Solution, bearings: &[(usize, Mode)]) -> Self {
+        let contacts = bearings.iter().enumerate();
+        Self {
+            accelerations: Some(&solution.x),
+            contacts: contacts
+                .map(|(k, b)| (b.0, solution.normal[k], solution.tangential[k]))
+                .collect(),
+            joints: &solution.joints,
+        }
+    }
+}
+
+/// Constraints at a configuration.
+#[derive(Debug, Clone)]
+pub struct Joints {
+    /// 0 where they hold.
+    pub values: DVector<f64>,
+    /// J, their derivatives by the coordinates.
+    pub rows: DMatrix<f64>,
+    /// The rates that J v has.
+    pub rates: DVector<f64>,
+}
+
+impl Joints {
+    /// None, of so many coordinates.
+    pub fn none(count: usize) -> Self {
+        Self {
+            values: DVector::zeros(0),
+            rows: DMatrix::zeros(0, count),
+            rates: DVector::zeros(0),
+        }
+    }
+}
+
+/// How a function of time and coordinates changes along the motion.
+fn change<W: World + ?Sized>(
+    world: &W,
+    state: &State,
+    of: impl Fn(f64, &DVector<f64>) -> f64,
+) -> f64 {
+    let State { t, q, v } = state;
+    let speed = world.reach(v);
+    if speed == 0.0 {
+        return 0.0;
+    }
+    let ahead = WAY * world.size() / speed;
+    (of(t + ahead, &(q + v * ahead)) - of(t - ahead, &(q - v * ahead))) / (2.0 * ahead)
 }
 
 /// What happens between two surfaces.

@@ -7,17 +7,14 @@
 
 use cspace::Point;
 
+use crate::contact::{Bound, SAME_PLACE, Watch};
 use crate::pairs::Pairs;
 use crate::system::{Row, System};
 
-use super::bound::{Bound, limit_tolerance, limits};
+use super::check::goes_on;
 use super::flow::Flow;
 use super::velocity::{Local, Nearest};
-use super::watch::Watch;
 
-/// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
-/// contact, which passes from one feature to the next.
-pub(crate) const SAME_PLACE: f64 = 1e-6;
 /// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
 const MOST_CONTACTS: usize = 10;
 /// Trials go as far as this, relative to the size of the mechanism: beyond what contacts are known to, and less than what
@@ -28,9 +25,6 @@ const MOST_FARTHER: f64 = 10.0;
 /// Otherwise its time is shortened by this, so many times at most: down to rounding.
 const SHORTER: f64 = 0.1;
 const MOST_SHORTER: usize = 16;
-/// Contacts are told when they are farther away than what leaves them by this factor.
-const REACH: f64 = 4.0;
-
 /// What goes on at a configuration.
 #[derive(Debug)]
 pub(crate) enum Choice<'a> {
@@ -45,21 +39,6 @@ pub(crate) enum Choice<'a> {
     Jammed(Vec<(Bound, f64)>),
     /// What is allowed leads nowhere.
     Undetermined,
-}
-
-/// The contacts that touch, and the ends of ranges that are reached.
-pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
-    let mut all = Vec::new();
-    for (index, pair) in pairs.list().iter().enumerate() {
-        // Outside of its space nothing touches, and the motion does not go on.
-        let touches = pair.touches(index, system, q, REACH * pair.touch);
-        all.extend(touches.unwrap_or_default().into_iter().map(Bound::Contact));
-    }
-    let reached = limits(system, q).into_iter().filter(|(bound, room)| {
-        matches!(bound, Bound::Limit { part, .. } if *room < REACH * limit_tolerance(system, *part))
-    });
-    all.extend(reached.map(|(bound, _)| bound));
-    all
 }
 
 /// Chooses among bounds that are reached.
@@ -178,8 +157,8 @@ fn tries<'a>(
             continue;
         }
         let to = to?;
-        let met = Watch::new(system, pairs).check(&flow, h, &to);
-        return met.is_none().then_some((flow, to.q));
+        let leads_on = goes_on(&mut Watch::new(system, pairs), &flow, h, &to);
+        return leads_on.then_some((flow, to.q));
     }
     None
 }

@@ -1,11 +1,10 @@
 //! Contacts that come and go, as they are told.
 
+use crate::contact::{Bound, SAME_PLACE};
 use crate::pairs::Pairs;
 use crate::record::{Event, EventKind};
 use crate::system::System;
 
-use super::bound::Bound;
-use super::choose::SAME_PLACE;
 use super::flow::Flow;
 
 /// A contact that no push holds closed stays if it opens by no more than this in a trial, relative to the size of the
@@ -85,6 +84,6 @@ fn event(
     kind: EventKind,
 ) -> Event {
     let at = at.filter(|p| p.is_finite()).map(|p| [p.x, p.y]);
-    let what = super::describe::named(system, pairs, bound);
+    let what = crate::contact::named(system, pairs, bound);
     Event { t, kind, what, at }
 }

@@ -4,12 +4,12 @@
 //! joints hold, by the shortest way in the metric. Where these leave no freedom the configuration follows from them alone, and
 //! the step is but a first guess.
 
+use crate::contact::Bound;
 use crate::dormand_prince::{DIFFERENCE, STAGES};
 use crate::linear::add_scaled;
 use crate::pairs::Pairs;
 use crate::system::{Row, System};
 
-use super::bound::Bound;
 use super::velocity::{Held, Local};
 
 /// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.

@@ -4,11 +4,10 @@
 //! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
 //! root is found to rounding.
 
-use super::bound::Bound;
-use super::choose::touching;
-use super::ends::ends;
+use crate::contact::{Bound, Watch, ends, touching};
+
+use super::check::goes_on;
 use super::flow::{Arrived, Flow};
-use super::watch::Watch;
 
 /// Events are located to this share of a step.
 const LOCATED: f64 = 1e-13;
@@ -40,7 +39,7 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
             break;
         }
         match flow.after(middle) {
-            Some(to) if watch.check(flow, middle, &to).is_none() => before = middle,
+            Some(to) if goes_on(watch, flow, middle, &to) => before = middle,
             found => {
                 after = middle;
                 last = found;

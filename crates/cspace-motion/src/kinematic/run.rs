@@ -1,16 +1,15 @@
 //! From event to event.
 
+use crate::contact::{Bound, Watch, named, touching};
 use crate::pairs::Pairs;
 use crate::record::{Obstacle, Record, Sample, Status};
 use crate::system::System;
 
-use super::bound::Bound;
-use super::choose::{Choice, choose, touching};
-use super::describe::named;
+use super::check::{goes_on, step};
+use super::choose::{Choice, choose};
 use super::events::Told;
 use super::flow::{Arrived, Flow};
 use super::locate::first_event;
-use super::watch::{Cause, Watch};
 
 /// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
 const LONGEST: f64 = 0.02;
@@ -199,11 +198,8 @@ impl<'a> Run<'a> {
                     None => break arrived,
                 }
             };
-            let met = match &arrived {
-                Some(to) => watch.check(&flow, h, to),
-                None => Some(Cause::Lost),
-            };
-            let (Some(to), None) = (arrived, met) else {
+            let arrived = arrived.filter(|to| goes_on(&mut watch, &flow, h, to));
+            let Some(to) = arrived else {
                 let stop = first_event(&flow, h, &mut watch);
                 let time = flow.time + stop.after;
                 self.sample(&flow, time);
@@ -226,7 +222,7 @@ impl<'a> Run<'a> {
             }
             let end = if h == left { stop } else { flow.time + h };
             self.sample(&flow, end);
-            watch.taken(&flow, h, &to);
+            watch.taken(&step(&flow, h, &to));
             let is_corner = end == stop;
             flow.time = end;
             flow.q = to.q;

@@ -1,7 +1,9 @@
 //! All coordinates of a mechanism, and which of them are free.
 
-use cspace::mechanism::PartPosition;
-use cspace::{AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement};
+use cspace::mechanism::{MassProperties, PartPosition, PartVelocity};
+use cspace::{
+    AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Rotation,
+};
 
 use super::joint;
 use super::layout::{Derived, PartCoordinates, row_of};
@@ -19,6 +21,9 @@ pub struct System {
     mechanism: Mechanism,
     parts: Vec<PartCoordinates>,
     moments: Vec<AreaMoments>,
+    masses: Vec<Option<MassProperties>>,
+    /// Centres of mass in the parts' frames.
+    centers: Vec<Point>,
     count: usize,
     /// The prescribed coordinates.
     drives: Vec<(usize, DriveCurve)>,
@@ -32,12 +37,29 @@ pub struct System {
 impl System {
     /// The system of a mechanism that has been [checked](Mechanism::check).
     pub fn new(mechanism: &Mechanism) -> Self {
+        Self::about(mechanism, |_| Point::ORIGIN)
+    }
+
+    /// The same with the centres of mass for the points of parts that move in the plane: their masses and inertias are then
+    /// all there is in the mass matrix.
+    pub(crate) fn about_masses(mechanism: &Mechanism) -> Self {
+        let of = |i: usize| {
+            let entry = &mechanism.parts[i].part;
+            mechanism.dynamics.part(i).center_of_mass(entry)
+        };
+        Self::about(mechanism, of)
+    }
+
+    fn about(mechanism: &Mechanism, center: impl Fn(usize) -> Point) -> Self {
         let mut count = 0;
-        let parts: Vec<PartCoordinates> = (mechanism.parts.iter())
-            .map(|entry| {
+        let parts: Vec<PartCoordinates> = (mechanism.parts.iter().enumerate())
+            .map(|(i, entry)| {
                 let first = count;
                 let (coordinates, more) = match entry.axis {
-                    None => (PartCoordinates::Planar { first }, 3),
+                    None => {
+                        let center = center(i);
+                        (PartCoordinates::Planar { first, center }, 3)
+                    }
                     Some(axis) if axis.motion == AxisMotion::Fixed => (PartCoordinates::Fixed, 0),
                     Some(axis) => {
                         let (motion, range) = (axis.motion, axis.range);
@@ -85,6 +107,12 @@ impl System {
             lengths,
             joints: mechanism.joints.iter().filter(tells).copied().collect(),
             moments: (mechanism.parts.iter()).map(|p| p.part.moments()).collect(),
+            masses: (0..mechanism.parts.len())
+                .map(|i| mechanism.mass_properties(i))
+                .collect(),
+            centers: (mechanism.parts.iter().enumerate())
+                .map(|(i, p)| mechanism.dynamics.part(i).center_of_mass(&p.part))
+                .collect(),
             size: sizes.fold(0.0, f64::max),
             mechanism: mechanism.clone(),
             parts,
@@ -144,6 +172,52 @@ impl System {
         }
         self.drive(0.0, &mut q);
         q
+    }
+
+    /// The rates at the start, as they are given: of the coordinates of [`start`](Self::start).
+    pub(crate) fn start_rates(&self) -> Vec<f64> {
+        let mut v = vec![0.0; self.count];
+        for (i, part) in self.parts.iter().enumerate() {
+            let indices = part.indices();
+            match self.mechanism.dynamics.part(i).rate {
+                Some(PartVelocity::Axis(u)) if indices.len() == 1 => v[indices.start] = u,
+                Some(PartVelocity::Planar { linear, angular }) if indices.len() == 3 => {
+                    v[indices].copy_from_slice(&[linear.x, linear.y, angular]);
+                }
+                _ => {}
+            }
+        }
+        v
+    }
+
+    /// Coordinates and rates of the origins of the parts' frames brought to those of their points, or back.
+    pub(crate) fn shift(&self, q: &mut [f64], v: &mut [f64], back: bool) {
+        for part in &self.parts {
+            if let PartCoordinates::Planar { first, center } = *part {
+                let sign = if back { -1.0 } else { 1.0 };
+                let arm = Rotation::by(q[first + 2]) * center.to_vector() * sign;
+                q[first] += arm.x;
+                q[first + 1] += arm.y;
+                let turning = arm.left() * v[first + 2];
+                v[first] += turning.x;
+                v[first + 1] += turning.y;
+            }
+        }
+    }
+
+    /// The joints between parts that move.
+    pub(crate) fn joint_entries(&self) -> &[JointEntry] {
+        &self.joints
+    }
+
+    /// The mass of a part, where it is and how it is spread.
+    pub(crate) fn mass(&self, part: usize) -> Option<&MassProperties> {
+        self.masses[part].as_ref()
+    }
+
+    /// The centre of mass of a part in its frame, or of its outline.
+    pub(crate) fn center(&self, part: usize) -> Point {
+        self.centers[part]
     }
 
     /// Brings the prescribed coordinates to where they are at a time.

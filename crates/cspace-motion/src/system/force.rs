@@ -28,7 +28,7 @@ impl System {
         }
         let gravity = self.mechanism().dynamics.gravity;
         for (i, part) in self.parts().iter().enumerate() {
-            if let Some(mass) = self.mechanism().mass_properties(i) {
+            if let Some(mass) = self.mass(i) {
                 let [x, y] = place(part, mass.center, q);
                 push(forces, &x, mass.mass * gravity.x);
                 push(forces, &y, mass.mass * gravity.y);
@@ -43,14 +43,7 @@ impl System {
         let part = &self.parts()[load.part];
         match load.kind {
             LoadKind::Force { force, at } => {
-                let entry = &self.mechanism().parts[load.part].part;
-                let center = || {
-                    self.mechanism()
-                        .dynamics
-                        .part(load.part)
-                        .center_of_mass(entry)
-                };
-                let [x, y] = place(part, at.unwrap_or_else(center), q);
+                let [x, y] = place(part, at.unwrap_or(self.center(load.part)), q);
                 push(forces, &x, force.x);
                 push(forces, &y, force.y);
             }

@@ -18,10 +18,12 @@ pub enum PartCoordinates {
         /// The least and the largest it may be.
         range: Option<(f64, f64)>,
     },
-    /// Three: x, y and θ of its frame in the assembly's.
+    /// Three: where a point of the part is in the assembly's frame, x and y, and its orientation θ.
     Planar {
         /// The index of x.
         first: usize,
+        /// The point, in the part's frame: its origin, or its centre of mass.
+        center: Point,
     },
 }
 
@@ -31,7 +33,7 @@ impl PartCoordinates {
         match *self {
             Self::Fixed => 0..0,
             Self::Axis { first, .. } => first..first + 1,
-            Self::Planar { first } => first..first + 3,
+            Self::Planar { first, .. } => first..first + 3,
         }
     }
 
@@ -48,8 +50,13 @@ impl PartCoordinates {
                     variable(first),
                 ),
             },
-            Self::Planar { first } => {
-                Placement::new([variable(first), variable(first + 1)], variable(first + 2))
+            Self::Planar { first, center } => {
+                let turned = Placement::new([T::constant(0.0); 2], variable(first + 2));
+                let [x, y] = turned.vector(point(center));
+                Placement {
+                    position: [variable(first) - x, variable(first + 1) - y],
+                    ..turned
+                }
             }
         }
     }
@@ -62,7 +69,7 @@ impl PartCoordinates {
                 motion: AxisMotion::Revolute { .. },
                 ..
             } => Some(first),
-            Self::Planar { first } => Some(first + 2),
+            Self::Planar { first, .. } => Some(first + 2),
             _ => None,
         }
     }
@@ -81,7 +88,7 @@ impl PartCoordinates {
                 motion: AxisMotion::Revolute { center },
                 ..
             } => [reach(*center), 0.0, 0.0],
-            Self::Planar { .. } => [1.0, 1.0, reach(Point::ORIGIN)],
+            Self::Planar { center, .. } => [1.0, 1.0, reach(*center)],
             _ => [1.0, 0.0, 0.0],
         }
     }

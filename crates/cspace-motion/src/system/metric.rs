@@ -21,8 +21,8 @@ pub(crate) fn add_outline(
                 _ => moments.area,
             };
         }
-        PartCoordinates::Planar { first } => {
-            let turned = Rotation::by(q[first + 2]) * moments.centroid.to_vector();
+        PartCoordinates::Planar { first, center } => {
+            let turned = Rotation::by(q[first + 2]) * (moments.centroid - center);
             let (x, y, t) = (first, first + 1, first + 2);
             let area = moments.area;
             let mut add = |i: usize, j: usize, m: f64| {

@@ -242,33 +242,79 @@ pub fn contact_function<T: Scalar>(
         .0
 }
 
-/// Where two features touch, or would along their common normal.
-pub fn touching(
-    fixed: &FeatureShape<f64>,
-    moving: &FeatureShape<f64>,
-    fixed_from_moving: &Placement<f64>,
-) -> Touching {
+/// Where two features touch, or would along their common normal, in numbers of any kind: in the fixed part's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TouchingPlace<T> {
+    /// The contact function: how far the features are apart along their common normal.
+    pub gap: T,
+    /// The point of the fixed part's feature, or of the line or circle that it is a piece of.
+    pub on_fixed: [T; 2],
+    /// The point of the moving part's feature. Both are one in contact.
+    pub on_moving: [T; 2],
+    /// The outward unit normal of the fixed part there.
+    pub normal: [T; 2],
+}
+
+/// Where two features touch, with the contact function, in numbers of any kind: with those that carry derivatives the points and the
+/// normal come with theirs.
+///
+/// ```
+/// use cspace::{touching_place, Dual, FeatureShape, Placement, Scalar};
+/// let c = |x: f64| Dual::<1>::constant(x);
+/// // A disc of radius 1 about (0.5, 3) above a line along the x axis with material below, moved along it.
+/// let line = FeatureShape::Edge { start: [c(5.0), c(0.0)], end: [c(-5.0), c(0.0)], bulge: c(0.0) };
+/// let disc = FeatureShape::Edge { start: [c(-1.0), c(0.0)], end: [c(1.0), c(0.0)], bulge: c(1.0) };
+/// let moved = Placement::new([Dual::variable(0.5, 0), c(3.0)], c(0.0));
+/// let place = touching_place(&line, &disc, &moved);
+/// assert!((place.gap.value - 2.0).abs() < 1e-12 && place.gap.slope[0].abs() < 1e-12);
+/// assert!((place.on_moving[0].value - 0.5).abs() < 1e-12 && (place.on_moving[0].slope[0] - 1.0).abs() < 1e-12);
+/// ```
+pub fn touching_place<T: Scalar>(
+    fixed: &FeatureShape<T>,
+    moving: &FeatureShape<T>,
+    fixed_from_moving: &Placement<T>,
+) -> TouchingPlace<T> {
     let against = Against::new(fixed, moving, fixed_from_moving);
     let (gap, normal) = against.value_and_normal();
     let (base, other) = (&against.base, &against.other);
     // From the other's circle along its normal, which is the opposite one: p − r (m + N).
-    let on_other = if other.radius == 0.0 {
+    let on_other = if other.radius.value() == 0.0 {
         other.point
     } else {
         sub(other.point, scale(add(other.normal, normal), other.radius))
     };
     let on_base = sub(on_other, scale(normal, gap));
     debug_assert!(base.bulge.is_finite() || other.bulge.is_infinite());
-    let (on_fixed, on_moving, normal) = if against.moves {
+    if against.moves {
         let place = |p| fixed_from_moving.point(p);
         let turned = fixed_from_moving.vector(normal);
-        (place(on_other), place(on_base), scale(turned, -1.0))
+        TouchingPlace {
+            gap,
+            on_fixed: place(on_other),
+            on_moving: place(on_base),
+            normal: [-turned[0], -turned[1]],
+        }
     } else {
-        (on_base, on_other, normal)
-    };
+        TouchingPlace {
+            gap,
+            on_fixed: on_base,
+            on_moving: on_other,
+            normal,
+        }
+    }
+}
+
+/// Where two features touch, or would along their common normal.
+pub fn touching(
+    fixed: &FeatureShape<f64>,
+    moving: &FeatureShape<f64>,
+    fixed_from_moving: &Placement<f64>,
+) -> Touching {
+    let place = touching_place(fixed, moving, fixed_from_moving);
+    let point = |[x, y]: [f64; 2]| Point::new(x, y);
     Touching {
-        on_fixed: Point::new(on_fixed[0], on_fixed[1]),
-        on_moving: Point::new(on_moving[0], on_moving[1]),
-        normal: Vector::new(normal[0], normal[1]),
+        on_fixed: point(place.on_fixed),
+        on_moving: point(place.on_moving),
+        normal: Vector::new(place.normal[0], place.normal[1]),
     }
 }

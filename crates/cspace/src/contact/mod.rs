@@ -63,7 +63,9 @@ pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};
 pub(crate) use condition::conditions;
 pub(crate) use crossing::{Crossing, crossing, roots};
 pub(crate) use curve::{Curve, CurveShape};
-pub use drawn::{ContactValue, FeatureShape, Touching, contact_function, touching};
+pub use drawn::{
+    ContactValue, FeatureShape, Touching, TouchingPlace, contact_function, touching, touching_place,
+};
 pub(crate) use exact::{ExactCurve, ExactSheet, ExactTurn, Rough, exact_crossings};
 pub(crate) use flat_arc::FlatArc;
 pub use function::ContactFunction;

@@ -28,7 +28,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     catch_interrupts();
     set_threads(args.threads)?;
     let (path, model) = read_model(&args.file, "a simulation is of all of its parts")?;
-    check_mode(&path, &model, args.mode)?;
+    let mode = mode_of(&model, args.mode);
     check_names(&path, &model)?;
     let begin = Instant::now();
     let failed = |error: SimulateError| failure(&path, error);
@@ -39,7 +39,10 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let (simulation, record) = Bar::new(shown::text(&model.name).into_owned())
         .watch(|bar| {
             let simulation = Simulation::new_with(&model, bar)?;
-            let record = simulation.kinematic_with(&settings, bar)?;
+            let record = match mode {
+                Mode::Kinematic => simulation.kinematic_with(&settings, bar)?,
+                Mode::Dynamic => simulation.dynamic_with(&settings, bar)?,
+            };
             Ok((simulation, record))
         })
         .map_err(failed)?;
@@ -81,21 +84,17 @@ fn is_csv(path: Option<&Path>) -> bool {
     (path.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("csv"))
 }
 
-/// Without masses the mode is kinematic; with masses it would be dynamic.
-fn check_mode(path: &Path, model: &Mechanism, mode: Option<Mode>) -> Result<(), Failure> {
+/// Without masses the mode is kinematic, unless another is asked for.
+fn mode_of(model: &Mechanism, mode: Option<Mode>) -> Mode {
     let has_mass = (0..model.parts.len()).any(|i| model.dynamics.part(i).mass.is_some());
     match mode {
-        Some(Mode::Kinematic) => Ok(()),
         Some(Mode::Dynamic) if !has_mass => {
             note("no part has a mass, so the mode is kinematic");
-            Ok(())
+            Mode::Kinematic
         }
-        None if !has_mass => Ok(()),
-        _ => Err(Failure::work(format_args!(
-            "{}: parts have masses, and the dynamic mode is not there yet",
-            path.display()
-        ))
-        .help("ask for --mode kinematic, in which inertia plays no part")),
+        Some(mode) => mode,
+        None if has_mass => Mode::Dynamic,
+        None => Mode::Kinematic,
     }
 }
 

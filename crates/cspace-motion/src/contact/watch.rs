@@ -5,30 +5,22 @@ use cspace::{Classification, Coordinates, QueryError};
 use crate::pairs::{MovingPair, Pairs};
 use crate::system::System;
 
-use super::bound::{Bound, limit_tolerance, limits};
-use super::flow::{Arrived, Flow};
+use super::bound::Bound;
 
-/// A contact's push below this share of the speed, and negative, is a pull.
-const PULL: f64 = 1e-10;
-/// So many straight pieces stand for the path of a step, in each of which the first contact is sought exactly. Their distance
-/// from the path falls with the square of their number.
-const PIECES: usize = 4;
+/// The straight pieces that stand for the path of a step, in each of which the first contact is sought exactly, end at these shares of
+/// it. Their distance from the path falls with the square of their number. The first of a step that begins in contact is not told
+/// anything, and is short.
+const PIECES: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 1.0];
 /// A path between two configurations of a step is at most so much longer than its pieces.
 const LONGER: f64 = 1.1;
 
-/// Why a step may not be taken as it is.
+/// What a step met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Cause {
-    /// Closed contacts and joints cannot go on as they are.
-    Lost,
-    /// A contact would pull.
-    Pull,
+pub(crate) enum Met {
     /// A contact is no longer where two features touch, or the parts of a pair met.
-    Pair(usize),
-    /// A part came to the end of its range.
-    Limit,
+    Contact,
     /// A pair left the orientations of its space.
-    Window(usize),
+    Window,
 }
 
 /// What is known of each pair while the same contacts are closed.
@@ -67,32 +59,19 @@ impl<'a> Watch<'a> {
         LONGER * (of(pair.fixed) + of(pair.moving))
     }
 
-    /// What a step met.
-    pub(crate) fn check(&mut self, flow: &Flow<'_>, h: f64, to: &Arrived) -> Option<Cause> {
-        let pull = -PULL * to.velocity.speed;
-        if to.velocity.pushes.iter().any(|&p| p < pull) {
-            return Some(Cause::Pull);
-        }
-        for (bound, room) in limits(self.system, &to.q) {
-            if let Bound::Limit { part, .. } = bound
-                && room < -limit_tolerance(self.system, part)
-                && !flow.held.contains(&bound)
-            {
-                return Some(Cause::Limit);
-            }
-        }
-        let path = path(flow, h, to);
-        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, flow, &path))
+    /// What a step along a path met, with some bounds held on the way.
+    pub(crate) fn check(&mut self, held: &[Bound], path: &[Vec<f64>]) -> Option<Met> {
+        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path))
     }
 
-    fn check_pair(&mut self, index: usize, flow: &Flow<'_>, path: &[Vec<f64>]) -> Option<Cause> {
+    fn check_pair(&mut self, index: usize, held: &[Bound], path: &[Vec<f64>]) -> Option<Met> {
         let pair = &self.pairs.list()[index];
         let (from, to) = (&path[0], &path[path.len() - 1]);
         let outside = |error: QueryError| match error {
-            QueryError::Outside => Cause::Window(index),
-            _ => Cause::Pair(index),
+            QueryError::Outside => Met::Window,
+            _ => Met::Contact,
         };
-        let held = flow.held.iter().filter_map(|b| match b {
+        let held = held.iter().filter_map(|b| match b {
             Bound::Contact(touch) if touch.pair == index => Some(touch.features),
             _ => None,
         });
@@ -104,7 +83,7 @@ impl<'a> Watch<'a> {
                 Err(error) => return Some(outside(error)),
             };
             let is_there = |features| touches.iter().any(|t| t.features == features);
-            return (!closed.all(is_there)).then_some(Cause::Pair(index));
+            return (!closed.all(is_there)).then_some(Met::Contact);
         }
         let travel = self.travel(pair, path);
         if travel <= self.room[index] {
@@ -127,13 +106,13 @@ impl<'a> Watch<'a> {
             // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
             Ok(Classification::Blocked) => match pair.touches(index, self.system, to, pair.touch) {
                 Ok(touches) if !touches.is_empty() => {}
-                _ => return Some(Cause::Pair(index)),
+                _ => return Some(Met::Contact),
             },
             Err(error) => return Some(outside(error)),
             Ok(_) => {}
         }
         path.windows(2)
-            .find_map(|w| self.meets(pair, &w[0], &w[1]).then_some(Cause::Pair(index)))
+            .find_map(|w| self.meets(pair, &w[0], &w[1]).then_some(Met::Contact))
     }
 
     /// Whether the parts meet on the straight way between two configurations. One that begins in contact is not told to.
@@ -157,21 +136,17 @@ impl<'a> Watch<'a> {
         )
     }
 
-    /// That a step was taken.
-    pub(crate) fn taken(&mut self, flow: &Flow<'_>, h: f64, to: &Arrived) {
-        let path = path(flow, h, to);
+    /// That a step along a path was taken.
+    pub(crate) fn taken(&mut self, path: &[Vec<f64>]) {
         for (index, pair) in self.pairs.list().iter().enumerate() {
-            self.room[index] -= self.travel(pair, &path);
+            self.room[index] -= self.travel(pair, path);
         }
     }
 }
 
-/// Configurations along a step, by the cubic that has the velocities of its ends.
-fn path(flow: &Flow<'_>, h: f64, to: &Arrived) -> Vec<Vec<f64>> {
-    let (a, b) = (&flow.q, &to.q);
-    let (va, vb) = (&flow.velocity.rates, &to.velocity.rates);
-    let at = |k: usize| -> Vec<f64> {
-        let t = k as f64 / PIECES as f64;
+/// Configurations along a step of a duration h, by the cubic that has the configurations and rates of its ends.
+pub(crate) fn path((a, va): (&[f64], &[f64]), (b, vb): (&[f64], &[f64]), h: f64) -> Vec<Vec<f64>> {
+    let at = |t: f64| -> Vec<f64> {
         let s = 1.0 - t;
         let cubic = |i: usize| {
             s * s * (1.0 + 2.0 * t) * a[i]
@@ -180,8 +155,8 @@ fn path(flow: &Flow<'_>, h: f64, to: &Arrived) -> Vec<Vec<f64>> {
         };
         (0..a.len()).map(cubic).collect()
     };
-    let mut path: Vec<Vec<f64>> = vec![a.clone()];
-    path.extend((1..PIECES).map(at));
-    path.push(b.clone());
+    let mut path: Vec<Vec<f64>> = vec![a.to_vec()];
+    path.extend(PIECES.iter().rev().skip(1).rev().map(|&t| at(t)));
+    path.push(b.to_vec());
     path
 }

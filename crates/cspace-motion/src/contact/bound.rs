@@ -82,3 +82,21 @@ pub(crate) fn limit_tolerance(system: &System, part: usize) -> f64 {
         None => AT_LIMIT * system.size(),
     }
 }
+
+/// Contacts are told when they are farther away than what leaves them by this factor.
+const REACH: f64 = 4.0;
+
+/// The contacts that touch, and the ends of ranges that are reached.
+pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
+    let mut all = Vec::new();
+    for (index, pair) in pairs.list().iter().enumerate() {
+        // Outside of its space nothing touches, and the motion does not go on.
+        let touches = pair.touches(index, system, q, REACH * pair.touch);
+        all.extend(touches.unwrap_or_default().into_iter().map(Bound::Contact));
+    }
+    let reached = limits(system, q).into_iter().filter(|(bound, room)| {
+        matches!(bound, Bound::Limit { part, .. } if *room < REACH * limit_tolerance(system, *part))
+    });
+    all.extend(reached.map(|(bound, _)| bound));
+    all
+}

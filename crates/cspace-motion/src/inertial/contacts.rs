@@ -1,0 +1,119 @@
+//! Contacts and ends of ranges by number, and how they open and slide.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use cspace::{FeatureId, Placement, Scalar, TouchingPlace, touching_place};
+
+use crate::contact::{Bound, limits};
+use crate::pairs::Pairs;
+use crate::system::System;
+
+use super::bodies::All;
+use super::rates::{InTime, Rates, still};
+
+/// The features of a pair that touch.
+type Key = (usize, (FeatureId, FeatureId));
+
+/// Ends of ranges first, then contacts as they are met.
+#[derive(Debug)]
+pub(super) struct Numbers {
+    limits: usize,
+    list: RefCell<Vec<Bound>>,
+    known: RefCell<HashMap<Key, usize>>,
+}
+
+/// How a bound opens and slides.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Opening {
+    pub(super) gap: f64,
+    pub(super) normal: Rates,
+    pub(super) tangent: Rates,
+}
+
+impl Numbers {
+    pub(super) fn new(system: &System) -> Self {
+        let start = vec![0.0; system.count()];
+        let list: Vec<Bound> = limits(system, &start).into_iter().map(|l| l.0).collect();
+        Self {
+            limits: list.len(),
+            list: RefCell::new(list),
+            known: RefCell::default(),
+        }
+    }
+
+    /// How many ends of ranges there are: theirs are the first numbers.
+    pub(super) fn limits(&self) -> usize {
+        self.limits
+    }
+
+    pub(super) fn bound(&self, number: usize) -> Bound {
+        self.list.borrow()[number]
+    }
+
+    pub(super) fn number(&self, bound: &Bound) -> usize {
+        let mut list = self.list.borrow_mut();
+        match bound {
+            Bound::Limit { .. } => list[..self.limits]
+                .iter()
+                .position(|b| b == bound)
+                .unwrap_or(0),
+            Bound::Contact(touch) => {
+                let mut known = self.known.borrow_mut();
+                *known
+                    .entry((touch.pair, touch.features))
+                    .or_insert_with(|| {
+                        list.push(*bound);
+                        list.len() - 1
+                    })
+            }
+        }
+    }
+}
+
+/// The gap of a bound and the rates at which it opens and slides.
+pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, all: &All) -> Opening {
+    match bound {
+        Bound::Limit { .. } => {
+            let row = bound.function(system, pairs, &all.q);
+            let mut normal = Rates::none();
+            for &(i, d) in row.entries() {
+                normal.add(i, still(d));
+            }
+            Opening {
+                gap: row.value,
+                normal,
+                tangent: Rates::none(),
+            }
+        }
+        Bound::Contact(touch) => {
+            let pair = &pairs.list()[touch.pair];
+            let parts = [pair.fixed, pair.moving].map(|i| system.parts()[i]);
+            let [a, b]: [Placement<InTime>; 2] = parts.map(|p| p.placement(|i| all.at(i)));
+            let real = |_, x| InTime::constant(x);
+            let contact = touch.contact();
+            let TouchingPlace {
+                gap,
+                on_fixed,
+                on_moving,
+                normal: n,
+            } = touching_place(
+                &contact.fixed.map(real),
+                &contact.moving.map(real),
+                &a.inverse().compose(&b),
+            );
+            let (p, r, n) = (a.point(on_fixed), a.point(on_moving), a.vector(n));
+            let t = [-n[1], n[0]];
+            let (mut normal, mut tangent) = (Rates::none(), Rates::none());
+            for (rates, d) in [(&mut normal, n), (&mut tangent, t)] {
+                rates.add_point(&parts[1], &all.q, &all.v, r, d);
+                rates.add_point(&parts[0], &all.q, &all.v, p, [-d[0], -d[1]]);
+            }
+            Opening {
+                gap: gap.value,
+                normal,
+                tangent,
+            }
+        }
+    }
+}

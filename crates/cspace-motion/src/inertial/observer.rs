@@ -1,0 +1,143 @@
+//! What is told of a motion with masses, as samples and events of a record.
+
+use cspace::pair::Joint;
+
+use crate::contact::{Bound, named};
+use crate::dynamic::{self, Acting, Observer, State};
+use crate::record::{ContactForce, DriveForce, Event, EventKind, Forces, JointForce, Sample};
+
+use super::bodies::All;
+use super::world::Mechanical;
+
+/// Gathers samples and events.
+pub(super) struct Gathering<'a> {
+    pub(super) world: &'a Mechanical<'a>,
+    pub(super) every: f64,
+    pub(super) duration: f64,
+    pub(super) samples: Vec<Sample>,
+    pub(super) events: Vec<Event>,
+    pub(super) progress: &'a dyn Fn(f64) -> bool,
+}
+
+impl Gathering<'_> {
+    fn name(&self, part: usize) -> String {
+        let system = &self.world.bodies.system;
+        system.mechanism().parts[part].part.name().to_owned()
+    }
+
+    fn forces(&self, all: &All, acting: &Acting<'_>) -> Forces {
+        let system = &self.world.bodies.system;
+        let contacts = (acting.contacts.iter())
+            .map(|&(number, normal, tangential)| ContactForce {
+                what: named(system, self.world.pairs, &self.world.bound(number)),
+                at: self.world.place(number, &all.q).map(|p| [p.x, p.y]),
+                normal,
+                tangential,
+            })
+            .collect();
+        let mut mu = acting.joints.iter().copied();
+        let mut next = || mu.next().unwrap_or(0.0);
+        let joints = (system.joint_entries().iter())
+            .map(|entry| {
+                let (a, b) = entry.parts;
+                // The first part's constraint force is the multiplier along the direction, the second's its opposite.
+                let (force, torque) = match entry.joint {
+                    Joint::Revolute { .. } => ([-next(), -next()], 0.0),
+                    Joint::Rigid => ([-next(), -next()], next() * system.size()),
+                    Joint::Prismatic { direction, .. } => {
+                        let n = direction.unit().left();
+                        let [x, y] = system.placement(a, &all.q).vector([n.x, n.y]);
+                        let across = next();
+                        ([-across * x, -across * y], next() * system.size())
+                    }
+                };
+                JointForce {
+                    parts: [self.name(a), self.name(b)],
+                    force,
+                    torque,
+                }
+            })
+            .collect();
+        let drives = (self.world.drive_forces(all, acting).into_iter())
+            .map(|(i, force)| {
+                let part = system.parts().iter().position(|p| p.indices().contains(&i));
+                DriveForce {
+                    part: self.name(part.unwrap_or(0)),
+                    force,
+                    power: force * all.v[i],
+                }
+            })
+            .collect();
+        Forces {
+            contacts,
+            joints,
+            drives,
+        }
+    }
+
+    /// A state as it is told: by the parts' own frames.
+    pub(super) fn told(&self, state: &State, forces: Option<Forces>) -> Sample {
+        let All { mut q, mut v, .. } = self.world.bodies.all(state);
+        self.world.bodies.system.shift(&mut q, &mut v, true);
+        Sample {
+            t: state.t,
+            coordinates: q,
+            rates: v,
+            forces,
+        }
+    }
+}
+
+impl Observer for Gathering<'_> {
+    fn next(&self) -> f64 {
+        let next = self.samples.len() as f64 * self.every;
+        if next <= self.duration {
+            next
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    fn sample(&mut self, state: &State, acting: &Acting<'_>) {
+        let all = self.world.bodies.all(state);
+        let forces = self.forces(&all, acting);
+        let mut sample = self.told(state, Some(forces));
+        sample.t = self.next();
+        self.samples.push(sample);
+    }
+
+    fn event(&mut self, event: &dynamic::Event, state: &State) {
+        use dynamic::EventKind as Kind;
+        let all = self.world.bodies.all(state);
+        let bound = self.world.bound(event.contact);
+        let kind = match (event.kind, bound) {
+            (Kind::Impact, Bound::Limit { .. }) => EventKind::Limit,
+            (Kind::Touch, Bound::Limit { .. }) => EventKind::Limit,
+            (Kind::Impact, _) => EventKind::Impact,
+            (Kind::Touch, _) => EventKind::Touch,
+            (Kind::Release, Bound::Limit { .. }) => return,
+            (Kind::Release, _) => EventKind::Release,
+            (Kind::Stick, _) => EventKind::Stick,
+            (Kind::Slip, _) => EventKind::Slip,
+            (Kind::Rest, _) => EventKind::Rest,
+        };
+        let event = Event {
+            t: event.t,
+            kind,
+            what: named(&self.world.bodies.system, self.world.pairs, &bound),
+            at: self.world.place(event.contact, &all.q).map(|p| [p.x, p.y]),
+        };
+        // A stop that is struck and holds is told once.
+        let is_told = kind == EventKind::Limit
+            && (self.events.iter().rev())
+                .take_while(|e| e.t == event.t)
+                .any(|e| e.kind == kind && e.what == event.what);
+        if !is_told {
+            self.events.push(event);
+        }
+    }
+
+    fn goes_on(&self, t: f64) -> bool {
+        (self.progress)(t / self.duration)
+    }
+}

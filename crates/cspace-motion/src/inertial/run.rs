@@ -1,0 +1,122 @@
+//! A mechanism with masses set in motion.
+
+use crate::contact::named;
+use crate::dynamic::{self, Ended, Options, State};
+use crate::error::SimulateError;
+use crate::pairs::Pairs;
+use crate::record::{Energy, Record, Status};
+use crate::system::System;
+
+use super::bodies::Bodies;
+use super::forces::{kinetic, potential};
+use super::observer::Gathering;
+use super::world::Mechanical;
+
+/// Follows the motion of a mechanism from coordinates and rates of its parts' frames for some time.
+pub(crate) fn run(
+    system: System,
+    pairs: &Pairs,
+    (mut q, mut v): (Vec<f64>, Vec<f64>),
+    duration: f64,
+    every: f64,
+    progress: &dyn Fn(f64) -> bool,
+) -> Result<Record, SimulateError> {
+    system.shift(&mut q, &mut v, false);
+    let bodies = Bodies::new(system)?;
+    let world = Mechanical::new(&bodies, pairs);
+    let start = State {
+        t: 0.0,
+        q: bodies.free(&q),
+        v: bodies.free(&v),
+    };
+    let energy = |state: &State| {
+        let all = bodies.all(state);
+        kinetic(&bodies, &all) + potential(&bodies, &all.q)
+    };
+    let mut gathering = Gathering {
+        world: &world,
+        every,
+        duration,
+        samples: Vec::new(),
+        events: Vec::new(),
+        progress,
+    };
+    let options = Options {
+        until: duration,
+        longest: f64::INFINITY,
+    };
+    let at_start = energy(&start);
+    let motion = dynamic::run(&world, start, &options, &mut gathering);
+    let list = |contacts: &[usize]| {
+        let names: Vec<String> = (contacts.iter())
+            .map(|&i| named(&bodies.system, pairs, &world.bound(i)).to_string())
+            .collect();
+        names.join("; ")
+    };
+    let (status, reason) = match &motion.ended {
+        Ended::Done => (Status::Done, None),
+        Ended::Jammed { contacts } => (
+            Status::Jammed,
+            Some(format!("what is driven cannot go on: {}", list(contacts))),
+        ),
+        Ended::Inconsistent { contacts } => (
+            Status::Inconsistent,
+            Some(format!(
+                "no forces and accelerations agree with friction at these contacts: {}",
+                list(contacts)
+            )),
+        ),
+        Ended::Undetermined { contacts } => (
+            Status::Undetermined,
+            Some(format!(
+                "several motions agree with friction at these contacts: {}",
+                list(contacts)
+            )),
+        ),
+        Ended::Stuck { contacts } => {
+            let names = list(contacts);
+            let why = if names.is_empty() {
+                "a pair left the orientations of its space, or joints cannot hold".to_owned()
+            } else {
+                format!("it cannot be told how it goes on with these contacts: {names}")
+            };
+            (Status::Undetermined, Some(why))
+        }
+        Ended::TooMany => (
+            Status::Undetermined,
+            Some(
+                "springs or dampers are too stiff, or parts too fast, to be followed; make them softer or slower, or ask for a shorter time"
+                    .to_owned(),
+            ),
+        ),
+        Ended::Interrupted => return Err(SimulateError::Interrupted),
+    };
+    let until = motion.last.t;
+    let end = gathering.told(&motion.last, None);
+    let mut samples = gathering.samples;
+    // The end is a sample, also where it is none of the even times, or misses one by rounding.
+    let rounding = 1e-12 * duration;
+    if samples.last().is_none_or(|s| s.t < until - rounding) {
+        samples.push(end);
+    }
+    let at_end = energy(&motion.last);
+    let work = motion.work;
+    let energy = Energy {
+        start: at_start,
+        end: at_end,
+        drives: work.drives,
+        friction: work.friction,
+        impacts: work.impacts,
+        drift: at_end - (at_start + work.drives - work.friction - work.impacts),
+    };
+    Ok(Record {
+        status,
+        until,
+        reason,
+        obstacles: Vec::new(),
+        samples,
+        events: gathering.events,
+        energy: Some(energy),
+        open: motion.open,
+    })
+}

@@ -1,0 +1,35 @@
+//! Whether a step of the motion may be taken as it is.
+
+use crate::contact::{Bound, Watch, limit_tolerance, limits, path};
+
+use super::flow::{Arrived, Flow};
+
+/// A contact's push below this share of the speed, and negative, is a pull.
+const PULL: f64 = 1e-10;
+
+/// Whether closed contacts push all the way, no other part is met, and no range is left.
+pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arrived) -> bool {
+    let pull = -PULL * to.velocity.speed;
+    if to.velocity.pushes.iter().any(|&p| p < pull) {
+        return false;
+    }
+    let leaves = |(bound, room): &(Bound, f64)| match bound {
+        Bound::Limit { part, .. } => {
+            *room < -limit_tolerance(flow.system, *part) && !flow.held.contains(bound)
+        }
+        Bound::Contact(_) => false,
+    };
+    if limits(flow.system, &to.q).iter().any(leaves) {
+        return false;
+    }
+    watch.check(&flow.held, &step(flow, h, to)).is_none()
+}
+
+/// The path of a step.
+pub(crate) fn step(flow: &Flow<'_>, h: f64, to: &Arrived) -> Vec<Vec<f64>> {
+    path(
+        (&flow.q, &flow.velocity.rates),
+        (&to.q, &to.velocity.rates),
+        h,
+    )
+}
