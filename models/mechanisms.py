@@ -55,7 +55,7 @@ are not drawn. The bob's centre is {long:.3f} below the pivot, so that small swi
 much as makes a quality of {quality}: left alone it would lose 1 part in {quality / (2 * math.pi):.0f} of its energy in each swing. The weight pulls on
 the wheel's arbor.
 
-To be seen: it begins in the middle of its swing, about to go to {amplitude:g} deg. The wheel stands still while a tooth lies on the arc
+To be seen: it begins in the middle of its swing, about to go to -{amplitude:g} deg, pushed by the first tooth. The wheel stands still while a tooth lies on the arc
 of a pallet, and gives the anchor a push of {LIFT:g} deg twice in each swing, one tooth of {ESCAPE} in all; that brings the swing to where
 pushes and losses are even, and no farther than {SWING:g} deg, where the anchor would strike its stops. The period is a little
 longer than that of small swings.
@@ -65,7 +65,7 @@ longer than that of small swings.
            revolute(0j), ESCAPE, ["mass = 0.02", "inertia = 22"])
     m.part("anchor", "With the pendulum.", [("outline", anchor)], revolute(ANCHOR_PIVOT, SWING), keys=[
         f"mass = {bob}", f"inertia = {number(bob * disc**2 / 2)}", f"center_of_mass = [0, {number(low.imag)}]",
-        f"rate = {number(math.radians(amplitude) * 2 * math.pi / period)}"])
+        f"rate = {number(-math.radians(amplitude) * 2 * math.pi / period)}"])
     m.torque("wheel", "-3000", "The weight on its drum.").brake("anchor", number(damping), "The bearing, and the air.")
     return m
 

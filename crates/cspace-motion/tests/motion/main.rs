@@ -5,6 +5,7 @@ mod answers;
 mod axes;
 mod free_space;
 mod helpers;
+mod hostile;
 mod invariance;
 mod models;
 mod oversize;
