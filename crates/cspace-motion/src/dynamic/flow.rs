@@ -2,11 +2,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::linear::{Cholesky, Rows, length};
+
 use super::modes::{Bearing, Mode, Problem, Solution};
 use super::world::{Joints, State, Touch, World};
 
 /// Inequalities hold to this share.
 pub(super) const ZERO: f64 = 1e-9;
+/// A contact whose tangent is but for this share what bears cannot slide.
+const IDLE: f64 = 1e-9;
 /// Newton's method for gaps and joints converges in two or three steps.
 const PROJECTIONS: usize = 8;
 
@@ -18,13 +22,20 @@ pub(super) struct Flow<'a, W: World + ?Sized> {
     pub(super) world: &'a W,
     /// The inverse of its mass matrix.
     inverse: DMatrix<f64>,
+    /// The factor L of its mass matrix.
+    factor: Cholesky,
 }
 
 impl<'a, W: World + ?Sized> Flow<'a, W> {
     /// None if the mass matrix has no inverse.
     pub(super) fn new(world: &'a W) -> Option<Self> {
         let inverse = world.mass().clone().try_inverse()?;
-        Some(Self { world, inverse })
+        let factor = Cholesky::of(world.mass().as_slice(), world.mass().nrows())?;
+        Some(Self {
+            world,
+            inverse,
+            factor,
+        })
     }
 
     /// The problem of accelerations for some contacts; those that slide faster than `still` have their direction.
@@ -40,6 +51,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
                     tangent: touch.tangent,
                     friction: self.world.surface(i).friction,
                     slides: (rate.abs() > still).then_some(rate.signum()),
+                    lets_go: false,
                 }
             })
             .collect();
@@ -58,6 +70,34 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         let contacts: Vec<usize> = bearings.iter().map(|b| b.0).collect();
         let modes: Vec<Mode> = bearings.iter().map(|b| b.1).collect();
         self.problem(state, &contacts, f64::INFINITY).within(&modes)
+    }
+
+    /// Contacts with the force of sliding that cannot slide, because all that bears leaves them no way to.
+    pub(super) fn idle(&self, state: &State, bearings: &Bearings) -> Vec<usize> {
+        let touches: Vec<Touch> = (bearings.iter())
+            .map(|b| self.world.touch(b.0, state.t, &state.q))
+            .collect();
+        let joints = self.world.joints(state.t, &state.q).rows;
+        let held = rows(&joints, &touches, bearings, true);
+        let scaled = |row: DVector<f64>| -> Vec<f64> {
+            let mut row = row.as_slice().to_vec();
+            self.factor.forward(&mut row);
+            row
+        };
+        let mut all = Rows::default();
+        for row in held.row_iter() {
+            all.push(&scaled(row.transpose()));
+        }
+        let is_idle = |touch: &Touch| {
+            let mut tangent = scaled(touch.tangent.clone());
+            let before = length(&tangent);
+            all.take_out(&mut tangent);
+            length(&tangent) <= IDLE * before
+        };
+        (touches.iter().zip(bearings))
+            .filter(|(touch, b)| b.1 != Mode::Stick && touch.drift[1] == 0.0 && is_idle(touch))
+            .map(|(_, b)| b.0)
+            .collect()
     }
 
     /// The nearest state, in the metric of the masses, in which joints hold and the contacts that bear are closed; and how far they

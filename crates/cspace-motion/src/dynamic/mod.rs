@@ -8,7 +8,13 @@
 
 mod accumulate;
 mod flow;
+mod friction;
+mod lemke;
 mod modes;
+#[cfg(test)]
+mod numbers;
+mod problem;
+mod reduced;
 mod run;
 mod step;
 mod world;

@@ -6,7 +6,7 @@ use super::STILL;
 use super::accumulate::Impacts;
 use super::flow::{Bearings, Flow, ZERO};
 use super::modes::{Bearing, Mode, Problem, Solution};
-use super::step::Watched;
+use super::step::{Looked, Watched};
 use super::world::{Acting, State, Step, Touch, World};
 
 /// What happens.
@@ -145,6 +145,11 @@ const CROWD: f64 = 1e-6;
 /// what follows next. A shorter one is made where something follows at once.
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 
+/// Contacts that cease to stick within this share of the time that is simulated do so together.
+const LOOSE: f64 = 1e-8;
+/// Slow are rates of this share of the largest so far.
+const SLOW: f64 = 1e-5;
+
 /// A motion from a state; `observer` is told the states it asks for.
 ///
 /// Times are in s, coordinates and forces in units that fit together.
@@ -209,10 +214,13 @@ pub fn run<W: World + ?Sized>(
     };
     let mut run = Run {
         flow,
-        largest: (DVector::zeros(start.q.len()), DVector::zeros(start.q.len())),
+        largest: DVector::zeros(start.q.len()),
+        fastest: 0.0,
         span: options.until - start.t,
         state: start,
         bearings: Vec::new(),
+        looked: Looked::default(),
+        loose: (0.0, Vec::new()),
         impacts: Impacts::default(),
         events: Vec::new(),
         steps: 0,
@@ -230,13 +238,30 @@ pub fn run<W: World + ?Sized>(
     }
 }
 
+/// What contacts have come to at an event.
+#[derive(Debug, Clone, Default)]
+struct Reached {
+    /// Their sliding to its end: they do not slide at this moment, whatever rounding says.
+    halted: Vec<usize>,
+    /// All the friction there is.
+    loose: Vec<usize>,
+    /// The other side, without having opened by more than rounding: they stay, if they open slowly.
+    back: Vec<usize>,
+}
+
 struct Run<'a, W: World + ?Sized> {
     flow: Flow<'a, W>,
     state: State,
-    /// The largest values of coordinates and rates so far.
-    largest: (DVector<f64>, DVector<f64>),
+    /// The largest value of each rate so far.
+    largest: DVector<f64>,
+    /// The largest rate so far, as the world measures rates.
+    fastest: f64,
     span: f64,
     bearings: Bearings,
+    /// Contacts that have begun to open at the last event, and may close again; and those that others keep from sliding.
+    looked: Looked,
+    /// Contacts that did not stick any more, since a time.
+    loose: (f64, Vec<usize>),
     impacts: Impacts,
     events: Vec<Event>,
     steps: usize,
@@ -252,7 +277,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             self.state = state;
         }
         let closed = self.flow.world.closed(self.state.t, &self.state.q);
-        let settled = self.settle(closed, &[]);
+        let settled = self.settle(closed, &Reached::default());
         self.announce(0, observer);
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
@@ -271,9 +296,13 @@ impl<W: World + ?Sized> Run<'_, W> {
             if self.state.t + h <= self.state.t {
                 return Err(Ended::TooMany);
             }
+            let mut looked = self.looked.clone();
+            looked.gaps.extend(self.flow.world.watched());
+            looked.gaps.sort_unstable();
+            looked.gaps.dedup();
             let stepped = self
                 .flow
-                .step(&self.state, h, &self.bearings, &self.largest)
+                .step(&self.state, h, &self.bearings, &looked, self.fastest)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
             let from = core::mem::replace(&mut self.state, stepped.state);
@@ -303,6 +332,19 @@ impl<W: World + ?Sized> Run<'_, W> {
             if at_once > AT_ONCE {
                 return Err(self.stuck());
             }
+            if std::env::var("DBG").is_ok() {
+                let c = self.flow.world.closed(self.state.t, &self.state.q);
+                eprintln!(
+                    "EVENT {} {:?} met {} closed {:?} bear {:?} openings {:?} gaps {:?}",
+                    self.state.t,
+                    stepped.events,
+                    stepped.met,
+                    c,
+                    self.bearings,
+                    c.iter().map(|&c| self.opening(c)).collect::<Vec<_>>(),
+                    c.iter().map(|&c| self.touch(c).gap).collect::<Vec<_>>()
+                );
+            }
             let told = self.events.len();
             let happened = self.happen(&stepped.events);
             self.announce(told, observer);
@@ -328,7 +370,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             } else if from.t + h >= self.state.t {
                 self.state.clone()
             } else {
-                let taken = self.flow.take(from, h, &self.bearings, &self.largest);
+                let taken = self.flow.take(from, h, &self.bearings, self.fastest);
                 taken.ok_or_else(|| self.stuck())?.state
             };
             let solution = self.flow.accelerations(&at, &self.bearings);
@@ -341,21 +383,28 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn stuck(&self) -> Ended {
+        eprintln!(
+            "STUCK at {} steps {} {:?} {:?} v {:?}",
+            self.state.t,
+            self.steps,
+            self.bearings,
+            self.events.len(),
+            self.state.v
+        );
+        eprintln!("{}", std::backtrace::Backtrace::force_capture());
         Ended::Stuck {
             contacts: self.bearings.iter().map(|b| b.0).collect(),
         }
     }
 
     fn look(&mut self) {
-        // A coordinate that has not moved yet is as right as a way of the whole size is.
-        let floor = 1e-6 * self.flow.world.size();
-        for k in 0..self.state.q.len() {
-            self.largest.0[k] = self.largest.0[k].max(self.state.q[k].abs()).max(floor);
-        }
-        let fastest = self.largest.1.amax().max(self.state.v.amax());
-        let floor = (1e-6 * fastest).max(1e-6 * self.flow.world.size() / self.span);
+        // What has not moved yet is as slow as what crosses a millionth of the size in the time of the simulation.
+        let slow = 1e-6 * self.flow.world.size() / self.span;
+        let fastest = self.flow.world.reach(&self.state.v);
+        self.fastest = self.fastest.max(fastest).max(slow);
+        let floor = 1e-6 * self.largest.amax().max(self.state.v.amax()).max(slow);
         for k in 0..self.state.v.len() {
-            self.largest.1[k] = self.largest.1[k].max(self.state.v[k].abs()).max(floor);
+            self.largest[k] = self.largest[k].max(self.state.v[k].abs()).max(floor);
         }
     }
 
@@ -371,7 +420,7 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// A rate that counts as none, of a row.
     fn still(&self, row: &DVector<f64>) -> f64 {
-        let terms = row.iter().zip(self.largest.1.iter());
+        let terms = row.iter().zip(self.largest.iter());
         STILL * terms.map(|(r, v)| (r * v).abs()).sum::<f64>()
     }
 
@@ -385,19 +434,28 @@ impl<W: World + ?Sized> Run<'_, W> {
     fn happen(&mut self, events: &[(usize, Watched)]) -> Result<(), Ended> {
         let before = self.bearings.clone();
         let mut closed: Vec<usize> = self.flow.world.closed(self.state.t, &self.state.q);
-        let gaps = events.iter().filter(|e| e.1 == Watched::Gap);
+        let gaps = (events.iter()).filter(|e| matches!(e.1, Watched::Gap | Watched::Back));
         for contact in gaps.map(|e| e.0).chain(before.iter().map(|b| b.0)) {
             if !closed.contains(&contact) {
                 closed.push(contact);
             }
         }
         closed.sort_unstable();
-        // A contact whose sliding came to its end does not slide at this moment, whatever rounding says.
-        let halted: Vec<usize> = (events.iter())
-            .filter(|e| e.1 == Watched::Sliding)
-            .map(|e| e.0)
-            .collect();
-        self.settle(closed, &halted)?;
+        let of = |kind: Watched| -> Vec<usize> {
+            let all = events.iter().filter(|e| e.1 == kind);
+            all.map(|e| e.0).collect()
+        };
+        // Contacts that share a load let go one after the other.
+        if self.state.t > self.loose.0 + LOOSE * self.span {
+            self.loose = (self.state.t, Vec::new());
+        }
+        self.loose.1.extend(of(Watched::Sticking));
+        let reached = Reached {
+            halted: of(Watched::Sliding),
+            loose: self.loose.1.clone(),
+            back: of(Watched::Back),
+        };
+        self.settle(closed, &reached)?;
         for &(contact, mode) in &before {
             let now = self.bearings.iter().find(|b| b.0 == contact);
             // A contact that passes from one feature to the next goes on.
@@ -428,14 +486,15 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
-    fn settle(&mut self, closed: Vec<usize>, halted: &[usize]) -> Result<(), Ended> {
+    fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
         let sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
         if sets.len() < 2 {
-            return self.settle_with(closed, halted);
+            return self.settle_with(closed, at);
         }
         let saved = (
             self.state.clone(),
             self.bearings.clone(),
+            self.looked.clone(),
             self.impacts.clone(),
             self.events.len(),
             self.work,
@@ -443,11 +502,12 @@ impl<W: World + ?Sized> Run<'_, W> {
         let mut failed = None;
         for scale in TRIALS {
             for set in &sets {
-                let settled = self.settle_with(set.clone(), halted);
+                let settled = self.settle_with(set.clone(), at);
                 if settled.is_ok() && self.leads_on(scale) {
                     return Ok(());
                 }
-                let (state, bearings, impacts, events, work) = &saved;
+                let (state, bearings, looked, impacts, events, work) = &saved;
+                self.looked.clone_from(looked);
                 self.state.clone_from(state);
                 self.bearings.clone_from(bearings);
                 self.impacts.clone_from(impacts);
@@ -471,9 +531,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let mut h = (far / speed).min(1e-3 * self.span);
         let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
         for _ in 0..MOST {
-            if let Some(taken) = self
-                .flow
-                .take(&self.state, h, &self.bearings, &self.largest)
+            if let Some(taken) = self.flow.take(&self.state, h, &self.bearings, self.fastest)
                 && self.flow.world.reach(&(&taken.state.q - &self.state.q)) <= FARTHER * far
             {
                 return !self.flow.world.met(Step {
@@ -488,7 +546,7 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     /// Impacts of the contacts that are closed, then what each of them does from now on.
-    fn settle_with(&mut self, mut closed: Vec<usize>, halted: &[usize]) -> Result<(), Ended> {
+    fn settle_with(&mut self, mut closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
         /// Impacts follow each other at one time where contacts pass them on.
         const MOST: usize = 50;
         let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
@@ -517,19 +575,25 @@ impl<W: World + ?Sized> Run<'_, W> {
             for &contact in &struck {
                 self.tell(EventKind::Impact, contact);
             }
-            let parts = |&i: &usize| self.opening(i).0;
+            let parts = |&i: &usize| {
+                let (rate, still) = self.opening(i);
+                if rate > still { rate } else { 0.0 }
+            };
             let way = closed.iter().map(parts).fold(0.0, f64::max) / self.flow.world.size();
             if let Some(left) = self.impacts.rest(self.span, way) {
                 // What bounces is closed for good: the rates at which it opens are gone in the limit.
                 let reach = way * left * self.flow.world.size();
-                for i in self.flow.world.watched() {
+                let watched = self.flow.world.watched();
+                for i in watched.into_iter().chain(self.looked.gaps.iter().copied()) {
                     if !closed.contains(&i) && self.touch(i).gap <= reach {
                         closed.push(i);
                     }
                 }
+                let before = self.flow.world.kinetic(&self.state);
                 let stay = closed.iter().map(|&i| (i, Mode::Forward)).collect();
                 let state = self.flow.projected(self.state.clone(), &stay);
                 self.state = state.ok_or_else(|| self.stuck())?.0;
+                self.work.impacts += before - self.flow.world.kinetic(&self.state);
                 let v = self.state.v.clone();
                 self.state.q += v * left;
                 self.state.t += left;
@@ -542,14 +606,22 @@ impl<W: World + ?Sized> Run<'_, W> {
         // Those that part are open from now on.
         let stays = |i: &usize| {
             let (rate, still) = self.opening(*i);
-            rate <= still
+            let slow = if at.back.contains(i) {
+                SLOW * still / STILL
+            } else {
+                still
+            };
+            rate <= slow
         };
-        let resting: Vec<usize> = closed.into_iter().filter(stays).collect();
+        let (resting, parting): (Vec<usize>, Vec<usize>) = closed.into_iter().partition(stays);
+        self.looked.gaps = parting;
         let mut problem = self.problem(&resting);
         for (k, i) in resting.iter().enumerate() {
-            if halted.iter().any(|h| h == i || self.is_same(*h, *i)) {
+            let is_among = |all: &[usize]| all.iter().any(|h| h == i || self.is_same(*h, *i));
+            if is_among(&at.halted) {
                 problem.bearings[k].slides = None;
             }
+            problem.bearings[k].lets_go = is_among(&at.loose);
         }
         let solution = self.one(problem.solutions(), &resting)?;
         self.bearings = (resting.iter().copied())
@@ -559,6 +631,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &self.bearings) {
             self.state = state;
         }
+        self.looked.idle = self.flow.idle(&self.state, &self.bearings);
         for (contact, _) in self.bearings.clone() {
             if !known
                 .iter()
@@ -600,6 +673,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                     tangent: touch.tangent,
                     friction: surface.friction,
                     slides: None,
+                    lets_go: false,
                 }
             })
             .collect();

@@ -8,8 +8,8 @@ use super::flow::{Bearings, Flow};
 use super::modes::Mode;
 use super::world::{Acting, Sought, State, Step, World};
 
-/// Errors of a step, as a share of the largest value of each coordinate and rate so far.
-const TOLERANCE: f64 = 1e-12;
+/// The error of a step, as a share of the size, and of the largest rate so far.
+const TOLERANCE: f64 = 1e-11;
 /// A root in a step is found to this share of it, or to rounding of the time.
 const ROOT: f64 = 1e-15;
 /// And after so many steps at most.
@@ -20,22 +20,36 @@ const LOCATED: f64 = 1e-14;
 /// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
 const NEAR_EVENT: f64 = 1e-6;
 
-/// A function that is smaller than this share of its value at the end of a step begins at 0.
+/// And one whose root is not farther ahead than this: what contacts are known to.
+const EARLY: f64 = 4.0 * super::CLOSED;
+
+/// A function other than a gap that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
 /// And is looked at down to this share of the step.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST: f64 = 1e-12;
 
 /// What may happen to a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Watched {
     /// The gap of a contact that does not bear.
     Gap,
+    /// The same, where it never opened by more than rounding.
+    Back,
     /// The force of one that does.
     Force,
     /// The rate at which one slides.
     Sliding,
     /// What the friction of one that sticks is short of.
     Sticking,
+}
+
+/// What is looked at in steps between two events, beside the forces of what bears.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Looked {
+    /// Contacts whose gaps may close.
+    pub(super) gaps: Vec<usize>,
+    /// Contacts with the force of sliding that others keep from it: they do not slide, and begin to only after another event.
+    pub(super) idle: Vec<usize>,
 }
 
 /// A function that ends a step where it falls below 0.
@@ -79,7 +93,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         from: &State,
         h: f64,
         bearings: &Bearings,
-        largest: &(DVector<f64>, DVector<f64>),
+        fastest: f64,
     ) -> Option<Taken> {
         let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);
         let mut work = [0.0; 2];
@@ -107,16 +121,13 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
             slopes.push(slope(&at, k + 1)?);
         }
-        let mut error = 0.0_f64;
-        for k in 0..at.q.len() {
-            let (mut q, mut v) = (0.0, 0.0);
-            for (weight, slope) in DIFFERENCE.iter().zip(&slopes) {
-                q += h * weight * slope.0[k];
-                v += h * weight * slope.1[k];
-            }
-            error = error.max(q.abs() / (TOLERANCE * largest.0[k]));
-            error = error.max(v.abs() / (TOLERANCE * largest.1[k]));
+        let (mut q, mut v) = (DVector::zeros(at.q.len()), DVector::zeros(at.q.len()));
+        for (weight, slope) in DIFFERENCE.iter().zip(&slopes) {
+            q.axpy(h * weight, &slope.0, 1.0);
+            v.axpy(h * weight, &slope.1, 1.0);
         }
+        let error = (self.world.reach(&q) / self.world.size()).max(self.world.reach(&v) / fastest)
+            / TOLERANCE;
         if error.is_nan() {
             return None;
         }
@@ -131,9 +142,14 @@ impl<W: World + ?Sized> Flow<'_, W> {
     }
 
     /// The functions that are watched, at a state.
-    pub(super) fn watches(&self, state: &State, bearings: &Bearings) -> Option<Vec<Watch>> {
+    pub(super) fn watches(
+        &self,
+        state: &State,
+        bearings: &Bearings,
+        looked: &Looked,
+    ) -> Option<Vec<Watch>> {
         let mut found = Vec::new();
-        for contact in self.world.watched() {
+        for &contact in &looked.gaps {
             if bearings.iter().all(|b| b.0 != contact) {
                 let value = self.world.touch(contact, state.t, &state.q).gap;
                 found.push(Watch {
@@ -158,6 +174,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 Mode::Stick => (Watched::Sticking, friction * normal - tangential.abs()),
                 // Without friction it does not matter which way it slides.
                 _ if friction == 0.0 => continue,
+                _ if looked.idle.contains(&contact) => continue,
                 mode => (Watched::Sliding, rate * mode.direction()),
             };
             found.push(Watch {
@@ -169,38 +186,48 @@ impl<W: World + ?Sized> Flow<'_, W> {
         Some(found)
     }
 
-    /// A step of at most a length, to the first event in it if there is one. `None` if the equations of the modes have no solution.
+    /// A step of at most a length, to the first event in it if there is one, with the gaps of some contacts looked at. `None` if the equations of the modes have no solution.
     pub(super) fn step(
         &self,
         from: &State,
         longest: f64,
         bearings: &Bearings,
-        largest: &(DVector<f64>, DVector<f64>),
+        looked: &Looked,
+        fastest: f64,
     ) -> Option<Stepped> {
         let mut h = longest;
         let shortest = 1e-12 * longest.max(f64::MIN_POSITIVE);
         let mut taken = loop {
             // What cannot be followed so far may be followed less far.
-            let Some(taken) = self.take(from, h, bearings, largest) else {
+            let Some(taken) = self.take(from, h, bearings, fastest) else {
+                if std::env::var("DBG").is_ok() {
+                    eprintln!("t {} h {h:e} none", from.t);
+                }
                 h *= 0.25;
                 if h < shortest {
                     return None;
                 }
                 continue;
             };
+            if std::env::var("DBG").is_ok() {
+                eprintln!(
+                    "t {} h {h:e} error {:e} open {:e} {:?}",
+                    from.t, taken.error, taken.open, bearings
+                );
+            }
             if taken.error <= 1.0 || h <= shortest {
                 break taken;
             }
             h *= (0.9 * taken.error.powf(-0.2)).clamp(0.1, 0.9);
         };
         let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
-        let before = self.watches(from, bearings)?;
+        let before = self.watches(from, bearings, looked)?;
         let at = |h: f64| -> Option<(Taken, Vec<Watch>)> {
-            let taken = self.take(from, h, bearings, largest)?;
-            let watches = self.watches(&taken.state, bearings)?;
+            let taken = self.take(from, h, bearings, fastest)?;
+            let watches = self.watches(&taken.state, bearings, looked)?;
             Some((taken, watches))
         };
-        let mut watches = self.watches(&taken.state, bearings)?;
+        let mut watches = self.watches(&taken.state, bearings, looked)?;
         // A gap that closes and opens again within the step.
         for k in 0..before.len() {
             let (first, last) = (before[k], watches[k]);
@@ -221,26 +248,43 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
         }
         let mut events = Vec::new();
+        let mut ignored: Vec<usize> = Vec::new();
         // Of what falls below 0 the first; then what is below 0 there, if anything still is.
-        while let Some(k) = (0..watches.len()).find(|&k| falls(&before[k], &watches[k])) {
+        while let Some(k) =
+            (0..watches.len()).find(|k| !ignored.contains(k) && falls(&before[*k], &watches[*k]))
+        {
             let value = |h: f64| at(h).map(|(_, w)| w[k].value);
             // What begins at 0 and grows is positive somewhere in between.
             let mut begin = (0.0, before[k].value);
             let mut ahead = h;
-            while begin.1 <= START * watches[k].value.abs() && ahead > SHORTEST * h {
+            let nothing = match watches[k].kind {
+                Watched::Gap => f64::EPSILON * self.world.size(),
+                _ => START * watches[k].value.abs(),
+            };
+            while begin.1 <= nothing && ahead > SHORTEST * h {
                 ahead *= 0.5;
                 begin = (ahead, value(ahead)?);
             }
+            let kind = match watches[k].kind {
+                Watched::Gap if begin.1 <= nothing => Watched::Back,
+                kind => kind,
+            };
             let first = if begin.1 > 0.0 {
                 root(begin, (h, watches[k].value), value)?
             } else {
                 ahead
             };
             let (state, mut there) = at(first)?;
+            let (contact, at) = (before[k].contact, &state.state);
+            if watches[k].kind == Watched::Gap && !self.world.is_there(contact, at.t, &at.q) {
+                // Beyond the ends of its features a contact has no gap.
+                ignored.push(k);
+                continue;
+            }
             // It is 0 here, whatever rounding makes of it.
             there[k].value = 0.0;
             events.retain(|&(j, _): &(usize, Watched)| there[j].value <= 0.0);
-            events.push((k, watches[k].kind));
+            events.push((k, kind));
             for &(j, _) in &events {
                 there[j].value = 0.0;
             }
@@ -259,7 +303,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         };
         let mut is_met = met(&taken.state);
         if is_met {
-            let found = self.first_met(from, h, bearings, largest, &met)?;
+            let found = self.first_met(from, h, bearings, fastest, &met)?;
             // What would have happened later does not.
             events = found.1.into_iter().map(|c| (c, Watched::Gap)).collect();
             taken = found.0;
@@ -283,12 +327,11 @@ impl<W: World + ?Sized> Flow<'_, W> {
         from: &State,
         h: f64,
         bearings: &Bearings,
-        largest: &(DVector<f64>, DVector<f64>),
+        fastest: f64,
         met: &dyn Fn(&State) -> bool,
     ) -> Option<(Taken, Vec<usize>)> {
-        let at = |h: f64| self.take(from, h, bearings, largest);
+        let at = |h: f64| self.take(from, h, bearings, fastest);
         let (mut before, mut after) = (0.0, h);
-        let mut last = None;
         while after - before > LOCATED * h {
             let middle = 0.5 * (before + after);
             if middle <= before || middle >= after {
@@ -296,10 +339,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
             match at(middle) {
                 Some(to) if !met(&to.state) => before = middle,
-                found => {
-                    after = middle;
-                    last = found.or(last);
-                }
+                _ => after = middle,
             }
         }
         let end = match at(after) {
@@ -307,8 +347,9 @@ impl<W: World + ?Sized> Flow<'_, W> {
             None => at(before)?,
         };
         let bearing: Vec<usize> = bearings.iter().map(|b| b.0).collect();
+        let last = at(before)?;
         let step = Step {
-            from,
+            from: &last.state,
             to: &end.state,
             bearing: &bearing,
         };
@@ -328,7 +369,8 @@ impl<W: World + ?Sized> Flow<'_, W> {
         })
     }
 
-    /// The last root before a time of a function that is negative then, if it is near; just after it.
+    /// The last root before a time of a function that is negative then, or the first after it of one that is nearly 0, if it is near;
+    /// just after it.
     fn last_root(
         &self,
         after: f64,
@@ -336,18 +378,28 @@ impl<W: World + ?Sized> Flow<'_, W> {
         at: &dyn Fn(f64) -> Option<Taken>,
         value: &dyn Fn(&Taken) -> f64,
     ) -> Option<(f64, Taken)> {
-        if value(end) >= 0.0 {
-            return None;
-        }
         let (mut below, mut above, mut back) = (after, after, LOCATED * after);
-        loop {
+        // Spaces tell contacts a little early.
+        let mut early = value(end) >= 0.0;
+        while early {
+            below = after + back;
+            back *= 2.0;
+            let to = at(below)?;
+            let moved = self.world.reach(&(&to.state.q - &end.state.q));
+            if moved > EARLY * self.world.size() {
+                return None;
+            }
+            early = value(&to) >= 0.0;
+        }
+        let ahead = below > after;
+        while !ahead {
             above = (above - back).max(0.0);
             back *= 2.0;
             let to = at(above)?;
+            let moved = self.world.reach(&(&to.state.q - &end.state.q));
             if value(&to) >= 0.0 {
                 break;
             }
-            let moved = self.world.reach(&(&to.state.q - &end.state.q));
             if above == 0.0 || moved > NEAR_EVENT * self.world.size() {
                 return None;
             }

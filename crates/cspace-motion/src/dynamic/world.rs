@@ -116,6 +116,11 @@ pub trait World {
         vec![closed.to_vec()]
     }
 
+    /// Whether the features of a contact, whose gap is 0, are within their ends there.
+    fn is_there(&self, _contact: usize, _t: f64, _q: &DVector<f64>) -> bool {
+        true
+    }
+
     /// Whether two contacts take each other's place there.
     fn is_same(&self, a: usize, b: usize, _t: f64, _q: &DVector<f64>) -> bool {
         a == b
@@ -126,7 +131,7 @@ pub trait World {
         false
     }
 
-    /// Of a step that met something and ends just after it, the functions of which one has a root there.
+    /// Of a step that begins just before it met something and ends just after, the functions of which one has a root there.
     fn sought(&self, _step: Step<'_>) -> Vec<Sought> {
         Vec::new()
     }

@@ -218,6 +218,16 @@ impl World for Mechanical<'_> {
             .collect()
     }
 
+    fn is_there(&self, contact: usize, t: f64, q: &DVector<f64>) -> bool {
+        let Bound::Contact(touch) = self.bound(contact) else {
+            return true;
+        };
+        let q = self.bodies.coordinates(t, q);
+        let pair = &self.pairs.list()[touch.pair];
+        let touches = pair.touches(touch.pair, &self.bodies.system, &q, pair.touch);
+        touches.is_ok_and(|all| all.iter().any(|t| t.features == touch.features))
+    }
+
     fn is_same(&self, a: usize, b: usize, t: f64, q: &DVector<f64>) -> bool {
         a == b || self.are_same(a, b, &self.bodies.coordinates(t, q))
     }
@@ -231,12 +241,19 @@ impl World for Mechanical<'_> {
     fn sought(&self, step: Step<'_>) -> Vec<Sought> {
         let q = self.bodies.coordinates(step.to.t, &step.to.q);
         let system = &self.bodies.system;
-        let numbers = touching(system, self.pairs, &q);
-        let numbers = numbers.iter().map(|b| self.numbers.number(b));
-        let mut sought: Vec<Sought> = numbers
-            .filter(|n| !step.bearing.contains(n))
-            .map(Sought::Gap)
-            .collect();
+        // Where there is nothing but blocked space behind, nothing is told to touch.
+        let before = self.bodies.coordinates(step.from.t, &step.from.q);
+        let mut sought: Vec<Sought> = Vec::new();
+        for bound in [&before, &q]
+            .iter()
+            .flat_map(|q| touching(system, self.pairs, q))
+        {
+            let number = self.numbers.number(&bound);
+            let gap = Sought::Gap(number);
+            if !step.bearing.contains(&number) && !sought.contains(&gap) {
+                sought.push(gap);
+            }
+        }
         for &contact in step.bearing {
             if let Bound::Contact(touch) = self.bound(contact) {
                 let pair = &self.pairs.list()[touch.pair];

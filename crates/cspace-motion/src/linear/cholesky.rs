@@ -47,6 +47,15 @@ impl Cholesky {
             b[i] = (b[i] - inner) / l[i * n + i];
         }
     }
+
+    /// The sums of the sizes of the terms of L⁻ᵀ b, from those of b.
+    pub(crate) fn backward_sizes(&self, b: &mut [f64]) {
+        let (n, l) = (self.n, &self.lower);
+        for i in (0..n).rev() {
+            let inner: f64 = (i + 1..n).map(|k| l[k * n + i].abs() * b[k]).sum();
+            b[i] = (b[i] + inner) / l[i * n + i];
+        }
+    }
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ impl Rows {
         all
     }
 
-    fn push(&mut self, row: &[f64]) {
+    pub(crate) fn push(&mut self, row: &[f64]) {
         let mut rest = row.to_vec();
         let mut parts = vec![0.0; self.basis.len()];
         // Twice is enough for orthogonality to rounding.

@@ -1,0 +1,144 @@
+//! The problem of contacts with Coulomb's friction, as data.
+
+use nalgebra::{DMatrix, DVector};
+
+/// What a contact does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Mode {
+    /// It bears nothing.
+    Open,
+    /// It bears, and does not slide.
+    Stick,
+    /// It bears, and slides in the direction of its tangent.
+    Forward,
+    /// It bears, and slides against it.
+    Backward,
+}
+
+impl Mode {
+    /// The sign of sliding: 1, −1, or 0.
+    pub fn direction(self) -> f64 {
+        match self {
+            Self::Forward => 1.0,
+            Self::Backward => -1.0,
+            Self::Open | Self::Stick => 0.0,
+        }
+    }
+}
+
+/// A contact in the problem.
+#[derive(Debug, Clone)]
+pub(super) struct Bearing {
+    pub(super) normal: DVector<f64>,
+    pub(super) tangent: DVector<f64>,
+    /// a_N = n · x + b.
+    pub(super) b: f64,
+    /// a_T = τ · x + c.
+    pub(super) c: f64,
+    pub(super) friction: f64,
+    /// The direction in which it slides already.
+    pub(super) slides: Option<f64>,
+    /// Whether it has come to where it does not stick any more: of modes with the same accelerations sticking is the last.
+    pub(super) lets_go: bool,
+}
+
+impl Bearing {
+    /// The modes in which it may be.
+    pub(super) fn choices(&self) -> &'static [Mode] {
+        match self.slides {
+            Some(s) if s > 0.0 => &[Mode::Open, Mode::Forward],
+            Some(_) => &[Mode::Open, Mode::Backward],
+            // Without friction sticking and sliding are the same.
+            None if self.friction == 0.0 => &[Mode::Open, Mode::Forward],
+            None if self.lets_go => &[Mode::Open, Mode::Forward, Mode::Backward, Mode::Stick],
+            None => &[Mode::Open, Mode::Stick, Mode::Forward, Mode::Backward],
+        }
+    }
+}
+
+/// The problem.
+#[derive(Debug, Clone)]
+pub(super) struct Problem<'a> {
+    /// Symmetric and positive definite.
+    pub(super) mass: &'a DMatrix<f64>,
+    pub(super) h: DVector<f64>,
+    pub(super) joints: DMatrix<f64>,
+    pub(super) j: DVector<f64>,
+    pub(super) bearings: Vec<Bearing>,
+    /// What is less than this share of the largest term is 0.
+    pub(super) zero: f64,
+}
+
+/// A solution.
+#[derive(Debug, Clone)]
+pub(super) struct Solution {
+    pub(super) x: DVector<f64>,
+    pub(super) modes: Vec<Mode>,
+    /// λ_N of each contact.
+    pub(super) normal: Vec<f64>,
+    /// λ_T.
+    pub(super) tangential: Vec<f64>,
+    /// μ of each row of the joints.
+    pub(super) joints: DVector<f64>,
+    /// a_N and a_T.
+    pub(super) rates: Vec<(f64, f64)>,
+}
+
+/// Rates carry rounding of this share of their terms, at most: terms that cancel are not seen in a solution at rest.
+const ROUNDING: f64 = 1e-12;
+
+impl Problem<'_> {
+    /// What counts as a rate: the largest sum of the terms of one.
+    pub(super) fn terms(&self, solution: &Solution) -> f64 {
+        (self.bearings.iter())
+            .map(|b| {
+                let x = solution.x.iter().zip(b.normal.iter());
+                x.map(|(x, n)| (x * n).abs()).sum::<f64>() + b.b.abs() + b.c.abs()
+            })
+            .fold(f64::MIN_POSITIVE, f64::max)
+    }
+
+    /// The forces, and the rates, that are 0. `terms` is the largest sum of the sizes of terms of a rate.
+    fn nothing(&self, solution: &Solution, terms: f64) -> (f64, f64) {
+        let forces = solution.normal.iter().chain(&solution.tangential);
+        let force = forces.fold(self.h.amax(), |m, f| m.max(f.abs()));
+        let rate = self.terms(solution);
+        (force * self.zero, (rate * self.zero).max(terms * ROUNDING))
+    }
+
+    /// Whether the inequalities of a solution's modes hold.
+    pub(super) fn holds(&self, s: &Solution, terms: f64) -> bool {
+        let (force, rate) = self.nothing(s, terms);
+        (0..s.modes.len()).all(|i| {
+            let bearing = &self.bearings[i];
+            let (a_n, a_t) = s.rates[i];
+            let slides_on = bearing.slides.is_some() || bearing.friction == 0.0;
+            match s.modes[i] {
+                Mode::Open => a_n >= -rate,
+                Mode::Stick => {
+                    s.normal[i] >= -force
+                        && s.tangential[i].abs() <= bearing.friction * s.normal[i] + force
+                }
+                Mode::Forward => s.normal[i] >= -force && (slides_on || a_t >= -rate),
+                Mode::Backward => s.normal[i] >= -force && (slides_on || a_t <= rate),
+            }
+        })
+    }
+
+    /// Whether the equations of its modes hold: for a solution that does not come from them.
+    pub(super) fn agrees(&self, s: &Solution, terms: f64) -> bool {
+        let (force, rate) = self.nothing(s, terms);
+        (0..s.modes.len()).all(|i| {
+            let (normal, tangential) = (s.normal[i], s.tangential[i]);
+            let (a_n, a_t) = s.rates[i];
+            let drag = -s.modes[i].direction() * self.bearings[i].friction * normal;
+            match s.modes[i] {
+                Mode::Open => normal.abs() <= force && tangential.abs() <= force,
+                Mode::Stick => a_n.abs() <= rate && a_t.abs() <= rate,
+                Mode::Forward | Mode::Backward => {
+                    a_n.abs() <= rate && (tangential - drag).abs() <= force
+                }
+            }
+        })
+    }
+}
