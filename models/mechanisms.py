@@ -11,6 +11,7 @@ points are complex numbers; masses in kg and times in s, so forces are in mN and
 
 import math
 import sys
+import textwrap
 from pathlib import Path
 
 from draw import (
@@ -19,6 +20,11 @@ from draw import (
 from drawing import Model, Outline, circle, meet_circles, moved, number, polar, rounded_polygon, unit, write_or_check
 
 GRAVITY = 9810.0  # mm/s²
+
+
+def mechanism(file, name, text):
+    """A model whose text, paragraph by paragraph, is filled to the width of a page."""
+    return Model(file, name, "\n\n".join(textwrap.fill(p, 124) for p in text.strip().split("\n\n")))
 
 
 def revolute(centre, range_degrees=None):
@@ -47,7 +53,7 @@ def escapement_pendulum():
     low = ANCHOR_PIVOT - 1j * long
     quality, amplitude = 100, 4.0
     damping = bob * (disc**2 / 2 + long**2) * 2 * math.pi / (quality * period)
-    m = Model("escapement_pendulum.toml", "dead-beat escapement with its pendulum", f"""
+    m = mechanism("escapement_pendulum.toml", "dead-beat escapement with its pendulum", f"""
 The escapement of escapement.toml as it goes by itself: a pendulum that times it and a weight that drives it.
 
 The pendulum hangs on the anchor and is one part with it; its rod and bob, a disc of {2 * disc:g} with {bob:g} kg, lie behind the wheel and
@@ -80,7 +86,7 @@ def cam_roller():
     preload, rate, lift = 4e6, 2e5, 12.0
     seat = 1j * (top + 15)
     length = 40.0
-    m = Model("cam_roller.toml", "cam and roller", f"""
+    m = mechanism("cam_roller.toml", "cam and roller", f"""
 The plate cam of cam_follower.toml on its shaft, a roller that rides on it, and the stem that carries the roller in its guide.
 
 The roller, of diameter {2 * disc:g}, turns on a pin in the stem's fork, which lies in front of the cam. A spring of {rate / 1e3:g} N/mm between a collar on
@@ -131,7 +137,7 @@ def film_advance():
         bridge = start + PERFORATION / 2, start + PITCH - PERFORATION / 2
         pieces.append((f"between holes {k} and {k + 1}", rectangle(complex(face - FILM, bridge[0]), complex(face, bridge[1]))))
 
-    m = Model("film_advance.toml", "film advance", f"""
+    m = mechanism("film_advance.toml", "film advance", f"""
 Claw of a 16 mm film projector, in section: a crank moves it into a hole of the film, down, out and up again.
 
 Film of {FILM:g} has holes of {PERFORATION:g} every {PITCH:g}; the section goes through the holes, so it is drawn as the pieces between them. The claw is the coupler of
@@ -155,7 +161,7 @@ light falls through it. The shutter turns with the crank. The gate holds the fil
 
 def gears_backlash():
     swing, cycles = 10.0, 2.0
-    m = Model("gears_backlash.toml", "gears with backlash under load", f"""
+    m = mechanism("gears_backlash.toml", "gears with backlash under load", f"""
 The gears of gears_on_shafts.toml with a flywheel on the pinion's shaft and a load that holds it back.
 
 Steel, 10 thick. The gear is driven at one turn a second, but not evenly: the joint that drives it leads and lags by {swing:g} deg, {cycles:g} times
@@ -189,7 +195,7 @@ def snap_in():
     cover = rounded_polygon([
         (-6 + 0j, 0.3, "flange, bears on the wall"), (10 + 0j, 0.3, "flange"), (10 + 4j, 1.0, "flange, top"), (-6 + 4j, 1.0, "flange")])
     away = 16.0
-    m = Model("snap_in.toml", "snap hook pushed in", f"""
+    m = mechanism("snap_in.toml", "snap hook pushed in", f"""
 A snap hook much like that of snap_fastener.toml, pushed into the same catch and pulled out of it. Its head is relieved outside, so that
 there is room in the mouth for it askew.
 
@@ -224,7 +230,7 @@ def slider_crank_clearance():
     end = crank + rod
     spin, back = 150.0, -75.0
     wall = high + clear
-    m = Model("slider_crank_clearance.toml", "slider-crank with clearance", f"""
+    m = mechanism("slider_crank_clearance.toml", "slider-crank with clearance", f"""
 A slider-crank whose slider has clearance in its guide: the example of P. Flores, R. Leine and C. Glocker, "Modeling and analysis
 of planar rigid multibody systems with translational clearance joints based on the non-smooth dynamics approach", Multibody
 System Dynamics 23 (2010), with its dimensions, masses, friction and restitution.
@@ -274,7 +280,7 @@ def woodpecker():
     fall, peck = -341.1, -7.4583
     hinge = arm * (polar(1, math.degrees(tilt)) - polar(1, math.degrees(lean)))
     speed = complex(0, fall) - 1j * peck * arm * polar(1, math.degrees(lean))
-    m = Model("woodpecker.toml", "woodpecker toy", f"""
+    m = mechanism("woodpecker.toml", "woodpecker toy", f"""
 The woodpecker that pecks its way down a pole, after C. Glocker, "Dynamik von Starrkörpersystemen mit Reibung und Stößen" (1995),
 with his dimensions, masses, spring, friction and restitution.
 
