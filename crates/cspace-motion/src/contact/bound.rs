@@ -88,10 +88,15 @@ const REACH: f64 = 4.0;
 
 /// The contacts that touch, and the ends of ranges that are reached.
 pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
+    nearly_touching(system, pairs, q, 0.0)
+}
+
+/// Those that touch, or nearly: within a length.
+pub(crate) fn nearly_touching(system: &System, pairs: &Pairs, q: &[f64], near: f64) -> Vec<Bound> {
     let mut all = Vec::new();
     for (index, pair) in pairs.list().iter().enumerate() {
         // Outside of its space nothing touches, and the motion does not go on.
-        let touches = pair.touches(index, system, q, REACH * pair.touch);
+        let touches = pair.touches(index, system, q, near.max(REACH * pair.touch));
         all.extend(touches.unwrap_or_default().into_iter().map(Bound::Contact));
     }
     let reached = limits(system, q).into_iter().filter(|(bound, room)| {

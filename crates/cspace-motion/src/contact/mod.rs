@@ -5,7 +5,7 @@ mod describe;
 mod ends;
 mod watch;
 
-pub(crate) use bound::{Bound, limit_tolerance, limits, touching};
+pub(crate) use bound::{Bound, limit_tolerance, limits, nearly_touching, touching};
 pub(crate) use describe::named;
 pub(crate) use ends::ends;
 pub(crate) use watch::{Watch, path};

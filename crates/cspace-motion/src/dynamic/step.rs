@@ -17,6 +17,10 @@ const TRIES: usize = 100;
 
 /// What a step met is located to this share of it.
 const LOCATED: f64 = 1e-14;
+/// A root between two times is looked for when they are within these shares of the step.
+const QUICK: [f64; 3] = [0.125, 1e-3, 1e-6];
+/// Nothing is met at this share of the two times before it.
+const BEFORE: f64 = 1e-7;
 /// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
 const NEAR_EVENT: f64 = 1e-6;
 
@@ -331,22 +335,41 @@ impl<W: World + ?Sized> Flow<'_, W> {
         met: &dyn Fn(&State) -> bool,
     ) -> Option<(Taken, Vec<usize>)> {
         let at = |h: f64| self.take(from, h, bearings, fastest);
+        let bearing: Vec<usize> = bearings.iter().map(|b| b.0).collect();
         let (mut before, mut after) = (0.0, h);
+        let mut ends: (Option<Taken>, Option<Taken>) = (None, None);
+        let mut tries = QUICK.iter();
+        let mut next = tries.next();
         while after - before > LOCATED * h {
+            if next.is_some_and(|share| after - before <= share * h) {
+                next = tries.next();
+                let begin = ends.0.as_ref().map_or(from, |taken| &taken.state);
+                if let Some(end) = &ends.1 {
+                    let between = ((before, begin), (after, &end.state));
+                    if let Some(found) = self.first_root(between, &bearing, &at, met) {
+                        return Some(found);
+                    }
+                }
+            }
             let middle = 0.5 * (before + after);
             if middle <= before || middle >= after {
                 break;
             }
             match at(middle) {
-                Some(to) if !met(&to.state) => before = middle,
-                _ => after = middle,
+                Some(to) if !met(&to.state) => {
+                    before = middle;
+                    ends.0 = Some(to);
+                }
+                found => {
+                    after = middle;
+                    ends.1 = found;
+                }
             }
         }
         let end = match at(after) {
             Some(end) => end,
             None => at(before)?,
         };
-        let bearing: Vec<usize> = bearings.iter().map(|b| b.0).collect();
         let last = at(before)?;
         let step = Step {
             from: &last.state,
@@ -354,7 +377,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             bearing: &bearing,
         };
         let mut first: Option<(f64, Taken, Sought)> = None;
-        for sought in self.world.sought(step) {
+        for sought in self.world.sought(step, 0.0) {
             let value = |to: &Taken| self.world.value(sought, to.state.t, &to.state.q);
             if let Some((h, taken)) = self.last_root(after, &end, &at, &value)
                 && first.as_ref().is_none_or(|f| h < f.0)
@@ -367,6 +390,49 @@ impl<W: World + ?Sized> Flow<'_, W> {
             Some((_, taken, Sought::End(..))) => (taken, Vec::new()),
             None => (end, Vec::new()),
         })
+    }
+
+    /// The first root of a function that is positive at the first of two times and negative at the second, if that is what is met
+    /// between them.
+    fn first_root(
+        &self,
+        ((before, begin), (after, end)): ((f64, &State), (f64, &State)),
+        bearing: &[usize],
+        at: &dyn Fn(f64) -> Option<Taken>,
+        met: &dyn Fn(&State) -> bool,
+    ) -> Option<(Taken, Vec<usize>)> {
+        let world = self.world;
+        let step = Step {
+            from: begin,
+            to: end,
+            bearing,
+        };
+        let way = world.reach(&(&end.q - &begin.q));
+        let mut first: Option<(f64, Sought)> = None;
+        for sought in world.sought(step, way) {
+            let value = |state: &State| world.value(sought, state.t, &state.q);
+            let (a, b) = (value(begin), value(end));
+            if !(a > 0.0 && b < 0.0) {
+                continue;
+            }
+            let h = root((before, a), (after, b), |h| {
+                at(h).map(|to| value(&to.state))
+            })?;
+            if first.is_none_or(|f| h < f.0) {
+                first = Some((h, sought));
+            }
+        }
+        let (h, sought) = first?;
+        let taken = at(h)?;
+        let there = &taken.state;
+        let closed = match sought {
+            Sought::Gap(contact) if !world.is_there(contact, there.t, &there.q) => return None,
+            Sought::Gap(contact) => vec![contact],
+            Sought::End(..) => Vec::new(),
+        };
+        // Nothing else was met before.
+        let just = at(h - BEFORE * (after - before))?;
+        (!met(&just.state)).then_some((taken, closed))
     }
 
     /// The last root before a time of a function that is negative then, or the first after it of one that is nearly 0, if it is near;
@@ -405,17 +471,8 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
             below = above;
         }
-        while below - above > LOCATED * after {
-            let middle = 0.5 * (above + below);
-            if middle <= above || middle >= below {
-                break;
-            }
-            if value(&at(middle)?) >= 0.0 {
-                above = middle;
-            } else {
-                below = middle;
-            }
-        }
+        let of = |h: f64| at(h).map(|to| value(&to));
+        let below = root((above, of(above)?), (below, of(below)?), of)?;
         Some((below, at(below)?))
     }
 }

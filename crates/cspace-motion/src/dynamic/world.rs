@@ -131,8 +131,9 @@ pub trait World {
         false
     }
 
-    /// Of a step that begins just before it met something and ends just after, the functions of which one has a root there.
-    fn sought(&self, _step: Step<'_>) -> Vec<Sought> {
+    /// Of a step that begins before it met something and ends after, the functions of which one has a root there. Contacts may have
+    /// gaps of ± `near`.
+    fn sought(&self, _step: Step<'_>, _near: f64) -> Vec<Sought> {
         Vec::new()
     }
 

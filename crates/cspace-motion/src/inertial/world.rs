@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use cspace::Point;
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::{Bound, SAME_PLACE, Watch, ends, path, touching};
+use crate::contact::{Bound, SAME_PLACE, Watch, ends, nearly_touching, path, touching};
 use crate::dynamic::{Acting, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
 
@@ -238,7 +238,7 @@ impl World for Mechanical<'_> {
         met.is_some()
     }
 
-    fn sought(&self, step: Step<'_>) -> Vec<Sought> {
+    fn sought(&self, step: Step<'_>, near: f64) -> Vec<Sought> {
         let q = self.bodies.coordinates(step.to.t, &step.to.q);
         let system = &self.bodies.system;
         // Where there is nothing but blocked space behind, nothing is told to touch.
@@ -246,7 +246,7 @@ impl World for Mechanical<'_> {
         let mut sought: Vec<Sought> = Vec::new();
         for bound in [&before, &q]
             .iter()
-            .flat_map(|q| touching(system, self.pairs, q))
+            .flat_map(|q| nearly_touching(system, self.pairs, q, near))
         {
             let number = self.numbers.number(&bound);
             let gap = Sought::Gap(number);
