@@ -352,11 +352,16 @@ Drawn with the plate as far right as it works and the pin in the middle of the s
     return m
 
 
-def escapement():
-    teeth, tip, root, land, drop = 30, 50.0, 40.0, 0.8, 1.0
-    lock, lift, swing = 1.0, 3.0, 6.0  # of the anchor, degrees; drop is the wheel's
+ESCAPE = 30  # teeth
+ANCHOR_PIVOT = 50j * math.sqrt(2)  # the tangents from there touch the wheel where the pallets are, 90 deg apart
+LOCK, LIFT, SWING, DROP = 1.0, 3.0, 6.0, 1.0  # of the anchor, degrees; the drop is the wheel's
+
+
+def wheel_and_anchor():
+    """Outlines of the escape wheel, its axis at the origin, and of the anchor in the middle of its swing."""
+    teeth, tip, root, land, drop = ESCAPE, 50.0, 40.0, 0.8, DROP
+    lock, lift, pivot = LOCK, LIFT, ANCHOR_PIVOT
     pitch = 360 / teeth
-    pivot = 1j * tip * math.sqrt(2)  # its tangents touch the wheel where the pallets are, 90 deg apart
     half = tip * math.radians(pitch / 2 - drop) / 2  # half a pallet's thickness, along the way of the teeth
     outer, inner = tip + half, tip - half
     release, catch = (lock + lift) / 2, (lock - lift) / 2  # how deep the pallets' corners reach in the middle of the swing
@@ -383,7 +388,13 @@ def escapement():
     pen.arc(pivot, at(inner, 315 - catch), -1, "exit pallet, locks the teeth").round(0.15)
     pen.line(at(outer, 315 - release), "impulse face").round(0.15)
     pen.arc(pivot, at(outer, 335), 1, "exit pallet, outside").round(2.0)
-    anchor = pen.line(pen.start, "arm").round(6.0).closed()
+    return wheel, pen.line(pen.start, "arm").round(6.0).closed()
+
+
+def escapement():
+    wheel, anchor = wheel_and_anchor()
+    teeth, pivot, pitch = ESCAPE, ANCHOR_PIVOT, 360 / ESCAPE
+    lock, lift, swing, drop = LOCK, LIFT, SWING, DROP
     m = Model("escapement.toml", "dead-beat escapement", f"""
 Dead-beat escapement of a pendulum clock, after Graham: escape wheel and anchor.
 
@@ -446,6 +457,19 @@ Both parts have their origin in the axis of the round pin, or of the bore: (x, y
     return m
 
 
+LIP = -8.0  # of the catch: how far below the wall's face
+
+
+def catch_section():
+    lip, slope = LIP, math.tan(math.radians(10))
+    return rounded_polygon([
+        (-1 + 0j, 0.2, "chamfer 1 x 45 deg"), (-1j, 0.2, "mouth"), (-15.5j, 1.0, "pocket floor"),
+        (8 - 15.5j, 1.0, "pocket"), (complex(8, lip - (8 - 3.9) * slope), 0.5, "lip, retention face"),
+        (complex(3.9, lip), 0.25, "mouth"), (3.9 - 1j, 0.2, "chamfer 1 x 45 deg"), (4.9 + 0j, 0.2, "wall"),
+        (13 + 0j, 1.5, "side"), (13 - 19j, 1.5, "foot"), (-6 - 19j, 1.5, "side"), (-6 + 0j, 1.5, "wall"),
+    ])
+
+
 def snap_fastener():
     slope = math.tan(math.radians(10))
     m = Model("snap_fastener.toml", "snap hook and catch", """
@@ -458,7 +482,7 @@ the lip, which it overlaps by 1.2: stiff parts cannot come apart, the beam has t
 
 Both are drawn engaged: at (x, y, theta) = (0, 0.05, 0) the hook is free, at (0, 0, 0) its flange touches the wall.
 """)
-    lip, gap = -8.0, 0.15
+    lip, gap = LIP, 0.15
     right, barb = 3.7, 5.1
     top = lip - gap - (right - 3.9) * slope
     hook = rounded_polygon([
@@ -469,12 +493,7 @@ Both are drawn engaged: at (x, y, theta) = (0, 0.05, 0) the hook is free, at (0,
         (complex(right, top), 0.3, "beam"), (complex(right, 0), 0.8, "flange, bears on the wall"),
         (10 + 0j, 0.3, "flange"), (10 + 4j, 1.0, "flange, top"),
     ])
-    catch = rounded_polygon([
-        (-1 + 0j, 0.2, "chamfer 1 x 45 deg"), (-1j, 0.2, "mouth"), (-15.5j, 1.0, "pocket floor"),
-        (8 - 15.5j, 1.0, "pocket"), (complex(8, lip - (8 - 3.9) * slope), 0.5, "lip, retention face"),
-        (complex(3.9, lip), 0.25, "mouth"), (3.9 - 1j, 0.2, "chamfer 1 x 45 deg"), (4.9 + 0j, 0.2, "wall"),
-        (13 + 0j, 1.5, "side"), (13 - 19j, 1.5, "foot"), (-6 - 19j, 1.5, "side"), (-6 + 0j, 1.5, "wall"),
-    ])
+    catch = catch_section()
     m.part("catch", "The wall's face is the x axis, the mouth reaches from 0 to 3.9.", [("section", catch)])
     m.part("hook", "Drawn engaged.", [("outline", hook)])
     return m

@@ -210,14 +210,24 @@ class Model:
         self.file, self.name, self.parts, self.pictures = file, name, [], []
         self.out = comment(text) + f'\nname = "{name}"\nunit = "mm"\n'
 
-    def part(self, name, text, loops, motion=None, symmetry=None):
-        """`loops` is a list of (what it is, edges)."""
+    def world(self, gravity=None, friction=None, restitution=None):
+        """What goes for all parts. Comes before them."""
+        pull = f"[{gravity[0]:g}, {gravity[1]:g}]" if gravity else None
+        for key, value in (("gravity", pull), ("friction", friction), ("restitution", restitution)):
+            if value is not None:
+                self.out += f"{key} = {value}\n"
+        return self
+
+    def part(self, name, text, loops, motion=None, symmetry=None, keys=()):
+        """`loops` is a list of (what it is, edges), `keys` are lines such as `mass = 0.3`."""
         self.parts.append((name, loops))
         self.out += "\n" + comment(text) + f'[[part]]\nname = "{name}"\n'
         if motion:
             self.out += f"motion = {motion}\n"
         if symmetry:
             self.out += f"symmetry = {symmetry}\n"
+        for key in keys:
+            self.out += f"{key}\n"
         self.out += "loops = [\n"
         for what, edges in loops:
             self.out += f"  [ # {what}\n"
@@ -262,6 +272,19 @@ class Model:
 
     def torque(self, part, torque, text=""):
         self.out += "\n" + comment(text) + f'[[load]]\npart = "{part}"\ntorque = {torque}\n'
+        return self
+
+    def spring(self, part, at, stiffness, length, damping=0, text=""):
+        """From a point of a part to a point of the ground."""
+        points = ", ".join(f"[{number(p.real)}, {number(p.imag)}]" for p in at)
+        self.out += "\n" + comment(text) + f'[[spring]]\nparts = ["{part}"]\nat = [{points}]\nstiffness = {stiffness:g}\n'
+        self.out += f"length = {number(length)}\n" + (f"damping = {damping:g}\n" if damping else "")
+        return self
+
+    def torsion(self, parts, stiffness, angle="0deg", damping=0, text=""):
+        names = ", ".join(f'"{p}"' for p in parts)
+        self.out += "\n" + comment(text) + f'[[spring]]\ntype = "torsion"\nparts = [{names}]\nstiffness = {stiffness:g}\n'
+        self.out += f'angle = "{angle}"\n' + (f"damping = {damping:g}\n" if damping else "")
         return self
 
     def brake(self, part, damping, text=""):

@@ -67,3 +67,12 @@ pub(crate) fn at(record: &Record, time: f64) -> &[f64] {
     let near = |s: &&Sample| (s.t - time).abs() < 1e-9;
     &record.samples.iter().find(near).unwrap().coordinates
 }
+
+/// A model that ships.
+pub(crate) fn model(name: &str) -> Mechanism {
+    let path = format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    match cspace_io::read(std::path::Path::new(&path)).unwrap() {
+        cspace_io::Document::Model(model) => *model,
+        cspace_io::Document::Space(_) => panic!("{name} is a model"),
+    }
+}

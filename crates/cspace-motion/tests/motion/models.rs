@@ -2,18 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use cspace::Mechanism;
 use cspace_motion::{EventKind, Record, Status};
 
-use crate::helpers::{at, run};
-
-fn model(name: &str) -> Mechanism {
-    let path = format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    match cspace_io::read(std::path::Path::new(&path)).unwrap() {
-        cspace_io::Document::Model(model) => *model,
-        cspace_io::Document::Space(_) => panic!("{name} is a model"),
-    }
-}
+use crate::helpers::{at, model, run};
 
 #[track_caller]
 fn is_done(record: &Record) {

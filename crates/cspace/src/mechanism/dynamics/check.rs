@@ -41,7 +41,7 @@ impl Dynamics {
             load.check(At(DynamicsItem::Load(i)), parts)?;
         }
         for (i, spring) in self.springs.iter().enumerate() {
-            spring.check(At(DynamicsItem::Spring(i)), parts.len())?;
+            spring.check(At(DynamicsItem::Spring(i)), parts)?;
         }
         Ok(())
     }
@@ -205,13 +205,17 @@ impl Load {
 }
 
 impl Spring {
-    fn check(&self, at: At, parts: usize) -> Checked {
-        at.known("parts", self.part, parts)?;
+    fn check(&self, at: At, parts: &[PartEntry]) -> Checked {
+        at.known("parts", self.part, parts.len())?;
         if let Some(other) = self.other {
-            at.known("parts", other, parts)?;
+            at.known("parts", other, parts.len())?;
             if other == self.part {
                 return at.fails("parts", DynamicsFault::OnePart);
             }
+        }
+        let stands = |part: usize| stands_still(parts[part].axis);
+        if stands(self.part) && self.other.is_none_or(stands) {
+            return at.fails("parts", DynamicsFault::StandsStill);
         }
         let (stiffness, damping) = match self.kind {
             SpringKind::Linear {

@@ -417,6 +417,13 @@ fn loads_and_springs() {
         "parts",
         Fault::NoSuchPart { part: 4, parts: 4 },
     );
+    // Between the ground and what stands on it.
+    let still = Spring {
+        part: 0,
+        other: None,
+        ..SPRING
+    };
+    refused(spring(still), item, "parts", Fault::StandsStill);
     let linear = |stiffness, length, damping| Spring {
         kind: SpringKind::Linear {
             at: (Point::ORIGIN, Point::ORIGIN),
