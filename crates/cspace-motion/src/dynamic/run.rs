@@ -335,19 +335,6 @@ impl<W: World + ?Sized> Run<'_, W> {
             if at_once > AT_ONCE {
                 return Err(self.stuck());
             }
-            if std::env::var("DBG").is_ok() {
-                let c = self.flow.world.closed(self.state.t, &self.state.q);
-                eprintln!(
-                    "EVENT {} {:?} met {} closed {:?} bear {:?} openings {:?} gaps {:?}",
-                    self.state.t,
-                    stepped.events,
-                    stepped.met,
-                    c,
-                    self.bearings,
-                    c.iter().map(|&c| self.opening(c)).collect::<Vec<_>>(),
-                    c.iter().map(|&c| self.touch(c).gap).collect::<Vec<_>>()
-                );
-            }
             let told = self.events.len();
             let happened = self.happen(&stepped.events);
             self.announce(told, observer);
@@ -387,15 +374,6 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn stuck(&self) -> Ended {
-        eprintln!(
-            "STUCK at {} steps {} {:?} {:?} v {:?}",
-            self.state.t,
-            self.steps,
-            self.bearings,
-            self.events.len(),
-            self.state.v
-        );
-        eprintln!("{}", std::backtrace::Backtrace::force_capture());
         Ended::Stuck {
             contacts: self.bearings.iter().map(|b| b.0).collect(),
         }

@@ -103,7 +103,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let mut work = [0.0; 2];
         let mut at = from.clone();
         // The weights of the last stage are those of the step.
-        let shares = STAGES.last().map_or(&[][..], |s| &s.1[..]);
+        let shares = STAGES.last().map_or(&[][..], |s| s.1);
         let mut slope = |at: &State, k: usize| {
             let solution = self.accelerations(at, bearings)?;
             if let Some(share) = shares.get(k).filter(|s| **s != 0.0) {
@@ -204,21 +204,12 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let mut taken = loop {
             // What cannot be followed so far may be followed less far.
             let Some(taken) = self.take(from, h, bearings, fastest) else {
-                if std::env::var("DBG").is_ok() {
-                    eprintln!("t {} h {h:e} none", from.t);
-                }
                 h *= 0.25;
                 if h < shortest {
                     return None;
                 }
                 continue;
             };
-            if std::env::var("DBG").is_ok() {
-                eprintln!(
-                    "t {} h {h:e} error {:e} open {:e} {:?}",
-                    from.t, taken.error, taken.open, bearings
-                );
-            }
             if taken.error <= 1.0 || h <= shortest {
                 break taken;
             }
@@ -457,8 +448,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             }
             early = value(&to) >= 0.0;
         }
-        let ahead = below > after;
-        while !ahead {
+        while below <= after {
             above = (above - back).max(0.0);
             back *= 2.0;
             let to = at(above)?;

@@ -7,12 +7,16 @@ use super::cycle::Cycle;
 use super::motion::Extent;
 use super::motion::ExtentKind;
 use super::motion::Motion;
+use super::patches::AxesBranch;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use crate::geometry::Point;
 use crate::query::Classification;
 use crate::query::MotionError;
 use core::f64::consts::TAU;
+
+/// Branches are looked up along ways that are shorter than this share of the extent.
+const SHORT: f64 = 0.125;
 
 /// Where a motion on fixed axes first touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +89,7 @@ impl FixedAxesSpace {
         let leaves = self.time_in_ranges(&way).filter(|&t| t < duration);
         let end = leaves.unwrap_or(duration);
         let mut first: Option<(f64, u32)> = None;
-        for b in &self.data.branches {
+        let mut look = |b: &AxesBranch| {
             let until = first.map_or(end, |f| f.0);
             if let Some(time) = self.meets(&way, b.cell, until, touches) {
                 let earlier = first.is_none_or(|f| (time, b.patch) < f);
@@ -93,6 +97,15 @@ impl FixedAxesSpace {
                     first = Some((time, b.patch));
                 }
             }
+        };
+        // A short way is among few branches.
+        let (x, to) = (way.x, way.x + way.dx * end);
+        if (to - x).abs() < SHORT * (self.setting.x.hi - self.setting.x.lo) {
+            for i in self.by_x.between(x.min(to), x.max(to)) {
+                look(&self.data.branches[i as usize]);
+            }
+        } else {
+            self.data.branches.iter().for_each(look);
         }
         Ok(match (first, leaves) {
             (Some((time, patch)), _) => AxesMotionOutcome::Contact(AxesContact {
