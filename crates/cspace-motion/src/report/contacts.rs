@@ -43,10 +43,10 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
         let of_pair =
             |c: &ContactInterval| c.to.is_none() && c.fixed == *fixed && c.moving == *moving;
         match event.kind {
-            // A contact at which impacts have come to rest lasts, whether or not a touch tells so as well.
+            // A contact at which impacts have come to rest lasts, and a touch may tell so as well.
             EventKind::Touch | EventKind::Rest => {
                 let is_open = |c: &ContactInterval| of_pair(c) && c.features == *features;
-                if event.kind == EventKind::Touch || !all.iter().any(is_open) {
+                if !all.iter().any(is_open) {
                     all.push(ContactInterval {
                         fixed: fixed.clone(),
                         moving: moving.clone(),

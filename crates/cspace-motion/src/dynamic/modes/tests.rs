@@ -155,7 +155,6 @@ fn both_ways_agree() {
         }
         missed += usize::from(!all.is_empty() && found.is_empty());
     }
-    println!("{none} {one} {several} {missed}");
     assert!(one > 400);
     assert_eq!(missed, 0);
 }
