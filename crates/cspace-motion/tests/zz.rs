@@ -17,7 +17,7 @@ fn go() {
         "{:?} until {} {:?}\n{:?} open {:e}",
         r.status, r.until, r.reason, r.energy, r.open
     );
-    println!("{} events", r.events.len());
+    println!("{} events, {} traced", r.events.len(), r.trace.len());
     let n: usize = std::env::var("N").ok().map_or(40, |n| n.parse().unwrap());
     for e in r.events.iter().take(n) {
         println!("  {:.9} {:?} {} {:?}", e.t, e.kind, e.what, e.at);

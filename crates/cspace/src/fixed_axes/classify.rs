@@ -45,6 +45,22 @@ impl FixedAxesSpace {
         self.contacts_among(self.by_x.near_in_order(x, reach.max(NEAR)), (x, y), reach)
     }
 
+    /// Whether a patch touches at (u, v) within `tolerance` (model length). False outside the ranges of motion, and if there is no
+    /// such patch.
+    pub fn is_on(&self, patch: u32, u: f64, v: f64, tolerance: f64) -> bool {
+        let (Some((x, y)), Some(patch)) = (
+            self.setting.placed(u, v),
+            self.data.patches.get(patch as usize),
+        ) else {
+            return false;
+        };
+        let reach = tolerance * self.setting.map.frame.scale;
+        patch.branches.clone().any(|b| {
+            let cell = self.data.branches[b as usize].cell;
+            self.touch(cell, x, y, reach.max(NEAR), reach).is_some()
+        })
+    }
+
     /// The patches of some branches that touch.
     fn contacts_among(
         &self,
@@ -249,6 +265,10 @@ mod tests {
                             asked,
                             space.contacts_among(all(), placed, tolerance * scale)
                         );
+                        for patch in 0..space.data.patches.len() as u32 {
+                            let is_told = asked.iter().any(|a| a.0 == patch);
+                            assert_eq!(space.is_on(patch, u, v, tolerance), is_told);
+                        }
                         touching += asked.len();
                     }
                     let (u, v) = space.setting.outer(at.0, at.1);

@@ -63,6 +63,32 @@ impl PairSpace {
         Ok(found.into_iter().map(named).collect())
     }
 
+    /// Whether one patch is in contact at a configuration, up to `tolerance` (model length) off: what [`contacts`](Self::contacts) tells of
+    /// all patches. False outside the window or the ranges of motion, and if there is no such patch.
+    ///
+    /// # Errors
+    /// If the configuration is in the coordinates of another class.
+    pub fn is_on(
+        &self,
+        patch: PatchId,
+        at: Coordinates,
+        tolerance: f64,
+    ) -> Result<bool, QueryError> {
+        Ok(match (self, at) {
+            (Self::FixedAxes(space), Coordinates::Axes { u, v }) => {
+                space.is_on(patch.0, u, v, tolerance)
+            }
+            (Self::Planar(space), Coordinates::Planar(c)) => {
+                space.covers(c) && space.is_on(patch.0, c, tolerance)
+            }
+            (Self::Lower(_), Coordinates::Planar(_)) => {
+                let all = self.contacts(at, tolerance)?;
+                all.iter().any(|c| c.0 == patch)
+            }
+            _ => return Err(self.wrong(at)),
+        })
+    }
+
     /// The contact nearest to a configuration: of a planar pair by translation alone, of a pair with fixed axes by the
     /// motion of the moving part alone ([`FixedAxesSpace::nearest_contact`]). `None` if nothing touches that way.
     ///

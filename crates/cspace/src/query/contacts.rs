@@ -47,6 +47,27 @@ impl ContactSpace {
         found
     }
 
+    /// Whether the contact curve of one patch at the configuration's orientation passes within `tolerance` (model length) of
+    /// its position: what follows a contact asks that of its patch, instead of all of them. False if there is no such patch.
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Options, Part};
+    /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+    /// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0)?;
+    /// let space = ContactSpace::compute(&table, &block, &Options::default())?;
+    /// let nearest = space.nearest_contact(Configuration::new(5.0, 0.0, 0.1)).ok_or("there is one")?;
+    /// assert!(space.is_on(nearest.patch, nearest.configuration, 1e-9));
+    /// assert!(!space.is_on(nearest.patch, Configuration::new(5.0, 0.0, 0.1), 1e-9));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn is_on(&self, patch: u32, c: Configuration, tolerance: f64) -> bool {
+        let there = self.data.patches.get(patch as usize).and_then(|patch| {
+            let t = self.alive(patch, self.settled(c.theta))?;
+            Some(self.curve_as_at(patch, t, c.theta).nearest(c.position()))
+        });
+        there.is_some_and(|q| q.distance(c.position()) <= tolerance)
+    }
+
     /// The nearest contact at the configuration's orientation; `None` if nothing touches at that orientation.
     pub fn nearest_contact(&self, c: Configuration) -> Option<NearestContact> {
         let mut nearest: Option<NearestContact> = None;

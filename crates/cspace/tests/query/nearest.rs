@@ -137,6 +137,16 @@ fn is_as_by_slice(name: &str, space: &ContactSpace) -> usize {
                 let mut within = expected.iter().filter(|e| e.0 <= tolerance);
                 let within: Vec<(u32, f64)> = within.by_ref().map(|e| (e.1, e.0)).collect();
                 assert_eq!(space.contacts(c, tolerance), within, "{name} at {c:?}");
+                // Asked of one patch: one of those within, and any.
+                let any = rng.random_range(0..=space.patches().len() as u32);
+                for patch in within.first().map(|w| w.0).into_iter().chain([any]) {
+                    let is_within = within.iter().any(|w| w.0 == patch);
+                    assert_eq!(
+                        space.is_on(patch, c, tolerance),
+                        is_within,
+                        "{name} at {c:?}"
+                    );
+                }
                 touching += within.len();
             }
         }
