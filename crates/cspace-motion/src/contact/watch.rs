@@ -1,8 +1,8 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::{Classification, Coordinates, QueryError};
+use cspace::{Classification, Coordinates, PairSpace, PatchId, QueryError};
 
-use crate::pairs::{MovingPair, Pairs};
+use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
 use super::bound::Bound;
@@ -72,7 +72,7 @@ impl<'a> Watch<'a> {
             _ => Met::Contact,
         };
         let held = held.iter().filter_map(|b| match b {
-            Bound::Contact(touch) if touch.pair == index => Some(touch.features),
+            Bound::Contact(touch) if touch.pair == index => Some(touch),
             _ => None,
         });
         let mut closed = held.peekable();
@@ -82,8 +82,11 @@ impl<'a> Watch<'a> {
                 Ok(touches) => touches,
                 Err(error) => return Some(outside(error)),
             };
-            let is_there = |features| touches.iter().any(|t| t.features == features);
-            return (!closed.all(is_there)).then_some(Met::Contact);
+            let stays = |touch: &Touch| {
+                touches.iter().any(|t| t.features == touch.features)
+                    && self.stays(pair, touch, from, to)
+            };
+            return (!closed.all(stays)).then_some(Met::Contact);
         }
         let travel = self.travel(pair, path);
         if travel <= self.room[index] {
@@ -113,6 +116,32 @@ impl<'a> Watch<'a> {
         }
         path.windows(2)
             .find_map(|w| self.meets(pair, &w[0], &w[1]).then_some(Met::Contact))
+    }
+
+    /// Whether a contact that is closed at both ends of a step was closed all the way.
+    ///
+    /// On fixed axes patches are curves, and a step that begins and ends on one of them stayed on it. The same features may touch on another
+    /// one as well: others hold the parts between the two.
+    fn stays(&self, pair: &MovingPair, touch: &Touch, from: &[f64], to: &[f64]) -> bool {
+        let PairSpace::FixedAxes(_) = &pair.space else {
+            return true;
+        };
+        let of_features = |patch: &PatchId| {
+            let found = pair.space.patch(*patch).and_then(|p| p.features());
+            found == Ok(touch.features)
+        };
+        let patches = |q: &[f64]| -> Vec<PatchId> {
+            let at = pair.coordinates(self.system, q);
+            let near = pair.space.contacts(at, pair.touch).unwrap_or_default();
+            near.into_iter().map(|n| n.0).filter(of_features).collect()
+        };
+        let (begun, ended) = (patches(from), patches(to));
+        let goes_on = |patch: &PatchId| {
+            let beside = pair.space.neighbours(*patch).unwrap_or_default();
+            let mut same = beside.before.iter().chain(&beside.after).chain([patch]);
+            same.any(|p| ended.contains(p))
+        };
+        begun.iter().chain([&touch.patch]).any(goes_on)
     }
 
     /// Whether the parts meet on the straight way between two configurations. One that begins in contact is not told to.
