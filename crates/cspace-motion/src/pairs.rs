@@ -161,15 +161,30 @@ impl MovingPair {
         q: &[f64],
         tolerance: f64,
     ) -> Result<Vec<Touch>, QueryError> {
+        self.touches_beside(index, system, q, tolerance, BESIDE)
+    }
+
+    /// The same, with those that touch when the moving part is turned by an angle about its middle, either way.
+    ///
+    /// # Errors
+    /// If nothing was computed there.
+    pub(crate) fn touches_beside(
+        &self,
+        index: usize,
+        system: &System,
+        q: &[f64],
+        tolerance: f64,
+        turn: f64,
+    ) -> Result<Vec<Touch>, QueryError> {
         let at = self.coordinates(system, q);
         let mut near = self.space.contacts(at, tolerance)?;
         if let Coordinates::Planar(c) = at {
             // Where sides are parallel, patches end and others begin: both touch.
             let moving = self.space.moving();
-            let within = tolerance + BESIDE * moving.size();
+            let within = tolerance + turn * moving.size();
             let middle = moving.bounds().center();
             let placed = c.fixed_from_moving(middle);
-            for theta in [c.theta - BESIDE, c.theta + BESIDE] {
+            for theta in [c.theta - turn, c.theta + turn] {
                 // Turned about the middle of the part, so that nothing of it moves by more than that.
                 let turned = Rotation::by(theta) * middle.to_vector();
                 let beside = Configuration::new(placed.x - turned.x, placed.y - turned.y, theta);

@@ -5,7 +5,8 @@ use cspace::{Classification, Coordinates, PairSpace, PatchId, QueryError};
 use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
-use super::bound::Bound;
+use super::bound::{Bound, limits};
+use super::pinch::pinching;
 
 /// The straight pieces that stand for the path of a step, in each of which the first contact is sought exactly, end at these shares of
 /// it. Their distance from the path falls with the square of their number. The first of a step that begins in contact is not told
@@ -13,6 +14,9 @@ use super::bound::Bound;
 const PIECES: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 1.0];
 /// A path between two configurations of a step is at most so much longer than its pieces.
 const LONGER: f64 = 1.1;
+
+/// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
+const SHARE: f64 = 1.0 / 14.0;
 
 /// What a step met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,6 +63,32 @@ impl<'a> Watch<'a> {
         LONGER * (of(pair.fixed) + of(pair.moving))
     }
 
+    /// How far each coordinate may change, in the lengths of [`System::lengths`], until parts can meet or come to the end of a range.
+    pub(crate) fn freedom(&self, q: &[f64]) -> Vec<f64> {
+        let parts = self.system.parts();
+        let mut rooms = vec![f64::INFINITY; parts.len()];
+        for pair in self.pairs.list() {
+            let at = pair.coordinates(self.system, q);
+            let clearance = pair.space.clearance(at).unwrap_or(0.0);
+            for part in [pair.fixed, pair.moving] {
+                rooms[part] = f64::min(rooms[part], SHARE * clearance);
+            }
+        }
+        for (bound, room) in limits(self.system, q) {
+            if let Bound::Limit { part, .. } = bound {
+                let lever = self.levers[part][0];
+                rooms[part] = rooms[part].min(SHARE * lever * room.max(0.0));
+            }
+        }
+        let mut all = vec![f64::INFINITY; q.len()];
+        for (part, room) in rooms.into_iter().enumerate() {
+            for (i, lever) in parts[part].indices().zip(self.levers[part]) {
+                all[i] = room / lever * self.system.lengths()[i];
+            }
+        }
+        all
+    }
+
     /// What a step along a path met, with some bounds held on the way.
     pub(crate) fn check(&mut self, held: &[Bound], path: &[Vec<f64>]) -> Option<Met> {
         (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path))
@@ -82,9 +112,11 @@ impl<'a> Watch<'a> {
                 Ok(touches) => touches,
                 Err(error) => return Some(outside(error)),
             };
+            let has =
+                |all: &[Touch], touch: &Touch| all.iter().any(|t| t.features == touch.features);
             let stays = |touch: &Touch| {
-                touches.iter().any(|t| t.features == touch.features)
-                    && self.stays(pair, touch, from, to)
+                (has(&touches, touch) && self.stays(pair, touch, from, to))
+                    || has(&pinching(self.system, self.pairs, index, to), touch)
             };
             return (!closed.all(stays)).then_some(Met::Contact);
         }

@@ -39,7 +39,9 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
             break;
         }
         match flow.after(middle) {
-            Some(to) if goes_on(watch, flow, middle, &to) => before = middle,
+            Some(to) if to.excess(flow.system) <= 1.0 && goes_on(watch, flow, middle, &to) => {
+                before = middle;
+            }
             found => {
                 after = middle;
                 last = found;
