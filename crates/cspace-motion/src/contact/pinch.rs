@@ -9,14 +9,27 @@
 
 use cspace::Point;
 
-use crate::pairs::{Pairs, Touch};
+use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
 use super::SAME_PLACE;
+use super::bound::{Bound, REACH};
 
 /// The contacts of a pair that hold its parts between them: at least two, at different places, whose functions vanish to what contacts are
 /// known to, and whose patches come as near as places are told apart. None where another contact near there is deeper than that.
 pub(crate) fn pinching(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Vec<Touch> {
+    within(system, pairs, index, q, pairs.list()[index].touch)
+}
+
+/// The same of all pairs where a step was found to go too far: by more than contacts are known to.
+pub(crate) fn pinched(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
+    let of =
+        |(index, pair): (usize, &MovingPair)| within(system, pairs, index, q, REACH * pair.touch);
+    let all = pairs.list().iter().enumerate().flat_map(of);
+    all.map(Bound::Contact).collect()
+}
+
+fn within(system: &System, pairs: &Pairs, index: usize, q: &[f64], depth: f64) -> Vec<Touch> {
     let pair = &pairs.list()[index];
     let near = SAME_PLACE * system.size();
     let turn = near / pair.space.moving().size();
@@ -26,11 +39,11 @@ pub(crate) fn pinching(system: &System, pairs: &Pairs, index: usize, q: &[f64]) 
         (touch, value)
     });
     let valued: Vec<(Touch, f64)> = valued.collect();
-    if valued.iter().any(|(_, value)| *value < -pair.touch) {
+    if valued.iter().any(|(_, value)| *value < -depth) {
         return Vec::new();
     }
     let closed: Vec<Touch> = (valued.into_iter())
-        .filter(|(_, value)| *value <= pair.touch)
+        .filter(|(_, value)| *value <= depth)
         .map(|(touch, _)| touch)
         .collect();
     let places: Vec<Point> = (closed.iter())

@@ -4,7 +4,7 @@
 //! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
 //! root is found to rounding.
 
-use crate::contact::{Bound, Watch, ends, touching};
+use crate::contact::{Bound, Watch, ends, pinched, touching};
 
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
@@ -52,7 +52,11 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     // another, one corner of it was held, and both are to be.
     let mut bounds = flow.held.clone();
     if let Some(end) = flow.after(after) {
-        for bound in touching(flow.system, flow.pairs, &end.q) {
+        let more = pinched(flow.system, flow.pairs, &end.q);
+        for bound in touching(flow.system, flow.pairs, &end.q)
+            .into_iter()
+            .chain(more)
+        {
             if bounds.iter().all(|other| !bound.is_same(other)) {
                 bounds.push(bound);
             }

@@ -1,6 +1,6 @@
 //! From event to event.
 
-use crate::contact::{Bound, Watch, named, pinching, touching};
+use crate::contact::{Bound, Watch, named, pinched, touching};
 use crate::pairs::Pairs;
 use crate::record::{MOST_TRACED, Obstacle, Record, Sample, Status};
 use crate::system::System;
@@ -166,12 +166,9 @@ impl<'a> Run<'a> {
     /// Adds contacts that hold parts between them and are not told to touch; whether there are any.
     fn add_pinching(&self, q: &[f64], bounds: &mut Vec<Bound>) -> bool {
         let before = bounds.len();
-        for index in 0..self.pairs.list().len() {
-            let pinching = pinching(self.system, self.pairs, index, q);
-            for bound in pinching.into_iter().map(Bound::Contact) {
-                if bounds.iter().all(|other| !bound.is_same(other)) {
-                    bounds.push(bound);
-                }
+        for bound in pinched(self.system, self.pairs, q) {
+            if bounds.iter().all(|other| !bound.is_same(other)) {
+                bounds.push(bound);
             }
         }
         bounds.len() > before
