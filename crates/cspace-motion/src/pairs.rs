@@ -195,18 +195,23 @@ impl MovingPair {
         }
         let mut found: Vec<Touch> = Vec::new();
         for (id, _) in near {
-            let patch = self.space.patch(id)?;
-            let features = patch.features()?;
-            if found.iter().all(|t| t.features != features) {
-                found.push(Touch {
-                    pair: index,
-                    patch: id,
-                    features,
-                    contact: patch.contact()?,
-                });
+            let touch = self.touch_of(index, id)?;
+            if found.iter().all(|t| t.features != touch.features) {
+                found.push(touch);
             }
         }
         Ok(found)
+    }
+
+    /// The contact of a patch.
+    pub(crate) fn touch_of(&self, index: usize, patch: PatchId) -> Result<Touch, QueryError> {
+        let of = self.space.patch(patch)?;
+        Ok(Touch {
+            pair: index,
+            patch,
+            features: of.features()?,
+            contact: of.contact()?,
+        })
     }
 
     /// The contact function of a contact and its derivatives by the coordinates of the system: 0 in contact, positive apart,

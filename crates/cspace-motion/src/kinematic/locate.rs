@@ -52,16 +52,13 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     // another, one corner of it was held, and both are to be.
     let mut bounds = flow.held.clone();
     if let Some(end) = flow.after(after) {
-        let more = pinched(flow.system, flow.pairs, &end.q);
-        for bound in touching(flow.system, flow.pairs, &end.q)
-            .into_iter()
-            .chain(more)
-        {
-            if bounds.iter().all(|other| !bound.is_same(other)) {
-                bounds.push(bound);
-            }
+        add(&mut bounds, touching(flow.system, flow.pairs, &end.q));
+        let mut found = root(flow, after, &end, &bounds);
+        if found.is_none() {
+            add(&mut bounds, pinched(flow.system, flow.pairs, &end.q));
+            found = root(flow, after, &end, &bounds);
         }
-        if let Some((after, to)) = root(flow, after, &end, &bounds) {
+        if let Some((after, to)) = found {
             let q = to.q;
             return Stop { after, q, bounds };
         }
@@ -72,6 +69,15 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         .or_else(|| flow.after(before));
     let q = to.map_or_else(|| flow.q.clone(), |to| to.q);
     Stop { after, q, bounds }
+}
+
+/// Adds those that are not there.
+pub(super) fn add(bounds: &mut Vec<Bound>, more: Vec<Bound>) {
+    for bound in more {
+        if bounds.iter().all(|other| !bound.is_same(other)) {
+            bounds.push(bound);
+        }
+    }
 }
 
 /// The first root, near a time, of a function that is negative then.

@@ -9,7 +9,7 @@ use super::check::{goes_on, step};
 use super::choose::{Choice, choose};
 use super::events::Told;
 use super::flow::{Arrived, Flow};
-use super::locate::first_event;
+use super::locate::{add, first_event};
 
 /// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
 const LONGEST: f64 = 0.02;
@@ -35,7 +35,7 @@ const CRAWLS: f64 = 1e-6;
 /// So many times in a row.
 const MOST_CRAWLED: usize = 1000;
 
-const TOO_STIFF: &str = "springs or dampers are too stiff for their parts to be followed; make them softer, or the damping larger";
+const TOO_STIFF: &str = "springs, loads or dampers are too stiff for their parts to be followed; make them softer, or the damping larger";
 const TOO_FAST: &str = "parts move too fast to be followed; make drives slower or forces weaker, or ask for a shorter time";
 
 /// A simulation under way.
@@ -113,14 +113,11 @@ impl<'a> Run<'a> {
         let mut before: Vec<Bound> = Vec::new();
         while time < self.duration {
             let mut bounds = touching(self.system, self.pairs, &q);
-            let new = |b: &&Bound| bounds.iter().all(|other| !b.is_same(other));
-            let more: Vec<Bound> = before.iter().filter(new).copied().collect();
-            bounds.extend(more);
+            add(&mut bounds, before);
             let left = self.duration - time;
             let mut choice = choose(self.system, self.pairs, &bounds, time, &q, left);
-            if let Choice::Undetermined = choice
-                && self.add_pinching(&q, &mut bounds)
-            {
+            if let Choice::Undetermined = choice {
+                add(&mut bounds, pinched(self.system, self.pairs, &q));
                 choice = choose(self.system, self.pairs, &bounds, time, &q, left);
             }
             let (flow, next) = match choice {
@@ -163,17 +160,6 @@ impl<'a> Run<'a> {
         Some(self.record)
     }
 
-    /// Adds contacts that hold parts between them and are not told to touch; whether there are any.
-    fn add_pinching(&self, q: &[f64], bounds: &mut Vec<Bound>) -> bool {
-        let before = bounds.len();
-        for bound in pinched(self.system, self.pairs, q) {
-            if bounds.iter().all(|other| !bound.is_same(other)) {
-                bounds.push(bound);
-            }
-        }
-        bounds.len() > before
-    }
-
     /// Goes on with the same contacts until something happens; when and where that is, and what touches. `None` if the user wants no more.
     fn follow(
         &mut self,
@@ -214,9 +200,7 @@ impl<'a> Run<'a> {
                 .map(|(i, _)| (flow.velocity.rates[*i] * self.system.lengths()[*i]).abs())
                 .fold(0.0, f64::max);
             let many = left * driven > MOST_STEPS as f64 * LONGEST * size;
-            let hurries = even < longest && even * (MOST_STEPS as f64) < left;
-            hurried = if hurries { hurried + 1 } else { 0 };
-            if many || hurried > MOST_HURRIED || flow.time + h <= flow.time || *steps > MOST_STEPS {
+            if many || flow.time + h <= flow.time || *steps > MOST_STEPS {
                 self.gave_up = Some(TOO_FAST);
                 return Some((flow.time, flow.q, flow.held));
             }
@@ -246,6 +230,12 @@ impl<'a> Run<'a> {
                 self.sample(&flow, time);
                 return Some((time, stop.q, stop.bounds));
             };
+            let hurries = h * (MOST_STEPS as f64) < left;
+            hurried = if hurries { hurried + 1 } else { 0 };
+            if hurried > MOST_HURRIED {
+                self.gave_up = Some(if longest < even { TOO_STIFF } else { TOO_FAST });
+                return Some((flow.time, flow.q, flow.held));
+            }
             if !to.velocity.determined {
                 let share = to.excess(self.system).powf(-0.2).clamp(0.2, 4.0);
                 longest = 0.9 * h * share;
