@@ -161,15 +161,30 @@ impl MovingPair {
         q: &[f64],
         tolerance: f64,
     ) -> Result<Vec<Touch>, QueryError> {
+        self.touches_beside(index, system, q, tolerance, BESIDE)
+    }
+
+    /// The same, with those that touch when the moving part is turned by an angle about its middle, either way.
+    ///
+    /// # Errors
+    /// If nothing was computed there.
+    pub(crate) fn touches_beside(
+        &self,
+        index: usize,
+        system: &System,
+        q: &[f64],
+        tolerance: f64,
+        turn: f64,
+    ) -> Result<Vec<Touch>, QueryError> {
         let at = self.coordinates(system, q);
         let mut near = self.space.contacts(at, tolerance)?;
         if let Coordinates::Planar(c) = at {
             // Where sides are parallel, patches end and others begin: both touch.
             let moving = self.space.moving();
-            let within = tolerance + BESIDE * moving.size();
+            let within = tolerance + turn * moving.size();
             let middle = moving.bounds().center();
             let placed = c.fixed_from_moving(middle);
-            for theta in [c.theta - BESIDE, c.theta + BESIDE] {
+            for theta in [c.theta - turn, c.theta + turn] {
                 // Turned about the middle of the part, so that nothing of it moves by more than that.
                 let turned = Rotation::by(theta) * middle.to_vector();
                 let beside = Configuration::new(placed.x - turned.x, placed.y - turned.y, theta);
@@ -180,18 +195,23 @@ impl MovingPair {
         }
         let mut found: Vec<Touch> = Vec::new();
         for (id, _) in near {
-            let patch = self.space.patch(id)?;
-            let features = patch.features()?;
-            if found.iter().all(|t| t.features != features) {
-                found.push(Touch {
-                    pair: index,
-                    patch: id,
-                    features,
-                    contact: patch.contact()?,
-                });
+            let touch = self.touch_of(index, id)?;
+            if found.iter().all(|t| t.features != touch.features) {
+                found.push(touch);
             }
         }
         Ok(found)
+    }
+
+    /// The contact of a patch.
+    pub(crate) fn touch_of(&self, index: usize, patch: PatchId) -> Result<Touch, QueryError> {
+        let of = self.space.patch(patch)?;
+        Ok(Touch {
+            pair: index,
+            patch,
+            features: of.features()?,
+            contact: of.contact()?,
+        })
     }
 
     /// The contact function of a contact and its derivatives by the coordinates of the system: 0 in contact, positive apart,

@@ -84,7 +84,7 @@ pub(crate) fn limit_tolerance(system: &System, part: usize) -> f64 {
 }
 
 /// Contacts are told when they are farther away than what leaves them by this factor.
-const REACH: f64 = 4.0;
+pub(super) const REACH: f64 = 4.0;
 
 /// The contacts that touch, and the ends of ranges that are reached.
 pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {

@@ -1,18 +1,22 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::{Classification, Coordinates, QueryError};
+use cspace::{Classification, Coordinates, PairSpace, PatchId, QueryError};
 
-use crate::pairs::{MovingPair, Pairs};
+use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
-use super::bound::Bound;
+use super::SAME_PLACE;
+use super::bound::{Bound, limits};
+use super::pinch::pinching;
 
 /// The straight pieces that stand for the path of a step, in each of which the first contact is sought exactly, end at these shares of
-/// it. Their distance from the path falls with the square of their number. The first of a step that begins in contact is not told
-/// anything, and is short.
+/// it. Their distance from the path falls with the square of their number. The first of a step that begins in contact is short.
 const PIECES: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 1.0];
 /// A path between two configurations of a step is at most so much longer than its pieces.
 const LONGER: f64 = 1.1;
+
+/// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
+const SHARE: f64 = 1.0 / 14.0;
 
 /// What a step met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,6 +63,32 @@ impl<'a> Watch<'a> {
         LONGER * (of(pair.fixed) + of(pair.moving))
     }
 
+    /// How far each coordinate may change, in the lengths of [`System::lengths`], until parts can meet or come to the end of a range.
+    pub(crate) fn freedom(&self, q: &[f64]) -> Vec<f64> {
+        let parts = self.system.parts();
+        let mut rooms = vec![f64::INFINITY; parts.len()];
+        for pair in self.pairs.list() {
+            let at = pair.coordinates(self.system, q);
+            let clearance = pair.space.clearance(at).unwrap_or(0.0);
+            for part in [pair.fixed, pair.moving] {
+                rooms[part] = f64::min(rooms[part], SHARE * clearance);
+            }
+        }
+        for (bound, room) in limits(self.system, q) {
+            if let Bound::Limit { part, .. } = bound {
+                let lever = self.levers[part][0];
+                rooms[part] = rooms[part].min(SHARE * lever * room.max(0.0));
+            }
+        }
+        let mut all = vec![f64::INFINITY; q.len()];
+        for (part, room) in rooms.into_iter().enumerate() {
+            for (i, lever) in parts[part].indices().zip(self.levers[part]) {
+                all[i] = room / lever * self.system.lengths()[i];
+            }
+        }
+        all
+    }
+
     /// What a step along a path met, with some bounds held on the way.
     pub(crate) fn check(&mut self, held: &[Bound], path: &[Vec<f64>]) -> Option<Met> {
         (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path))
@@ -72,7 +102,7 @@ impl<'a> Watch<'a> {
             _ => Met::Contact,
         };
         let held = held.iter().filter_map(|b| match b {
-            Bound::Contact(touch) if touch.pair == index => Some(touch.features),
+            Bound::Contact(touch) if touch.pair == index => Some(touch),
             _ => None,
         });
         let mut closed = held.peekable();
@@ -82,8 +112,18 @@ impl<'a> Watch<'a> {
                 Ok(touches) => touches,
                 Err(error) => return Some(outside(error)),
             };
-            let is_there = |features| touches.iter().any(|t| t.features == features);
-            return (!closed.all(is_there)).then_some(Met::Contact);
+            let has =
+                |all: &[Touch], touch: &Touch| all.iter().any(|t| t.features == touch.features);
+            let stays = |touch: &Touch| {
+                if has(&touches, touch) {
+                    self.stays(pair, touch, [from, to], pair.touch)
+                } else {
+                    let near = SAME_PLACE * self.system.size();
+                    has(&pinching(self.system, self.pairs, index, to), touch)
+                        && self.stays(pair, touch, [from, to], near)
+                }
+            };
+            return (!closed.all(stays)).then_some(Met::Contact);
         }
         let travel = self.travel(pair, path);
         if travel <= self.room[index] {
@@ -112,14 +152,40 @@ impl<'a> Watch<'a> {
             Ok(_) => {}
         }
         path.windows(2)
-            .find_map(|w| self.meets(pair, &w[0], &w[1]).then_some(Met::Contact))
+            .find_map(|w| self.meets(index, &w[0], &w[1]).then_some(Met::Contact))
     }
 
-    /// Whether the parts meet on the straight way between two configurations. One that begins in contact is not told to.
-    fn meets(&self, pair: &MovingPair, from: &[f64], to: &[f64]) -> bool {
-        if pair.classify(self.system, from) != Ok(Classification::Free) {
-            return false;
-        }
+    /// Whether a contact that is closed at both ends of a step was closed all the way.
+    ///
+    /// On fixed axes patches are curves, and a step that begins and ends on one of them stayed on it. The same features may touch on another
+    /// one as well: others hold the parts between the two. `reach` is
+    /// how near patches come.
+    fn stays(&self, pair: &MovingPair, touch: &Touch, [from, to]: [&[f64]; 2], reach: f64) -> bool {
+        let PairSpace::FixedAxes(_) = &pair.space else {
+            return true;
+        };
+        let of_features = |patch: &PatchId| {
+            let found = pair.space.patch(*patch).and_then(|p| p.features());
+            found == Ok(touch.features)
+        };
+        let patches = |q: &[f64]| -> Vec<PatchId> {
+            let at = pair.coordinates(self.system, q);
+            let near = pair.space.contacts(at, reach).unwrap_or_default();
+            near.into_iter().map(|n| n.0).filter(of_features).collect()
+        };
+        let (begun, ended) = (patches(from), patches(to));
+        let goes_on = |patch: &PatchId| {
+            let beside = pair.space.neighbours(*patch).unwrap_or_default();
+            let mut same = beside.before.iter().chain(&beside.after).chain([patch]);
+            same.any(|p| ended.contains(p))
+        };
+        begun.iter().chain([&touch.patch]).any(goes_on)
+    }
+
+    /// Whether the parts meet on the straight way between two configurations. Where that begins in contact, they do if they come to be
+    /// deeper in each other than contacts are known to.
+    fn meets(&self, index: usize, from: &[f64], to: &[f64]) -> bool {
+        let pair = &self.pairs.list()[index];
         let [a, b] = [from, to].map(|q| pair.coordinates(self.system, q));
         let rates = match (a, b) {
             (Coordinates::Planar(a), Coordinates::Planar(b)) => Coordinates::Planar(
@@ -130,10 +196,24 @@ impl<'a> Watch<'a> {
             }
             _ => return false,
         };
-        matches!(
-            pair.space.first_contact(a, rates, 1.0),
-            Ok(cspace::pair::PairMotion::Contact(_))
-        )
+        if pair.space.classify(a) == Ok(Classification::Free) {
+            return matches!(
+                pair.space.first_contact(a, rates, 1.0),
+                Ok(cspace::pair::PairMotion::Contact(_))
+            );
+        }
+        let crossings = pair.space.crossings(a, rates, 1.0).unwrap_or_default();
+        crossings.iter().enumerate().any(|(k, crossing)| {
+            // Half way to where it comes out again.
+            let out = crossings[k..].iter().find(|c| !c.enters);
+            let middle = 0.5 * (crossing.time + out.map_or(1.0, |c| c.time));
+            let ends = from.iter().zip(to);
+            let q: Vec<f64> = ends.map(|(a, b)| a + middle * (b - a)).collect();
+            crossing.enters
+                && pair
+                    .touch_of(index, crossing.patch)
+                    .is_ok_and(|t| pair.function(&t, self.system, &q).value < -pair.touch)
+        })
     }
 
     /// That a step along a path was taken.
@@ -159,4 +239,54 @@ pub(crate) fn path((a, va): (&[f64], &[f64]), (b, vb): (&[f64], &[f64]), h: f64)
     path.extend(PIECES.iter().rev().skip(1).rev().map(|&t| at(t)));
     path.push(b.to_vec());
     path
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use cspace::{Mechanism, Part, PartEntry, Vertex};
+
+    use super::*;
+    use crate::Simulation;
+
+    /// A disc of radius 1 that lies on a table, lifted over a spike 0.01 wide or through it.
+    #[test]
+    fn what_begins_in_contact_meets_what_is_in_its_way() {
+        let corners = [
+            (-9.0, -2.0),
+            (9.0, -2.0),
+            (9.0, 0.0),
+            (0.005, 0.0),
+            (0.0, 0.6),
+            (-0.005, 0.0),
+            (-9.0, 0.0),
+        ];
+        let table = corners.map(|(x, y)| Vertex::line(x, y)).to_vec();
+        let table = Part::new("table", vec![table]).unwrap();
+        let disc = Part::circle("disc", (0.0, 0.0), 1.0).unwrap();
+        let mut mechanism = Mechanism::new("disc on a table");
+        mechanism.parts = vec![PartEntry::fixed(table), PartEntry::planar(disc)];
+        mechanism.pairs = mechanism.every_two();
+        mechanism.dynamics.parts = vec![
+            cspace::mechanism::PartDynamics::default(),
+            cspace::mechanism::PartDynamics {
+                start: Some(cspace::mechanism::PartPosition::Planar(
+                    cspace::Configuration::new(-3.0, 1.0, 0.0),
+                )),
+                ..Default::default()
+            },
+        ];
+        let simulation = Simulation::new(&mechanism).unwrap();
+        let from = simulation.start().to_vec();
+        assert_eq!(
+            simulation.pairs().list()[0].classify(simulation.system(), &from),
+            Ok(Classification::Contact)
+        );
+        let mut watch = Watch::new(simulation.system(), simulation.pairs());
+        for (height, met) in [(1.0 + 1e-3, Some(Met::Contact)), (2.5, None)] {
+            let to = vec![3.0, height, 0.0];
+            assert_eq!(watch.check(&[], &[from.clone(), to]), met, "{height}");
+        }
+    }
 }

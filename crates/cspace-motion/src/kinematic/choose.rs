@@ -12,7 +12,7 @@ use crate::pairs::Pairs;
 use crate::system::{Row, System};
 
 use super::check::goes_on;
-use super::flow::Flow;
+use super::flow::{Arrived, Flow};
 use super::velocity::{Local, Nearest};
 
 /// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
@@ -151,8 +151,10 @@ fn tries<'a>(
     // What begins at rest is not told by its speed.
     for _ in 0..MOST_SHORTER {
         let to = flow.after(h);
-        let moved = (to.as_ref()).map_or(f64::INFINITY, |to| system.moved(&flow.q, &to.q));
-        if moved > MOST_FARTHER * far {
+        let is_right = |to: &Arrived| {
+            system.moved(&flow.q, &to.q) <= MOST_FARTHER * far && to.excess(system) <= 1.0
+        };
+        if !to.as_ref().is_some_and(is_right) {
             h *= SHORTER;
             continue;
         }

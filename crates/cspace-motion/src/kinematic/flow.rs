@@ -14,8 +14,12 @@ use super::velocity::{Held, Local};
 
 /// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.
 const CLOSED: f64 = 1e-13;
+/// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
+const ERROR: f64 = 1e-13;
 /// What is brought back moves by no more than this share of the step: more would be another solution.
 const CORRECTION: f64 = 0.25;
+/// Sums of slopes are right to this share of the largest: what is less is no error of the step.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Newton's steps back to closed contacts. They converge quadratically from nearby, or not at all.
 const MOST_CORRECTIONS: usize = 12;
 
@@ -38,6 +42,17 @@ pub(crate) struct Arrived {
     pub(crate) velocity: Held,
     /// The estimated error of the free coordinates, the largest, weighted as [`System::lengths`].
     pub(crate) error: f64,
+}
+
+impl Arrived {
+    /// How many times its error is what a step may have.
+    pub(crate) fn excess(&self, system: &System) -> f64 {
+        if self.velocity.determined {
+            0.0
+        } else {
+            self.error / (ERROR * system.size())
+        }
+    }
 }
 
 impl<'a> Flow<'a> {
@@ -89,7 +104,11 @@ impl<'a> Flow<'a> {
             let difference: f64 = (DIFFERENCE.iter().zip(&slopes))
                 .map(|(d, slope)| d * slope[i])
                 .sum();
-            error = error.max((h * difference).abs() * lengths[i]);
+            let fastest = slopes
+                .iter()
+                .fold(0.0_f64, |m, slope| m.max(slope[i].abs()));
+            let beyond = difference.abs() - ROUNDING * fastest;
+            error = error.max(h * beyond * lengths[i]);
         }
         let moved = self.system.moved(&self.q, &q);
         let room = CORRECTION * moved + CLOSED * self.system.size();

@@ -4,7 +4,7 @@
 //! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
 //! root is found to rounding.
 
-use crate::contact::{Bound, Watch, ends, touching};
+use crate::contact::{Bound, Watch, ends, pinched, touching};
 
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
@@ -39,7 +39,9 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
             break;
         }
         match flow.after(middle) {
-            Some(to) if goes_on(watch, flow, middle, &to) => before = middle,
+            Some(to) if to.excess(flow.system) <= 1.0 && goes_on(watch, flow, middle, &to) => {
+                before = middle;
+            }
             found => {
                 after = middle;
                 last = found;
@@ -50,12 +52,13 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     // another, one corner of it was held, and both are to be.
     let mut bounds = flow.held.clone();
     if let Some(end) = flow.after(after) {
-        for bound in touching(flow.system, flow.pairs, &end.q) {
-            if bounds.iter().all(|other| !bound.is_same(other)) {
-                bounds.push(bound);
-            }
+        add(&mut bounds, touching(flow.system, flow.pairs, &end.q));
+        let mut found = root(flow, after, &end, &bounds);
+        if found.is_none() {
+            add(&mut bounds, pinched(flow.system, flow.pairs, &end.q));
+            found = root(flow, after, &end, &bounds);
         }
-        if let Some((after, to)) = root(flow, after, &end, &bounds) {
+        if let Some((after, to)) = found {
             let q = to.q;
             return Stop { after, q, bounds };
         }
@@ -66,6 +69,15 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         .or_else(|| flow.after(before));
     let q = to.map_or_else(|| flow.q.clone(), |to| to.q);
     Stop { after, q, bounds }
+}
+
+/// Adds those that are not there.
+pub(super) fn add(bounds: &mut Vec<Bound>, more: Vec<Bound>) {
+    for bound in more {
+        if bounds.iter().all(|other| !bound.is_same(other)) {
+            bounds.push(bound);
+        }
+    }
 }
 
 /// The first root, near a time, of a function that is negative then.

@@ -1,6 +1,6 @@
 //! From event to event.
 
-use crate::contact::{Bound, Watch, named, touching};
+use crate::contact::{Bound, Watch, named, pinched, touching};
 use crate::pairs::Pairs;
 use crate::record::{MOST_TRACED, Obstacle, Record, Sample, Status};
 use crate::system::System;
@@ -9,12 +9,16 @@ use super::check::{goes_on, step};
 use super::choose::{Choice, choose};
 use super::events::Told;
 use super::flow::{Arrived, Flow};
-use super::locate::first_event;
+use super::locate::{add, first_event};
 
 /// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
 const LONGEST: f64 = 0.02;
-/// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
-const ERROR: f64 = 1e-13;
+/// What diverges in a step is tried again with this share of it.
+const DIVERGED: f64 = 0.2;
+/// More steps than this to the next stop are too many to be made as short as that where nothing is near.
+const HURRIES: f64 = 1e4;
+/// So many steps in a row of which [`MOST_STEPS`] would not lead to the next stop do not come to an end.
+const MOST_HURRIED: usize = 50_000;
 /// Steps are not made shorter than this, relative to the time so far and to come.
 const SHORTEST: f64 = 1e-15;
 /// So many events in a row without progress in time do not lead on.
@@ -31,7 +35,7 @@ const CRAWLS: f64 = 1e-6;
 /// So many times in a row.
 const MOST_CRAWLED: usize = 1000;
 
-const TOO_STIFF: &str = "springs or dampers are too stiff for their parts to be followed; make them softer, or the damping larger";
+const TOO_STIFF: &str = "springs, loads or dampers are too stiff for their parts to be followed; make them softer, or the damping larger";
 const TOO_FAST: &str = "parts move too fast to be followed; make drives slower or forces weaker, or ask for a shorter time";
 
 /// A simulation under way.
@@ -109,11 +113,13 @@ impl<'a> Run<'a> {
         let mut before: Vec<Bound> = Vec::new();
         while time < self.duration {
             let mut bounds = touching(self.system, self.pairs, &q);
-            let new = |b: &&Bound| bounds.iter().all(|other| !b.is_same(other));
-            let more: Vec<Bound> = before.iter().filter(new).copied().collect();
-            bounds.extend(more);
+            add(&mut bounds, before);
             let left = self.duration - time;
-            let choice = choose(self.system, self.pairs, &bounds, time, &q, left);
+            let mut choice = choose(self.system, self.pairs, &bounds, time, &q, left);
+            if let Choice::Undetermined = choice {
+                add(&mut bounds, pinched(self.system, self.pairs, &q));
+                choice = choose(self.system, self.pairs, &bounds, time, &q, left);
+            }
             let (flow, next) = match choice {
                 Choice::On { flow, next } => (flow, next),
                 Choice::Jammed(obstacles) => {
@@ -163,7 +169,7 @@ impl<'a> Run<'a> {
     ) -> Option<(f64, Vec<f64>, Vec<Bound>)> {
         let mut watch = Watch::new(self.system, self.pairs);
         let mut longest = f64::INFINITY;
-        let mut crawled = 0;
+        let (mut crawled, mut hurried) = (0, 0);
         loop {
             *steps += 1;
             if steps.is_multiple_of(64) && !progress(flow.time / self.duration) {
@@ -177,7 +183,17 @@ impl<'a> Run<'a> {
             };
             let left = stop - flow.time;
             let size = self.system.size();
-            let even = LONGEST * size / self.system.speed(&flow.velocity.rates);
+            let mut reach = vec![LONGEST * size; flow.q.len()];
+            if left * self.system.speed(&flow.velocity.rates) > HURRIES * LONGEST * size {
+                let freedom = watch.freedom(&flow.q);
+                reach
+                    .iter_mut()
+                    .zip(freedom)
+                    .for_each(|(r, f)| *r = r.max(f));
+            }
+            let lengths = self.system.lengths();
+            let speeds = (flow.velocity.rates.iter().zip(lengths)).map(|(v, l)| (v * l).abs());
+            let even = (speeds.zip(&reach)).fold(f64::INFINITY, |h, (v, r)| h.min(r / v));
             let mut h = left.min(even).min(longest);
             let drives = self.system.drives().iter();
             let driven = drives
@@ -192,7 +208,11 @@ impl<'a> Run<'a> {
             // As long as it may be.
             let arrived = loop {
                 let arrived = flow.after(h);
-                let too_long = arrived.as_ref().and_then(|to| self.too_long(&flow, to));
+                let too_long = match &arrived {
+                    Some(to) => self.too_long(&flow, to, &reach),
+                    // Where contacts lead, they come to an end there; what is free only went too far.
+                    None => (!flow.velocity.determined).then_some(DIVERGED),
+                };
                 match too_long {
                     Some(factor) if h * factor > shortest => h *= factor,
                     // What cannot be followed at all is lost.
@@ -210,8 +230,14 @@ impl<'a> Run<'a> {
                 self.sample(&flow, time);
                 return Some((time, stop.q, stop.bounds));
             };
+            let hurries = h * (MOST_STEPS as f64) < left;
+            hurried = if hurries { hurried + 1 } else { 0 };
+            if hurried > MOST_HURRIED {
+                self.gave_up = Some(if longest < even { TOO_STIFF } else { TOO_FAST });
+                return Some((flow.time, flow.q, flow.held));
+            }
             if !to.velocity.determined {
-                let share = (ERROR * size / to.error).powf(0.2).clamp(0.2, 4.0);
+                let share = to.excess(self.system).powf(-0.2).clamp(0.2, 4.0);
                 longest = 0.9 * h * share;
                 // Near a dead point steps are short, too, but there are few of them.
                 let crawls = self.system.moved(&flow.q, &to.q) < CRAWLS * size;
@@ -259,16 +285,14 @@ impl<'a> Run<'a> {
     }
 
     /// By how much a step is to be shortened, if it went too far or its error is too large.
-    fn too_long(&self, flow: &Flow<'_>, to: &Arrived) -> Option<f64> {
-        let size = self.system.size();
-        let moved = self.system.moved(&flow.q, &to.q);
-        let by_error = if to.velocity.determined {
-            0.0
-        } else {
-            to.error / (ERROR * size)
-        };
-        if moved > 2.0 * LONGEST * size {
-            Some((LONGEST * size / moved).max(0.1))
+    fn too_long(&self, flow: &Flow<'_>, to: &Arrived, reach: &[f64]) -> Option<f64> {
+        let changes = (flow.q.iter().zip(&to.q)).zip(self.system.lengths());
+        let moved = (changes.zip(reach))
+            .map(|(((a, b), l), r)| ((b - a) * l).abs() / r)
+            .fold(0.0, f64::max);
+        let by_error = to.excess(self.system);
+        if moved > 2.0 {
+            Some((1.0 / moved).max(0.1))
         } else if by_error > 1.0 {
             Some((0.9 * by_error.powf(-0.2)).clamp(0.1, 0.9))
         } else {

@@ -210,6 +210,26 @@ fn parts_that_overlap_at_the_start() {
     refused(&still, &["wheel", "stands still"]);
 }
 
+/// A part that flies away is followed for as long as is wanted, in steps as long as nothing is near.
+#[test]
+fn what_flies_away_is_far_soon() {
+    let load = "[[load]]\npart = \"block\"\nforce = [1e12, 1e12]\n";
+    let text = scene("", "", "", &format!("{DRIVE}{load}"));
+    let simulation = Simulation::new(&read(&text).unwrap()).unwrap();
+    let settings = Settings {
+        time: 2.0,
+        every: None,
+    };
+    let begun = Instant::now();
+    let record = simulation.kinematic(&settings).unwrap();
+    assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    // A force over the area of 4, for 2 seconds.
+    let end = &record.samples.last().unwrap().coordinates;
+    assert!((end[1] / 5e11 - 1.0).abs() < 1e-12, "{end:?}");
+    assert!((end[0] - 2.0).abs() < 1e-14, "{end:?}");
+}
+
 /// What may be written and cannot be followed ends with a reason, and soon.
 #[test]
 fn numbers_that_cannot_be_followed() {
@@ -229,6 +249,19 @@ fn numbers_that_cannot_be_followed() {
     });
     let rates = ["1e30", "1e300"]
         .map(|rate| scene("", "", &format!("mass = 1\nrate = [-{rate}, 0, 0]"), DRIVE));
+    let loads = [
+        "force = [-1e12, 1e12]",
+        "force = [1e12, 0]\nat = [6, 1]",
+        "torque = 1e12",
+    ]
+    .map(|load| {
+        scene(
+            "",
+            "",
+            "",
+            &format!("{DRIVE}[[load]]\npart = \"block\"\n{load}\n"),
+        )
+    });
     let jump = "[[drive]]\npart = \"wheel\"\ntable = [[0, 0], [1, 0], [1.000000001, 1]]\n";
     let jumps = [scene("", "", "mass = 1", jump)];
     let gravity = [scene("gravity = [0, 1e308]", "", "mass = 1", DRIVE)];
@@ -237,7 +270,8 @@ fn numbers_that_cannot_be_followed() {
         .chain(&masses)
         .chain(&rates)
         .chain(&jumps)
-        .chain(&gravity);
+        .chain(&gravity)
+        .chain(&loads);
     for text in all {
         let simulation = Simulation::new(&read(text).unwrap()).unwrap();
         let begun = Instant::now();

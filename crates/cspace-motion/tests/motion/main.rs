@@ -1,6 +1,7 @@
 //! Motions with known answers.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod agreement;
 mod answers;
 mod axes;
 mod free_space;

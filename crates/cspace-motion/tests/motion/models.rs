@@ -146,3 +146,43 @@ fn a_rack_is_pushed_on() {
         assert!((step - 2.0 * 24.0 * tooth).abs() < 1e-9, "{t}: {step}");
     }
 }
+
+/// What touches does not depend on how long steps are: of two contacts that hold the same pair in turn, none is passed over.
+#[test]
+fn a_rack_is_held_by_one_tooth_after_the_other() {
+    let rack = model("rack_pinion");
+    let (_, short) = run(&rack, 0.0045, 0.0005);
+    let (_, long) = run(&rack, 1.3, 0.0005);
+    assert_eq!(short.events.len(), 3, "{:#?}", short.events);
+    for (s, l) in short.events.iter().zip(&long.events) {
+        assert!((s.t - l.t).abs() < 1e-9 && s.kind == l.kind && s.what == l.what);
+    }
+}
+
+/// The spring keeps the hook straight while nothing touches it: it lags behind by what turns it over the stiffness.
+#[test]
+fn a_stiff_hook_is_not_lost() {
+    let (_, record) = run(&model("snap_in"), 0.4, 0.0005);
+    is_done(&record);
+    assert_eq!(record.events, []);
+    let most = (record.samples.iter()).fold(0.0_f64, |m, s| m.max(s.coordinates[3].abs()));
+    assert!(most < 2e-4, "{most}");
+}
+
+/// Askew, the sleeve is wedged between both sides of the pole, at the angle of which 6.2 cos θ − 11.6 sin θ = 5, and slides
+/// down there, because nothing rubs.
+#[test]
+fn a_sleeve_is_wedged_on_its_pole() {
+    let (_, record) = run(&model("woodpecker"), 2.5, 0.01);
+    is_done(&record);
+    let touches: Vec<EventKind> = record.events.iter().map(|e| e.kind).collect();
+    assert_eq!(touches, [EventKind::Touch; 2]);
+    let wedged = |s: &&cspace_motion::Sample| s.t > record.events[1].t;
+    let mut lowest = f64::INFINITY;
+    for sample in record.samples.iter().filter(wedged) {
+        let (sin, cos) = sample.coordinates[2].sin_cos();
+        assert!((6.2 * cos + 11.6 * sin - 5.0).abs() < 1e-9, "{}", sample.t);
+        assert!(sample.coordinates[1] < lowest);
+        lowest = sample.coordinates[1];
+    }
+}

@@ -1,0 +1,58 @@
+//! Parts that are held between two contacts which all but oppose each other.
+//!
+//! ```text
+//!        ____                     The disc is larger than the hole by a part in a million, and rests on both corners. Where
+//!      /      \                   it does is known to the resolution over the slope of the contact functions: patches end
+//!  ___(        )___               farther from there than contacts are known, and where a part is wedged at the last
+//!      \ ____ /                   orientation at which it fits, they end with it.
+//! ```
+
+use cspace::Point;
+
+use crate::pairs::{MovingPair, Pairs, Touch};
+use crate::system::System;
+
+use super::SAME_PLACE;
+use super::bound::{Bound, REACH};
+
+/// The contacts of a pair that hold its parts between them: at least two, at different places, whose functions vanish to what contacts are
+/// known to, and whose patches come as near as places are told apart. None where another contact near there is deeper than that.
+pub(crate) fn pinching(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Vec<Touch> {
+    within(system, pairs, index, q, pairs.list()[index].touch)
+}
+
+/// The same of all pairs where a step was found to go too far: by more than contacts are known to.
+pub(crate) fn pinched(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
+    let of =
+        |(index, pair): (usize, &MovingPair)| within(system, pairs, index, q, REACH * pair.touch);
+    let all = pairs.list().iter().enumerate().flat_map(of);
+    all.map(Bound::Contact).collect()
+}
+
+fn within(system: &System, pairs: &Pairs, index: usize, q: &[f64], depth: f64) -> Vec<Touch> {
+    let pair = &pairs.list()[index];
+    let near = SAME_PLACE * system.size();
+    let turn = near / pair.space.moving().size();
+    let touches = pair.touches_beside(index, system, q, near, turn);
+    let valued = touches.unwrap_or_default().into_iter().map(|touch| {
+        let value = pair.function(&touch, system, q).value;
+        (touch, value)
+    });
+    let valued: Vec<(Touch, f64)> = valued.collect();
+    if valued.iter().any(|(_, value)| *value < -depth) {
+        return Vec::new();
+    }
+    let closed: Vec<Touch> = (valued.into_iter())
+        .filter(|(_, value)| *value <= depth)
+        .map(|(touch, _)| touch)
+        .collect();
+    let places: Vec<Point> = (closed.iter())
+        .filter_map(|touch| pair.point(touch, system, q).ok())
+        .collect();
+    let apart = |p: &Point| places.iter().any(|r| p.distance(*r) > near);
+    if places.iter().any(apart) {
+        closed
+    } else {
+        Vec::new()
+    }
+}
