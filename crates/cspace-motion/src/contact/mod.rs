@@ -3,11 +3,13 @@
 mod bound;
 mod describe;
 mod ends;
+mod overlap;
 mod watch;
 
 pub(crate) use bound::{Bound, limit_tolerance, limits, touching};
 pub(crate) use describe::named;
 pub(crate) use ends::ends;
+pub(crate) use overlap::overlapping;
 pub(crate) use watch::{Watch, path};
 
 /// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same

@@ -110,6 +110,12 @@ pub trait World {
         closed
     }
 
+    /// The contacts that are closed, or overlap by no more than a way, at a configuration that may overlap: those that keep it from
+    /// overlapping more. `None` if that cannot be told there. Those that are closed unless a world knows better.
+    fn overlapping(&self, t: f64, q: &DVector<f64>, _way: f64) -> Option<Vec<usize>> {
+        Some(self.closed(t, q))
+    }
+
     /// The sets of closed contacts of which one goes on to hold, the first that leads on: all of them, unless contacts that
     /// take each other's place are among them.
     fn alternatives(&self, closed: &[usize], _t: f64, _q: &DVector<f64>) -> Vec<Vec<usize>> {

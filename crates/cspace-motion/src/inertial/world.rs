@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use cspace::Point;
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::{Bound, SAME_PLACE, Watch, ends, path, touching};
+use crate::contact::{Bound, SAME_PLACE, Watch, ends, overlapping, path, touching};
 use crate::dynamic::{Acting, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
 
@@ -184,6 +184,12 @@ impl World for Mechanical<'_> {
         let q = self.bodies.coordinates(t, q);
         let bounds = touching(&self.bodies.system, self.pairs, &q);
         bounds.iter().map(|b| self.numbers.number(b)).collect()
+    }
+
+    fn overlapping(&self, t: f64, q: &DVector<f64>, way: f64) -> Option<Vec<usize>> {
+        let q = self.bodies.coordinates(t, q);
+        let bounds = overlapping(&self.bodies.system, self.pairs, &q, way)?;
+        Some(bounds.iter().map(|b| self.numbers.number(b)).collect())
     }
 
     fn alternatives(&self, closed: &[usize], t: f64, q: &DVector<f64>) -> Vec<Vec<usize>> {
