@@ -175,6 +175,11 @@ pub trait World {
         change.amax()
     }
 
+    /// How fast what moves fastest moves, what is driven included.
+    fn speed(&self, state: &State) -> f64 {
+        self.reach(&state.v)
+    }
+
     /// The longest step from a state, s.
     fn longest(&self, _state: &State) -> f64 {
         f64::INFINITY

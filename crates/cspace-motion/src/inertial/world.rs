@@ -345,9 +345,12 @@ impl World for Mechanical<'_> {
             .fold(0.0, f64::max)
     }
 
+    fn speed(&self, state: &State) -> f64 {
+        self.bodies.system.speed(&self.bodies.all(state).v)
+    }
+
     fn longest(&self, state: &State) -> f64 {
-        let all = self.bodies.all(state);
-        LONGEST * self.size() / self.bodies.system.speed(&all.v)
+        LONGEST * self.size() / self.speed(state)
     }
 }
 

@@ -189,7 +189,7 @@ impl<W: World + ?Sized> Stepping<'_, W> {
     /// The contacts that are closed in the middle of a step.
     fn active(&mut self, middle: &State, free: &DVector<f64>) -> Result<Vec<Active>, Ended> {
         let world = self.world;
-        let way = FARTHER * (self.open + self.h * world.reach(&middle.v));
+        let way = FARTHER * (self.open + self.h * world.speed(middle));
         let found = world.overlapping(middle.t, &middle.q, way);
         let found = found.ok_or_else(|| stuck(Vec::new()))?;
         let mut active = Vec::new();
