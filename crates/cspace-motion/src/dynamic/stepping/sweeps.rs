@@ -7,7 +7,9 @@
 //! 0 ≤ λ_n ⟂ u_n ≥ 0,   |λ_t| ≤ μ λ_n,   λ_t = −μ λ_n sign u_t where u_t ≠ 0
 //! ```
 //!
-//! Contacts that share a load make W singular; the sweeps come to one of the ways to share it.
+//! Contacts that share a load make W singular; the sweeps come to one of the ways to share it. Where they come to it slowly, as with
+//! contacts that all but share a direction, they are extended now and then along what the last of them changed, as far as a geometric
+//! series goes and no contact opens, closes or begins to slide.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,6 +17,10 @@ use nalgebra::{DMatrix, DVector};
 const CONVERGED: f64 = 1e-12;
 /// There are no more sweeps than that.
 const MOST_SWEEPS: usize = 50_000;
+/// Sweeps between two extensions.
+const EXTENDED: usize = 20;
+/// What is within this share of the bound of friction is at it.
+const AT_BOUND: f64 = 1e-9;
 /// Sweeps that were all taken are good enough if the last one changed rates by no more than this share.
 const GOOD: f64 = 1e-6;
 /// A contact whose impulse changes its own rate by less than this share of what it would without joints cannot give way.
@@ -38,13 +44,47 @@ impl Impulses<'_> {
         let mut impulses = guess;
         let scale = self.free.amax();
         let mut changed = 0.0;
-        for _ in 0..MOST_SWEEPS {
+        let mut last = DVector::zeros(impulses.len());
+        for sweep in 1..=MOST_SWEEPS {
+            let before = impulses.clone();
             changed = self.sweep(&mut impulses);
             if changed <= CONVERGED * scale {
                 return Some(impulses);
             }
+            let change = &impulses - &before;
+            if sweep.is_multiple_of(EXTENDED) {
+                self.extend(&mut impulses, &change, &last);
+            }
+            last = change;
         }
         (changed <= GOOD * scale).then_some(impulses)
+    }
+
+    /// Goes on along a change to where it leads, or to where a contact does something else.
+    fn extend(&self, impulses: &mut DVector<f64>, change: &DVector<f64>, last: &DVector<f64>) {
+        let ratio = change.dot(last) / last.norm_squared();
+        // Without an end, if changes do not become smaller.
+        let mut far = if ratio < 1.0 {
+            (ratio / (1.0 - ratio)).max(0.0)
+        } else {
+            f64::INFINITY
+        };
+        for (k, &friction) in self.friction.iter().enumerate() {
+            let (n, t) = (impulses[2 * k], impulses[2 * k + 1]);
+            let (dn, dt) = (change[2 * k], change[2 * k + 1]);
+            if dn < 0.0 {
+                far = far.min(-n / dn);
+            }
+            for side in [1.0, -1.0] {
+                let (room, falls) = (friction * n - side * t, friction * dn - side * dt);
+                if room > AT_BOUND * friction * n && falls < 0.0 {
+                    far = far.min(-room / falls);
+                }
+            }
+        }
+        if far.is_finite() {
+            *impulses += change * far;
+        }
     }
 
     /// One sweep, and by how much it changed rates.
