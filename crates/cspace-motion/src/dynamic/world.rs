@@ -132,6 +132,11 @@ pub trait World {
         a == b
     }
 
+    /// Whether one contact may take another's place there, where parts overlap by a way: as one that passes from feature to feature.
+    fn passes(&self, a: usize, b: usize, t: f64, q: &DVector<f64>, _way: f64) -> bool {
+        self.is_same(a, b, t, q)
+    }
+
     /// Whether a step met what no watched contact tells.
     fn met(&self, _step: Step<'_>) -> bool {
         false

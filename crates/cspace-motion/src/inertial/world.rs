@@ -123,11 +123,10 @@ impl<'a> Mechanical<'a> {
         step.bearing.iter().map(|&i| self.bound(i)).collect()
     }
 
-    fn are_same(&self, a: usize, b: usize, q: &[f64]) -> bool {
+    fn are_same(&self, a: usize, b: usize, q: &[f64], near: f64) -> bool {
         let (Bound::Contact(s), Bound::Contact(t)) = (self.bound(a), self.bound(b)) else {
             return a == b;
         };
-        let near = SAME_PLACE * self.size();
         let close = || {
             let places = self.place(a, q).zip(self.place(b, q));
             places.is_some_and(|(p, r)| p.distance(r) <= near)
@@ -194,9 +193,14 @@ impl World for Mechanical<'_> {
 
     fn alternatives(&self, closed: &[usize], t: f64, q: &DVector<f64>) -> Vec<Vec<usize>> {
         let q = self.bodies.coordinates(t, q);
+        let near = SAME_PLACE * self.size();
         // Only those are left out that have another at the same place, at first all but one of each place stay.
         let has_other: Vec<bool> = (closed.iter())
-            .map(|&a| closed.iter().any(|&b| a != b && self.are_same(a, b, &q)))
+            .map(|&a| {
+                closed
+                    .iter()
+                    .any(|&b| a != b && self.are_same(a, b, &q, near))
+            })
             .collect();
         let open: Vec<usize> = (0..closed.len()).filter(|&k| has_other[k]).collect();
         if open.is_empty() {
@@ -210,7 +214,7 @@ impl World for Mechanical<'_> {
                 let a = closed[open[k]];
                 (0..closed.len()).any(|i| {
                     let left_out = (0..bits).any(|j| set >> j & 1 == 1 && open[j] == i);
-                    !left_out && self.are_same(a, closed[i], &q)
+                    !left_out && self.are_same(a, closed[i], &q, near)
                 })
             })
         };
@@ -235,7 +239,12 @@ impl World for Mechanical<'_> {
     }
 
     fn is_same(&self, a: usize, b: usize, t: f64, q: &DVector<f64>) -> bool {
-        a == b || self.are_same(a, b, &self.bodies.coordinates(t, q))
+        self.passes(a, b, t, q, SAME_PLACE * self.size())
+    }
+
+    fn passes(&self, a: usize, b: usize, t: f64, q: &DVector<f64>, way: f64) -> bool {
+        let near = way.max(SAME_PLACE * self.size());
+        a == b || self.are_same(a, b, &self.bodies.coordinates(t, q), near)
     }
 
     fn met(&self, step: Step<'_>) -> bool {

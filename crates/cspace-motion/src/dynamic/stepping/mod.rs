@@ -186,11 +186,15 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         })
     }
 
+    /// How far from contact parts that are closed may be in the middle of a step.
+    fn way(&self, middle: &State) -> f64 {
+        FARTHER * (self.open + self.h * self.world.speed(middle))
+    }
+
     /// The contacts that are closed in the middle of a step.
     fn active(&mut self, middle: &State, free: &DVector<f64>) -> Result<Vec<Active>, Ended> {
         let world = self.world;
-        let way = FARTHER * (self.open + self.h * world.speed(middle));
-        let found = world.overlapping(middle.t, &middle.q, way);
+        let found = world.overlapping(middle.t, &middle.q, self.way(middle));
         let found = found.ok_or_else(|| stuck(Vec::new()))?;
         let mut active = Vec::new();
         for contact in found {
@@ -262,10 +266,16 @@ impl<W: World + ?Sized> Stepping<'_, W> {
     ) {
         let (world, h) = (self.world, self.h);
         let mean = State {
+            t: middle.t,
+            q: middle.q.clone(),
             v: (&from.v + &to.v) * 0.5,
-            ..middle.clone()
         };
-        let is_same = |a: usize, b: usize| a == b || world.is_same(a, b, middle.t, &middle.q);
+        let way = self.way(middle);
+        // A contact that goes on by itself is no other's.
+        let goes_on = |a: usize| contacts.iter().any(|c| c.0 == a && c.1 != 0.0);
+        let is_same = |a: usize, b: usize| {
+            a == b || (!goes_on(a) && world.passes(a, b, middle.t, &middle.q, way))
+        };
         let mut strikes = false;
         for (a, &(contact, n, _)) in active.iter().zip(contacts) {
             if n == 0.0 {
