@@ -287,6 +287,43 @@ rate = 1.9
     }
 }
 
+/// A block slides into the corner of a floor and a wall, where one vertex of it has two contacts; a triangle falls onto a convex corner of
+/// which either side will do.
+#[test]
+fn corners_are_met() {
+    let scene = |floor: &str, loops: &str, center: [f64; 2], more: &str| {
+        model(&format!(
+            r#"
+gravity = [0, -10]
+friction = 0.2
+restitution = 0.3
+[[part]]
+name = "floor"
+motion = {{ type = "fixed" }}
+loops = [{floor}]
+[[part]]
+name = "block"
+mass = 1
+inertia = 0.7
+center_of_mass = {center:?}
+loops = [{loops}]
+{more}
+[[pair]]
+fixed = "floor"
+moving = "block"
+"#
+        ))
+    };
+    let floor = "[[-10, -2], [10, -2], [10, 8], [8, 8], [8, 0], [-10, 0]]";
+    let block = "[[-1, 1], [1, 1], [1, 3], [-1, 3]]";
+    let into = scene(floor, block, [0.0, 2.0], "rate = [6, 0, 0]");
+    agree(&into, 2.0, 2e-5, 3e-4);
+    let ledge = "[[-10, -4], [0, -4], [0, 0], [-10, 0]]";
+    let triangle = "[[-0.3, 1], [1.5, 3.2], [-1.5, 3.5]]";
+    let onto = scene(ledge, triangle, [-0.1, 2.5], "");
+    agree(&onto, 1.2, 1.2e-5, 3e-4);
+}
+
 #[test]
 fn steps_make_sense() {
     let ball = model(BALL);
