@@ -437,6 +437,12 @@ pub(crate) struct SimulateArgs {
     /// Whether inertia plays a part [default: dynamic if a part has a mass, otherwise kinematic]
     #[arg(long, value_enum)]
     pub(crate) mode: Option<Mode>,
+    /// How the dynamic mode goes on
+    #[arg(long, value_enum, default_value_t = Scheme::Event)]
+    pub(crate) scheme: Scheme,
+    /// --scheme stepping: the longest step, in seconds [default: a 10000th of the whole]
+    #[arg(long, value_name = "DT", value_parser = duration, allow_negative_numbers = true)]
+    pub(crate) step: Option<f64>,
     /// Tell the rates of all coordinates as well
     #[arg(long)]
     pub(crate) rates: bool,
@@ -459,6 +465,15 @@ pub(crate) enum Mode {
     Dynamic,
     /// Drives move; the rest goes only where contacts, springs and loads push it
     Kinematic,
+}
+
+/// How a motion with masses is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Scheme {
+    /// From event to event, each located to rounding
+    Event,
+    /// Moreau-Jean: in steps of one length, right to the order of a step; a check of the other
+    Stepping,
 }
 
 #[derive(Debug, Args)]

@@ -27,6 +27,16 @@ pub enum SimulateError {
         /// How many there may be.
         most: usize,
     },
+    /// Steps are too many to take.
+    #[error(
+        "{steps:e} steps are asked for, and there may be {most:e}; take longer steps, or simulate a shorter time"
+    )]
+    TooManySteps {
+        /// How many.
+        steps: f64,
+        /// How many there may be.
+        most: f64,
+    },
     /// Nothing can move.
     #[error("no part can move; give a part a motion other than fixed")]
     NothingMoves,

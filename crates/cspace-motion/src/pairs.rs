@@ -125,14 +125,19 @@ impl MovingPair {
     ///
     /// A coordinate beyond the end of its range by no more than a contact's tolerance is brought back to it.
     pub fn coordinates(&self, system: &System, q: &[f64]) -> Coordinates {
+        self.coordinates_within(system, q, self.touch)
+    }
+
+    /// As [`coordinates`](Self::coordinates), with another tolerance of the ends of ranges.
+    fn coordinates_within(&self, system: &System, q: &[f64], slack: f64) -> Coordinates {
         let PairSpace::FixedAxes(_) = &self.space else {
             return Coordinates::Planar(system.relative(self.fixed, self.moving, q));
         };
         let along = |i: usize, range: Option<(f64, f64)>| {
             let t = system.parts()[i].indices().next().map_or(0.0, |k| q[k]);
             match range {
-                Some((lo, _)) if t < lo && t > lo - self.touch => lo,
-                Some((_, hi)) if t > hi && t < hi + self.touch => hi,
+                Some((lo, _)) if t < lo && t > lo - slack => lo,
+                Some((_, hi)) if t > hi && t < hi + slack => hi,
                 _ => t,
             }
         };
@@ -161,22 +166,42 @@ impl MovingPair {
         q: &[f64],
         tolerance: f64,
     ) -> Result<Vec<Touch>, QueryError> {
-        self.touches_beside(index, system, q, tolerance, BESIDE)
+        let at = self.coordinates(system, q);
+        self.touches_beside(index, at, tolerance, BESIDE)
     }
 
-    /// The same, with those that touch when the moving part is turned by an angle about its middle, either way.
+    /// The contacts within a way where the parts touch or overlap, those included that touch at orientations as near; none where the
+    /// parts are apart. Ranges may be exceeded by that way.
+    ///
+    /// # Errors
+    /// If nothing was computed there.
+    pub(crate) fn overlaps(
+        &self,
+        index: usize,
+        system: &System,
+        q: &[f64],
+        way: f64,
+    ) -> Result<Vec<Touch>, QueryError> {
+        let way = way.max(self.touch);
+        let at = self.coordinates_within(system, q, way);
+        if self.space.classify(at)? == Classification::Free {
+            return Ok(Vec::new());
+        }
+        let turn = (way / self.space.moving().size()).max(BESIDE);
+        self.touches_beside(index, at, way, turn)
+    }
+
+    /// The contacts within a tolerance at a configuration, and when the moving part is turned by an angle about its middle, either way.
     ///
     /// # Errors
     /// If nothing was computed there.
     pub(crate) fn touches_beside(
         &self,
         index: usize,
-        system: &System,
-        q: &[f64],
+        at: Coordinates,
         tolerance: f64,
         turn: f64,
     ) -> Result<Vec<Touch>, QueryError> {
-        let at = self.coordinates(system, q);
         let mut near = self.space.contacts(at, tolerance)?;
         if let Coordinates::Planar(c) = at {
             // Where sides are parallel, patches end and others begin: both touch.

@@ -13,6 +13,10 @@ use crate::system::{PartCoordinates, System};
 const SAMPLES: f64 = 200.0;
 /// As many as some gigabytes hold.
 const MOST_SAMPLES: usize = 10_000_000;
+/// More steps of one length take days.
+const MOST_STEPS: f64 = 1e10;
+/// A duration is a whole number of steps to this share of one.
+const STEP_ROUNDING: f64 = 1e-6;
 /// Parts may be moved by this much to make joints hold at the start, relative to the size of the mechanism.
 const MOST_ASSEMBLING: f64 = 10.0;
 
@@ -116,6 +120,46 @@ impl Simulation {
         let start = (self.start.clone(), self.system.start_rates());
         let goes_on = |_| progress.stage(Stage::Graph).is_ok();
         inertial::run(system, &self.pairs, start, time, every, &goes_on)
+    }
+
+    /// Dynamic motion by Moreau–Jean time stepping, in steps no longer than `step`, in seconds: a check of [`dynamic`](Self::dynamic) that
+    /// shares masses, forces and contact functions with it, and nothing of how it goes on. Positions and times of impacts are right
+    /// to the order of a step, and parts overlap by the way of a step: the record's `open` has how deep.
+    ///
+    /// # Errors
+    /// As [`dynamic`](Self::dynamic), and if the step is not positive or steps are too many.
+    pub fn stepping(&self, settings: &Settings, step: f64) -> Result<Record, SimulateError> {
+        self.stepping_with(settings, step, &Silent)
+    }
+
+    /// As [`stepping`](Self::stepping); every now and then `progress` is told of the last stage.
+    ///
+    /// # Errors
+    /// As [`stepping`](Self::stepping); and what `progress` returns.
+    pub fn stepping_with(
+        &self,
+        settings: &Settings,
+        step: f64,
+        progress: &dyn Progress,
+    ) -> Result<Record, SimulateError> {
+        let (time, every) = settings.times()?;
+        if !(step > 0.0 && step.is_finite()) {
+            let what = "the step";
+            return Err(SimulateError::Time { what, value: step });
+        }
+        // One that is longer by rounding is no shorter step more.
+        let steps = (time / step - STEP_ROUNDING).ceil().max(1.0);
+        if steps > MOST_STEPS {
+            return Err(SimulateError::TooManySteps {
+                steps,
+                most: MOST_STEPS,
+            });
+        }
+        let system = System::about_masses(self.system.mechanism());
+        let start = (self.start.clone(), self.system.start_rates());
+        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
+        let times = (time, every, steps as usize);
+        inertial::step(system, &self.pairs, start, times, &goes_on)
     }
 
     /// Kinematic motion: drives move, other parts go only where contacts, springs and loads push them.

@@ -231,3 +231,28 @@ fn forces_and_pictures_are_refused_where_they_make_no_sense() {
     fails(run(&["-o", "run.xyz"]), 2, &["run.xyz", ".csv", ".png"]);
     fails(run(&["-o", "run.svg", "--u=0,1"]), 2, &["--x and --y"]);
 }
+
+/// Steps of one length are of the dynamic mode, and lengths of steps are theirs.
+#[test]
+fn steps_are_of_motions_with_masses() {
+    let heavy = JAM.replace("name = ", "mass = 1\ninertia = 1\nname = ");
+    let run = |text: &str, more: &[&str]| {
+        let (folder, path) = file(text);
+        (
+            folder,
+            cspace(&[&["simulate", &path, "--time", "1"], more].concat()),
+        )
+    };
+    let (_f, command) = run(JAM, &["--scheme", "stepping"]);
+    fails(command, 2, &["--scheme stepping", "kinematic", "mass"]);
+    let (_f, command) = run(&heavy, &["--scheme", "stepping", "--mode", "kinematic"]);
+    fails(command, 2, &["--scheme stepping", "kinematic"]);
+    let (_f, command) = run(&heavy, &["--step", "0.1"]);
+    fails(command, 2, &["--step", "--scheme stepping"]);
+    for step in ["0", "-1", "nan"] {
+        let (_f, command) = run(&heavy, &["--scheme", "stepping", "--step", step]);
+        fails(command, 2, &["--step", "positive"]);
+    }
+    let (_f, mut command) = run(&heavy, &["--scheme", "stepping", "--step", "0.01"]);
+    command.assert().success();
+}

@@ -3,12 +3,14 @@
 mod bound;
 mod describe;
 mod ends;
+mod overlap;
 mod pinch;
 mod watch;
 
 pub(crate) use bound::{Bound, limit_tolerance, limits, nearly_touching, touching};
 pub(crate) use describe::named;
 pub(crate) use ends::ends;
+pub(crate) use overlap::overlapping;
 pub(crate) use pinch::pinched;
 pub(crate) use watch::{Watch, path};
 

@@ -33,7 +33,7 @@ fn within(system: &System, pairs: &Pairs, index: usize, q: &[f64], depth: f64) -
     let pair = &pairs.list()[index];
     let near = SAME_PLACE * system.size();
     let turn = near / pair.space.moving().size();
-    let touches = pair.touches_beside(index, system, q, near, turn);
+    let touches = pair.touches_beside(index, pair.coordinates(system, q), near, turn);
     let valued = touches.unwrap_or_default().into_iter().map(|touch| {
         let value = pair.function(&touch, system, q).value;
         (touch, value)

@@ -18,10 +18,12 @@ mod problem;
 mod reduced;
 mod run;
 mod step;
+mod stepping;
 mod world;
 
 pub use modes::Mode;
 pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run};
+pub use stepping::step_through;
 pub use world::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 
 /// Contacts with gaps of this share of the size or less are closed: more than what projection leaves.

@@ -120,6 +120,12 @@ pub trait World {
         closed
     }
 
+    /// The contacts that are closed, or overlap by no more than a way, at a configuration that may overlap: those that keep it from
+    /// overlapping more. `None` if that cannot be told there. Those that are closed unless a world knows better.
+    fn overlapping(&self, t: f64, q: &DVector<f64>, _way: f64) -> Option<Vec<usize>> {
+        Some(self.closed(t, q))
+    }
+
     /// The sets of closed contacts of which one goes on to hold, the first that leads on: all of them, unless contacts that
     /// take each other's place are among them.
     fn alternatives(&self, closed: &[usize], _t: f64, _q: &DVector<f64>) -> Vec<Vec<usize>> {
@@ -134,6 +140,11 @@ pub trait World {
     /// Whether two contacts take each other's place there.
     fn is_same(&self, a: usize, b: usize, _t: f64, _q: &DVector<f64>) -> bool {
         a == b
+    }
+
+    /// Whether one contact may take another's place there, where parts overlap by a way: as one that passes from feature to feature.
+    fn passes(&self, a: usize, b: usize, t: f64, q: &DVector<f64>, _way: f64) -> bool {
+        self.is_same(a, b, t, q)
     }
 
     /// Whether a step met what no watched contact tells.
@@ -178,6 +189,11 @@ pub trait World {
     /// How far a change of the coordinates, or their rates, moves what moves most; angles may count by lengths.
     fn reach(&self, change: &DVector<f64>) -> f64 {
         change.amax()
+    }
+
+    /// How fast what moves fastest moves, what is driven included.
+    fn speed(&self, state: &State) -> f64 {
+        self.reach(&state.v)
     }
 
     /// The longest step from a state, s.

@@ -10,6 +10,8 @@ mod joints;
 mod observer;
 mod rates;
 mod run;
+mod stepping;
 mod world;
 
 pub(crate) use run::run;
+pub(crate) use stepping::step;

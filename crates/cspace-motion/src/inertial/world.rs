@@ -7,7 +7,9 @@ use cspace::Point;
 use cspace::mechanism::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
-use crate::contact::{Bound, SAME_PLACE, Watch, ends, nearly_touching, path, touching};
+use crate::contact::{
+    Bound, SAME_PLACE, Watch, ends, nearly_touching, overlapping, path, touching,
+};
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
 
@@ -155,11 +157,10 @@ impl<'a> Mechanical<'a> {
         step.bearing.iter().map(|&i| self.bound(i)).collect()
     }
 
-    fn are_same(&self, a: usize, b: usize, q: &[f64]) -> bool {
+    fn are_same(&self, a: usize, b: usize, q: &[f64], near: f64) -> bool {
         let (Bound::Contact(s), Bound::Contact(t)) = (self.bound(a), self.bound(b)) else {
             return a == b;
         };
-        let near = SAME_PLACE * self.size();
         let close = || {
             let places = self.place(a, q).zip(self.place(b, q));
             places.is_some_and(|(p, r)| p.distance(r) <= near)
@@ -228,11 +229,22 @@ impl World for Mechanical<'_> {
         bounds.iter().map(|b| self.numbers.number(b)).collect()
     }
 
+    fn overlapping(&self, t: f64, q: &DVector<f64>, way: f64) -> Option<Vec<usize>> {
+        let q = self.bodies.coordinates(t, q);
+        let bounds = overlapping(&self.bodies.system, self.pairs, &q, way)?;
+        Some(bounds.iter().map(|b| self.numbers.number(b)).collect())
+    }
+
     fn alternatives(&self, closed: &[usize], t: f64, q: &DVector<f64>) -> Vec<Vec<usize>> {
         let q = self.bodies.coordinates(t, q);
+        let near = SAME_PLACE * self.size();
         // Only those are left out that have another at the same place, at first all but one of each place stay.
         let has_other: Vec<bool> = (closed.iter())
-            .map(|&a| closed.iter().any(|&b| a != b && self.are_same(a, b, &q)))
+            .map(|&a| {
+                closed
+                    .iter()
+                    .any(|&b| a != b && self.are_same(a, b, &q, near))
+            })
             .collect();
         let open: Vec<usize> = (0..closed.len()).filter(|&k| has_other[k]).collect();
         if open.is_empty() {
@@ -246,7 +258,7 @@ impl World for Mechanical<'_> {
                 let a = closed[open[k]];
                 (0..closed.len()).any(|i| {
                     let left_out = (0..bits).any(|j| set >> j & 1 == 1 && open[j] == i);
-                    !left_out && self.are_same(a, closed[i], &q)
+                    !left_out && self.are_same(a, closed[i], &q, near)
                 })
             })
         };
@@ -271,7 +283,12 @@ impl World for Mechanical<'_> {
     }
 
     fn is_same(&self, a: usize, b: usize, t: f64, q: &DVector<f64>) -> bool {
-        a == b || self.are_same(a, b, &self.bodies.coordinates(t, q))
+        self.passes(a, b, t, q, SAME_PLACE * self.size())
+    }
+
+    fn passes(&self, a: usize, b: usize, t: f64, q: &DVector<f64>, way: f64) -> bool {
+        let near = way.max(SAME_PLACE * self.size());
+        a == b || self.are_same(a, b, &self.bodies.coordinates(t, q), near)
     }
 
     fn met(&self, step: Step<'_>) -> bool {
@@ -380,9 +397,12 @@ impl World for Mechanical<'_> {
             .fold(0.0, f64::max)
     }
 
+    fn speed(&self, state: &State) -> f64 {
+        self.bodies.system.speed(&self.bodies.all(state).v)
+    }
+
     fn longest(&self, state: &State) -> f64 {
-        let all = self.bodies.all(state);
-        LONGEST * self.size() / self.bodies.system.speed(&all.v)
+        LONGEST * self.size() / self.speed(state)
     }
 }
 

@@ -4,6 +4,7 @@ mod answer;
 mod force;
 mod frames;
 mod picture;
+mod scheme;
 mod table;
 mod text;
 
@@ -37,6 +38,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let (path, model) = read_model(&args.file, "a simulation is of all of its parts")?;
     let mode = mode_of(&path, &model, args)?;
     let options = picture::options(args, &model)?;
+    let step = scheme::step(args, mode)?;
     check_names(&path, &model)?;
     let begin = Instant::now();
     let failed = |error: SimulateError| failure(&path, error);
@@ -47,9 +49,10 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let (simulation, record) = Bar::new(shown::text(&model.name).into_owned())
         .watch(|bar| {
             let simulation = Simulation::new_with(&model, bar)?;
-            let record = match mode {
-                Mode::Kinematic => simulation.kinematic_with(&settings, bar)?,
-                Mode::Dynamic => simulation.dynamic_with(&settings, bar)?,
+            let record = match (mode, step) {
+                (Mode::Kinematic, _) => simulation.kinematic_with(&settings, bar)?,
+                (Mode::Dynamic, None) => simulation.dynamic_with(&settings, bar)?,
+                (Mode::Dynamic, Some(step)) => simulation.stepping_with(&settings, step, bar)?,
             };
             Ok((simulation, record))
         })
