@@ -101,7 +101,9 @@ impl Observer for () {}
 pub struct Motion {
     /// How it ended.
     pub ended: Ended,
-    /// Where.
+    /// Where it began: the start, with the rates nearest to its own that joints allow.
+    pub first: State,
+    /// Where it ended.
     pub last: State,
     /// What happened.
     pub events: Vec<Event>,
@@ -203,8 +205,9 @@ pub fn run<W: World + ?Sized>(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Motion {
-    let stopped = |ended, last| Motion {
+    let stopped = |ended, last: State| Motion {
         ended,
+        first: last.clone(),
         last,
         events: Vec::new(),
         steps: 0,
@@ -220,6 +223,7 @@ pub fn run<W: World + ?Sized>(
         largest: DVector::zeros(start.q.len()),
         fastest: 0.0,
         span: options.until - start.t,
+        first: start.clone(),
         state: start,
         bearings: Vec::new(),
         looked: Looked::default(),
@@ -233,6 +237,7 @@ pub fn run<W: World + ?Sized>(
     let ended = run.go(options, observer).err().unwrap_or(Ended::Done);
     Motion {
         ended,
+        first: run.first,
         last: run.state,
         events: run.events,
         steps: run.steps,
@@ -254,6 +259,7 @@ struct Reached {
 
 struct Run<'a, W: World + ?Sized> {
     flow: Flow<'a, W>,
+    first: State,
     state: State,
     /// The largest value of each rate so far.
     largest: DVector<f64>,
@@ -275,10 +281,12 @@ struct Run<'a, W: World + ?Sized> {
 impl<W: World + ?Sized> Run<'_, W> {
     fn go(&mut self, options: &Options, observer: &mut dyn Observer) -> Result<(), Ended> {
         self.look();
-        observer.step(&self.state);
+        // What is joined to what is driven moves with it from the start on.
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &Vec::new()) {
             self.state = state;
         }
+        self.first.clone_from(&self.state);
+        observer.step(&self.state);
         let closed = self.flow.world.closed(self.state.t, &self.state.q);
         let settled = self.settle(closed, &Reached::default());
         self.announce(0, observer);
@@ -335,19 +343,6 @@ impl<W: World + ?Sized> Run<'_, W> {
             if at_once > AT_ONCE {
                 return Err(self.stuck());
             }
-            if std::env::var("DBG").is_ok() {
-                let c = self.flow.world.closed(self.state.t, &self.state.q);
-                eprintln!(
-                    "EVENT {} {:?} met {} closed {:?} bear {:?} openings {:?} gaps {:?}",
-                    self.state.t,
-                    stepped.events,
-                    stepped.met,
-                    c,
-                    self.bearings,
-                    c.iter().map(|&c| self.opening(c)).collect::<Vec<_>>(),
-                    c.iter().map(|&c| self.touch(c).gap).collect::<Vec<_>>()
-                );
-            }
             let told = self.events.len();
             let happened = self.happen(&stepped.events);
             self.announce(told, observer);
@@ -387,15 +382,6 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn stuck(&self) -> Ended {
-        eprintln!(
-            "STUCK at {} steps {} {:?} {:?} v {:?}",
-            self.state.t,
-            self.steps,
-            self.bearings,
-            self.events.len(),
-            self.state.v
-        );
-        eprintln!("{}", std::backtrace::Backtrace::force_capture());
         Ended::Stuck {
             contacts: self.bearings.iter().map(|b| b.0).collect(),
         }
@@ -638,10 +624,9 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
         self.looked.idle = self.flow.idle(&self.state, &self.bearings);
         for (contact, _) in self.bearings.clone() {
-            if !known
-                .iter()
-                .any(|&k| k == contact || self.is_same(k, contact))
-            {
+            // What has come to rest is not told to touch as well.
+            let mut before = known.iter().chain(&rested);
+            if !before.any(|&k| k == contact || self.is_same(k, contact)) {
                 self.tell(EventKind::Touch, contact);
             }
         }

@@ -46,7 +46,6 @@ pub(crate) fn run(
         until: duration,
         longest: f64::INFINITY,
     };
-    let at_start = energy(&start);
     let motion = dynamic::run(&world, start, &options, &mut gathering);
     let list = |contacts: &[usize]| {
         let names: Vec<String> = (contacts.iter())
@@ -100,7 +99,7 @@ pub(crate) fn run(
     if samples.last().is_none_or(|s| s.t < until - rounding) {
         samples.push(end);
     }
-    let at_end = energy(&motion.last);
+    let (at_start, at_end) = (energy(&motion.first), energy(&motion.last));
     let work = motion.work;
     let energy = Energy {
         start: at_start,

@@ -3,6 +3,10 @@
 
 mod answers;
 mod axes;
+mod dynamic_bodies;
+mod dynamic_friction;
+mod dynamic_impacts;
+mod dynamic_joints;
 mod free_space;
 mod helpers;
 mod hostile;
