@@ -142,6 +142,11 @@ const AT_ONCE: usize = 200;
 
 /// There are no more steps than that.
 const MOST_STEPS: usize = 10_000_000;
+/// Where steps are so short that more than this would follow, and have been for so many steps in a row, it is given up: they would
+/// take minutes. What is fast for a moment, as a part that is thrown against another, is followed.
+const FORESEEN: f64 = 1e6;
+/// See [`FORESEEN`].
+const MOST_SHORT: usize = 20_000;
 /// So many impacts within [`CROWD`] of the time that is simulated do not bounce any more.
 const MOST_IMPACTS: usize = 300;
 /// A share of the time that is simulated.
@@ -293,6 +298,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
+        let mut short = 0;
         self.show(&self.state.clone(), self.state.t, observer)?;
         while self.state.t < options.until {
             if self.steps.is_multiple_of(64) && !observer.goes_on(self.state.t) {
@@ -304,7 +310,8 @@ impl<W: World + ?Sized> Run<'_, W> {
             let left = options.until - self.state.t;
             let far = self.flow.world.longest(&self.state);
             let h = longest.min(left).min(far);
-            if self.state.t + h <= self.state.t {
+            short = if left > FORESEEN * h { short + 1 } else { 0 };
+            if self.state.t + h <= self.state.t || short > MOST_SHORT {
                 return Err(Ended::TooMany);
             }
             let mut looked = self.looked.clone();
@@ -553,12 +560,15 @@ impl<W: World + ?Sized> Run<'_, W> {
             if round == MOST {
                 return Err(Ended::Stuck { contacts: hits });
             }
+            if !self.impact(&closed)? {
+                // So slow that it is none: the contacts close without.
+                break;
+            }
             for &hit in &hits {
                 if !struck.contains(&hit) {
                     struck.push(hit);
                 }
             }
-            self.impact(&closed)?;
         }
         if !struck.is_empty() {
             self.impacts.add(self.state.t);
@@ -645,8 +655,9 @@ impl<W: World + ?Sized> Run<'_, W> {
         problem
     }
 
-    /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once.
-    fn impact(&mut self, closed: &[usize]) -> Result<(), Ended> {
+    /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once. Whether any contact
+    /// passes an impulse.
+    fn impact(&mut self, closed: &[usize]) -> Result<bool, Ended> {
         let world = self.flow.world;
         let joints = world.joints(self.state.t, &self.state.q);
         let crowded = self.impacts.is_crowded(CROWD * self.span, MOST_IMPACTS);
@@ -695,7 +706,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.state.v.clone_from(&solution.x);
         self.work.drives += drives;
         self.work.impacts += before + drives - world.kinetic(&self.state);
-        Ok(())
+        Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
     }
 
     /// The one solution there is to be.

@@ -1,6 +1,6 @@
 //! Joints, springs and drives with known answers.
 
-use cspace_motion::{Record, Settings, Simulation, Status};
+use cspace_motion::{Settings, Simulation, Status};
 
 use crate::helpers::{balanced, near, read, thrown};
 
@@ -165,7 +165,6 @@ rate = 4
     let inner: f64 = (1..1200).map(|k| powers[k] * if k % 2 == 1 { 4.0 } else { 2.0 }).sum();
     let work = (powers[0] + powers[1200] + inner) * step / 3.0;
     let energy = record.energy.unwrap();
-    println!("{energy:?} {:?}", record.events);
     near("work", energy.drives, work, 1e-6 * energy.drives.abs().max(1.0));
     near("gain", energy.end - energy.start, work, 1e-6 * work.abs().max(1.0));
     balanced(&record, 50.0, 1e-9);
@@ -229,5 +228,4 @@ fn a_spring_between_free_bodies() {
         }
     }
     balanced(&record, 60.0, 1e-9);
-    let _: &Record = &record;
 }

@@ -7,6 +7,7 @@ mod dynamic_bodies;
 mod dynamic_friction;
 mod dynamic_impacts;
 mod dynamic_joints;
+mod dynamic_models;
 mod free_space;
 mod helpers;
 mod hostile;
