@@ -157,6 +157,9 @@ const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 
 /// Contacts that cease to stick within this share of the time that is simulated do so together.
 const LOOSE: f64 = 1e-8;
+/// What curvature and rates add to the acceleration of a gap is rounding if in the longest step it moves the gap by less than this
+/// share of the size: as where a part turns about the centre of an arc that touches.
+const SLIGHT: f64 = 1e-15;
 /// Slow are rates of this share of the largest so far.
 const SLOW: f64 = 1e-5;
 
@@ -589,14 +592,8 @@ impl<W: World + ?Sized> Run<'_, W> {
                         closed.push(i);
                     }
                 }
-                let before = self.flow.world.kinetic(&self.state);
-                let stay = closed.iter().map(|&i| (i, Mode::Forward)).collect();
-                let state = self.flow.projected(self.state.clone(), &stay);
-                self.state = state.ok_or_else(|| self.stuck())?.0;
-                self.work.impacts += before - self.flow.world.kinetic(&self.state);
-                let v = self.state.v.clone();
-                self.state.q += v * left;
-                self.state.t += left;
+                self.stay(&closed)?;
+                self.rest_for(left, &closed);
                 for &contact in &closed {
                     self.tell(EventKind::Rest, contact);
                 }
@@ -645,9 +642,13 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     fn problem(&self, contacts: &[usize]) -> Problem<'_> {
         let mut problem = self.flow.problem(&self.state, contacts, 0.0);
+        let far = self.flow.world.longest(&self.state);
         for (k, &i) in contacts.iter().enumerate() {
             let touch = self.touch(i);
             let rate = touch.sliding(&self.state.v);
+            if problem.bearings[k].b.abs() * far * far < SLIGHT * self.flow.world.size() {
+                problem.bearings[k].b = 0.0;
+            }
             let still = self.still(&touch.tangent) + STILL * touch.drift[1].abs();
             let slides = rate.abs() > still;
             problem.bearings[k].slides = slides.then_some(rate.signum());
@@ -658,34 +659,13 @@ impl<W: World + ?Sized> Run<'_, W> {
     /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once. Whether any contact
     /// passes an impulse.
     fn impact(&mut self, closed: &[usize]) -> Result<bool, Ended> {
-        let world = self.flow.world;
-        let joints = world.joints(self.state.t, &self.state.q);
         let crowded = self.impacts.is_crowded(CROWD * self.span, MOST_IMPACTS);
-        let bearings = (closed.iter())
-            .map(|&i| {
-                let touch = self.touch(i);
-                let surface = world.surface(i);
-                let rate = touch.opening(&self.state.v);
-                let restitution = if crowded { 0.0 } else { surface.restitution };
-                Bearing {
-                    b: touch.drift[0] + restitution * rate.min(0.0),
-                    c: touch.drift[1],
-                    normal: touch.normal,
-                    tangent: touch.tangent,
-                    friction: surface.friction,
-                    slides: None,
-                    lets_go: false,
-                }
-            })
-            .collect();
-        let problem = Problem {
-            mass: world.mass(),
-            h: world.mass() * &self.state.v,
-            joints: joints.rows,
-            j: joints.rates,
-            bearings,
-            zero: ZERO,
+        let surface = |i: usize| {
+            let surface = self.flow.world.surface(i);
+            let restitution = if crowded { 0.0 } else { surface.restitution };
+            (surface.friction, restitution)
         };
+        let problem = self.impulses(closed, &surface);
         let solutions = problem.solutions();
         if solutions.is_empty() {
             // Impacts of what is free to move have solutions.
@@ -693,6 +673,43 @@ impl<W: World + ?Sized> Run<'_, W> {
             return Err(Ended::Jammed { contacts });
         }
         let solution = self.one(solutions, closed)?;
+        self.pass(&solution, closed);
+        Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
+    }
+
+    /// What velocities and impulses have to satisfy, with the friction and the restitution of each contact.
+    fn impulses(&self, closed: &[usize], surface: &dyn Fn(usize) -> (f64, f64)) -> Problem<'_> {
+        let world = self.flow.world;
+        let joints = world.joints(self.state.t, &self.state.q);
+        let bearings = (closed.iter())
+            .map(|&i| {
+                let touch = self.touch(i);
+                let (friction, restitution) = surface(i);
+                let rate = touch.opening(&self.state.v);
+                Bearing {
+                    b: touch.drift[0] + restitution * rate.min(0.0),
+                    c: touch.drift[1],
+                    normal: touch.normal,
+                    tangent: touch.tangent,
+                    friction,
+                    slides: None,
+                    lets_go: false,
+                }
+            })
+            .collect();
+        Problem {
+            mass: world.mass(),
+            h: world.mass() * &self.state.v,
+            joints: joints.rows,
+            j: joints.rates,
+            bearings,
+            zero: ZERO,
+        }
+    }
+
+    /// Velocities after impulses, and what becomes of the energy.
+    fn pass(&mut self, solution: &Solution, closed: &[usize]) {
+        let world = self.flow.world;
         let before = world.kinetic(&self.state);
         let forces = solution.normal.iter().zip(&solution.tangential);
         let acting = Acting {
@@ -706,7 +723,41 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.state.v.clone_from(&solution.x);
         self.work.drives += drives;
         self.work.impacts += before + drives - world.kinetic(&self.state);
-        Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
+    }
+
+    /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do.
+    fn stay(&mut self, closed: &[usize]) -> Result<(), Ended> {
+        let modes = vec![Mode::Forward; closed.len()];
+        let solution = self.impulses(closed, &|_| (0.0, 0.0)).within(&modes);
+        self.pass(&solution.ok_or_else(|| self.stuck())?, closed);
+        Ok(())
+    }
+
+    /// The short time that accumulating impacts have left, with their contacts closed.
+    fn rest_for(&mut self, left: f64, closed: &[usize]) {
+        let solutions = self.problem(closed).solutions();
+        let taken = match &solutions[..] {
+            [solution] => {
+                let modes = closed.iter().copied().zip(solution.modes.iter().copied());
+                let bearings = modes.filter(|(_, mode)| *mode != Mode::Open).collect();
+                let step = self.flow.take(&self.state, left, &bearings, self.fastest);
+                step.map(|taken| (taken.state, taken.work))
+            }
+            // What it does is told at its end.
+            _ => None,
+        };
+        match taken {
+            Some((state, work)) => {
+                self.state = state;
+                self.work.drives += work[0];
+                self.work.friction += work[1];
+            }
+            None => {
+                let v = self.state.v.clone();
+                self.state.q += v * left;
+                self.state.t += left;
+            }
+        }
     }
 
     /// The one solution there is to be.

@@ -43,13 +43,26 @@ fn a_disc_rolls_over_tangent_features() {
         let a = if rolls { 2.0 / 3.0 } else { 1.0 } * G * s;
         let t = f64::sqrt(2.0 * far / a);
         let rate = a * t;
-        let sample = record.samples.iter().filter(|k| k.t < t).next_back().unwrap();
+        let sample = record
+            .samples
+            .iter()
+            .filter(|k| k.t < t)
+            .next_back()
+            .unwrap();
         let speed = f64::hypot(sample.rates[0], sample.rates[1]);
         near("speed", speed, rate - a * (t - sample.t), 1e-9);
         // The disc comes up as high on the other side.
-        let highest = record.samples.iter().map(|k| k.coordinates[1]).fold(0.0, f64::max);
+        let highest = record
+            .samples
+            .iter()
+            .map(|k| k.coordinates[1])
+            .fold(0.0, f64::max);
         near("height", highest, sy + rho * c, 1e-10);
-        let farthest = record.samples.iter().map(|k| k.coordinates[0]).fold(0.0, f64::max);
+        let farthest = record
+            .samples
+            .iter()
+            .map(|k| k.coordinates[0])
+            .fold(0.0, f64::max);
         near("far", farthest, ex + far * c - rho * s, 1e-2);
     }
 }
@@ -70,7 +83,11 @@ fn a_disc_rolls_over_a_corner() {
     balanced(&record, G, 1e-9);
     // m w² R = m g cos φ with ¾ m R² w² = ¾ m v² + m g R (1 − cos φ): sin φ never needs more friction than there is at first.
     let cosine = (rate * rate / (G * radius) + 4.0 / 3.0) / (1.0 + 4.0 / 3.0);
-    let leaves: Vec<_> = record.events.iter().filter(|e| e.kind == EventKind::Release || e.kind == EventKind::Slip).collect();
+    let leaves: Vec<_> = record
+        .events
+        .iter()
+        .filter(|e| e.kind == EventKind::Release || e.kind == EventKind::Slip)
+        .collect();
     let slip = leaves[0];
     // It slips just before, where friction 100 is not enough.
     let rates = record.trace.iter().find(|s| s.t == slip.t).unwrap();
@@ -134,8 +151,11 @@ fn a_roller_lifts_off_an_eccentric() {
         let rate = (at(d, w) - at(-d, w)) / (2.0 * d);
         let text = text(w).replace("rate = 0\n", &format!("rate = {rate}\n"));
         let (_, record) = thrown(&text, 2.0 * turn, turn / 50.0);
-            assert_eq!(record.status, Status::Done, "{:?}", record.reason);
-        let lifted = record.events.iter().find(|k| k.kind == EventKind::Release && k.t > 1e-3 * turn);
+        assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+        let lifted = record
+            .events
+            .iter()
+            .find(|k| k.kind == EventKind::Release && k.t > 1e-3 * turn);
         assert_eq!(lifted.is_none(), holds, "{share}: {:?}", record.events);
         let until = lifted.map_or(2.0 * turn, |k| k.t);
         for sample in record.samples.iter().filter(|k| k.t <= until) {
@@ -174,13 +194,21 @@ fn a_geneva_wheel_with_masses_follows_its_pin() {
     let (simulation, record) = thrown_model(&mechanism, 1.0, 0.005);
     assert_eq!(record.status, Status::Done, "{:?}", record.reason);
     judge(&simulation, &record);
-    let settings = Settings { time: 1.0, every: Some(0.005) };
+    let settings = Settings {
+        time: 1.0,
+        every: Some(0.005),
+    };
     let slow = simulation.kinematic(&settings).unwrap();
     let mut driven = 0;
     for (a, b) in record.samples.iter().zip(&slow.samples) {
         if (0.4..0.6).contains(&a.t) {
             driven += 1;
-            near(&format!("wheel at {}", a.t), a.coordinates[0], b.coordinates[0], 1e-9_f64.to_radians());
+            near(
+                &format!("wheel at {}", a.t),
+                a.coordinates[0],
+                b.coordinates[0],
+                1e-9_f64.to_radians(),
+            );
         }
     }
     assert!(driven >= 40, "{driven}");
@@ -194,6 +222,14 @@ fn gears_with_masses_keep_their_ratio() {
     let (simulation, record) = thrown_model(&mechanism, 1.0, 1.0 / 120.0);
     assert_eq!(record.status, Status::Done, "{:?}", record.reason);
     judge(&simulation, &record);
-    let (first, last) = (&record.samples[24].coordinates, &record.samples[94].coordinates);
-    near("ratio", (last[1] - first[1]) / (last[0] - first[0]), -1.2, 1e-9);
+    let (first, last) = (
+        &record.samples[24].coordinates,
+        &record.samples[94].coordinates,
+    );
+    near(
+        "ratio",
+        (last[1] - first[1]) / (last[0] - first[0]),
+        -1.2,
+        1e-9,
+    );
 }

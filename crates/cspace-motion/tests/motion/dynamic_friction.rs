@@ -53,7 +53,11 @@ fn a_block_on_an_incline() {
                     if t <= stops {
                         way(t)
                     } else {
-                        let more = if slips { 0.5 * down * (t - stops).powi(2) } else { 0.0 };
+                        let more = if slips {
+                            0.5 * down * (t - stops).powi(2)
+                        } else {
+                            0.0
+                        };
                         if rate == 0.0 { more } else { way(stops) + more }
                     }
                 };
@@ -107,8 +111,18 @@ fn a_disc_slides_then_rolls() {
     // It spins backwards: slides until the spin is gone.
     let (_, record) = thrown(&text(0.0, mu, v, 30.0), 5.0, 0.1);
     let stops = (v + 30.0 * 0.5) / (3.0 * mu * G);
-    near("rolls", times(&record, EventKind::Stick)[0], stops, 1e-8 * 5.0);
-    near("rate", record.samples.last().unwrap().rates[0], v - mu * G * stops, 1e-9);
+    near(
+        "rolls",
+        times(&record, EventKind::Stick)[0],
+        stops,
+        1e-8 * 5.0,
+    );
+    near(
+        "rate",
+        record.samples.last().unwrap().rates[0],
+        v - mu * G * stops,
+        1e-9,
+    );
     // Down a slope it rolls where friction is a third of the slope or more, and slides otherwise.
     let angle = 0.4_f64;
     let least = angle.tan() / 3.0;
@@ -117,10 +131,18 @@ fn a_disc_slides_then_rolls() {
         assert_eq!(record.status, Status::Done);
         let last = record.samples.last().unwrap();
         let along = last.coordinates[0] * angle.cos() + last.coordinates[1] * angle.sin();
-        let a = if rolls { 2.0 / 3.0 * G * angle.sin() } else { G * (angle.sin() - friction * angle.cos()) };
+        let a = if rolls {
+            2.0 / 3.0 * G * angle.sin()
+        } else {
+            G * (angle.sin() - friction * angle.cos())
+        };
         // The start is half a unit off the slope, and so it stays.
         near("way", along, -0.5 * a * 4.0, 1e-8);
-        assert!(record.events.iter().all(|e| e.kind == EventKind::Touch), "{:?}", record.events);
+        assert!(
+            record.events.iter().all(|e| e.kind == EventKind::Touch),
+            "{:?}",
+            record.events
+        );
         balanced(&record, 20.0, 1e-9);
     }
 }
@@ -177,7 +199,11 @@ fn a_block_slides_off_an_edge() {
             let a = friction * G;
             (4.0 - f64::sqrt(16.0 - 2.0 * a * way)) / a
         };
-        let leaves = record.events.iter().find(|e| e.kind == EventKind::Release).unwrap();
+        let leaves = record
+            .events
+            .iter()
+            .find(|e| e.kind == EventKind::Release)
+            .unwrap();
         near("tips", leaves.t, t, 1e-8 * 2.0);
         crate::helpers::judge(&simulation, &record);
         balanced(&record, 20.0, 1e-9);

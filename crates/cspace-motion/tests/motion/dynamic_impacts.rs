@@ -54,7 +54,12 @@ fn a_ball_comes_to_rest() {
 /// the sliding, or as friction allows.
 #[test]
 fn two_free_discs_strike_each_other() {
-    for (friction, e, spin) in [(0.1, 0.7, 3.0), (5.0, 0.4, 3.0), (0.0, 1.0, -2.0), (0.3, 0.0, 7.0)] {
+    for (friction, e, spin) in [
+        (0.1, 0.7, 3.0),
+        (5.0, 0.4, 3.0),
+        (0.0, 1.0, -2.0),
+        (0.3, 0.0, 7.0),
+    ] {
         let (m, n) = (1.0, 3.0);
         let (i, j) = (0.5 * m, 0.5 * n * 4.0);
         let text = format!(
@@ -66,7 +71,11 @@ fn two_free_discs_strike_each_other() {
         assert_eq!(record.status, Status::Done);
         // Where the centres are 3 apart.
         let (dx, dy, vx, vy) = (7.0, 1.5, -3.0, -0.2);
-        let (a, b, c) = (vx * vx + vy * vy, dx * vx + dy * vy, dx * dx + dy * dy - 9.0);
+        let (a, b, c) = (
+            vx * vx + vy * vy,
+            dx * vx + dy * vy,
+            dx * dx + dy * dy - 9.0,
+        );
         let t = (-b - f64::sqrt(b * b - a * c)) / a;
         let struck = times(&record, EventKind::Impact);
         assert_eq!(struck.len(), 1);
@@ -163,7 +172,9 @@ fn a_rocking_block_loses_what_housner_says() {
                 }
             };
             let step = 1.0 / f64::from(n);
-            let inner: f64 = (1..n).map(|k| f(f64::from(k) * step) * if k % 2 == 1 { 4.0 } else { 2.0 }).sum();
+            let inner: f64 = (1..n)
+                .map(|k| f(f64::from(k) * step) * if k % 2 == 1 { 4.0 } else { 2.0 })
+                .sum();
             (f(0.0) + f(1.0) + inner) * step / 3.0
         };
         let rate = |tilt: f64| f64::sqrt(1.5 * 9.81 / big * ((alpha - tilt).cos() - alpha.cos()));
@@ -179,7 +190,11 @@ fn a_rocking_block_loses_what_housner_says() {
             }
             before_last = after[2].abs();
         }
-        balanced(&record, 9.81 * big * ((alpha - tilt).cos() - alpha.cos()).abs(), 1e-8);
+        balanced(
+            &record,
+            9.81 * big * ((alpha - tilt).cos() - alpha.cos()).abs(),
+            1e-8,
+        );
     }
 }
 

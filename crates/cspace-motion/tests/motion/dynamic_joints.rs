@@ -43,7 +43,12 @@ fn a_pendulum_by_both_kinds_of_coordinates() {
         assert_eq!(one.samples.len(), other.samples.len());
         for (a, b) in one.samples.iter().zip(&other.samples) {
             near("angle", b.coordinates[2], a.coordinates[0], 1e-9);
-            near("pivot", f64::hypot(b.coordinates[0], b.coordinates[1]), 0.0, 1e-12);
+            near(
+                "pivot",
+                f64::hypot(b.coordinates[0], b.coordinates[1]),
+                0.0,
+                1e-12,
+            );
             near("rate", b.rates[2], a.rates[0], 1e-8);
         }
         let at = |k: usize| one.samples[k].coordinates[0];
@@ -63,7 +68,10 @@ fn a_double_pendulum_keeps_its_energy() {
         f64::sin(2.5),
         -f64::cos(2.5),
     );
-    let text = text.replace("name = \"lower\"\nloops = [ [[-0.1, -1], [0.1, -1], [0.1, 0], [-0.1, 0]] ]", "name = \"lower\"\nloops = [ [[-0.1, -2], [0.1, -2], [0.1, -1], [-0.1, -1]] ]");
+    let text = text.replace(
+        "name = \"lower\"\nloops = [ [[-0.1, -1], [0.1, -1], [0.1, 0], [-0.1, 0]] ]",
+        "name = \"lower\"\nloops = [ [[-0.1, -2], [0.1, -2], [0.1, -1], [-0.1, -1]] ]",
+    );
     // The lower arm is drawn where it hangs: its joint at (0, -1).
     let text = text.replace(
         &format!("start = [{}, {}, 1]", f64::sin(2.5), -f64::cos(2.5)),
@@ -134,7 +142,13 @@ rate = 4
     let turned = |x: f64, y: f64, angle: f64, length: f64| {
         let (c, s) = (angle.cos(), angle.sin());
         let at = |u: f64, v: f64| format!("[{}, {}]", x + c * u - s * v, y + s * u + c * v);
-        format!("[{}, {}, {}, {}]", at(0.0, -0.05), at(length, -0.05), at(length, 0.05), at(0.0, 0.05))
+        format!(
+            "[{}, {}, {}, {}]",
+            at(0.0, -0.05),
+            at(length, -0.05),
+            at(length, 0.05),
+            at(0.0, 0.05)
+        )
     };
     let text = text
         .replace(&format!("loops = [ {} ]", bar(coupler)), &format!("loops = [ {} ]", turned(1.0, 0.0, phi, coupler)))
@@ -162,11 +176,23 @@ rate = 4
         .map(|s| s.forces.as_ref().unwrap().drives[0].power)
         .collect();
     let step = time / 1200.0;
-    let inner: f64 = (1..1200).map(|k| powers[k] * if k % 2 == 1 { 4.0 } else { 2.0 }).sum();
+    let inner: f64 = (1..1200)
+        .map(|k| powers[k] * if k % 2 == 1 { 4.0 } else { 2.0 })
+        .sum();
     let work = (powers[0] + powers[1200] + inner) * step / 3.0;
     let energy = record.energy.unwrap();
-    near("work", energy.drives, work, 1e-6 * energy.drives.abs().max(1.0));
-    near("gain", energy.end - energy.start, work, 1e-6 * work.abs().max(1.0));
+    near(
+        "work",
+        energy.drives,
+        work,
+        1e-6 * energy.drives.abs().max(1.0),
+    );
+    near(
+        "gain",
+        energy.end - energy.start,
+        work,
+        1e-6 * work.abs().max(1.0),
+    );
     balanced(&record, 50.0, 1e-9);
 }
 
@@ -181,11 +207,20 @@ fn masses_on_springs_and_dampers() {
     let w = f64::sqrt(48.0 / 3.0);
     let (_, record) = thrown(&slider("stiffness = 48"), 10.0, 0.1);
     for sample in &record.samples {
-        near("swings", sample.coordinates[0], 2.0 * (w * sample.t).cos(), 1e-8);
+        near(
+            "swings",
+            sample.coordinates[0],
+            2.0 * (w * sample.t).cos(),
+            1e-8,
+        );
     }
     balanced(&record, 96.0, 1e-9);
     for damping in [0.6, 24.0, 60.0] {
-        let (_, record) = thrown(&slider(&format!("stiffness = 48\ndamping = {damping}")), 5.0, 0.1);
+        let (_, record) = thrown(
+            &slider(&format!("stiffness = 48\ndamping = {damping}")),
+            5.0,
+            0.1,
+        );
         let z = damping / (2.0 * 3.0);
         for sample in &record.samples {
             let t = sample.t;
@@ -211,7 +246,10 @@ fn a_spring_between_free_bodies() {
     let text = "[[part]]\nname = \"a\"\nloops = [ [[-1, -1], [1, -1], [1, 1], [-1, 1]] ]\nmass = 2\ninertia = 1.5\nrate = [1, 0.5, -3]\n[[part]]\nname = \"b\"\nloops = [ [[-1, -1], [1, -1], [1, 1], [-1, 1]] ]\nstart = [9, 0, 0.4]\nmass = 5\ninertia = 3\nrate = [-0.2, 1, 2]\n[[spring]]\nparts = [\"a\", \"b\"]\nat = [[0.8, 0.5], [8.2, -0.5]]\nlength = 9\nstiffness = 20\ndamping = 0.3\n[[spring]]\ntype = \"torsion\"\nparts = [\"a\", \"b\"]\nstiffness = 2\n";
     let mechanism = read(text);
     let simulation = Simulation::new(&mechanism).unwrap();
-    let settings = Settings { time: 6.0, every: Some(0.05) };
+    let settings = Settings {
+        time: 6.0,
+        every: Some(0.05),
+    };
     let record = simulation.dynamic(&settings).unwrap();
     assert_eq!(record.status, Status::Done, "{:?}", record.reason);
     let moments = |q: &[f64], v: &[f64]| {

@@ -29,13 +29,18 @@ const DRIVEN: [(&str, f64); 7] = [
 /// What goes through: all energy that is there, put in or lost.
 fn through(record: &Record) -> f64 {
     let e = record.energy.unwrap();
-    (e.start.abs() + e.end.abs()).max(e.drives.abs()).max(e.friction + e.impacts)
+    (e.start.abs() + e.end.abs())
+        .max(e.drives.abs())
+        .max(e.friction + e.impacts)
 }
 
 fn weighed(name: &str) -> Mechanism {
     let mut mechanism = model(name);
     let count = mechanism.parts.len();
-    mechanism.dynamics.parts.resize(count, PartDynamics::default());
+    mechanism
+        .dynamics
+        .parts
+        .resize(count, PartDynamics::default());
     for part in &mut mechanism.dynamics.parts {
         // Steel, 5 mm thick.
         part.mass.get_or_insert(Mass::Density(3.9e-5));
@@ -44,19 +49,38 @@ fn weighed(name: &str) -> Mechanism {
 }
 
 fn all() -> Vec<(String, Mechanism, f64)> {
-    let own = WEIGHED.iter().map(|&(name, time)| (name, model(name), time));
-    let given = DRIVEN.iter().map(|&(name, time)| (name, weighed(name), time));
-    own.chain(given).map(|(n, m, t)| (n.to_owned(), m, t)).collect()
+    let own = WEIGHED
+        .iter()
+        .map(|&(name, time)| (name, model(name), time));
+    let given = DRIVEN
+        .iter()
+        .map(|&(name, time)| (name, weighed(name), time));
+    own.chain(given)
+        .map(|(n, m, t)| (n.to_owned(), m, t))
+        .collect()
 }
 
 #[test]
 fn energy_is_kept_and_nothing_overlaps() {
     for (name, mechanism, time) in all() {
         let (simulation, record) = thrown_model(&mechanism, time, time / 400.0);
-        println!("{name}: {:?} {} {:?} {} events {:.2e} {:?}", record.status, record.until, record.reason, record.events.len(), record.energy.unwrap().drift / through(&record), record.energy);
+        println!(
+            "{name}: {:?} {} {:?} {} events {:.2e} {:?}",
+            record.status,
+            record.until,
+            record.reason,
+            record.events.len(),
+            record.energy.unwrap().drift / through(&record),
+            record.energy
+        );
         judge(&simulation, &record);
         assert_eq!(record.status, Status::Done, "{name}: {:?}", record.reason);
-        near(&name, record.energy.unwrap().drift / through(&record), 0.0, 1e-6);
+        near(
+            &name,
+            record.energy.unwrap().drift / through(&record),
+            0.0,
+            1e-6,
+        );
     }
 }
 
@@ -69,7 +93,11 @@ fn begin_alike(what: &str, a: &Record, b: &Record) {
         let alike = |e: &&Event| {
             e.kind == event.kind && about(e) == about(event) && (e.t - event.t).abs() < 1e-9
         };
-        assert!(b.events.iter().any(|e| alike(&e)), "{what}: event {k}, {event:?} among {:?}", b.events.iter().take(FIRST).collect::<Vec<_>>());
+        assert!(
+            b.events.iter().any(|e| alike(&e)),
+            "{what}: event {k}, {event:?} among {:?}",
+            b.events.iter().take(FIRST).collect::<Vec<_>>()
+        );
     }
 }
 
@@ -89,12 +117,17 @@ fn threads_and_samples_change_nothing() {
     for (name, mechanism, time) in all() {
         let by = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-            pool.build().unwrap().install(|| thrown_model(&mechanism, time, time / 3.0).1)
+            pool.build()
+                .unwrap()
+                .install(|| thrown_model(&mechanism, time, time / 3.0).1)
         };
         let one = by(1);
         assert_eq!(one, by(3), "{name}");
         let simulation = Simulation::new(&mechanism).unwrap();
-        let settings = Settings { time, every: Some(time / 777.0) };
+        let settings = Settings {
+            time,
+            every: Some(time / 777.0),
+        };
         let many = simulation.dynamic(&settings).unwrap();
         assert_eq!(one.events, many.events, "{name}");
     }
@@ -111,7 +144,11 @@ fn events_are_told_in_a_sane_order() {
             assert!(event.t >= last, "{name}: {event:?} after {last}");
             last = event.t;
             let same = |e: &&Event| e.t == event.t && e.what == event.what;
-            let now: Vec<EventKind> = record.events[..k].iter().filter(same).map(|e| e.kind).collect();
+            let now: Vec<EventKind> = record.events[..k]
+                .iter()
+                .filter(same)
+                .map(|e| e.kind)
+                .collect();
             assert!(!now.contains(&event.kind), "{name}: twice {event:?}");
             let forbidden: &[EventKind] = match event.kind {
                 EventKind::Touch => &[EventKind::Rest, EventKind::Release],
@@ -123,7 +160,10 @@ fn events_are_told_in_a_sane_order() {
             for kind in forbidden {
                 assert!(!now.contains(kind), "{name}: {kind:?} then {event:?}");
             }
-            assert!(matches!(event.what, What::Contact { .. } | What::Limit { .. }));
+            assert!(matches!(
+                event.what,
+                What::Contact { .. } | What::Limit { .. }
+            ));
         }
     }
 }

@@ -106,7 +106,10 @@ pub(crate) fn thrown_model(mechanism: &Mechanism, time: f64, every: f64) -> (Sim
 pub(crate) fn near(what: &str, found: f64, wanted: f64, error: f64) {
     let off = (found - wanted).abs();
     println!("{what}: off by {off:.2e} of {wanted} ({error:.0e} allowed)");
-    assert!(off <= error, "{what}: {found} is not {wanted}, off by {off:.2e}");
+    assert!(
+        off <= error,
+        "{what}: {found} is not {wanted}, off by {off:.2e}"
+    );
 }
 
 /// The rates right before and right after the first event at or after a time.
