@@ -21,7 +21,7 @@ mod step;
 mod world;
 
 pub use modes::Mode;
-pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run};
+pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run, run_through};
 pub use world::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 
 /// Contacts with gaps of this share of the size or less are closed: more than what projection leaves.

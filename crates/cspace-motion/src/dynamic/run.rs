@@ -213,6 +213,18 @@ pub fn run<W: World + ?Sized>(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Motion {
+    run_through(world, start, options, &[], observer)
+}
+
+/// As [`run`], where what is driven does not move smoothly at some times, which are in order: no step goes across them, and where rates
+/// jump there, joints and contacts pass impulses on.
+pub fn run_through<W: World + ?Sized>(
+    world: &W,
+    start: State,
+    options: &Options,
+    corners: &[f64],
+    observer: &mut dyn Observer,
+) -> Motion {
     let stopped = |ended, last: State| Motion {
         ended,
         first: last.clone(),
@@ -242,7 +254,7 @@ pub fn run<W: World + ?Sized>(
         open: 0.0,
         work: Work::default(),
     };
-    let ended = run.go(options, observer).err().unwrap_or(Ended::Done);
+    let ended = run.go(options, corners, observer).err().unwrap_or(Ended::Done);
     Motion {
         ended,
         first: run.first,
@@ -263,6 +275,11 @@ struct Reached {
     loose: Vec<usize>,
     /// The other side, without having opened by more than rounding: they stay, if they open slowly.
     back: Vec<usize>,
+}
+
+/// The last time before another that all stages of a step may come to, whatever rounding does to them.
+fn before(corner: f64) -> f64 {
+    corner * (1.0 - 4.0 * f64::EPSILON)
 }
 
 struct Run<'a, W: World + ?Sized> {
@@ -287,7 +304,12 @@ struct Run<'a, W: World + ?Sized> {
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
-    fn go(&mut self, options: &Options, observer: &mut dyn Observer) -> Result<(), Ended> {
+    fn go(
+        &mut self,
+        options: &Options,
+        corners: &[f64],
+        observer: &mut dyn Observer,
+    ) -> Result<(), Ended> {
         self.look();
         // What is joined to what is driven moves with it from the start on.
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &Vec::new()) {
@@ -303,17 +325,28 @@ impl<W: World + ?Sized> Run<'_, W> {
         let (mut at_once, mut since) = (0, self.state.t);
         let mut short = 0;
         self.show(&self.state.clone(), self.state.t, observer)?;
+        let start = self.state.t;
+        let ahead = |&&t: &&f64| t > start && t < options.until;
+        let mut corners = corners.iter().filter(ahead).copied().peekable();
         while self.state.t < options.until {
+            let corner = corners.peek().copied();
+            if let Some(corner) = corner.filter(|&corner| self.state.t >= before(corner)) {
+                corners.next();
+                self.turn(corner, observer)?;
+                longest = longest.min(1e-3 * self.span);
+                continue;
+            }
             if self.steps.is_multiple_of(64) && !observer.goes_on(self.state.t) {
                 return Err(Ended::Interrupted);
             }
             if self.steps > MOST_STEPS {
                 return Err(Ended::TooMany);
             }
-            let left = options.until - self.state.t;
+            let left = corner.map_or(options.until, before) - self.state.t;
             let far = self.flow.world.longest(&self.state);
             let h = longest.min(left).min(far);
-            short = if left > FORESEEN * h { short + 1 } else { 0 };
+            let foreseen = (options.until - self.state.t) / h;
+            short = if foreseen > FORESEEN { short + 1 } else { 0 };
             if self.state.t + h <= self.state.t || short > MOST_SHORT {
                 return Err(Ended::TooMany);
             }
@@ -360,6 +393,27 @@ impl<W: World + ?Sized> Run<'_, W> {
             observer.changed(&self.state);
             longest = longest.min(1e-3 * self.span);
         }
+        Ok(())
+    }
+
+    /// Passes a time at which what is driven does not move smoothly.
+    fn turn(&mut self, corner: f64, observer: &mut dyn Observer) -> Result<(), Ended> {
+        let world = self.flow.world;
+        let kinetic = world.kinetic(&self.state);
+        self.state.t = corner.next_up();
+        // What is driven has its new rates at once.
+        self.work.drives += world.kinetic(&self.state) - kinetic;
+        let joints = world.joints(self.state.t, &self.state.q);
+        let off = &joints.rows * &self.state.v - &joints.rates;
+        let told = self.events.len();
+        let mut happened = Ok(true);
+        if off.iter().any(|off| off.abs() > STILL * self.fastest) {
+            happened = self.impact(&world.closed(self.state.t, &self.state.q));
+        }
+        let happened = happened.and_then(|_| self.happen(&[]));
+        self.announce(told, observer);
+        happened?;
+        observer.changed(&self.state);
         Ok(())
     }
 

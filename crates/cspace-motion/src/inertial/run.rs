@@ -46,7 +46,11 @@ pub(crate) fn run(
         until: duration,
         longest: f64::INFINITY,
     };
-    let motion = dynamic::run(&world, start, &options, &mut gathering);
+    let drives = bodies.system.drives().iter();
+    let mut corners: Vec<f64> = drives.flat_map(|(_, curve)| curve.corners()).collect();
+    corners.sort_by(f64::total_cmp);
+    corners.dedup();
+    let motion = dynamic::run_through(&world, start, &options, &corners, &mut gathering);
     let list = |contacts: &[usize]| {
         let names: Vec<String> = (contacts.iter())
             .map(|&i| named(&bodies.system, pairs, &world.bound(i)).to_string())
