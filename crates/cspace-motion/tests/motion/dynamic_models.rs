@@ -143,7 +143,7 @@ fn events_are_told_in_a_sane_order() {
         for (k, event) in record.events.iter().enumerate() {
             assert!(event.t >= last, "{name}: {event:?} after {last}");
             last = event.t;
-            let same = |e: &&Event| e.t == event.t && e.what == event.what;
+            let same = |e: &&Event| (e.t - event.t).abs() < 1e-11 * time && e.what == event.what;
             let now: Vec<EventKind> = record.events[..k]
                 .iter()
                 .filter(same)

@@ -5,6 +5,7 @@ mod answers;
 mod axes;
 mod dynamic_bodies;
 mod dynamic_friction;
+mod dynamic_hostile;
 mod dynamic_impacts;
 mod dynamic_joints;
 mod dynamic_models;
