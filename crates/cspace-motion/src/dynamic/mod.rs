@@ -22,7 +22,7 @@ mod stepping;
 mod world;
 
 pub use modes::Mode;
-pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run};
+pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run, run_through};
 pub use stepping::step_through;
 pub use world::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 

@@ -101,7 +101,9 @@ impl Observer for () {}
 pub struct Motion {
     /// How it ended.
     pub ended: Ended,
-    /// Where.
+    /// Where it began: the start, with the rates nearest to its own that joints allow.
+    pub first: State,
+    /// Where it ended.
     pub last: State,
     /// What happened.
     pub events: Vec<Event>,
@@ -140,6 +142,11 @@ const AT_ONCE: usize = 200;
 
 /// There are no more steps than that.
 const MOST_STEPS: usize = 10_000_000;
+/// Where steps are so short that more than this would follow, and have been for so many steps in a row, it is given up: they would
+/// take minutes. What is fast for a moment, as a part that is thrown against another, is followed.
+const FORESEEN: f64 = 1e6;
+/// See [`FORESEEN`].
+const MOST_SHORT: usize = 20_000;
 /// So many impacts within [`CROWD`] of the time that is simulated do not bounce any more.
 const MOST_IMPACTS: usize = 300;
 /// A share of the time that is simulated.
@@ -150,6 +157,9 @@ const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 
 /// Contacts that cease to stick within this share of the time that is simulated do so together.
 const LOOSE: f64 = 1e-8;
+/// What curvature and rates add to the acceleration of a gap is rounding if in the longest step it moves the gap by less than this
+/// share of the size: as where a part turns about the centre of an arc that touches.
+const SLIGHT: f64 = 1e-15;
 /// Slow are rates of this share of the largest so far.
 const SLOW: f64 = 1e-5;
 
@@ -203,8 +213,21 @@ pub fn run<W: World + ?Sized>(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Motion {
-    let stopped = |ended, last| Motion {
+    run_through(world, start, options, &[], observer)
+}
+
+/// As [`run`], where what is driven does not move smoothly at some times, which are in order: no step goes across them, and where rates
+/// jump there, joints and contacts pass impulses on.
+pub fn run_through<W: World + ?Sized>(
+    world: &W,
+    start: State,
+    options: &Options,
+    corners: &[f64],
+    observer: &mut dyn Observer,
+) -> Motion {
+    let stopped = |ended, last: State| Motion {
         ended,
+        first: last.clone(),
         last,
         events: Vec::new(),
         steps: 0,
@@ -220,6 +243,7 @@ pub fn run<W: World + ?Sized>(
         largest: DVector::zeros(start.q.len()),
         fastest: 0.0,
         span: options.until - start.t,
+        first: start.clone(),
         state: start,
         bearings: Vec::new(),
         looked: Looked::default(),
@@ -230,9 +254,13 @@ pub fn run<W: World + ?Sized>(
         open: 0.0,
         work: Work::default(),
     };
-    let ended = run.go(options, observer).err().unwrap_or(Ended::Done);
+    let ended = run
+        .go(options, corners, observer)
+        .err()
+        .unwrap_or(Ended::Done);
     Motion {
         ended,
+        first: run.first,
         last: run.state,
         events: run.events,
         steps: run.steps,
@@ -252,8 +280,14 @@ struct Reached {
     back: Vec<usize>,
 }
 
+/// The last time before another that all stages of a step may come to, whatever rounding does to them.
+fn before(corner: f64) -> f64 {
+    corner * (1.0 - 4.0 * f64::EPSILON)
+}
+
 struct Run<'a, W: World + ?Sized> {
     flow: Flow<'a, W>,
+    first: State,
     state: State,
     /// The largest value of each rate so far.
     largest: DVector<f64>,
@@ -273,30 +307,50 @@ struct Run<'a, W: World + ?Sized> {
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
-    fn go(&mut self, options: &Options, observer: &mut dyn Observer) -> Result<(), Ended> {
+    fn go(
+        &mut self,
+        options: &Options,
+        corners: &[f64],
+        observer: &mut dyn Observer,
+    ) -> Result<(), Ended> {
         self.look();
-        observer.step(&self.state);
+        // What is joined to what is driven moves with it from the start on.
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &Vec::new()) {
             self.state = state;
         }
+        self.first.clone_from(&self.state);
+        observer.step(&self.state);
         let closed = self.flow.world.closed(self.state.t, &self.state.q);
         let settled = self.settle(closed, &Reached::default());
         self.announce(0, observer);
         settled?;
         let mut longest = options.longest.min(1e-3 * self.span);
         let (mut at_once, mut since) = (0, self.state.t);
+        let mut short = 0;
         self.show(&self.state.clone(), self.state.t, observer)?;
+        let start = self.state.t;
+        let ahead = |&&t: &&f64| t > start && t < options.until;
+        let mut corners = corners.iter().filter(ahead).copied().peekable();
         while self.state.t < options.until {
+            let corner = corners.peek().copied();
+            if let Some(corner) = corner.filter(|&corner| self.state.t >= before(corner)) {
+                corners.next();
+                self.turn(corner, observer)?;
+                longest = longest.min(1e-3 * self.span);
+                continue;
+            }
             if self.steps.is_multiple_of(64) && !observer.goes_on(self.state.t) {
                 return Err(Ended::Interrupted);
             }
             if self.steps > MOST_STEPS {
                 return Err(Ended::TooMany);
             }
-            let left = options.until - self.state.t;
+            let left = corner.map_or(options.until, before) - self.state.t;
             let far = self.flow.world.longest(&self.state);
             let h = longest.min(left).min(far);
-            if self.state.t + h <= self.state.t {
+            let foreseen = (options.until - self.state.t) / h;
+            short = if foreseen > FORESEEN { short + 1 } else { 0 };
+            if self.state.t + h <= self.state.t || short > MOST_SHORT {
                 return Err(Ended::TooMany);
             }
             let mut looked = self.looked.clone();
@@ -342,6 +396,27 @@ impl<W: World + ?Sized> Run<'_, W> {
             observer.changed(&self.state);
             longest = longest.min(1e-3 * self.span);
         }
+        Ok(())
+    }
+
+    /// Passes a time at which what is driven does not move smoothly.
+    fn turn(&mut self, corner: f64, observer: &mut dyn Observer) -> Result<(), Ended> {
+        let world = self.flow.world;
+        let kinetic = world.kinetic(&self.state);
+        self.state.t = corner.next_up();
+        // What is driven has its new rates at once.
+        self.work.drives += world.kinetic(&self.state) - kinetic;
+        let joints = world.joints(self.state.t, &self.state.q);
+        let off = &joints.rows * &self.state.v - &joints.rates;
+        let told = self.events.len();
+        let mut happened = Ok(true);
+        if off.iter().any(|off| off.abs() > STILL * self.fastest) {
+            happened = self.impact(&world.closed(self.state.t, &self.state.q));
+        }
+        let happened = happened.and_then(|_| self.happen(&[]));
+        self.announce(told, observer);
+        happened?;
+        observer.changed(&self.state);
         Ok(())
     }
 
@@ -545,12 +620,15 @@ impl<W: World + ?Sized> Run<'_, W> {
             if round == MOST {
                 return Err(Ended::Stuck { contacts: hits });
             }
+            if !self.impact(&closed)? {
+                // So slow that it is none: the contacts close without.
+                break;
+            }
             for &hit in &hits {
                 if !struck.contains(&hit) {
                     struck.push(hit);
                 }
             }
-            self.impact(&closed)?;
         }
         if !struck.is_empty() {
             self.impacts.add(self.state.t);
@@ -571,14 +649,8 @@ impl<W: World + ?Sized> Run<'_, W> {
                         closed.push(i);
                     }
                 }
-                let before = self.flow.world.kinetic(&self.state);
-                let stay = closed.iter().map(|&i| (i, Mode::Forward)).collect();
-                let state = self.flow.projected(self.state.clone(), &stay);
-                self.state = state.ok_or_else(|| self.stuck())?.0;
-                self.work.impacts += before - self.flow.world.kinetic(&self.state);
-                let v = self.state.v.clone();
-                self.state.q += v * left;
-                self.state.t += left;
+                self.stay(&closed)?;
+                self.rest_for(left, &closed);
                 for &contact in &closed {
                     self.tell(EventKind::Rest, contact);
                 }
@@ -616,10 +688,9 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
         self.looked.idle = self.flow.idle(&self.state, &self.bearings);
         for (contact, _) in self.bearings.clone() {
-            if !known
-                .iter()
-                .any(|&k| k == contact || self.is_same(k, contact))
-            {
+            // What has come to rest is not told to touch as well.
+            let mut before = known.iter().chain(&rested);
+            if !before.any(|&k| k == contact || self.is_same(k, contact)) {
                 self.tell(EventKind::Touch, contact);
             }
         }
@@ -628,9 +699,13 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     fn problem(&self, contacts: &[usize]) -> Problem<'_> {
         let mut problem = self.flow.problem(&self.state, contacts, 0.0);
+        let far = self.flow.world.longest(&self.state);
         for (k, &i) in contacts.iter().enumerate() {
             let touch = self.touch(i);
             let rate = touch.sliding(&self.state.v);
+            if problem.bearings[k].b.abs() * far * far < SLIGHT * self.flow.world.size() {
+                problem.bearings[k].b = 0.0;
+            }
             let still = self.still(&touch.tangent) + STILL * touch.drift[1].abs();
             let slides = rate.abs() > still;
             problem.bearings[k].slides = slides.then_some(rate.signum());
@@ -638,36 +713,16 @@ impl<W: World + ?Sized> Run<'_, W> {
         problem
     }
 
-    /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once.
-    fn impact(&mut self, closed: &[usize]) -> Result<(), Ended> {
-        let world = self.flow.world;
-        let joints = world.joints(self.state.t, &self.state.q);
+    /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once. Whether any contact
+    /// passes an impulse.
+    fn impact(&mut self, closed: &[usize]) -> Result<bool, Ended> {
         let crowded = self.impacts.is_crowded(CROWD * self.span, MOST_IMPACTS);
-        let bearings = (closed.iter())
-            .map(|&i| {
-                let touch = self.touch(i);
-                let surface = world.surface(i);
-                let rate = touch.opening(&self.state.v);
-                let restitution = if crowded { 0.0 } else { surface.restitution };
-                Bearing {
-                    b: touch.drift[0] + restitution * rate.min(0.0),
-                    c: touch.drift[1],
-                    normal: touch.normal,
-                    tangent: touch.tangent,
-                    friction: surface.friction,
-                    slides: None,
-                    lets_go: false,
-                }
-            })
-            .collect();
-        let problem = Problem {
-            mass: world.mass(),
-            h: world.mass() * &self.state.v,
-            joints: joints.rows,
-            j: joints.rates,
-            bearings,
-            zero: ZERO,
+        let surface = |i: usize| {
+            let surface = self.flow.world.surface(i);
+            let restitution = if crowded { 0.0 } else { surface.restitution };
+            (surface.friction, restitution)
         };
+        let problem = self.impulses(closed, &surface);
         let solutions = problem.solutions();
         if solutions.is_empty() {
             // Impacts of what is free to move have solutions.
@@ -675,6 +730,43 @@ impl<W: World + ?Sized> Run<'_, W> {
             return Err(Ended::Jammed { contacts });
         }
         let solution = self.one(solutions, closed)?;
+        self.pass(&solution, closed);
+        Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
+    }
+
+    /// What velocities and impulses have to satisfy, with the friction and the restitution of each contact.
+    fn impulses(&self, closed: &[usize], surface: &dyn Fn(usize) -> (f64, f64)) -> Problem<'_> {
+        let world = self.flow.world;
+        let joints = world.joints(self.state.t, &self.state.q);
+        let bearings = (closed.iter())
+            .map(|&i| {
+                let touch = self.touch(i);
+                let (friction, restitution) = surface(i);
+                let rate = touch.opening(&self.state.v);
+                Bearing {
+                    b: touch.drift[0] + restitution * rate.min(0.0),
+                    c: touch.drift[1],
+                    normal: touch.normal,
+                    tangent: touch.tangent,
+                    friction,
+                    slides: None,
+                    lets_go: false,
+                }
+            })
+            .collect();
+        Problem {
+            mass: world.mass(),
+            h: world.mass() * &self.state.v,
+            joints: joints.rows,
+            j: joints.rates,
+            bearings,
+            zero: ZERO,
+        }
+    }
+
+    /// Velocities after impulses, and what becomes of the energy.
+    fn pass(&mut self, solution: &Solution, closed: &[usize]) {
+        let world = self.flow.world;
         let before = world.kinetic(&self.state);
         let forces = solution.normal.iter().zip(&solution.tangential);
         let acting = Acting {
@@ -688,7 +780,41 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.state.v.clone_from(&solution.x);
         self.work.drives += drives;
         self.work.impacts += before + drives - world.kinetic(&self.state);
+    }
+
+    /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do.
+    fn stay(&mut self, closed: &[usize]) -> Result<(), Ended> {
+        let modes = vec![Mode::Forward; closed.len()];
+        let solution = self.impulses(closed, &|_| (0.0, 0.0)).within(&modes);
+        self.pass(&solution.ok_or_else(|| self.stuck())?, closed);
         Ok(())
+    }
+
+    /// The short time that accumulating impacts have left, with their contacts closed.
+    fn rest_for(&mut self, left: f64, closed: &[usize]) {
+        let solutions = self.problem(closed).solutions();
+        let taken = match &solutions[..] {
+            [solution] => {
+                let modes = closed.iter().copied().zip(solution.modes.iter().copied());
+                let bearings = modes.filter(|(_, mode)| *mode != Mode::Open).collect();
+                let step = self.flow.take(&self.state, left, &bearings, self.fastest);
+                step.map(|taken| (taken.state, taken.work))
+            }
+            // What it does is told at its end.
+            _ => None,
+        };
+        match taken {
+            Some((state, work)) => {
+                self.state = state;
+                self.work.drives += work[0];
+                self.work.friction += work[1];
+            }
+            None => {
+                let v = self.state.v.clone();
+                self.state.q += v * left;
+                self.state.t += left;
+            }
+        }
     }
 
     /// The one solution there is to be.

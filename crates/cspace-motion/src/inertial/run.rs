@@ -46,8 +46,11 @@ pub(crate) fn run(
         until: duration,
         longest: f64::INFINITY,
     };
-    let at_start = energy(&start);
-    let motion = dynamic::run(&world, start, &options, &mut gathering);
+    let drives = bodies.system.drives().iter();
+    let mut corners: Vec<f64> = drives.flat_map(|(_, curve)| curve.corners()).collect();
+    corners.sort_by(f64::total_cmp);
+    corners.dedup();
+    let motion = dynamic::run_through(&world, start, &options, &corners, &mut gathering);
     let list = |contacts: &[usize]| {
         let names: Vec<String> = (contacts.iter())
             .map(|&i| named(&bodies.system, pairs, &world.bound(i)).to_string())
@@ -100,7 +103,7 @@ pub(crate) fn run(
     if samples.last().is_none_or(|s| s.t < until - rounding) {
         samples.push(end);
     }
-    let at_end = energy(&motion.last);
+    let (at_start, at_end) = (energy(&motion.first), energy(&motion.last));
     let work = motion.work;
     let energy = Energy {
         start: at_start,

@@ -76,3 +76,54 @@ pub(crate) fn model(name: &str) -> Mechanism {
         cspace_io::Document::Space(_) => panic!("{name} is a model"),
     }
 }
+
+/// A model as it is written in a file.
+#[track_caller]
+pub(crate) fn read(text: &str) -> Mechanism {
+    cspace_io::model::from_toml(text, "m.toml").unwrap_or_else(|e| panic!("{e}: {text}"))
+}
+
+/// Its motion with masses.
+#[track_caller]
+pub(crate) fn thrown(text: &str, time: f64, every: f64) -> (Simulation, Record) {
+    thrown_model(&read(text), time, every)
+}
+
+/// The motion of a mechanism with masses.
+#[track_caller]
+pub(crate) fn thrown_model(mechanism: &Mechanism, time: f64, every: f64) -> (Simulation, Record) {
+    let simulation = Simulation::new(mechanism).unwrap();
+    let settings = Settings {
+        time,
+        every: Some(every),
+    };
+    let record = simulation.dynamic(&settings).unwrap();
+    (simulation, record)
+}
+
+/// Two numbers differ by no more than an error.
+#[track_caller]
+pub(crate) fn near(what: &str, found: f64, wanted: f64, error: f64) {
+    let off = (found - wanted).abs();
+    println!("{what}: off by {off:.2e} of {wanted} ({error:.0e} allowed)");
+    assert!(
+        off <= error,
+        "{what}: {found} is not {wanted}, off by {off:.2e}"
+    );
+}
+
+/// The rates right before and right after the first event at or after a time.
+#[track_caller]
+pub(crate) fn across(record: &Record, t: f64) -> (Vec<f64>, Vec<f64>) {
+    let at: Vec<&Sample> = record.trace.iter().filter(|s| s.t == t).collect();
+    let (first, last) = (at.first().unwrap(), at.last().unwrap());
+    assert!(at.len() >= 2, "{t} is no event");
+    (first.rates.clone(), last.rates.clone())
+}
+
+/// The energy does not drift by more than a share of what goes through.
+#[track_caller]
+pub(crate) fn balanced(record: &Record, through: f64, share: f64) {
+    let energy = record.energy.unwrap();
+    near("drift of energy", energy.drift / through, 0.0, share);
+}

@@ -31,7 +31,7 @@ fn moved(mechanism: &Mechanism, time: f64, every: f64) -> (Simulation, Record) {
 }
 
 /// The pairs seen from their other part.
-fn exchanged(mechanism: &Mechanism) -> Mechanism {
+pub(crate) fn exchanged(mechanism: &Mechanism) -> Mechanism {
     let mut other = mechanism.clone();
     for pair in &mut other.pairs {
         std::mem::swap(&mut pair.fixed, &mut pair.moving);
@@ -40,7 +40,7 @@ fn exchanged(mechanism: &Mechanism) -> Mechanism {
 }
 
 /// The parts in the reverse order, and all lists that name them.
-fn reversed(mechanism: &Mechanism) -> Mechanism {
+pub(crate) fn reversed(mechanism: &Mechanism) -> Mechanism {
     let count = mechanism.parts.len();
     let turned = |i: usize| count - 1 - i;
     let mut other = mechanism.clone();
@@ -76,7 +76,7 @@ fn reversed(mechanism: &Mechanism) -> Mechanism {
 }
 
 /// The names of what an event is about, in one order.
-fn about(event: &Event) -> [String; 2] {
+pub(crate) fn about(event: &Event) -> [String; 2] {
     match &event.what {
         What::Contact { fixed, moving, .. } => {
             let mut names = [fixed.clone(), moving.clone()];

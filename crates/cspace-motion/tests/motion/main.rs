@@ -4,6 +4,12 @@
 mod agreement;
 mod answers;
 mod axes;
+mod dynamic_bodies;
+mod dynamic_friction;
+mod dynamic_hostile;
+mod dynamic_impacts;
+mod dynamic_joints;
+mod dynamic_models;
 mod free_space;
 mod helpers;
 mod hostile;
