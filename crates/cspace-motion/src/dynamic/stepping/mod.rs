@@ -54,6 +54,7 @@ pub fn step_through<W: World + ?Sized>(
         open: 0.0,
         work: Work::default(),
     };
+    let first = start.clone();
     let mut state = start;
     let mut taken = 0;
     let ended = match world.mass().clone().try_inverse() {
@@ -73,6 +74,7 @@ pub fn step_through<W: World + ?Sized>(
     let events = events.into_iter().map(|e| e.0).collect();
     Motion {
         ended,
+        first,
         last: state,
         events,
         steps: taken,
