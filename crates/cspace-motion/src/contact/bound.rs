@@ -83,6 +83,10 @@ pub(crate) fn limit_tolerance(system: &System, part: usize) -> f64 {
     }
 }
 
+/// Two touching places of a pair that are nearer to each other than this, relative to the size of the mechanism, are the same
+/// contact, which passes from one feature to the next.
+pub(crate) const SAME_PLACE: f64 = 1e-6;
+
 /// Contacts are told when they are farther away than what leaves them by this factor.
 pub(super) const REACH: f64 = 4.0;
 

@@ -12,8 +12,7 @@ use cspace::Point;
 use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
-use super::SAME_PLACE;
-use super::bound::{Bound, REACH};
+use super::bound::{Bound, REACH, SAME_PLACE};
 
 /// The contacts of a pair that hold its parts between them: at least two, at different places, whose functions vanish to what contacts are
 /// known to, and whose patches come as near as places are told apart. None where another contact near there is deeper than that.

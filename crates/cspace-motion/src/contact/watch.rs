@@ -5,8 +5,7 @@ use cspace::{Classification, Coordinates, PairSpace, PatchId, QueryError};
 use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
-use super::SAME_PLACE;
-use super::bound::{Bound, limits};
+use super::bound::{Bound, SAME_PLACE, limits};
 use super::pinch::pinching;
 
 /// The straight pieces that stand for the path of a step, in each of which the first contact is sought exactly, end at these shares of

@@ -17,6 +17,8 @@ const LONGEST: f64 = 0.02;
 const DIVERGED: f64 = 0.2;
 /// More steps than this to the next stop are too many to be made as short as that where nothing is near.
 const HURRIES: f64 = 1e4;
+/// Where something is near, whether it still is is asked after so many steps.
+const ASK_AGAIN: usize = 64;
 /// So many steps in a row of which [`MOST_STEPS`] would not lead to the next stop do not come to an end.
 const MOST_HURRIED: usize = 50_000;
 /// Steps are not made shorter than this, relative to the time so far and to come.
@@ -169,7 +171,7 @@ impl<'a> Run<'a> {
     ) -> Option<(f64, Vec<f64>, Vec<Bound>)> {
         let mut watch = Watch::new(self.system, self.pairs);
         let mut longest = f64::INFINITY;
-        let (mut crawled, mut hurried) = (0, 0);
+        let (mut crawled, mut hurried, mut near) = (0, 0, 0_usize);
         loop {
             *steps += 1;
             if steps.is_multiple_of(64) && !progress(flow.time / self.duration) {
@@ -184,16 +186,19 @@ impl<'a> Run<'a> {
             let left = stop - flow.time;
             let size = self.system.size();
             let mut reach = vec![LONGEST * size; flow.q.len()];
-            if left * self.system.speed(&flow.velocity.rates) > HURRIES * LONGEST * size {
+            let mut even = LONGEST * size / self.system.speed(&flow.velocity.rates);
+            near = near.saturating_sub(1);
+            if left > HURRIES * even && near == 0 {
                 let freedom = watch.freedom(&flow.q);
-                reach
-                    .iter_mut()
-                    .zip(freedom)
-                    .for_each(|(r, f)| *r = r.max(f));
+                for (reach, free) in reach.iter_mut().zip(freedom) {
+                    *reach = reach.max(free);
+                }
+                let speeds = flow.velocity.rates.iter().zip(self.system.lengths());
+                let times = speeds.zip(&reach).map(|((v, l), r)| r / (v * l).abs());
+                let longer = times.fold(f64::INFINITY, f64::min);
+                near = if longer > even { 0 } else { ASK_AGAIN };
+                even = longer;
             }
-            let lengths = self.system.lengths();
-            let speeds = (flow.velocity.rates.iter().zip(lengths)).map(|(v, l)| (v * l).abs());
-            let even = (speeds.zip(&reach)).fold(f64::INFINITY, |h, (v, r)| h.min(r / v));
             let mut h = left.min(even).min(longest);
             let drives = self.system.drives().iter();
             let driven = drives
