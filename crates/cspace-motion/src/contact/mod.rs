@@ -10,6 +10,6 @@ mod watch;
 pub(crate) use bound::{Bound, SAME_PLACE, limit_tolerance, limits, nearly_touching, touching};
 pub(crate) use describe::named;
 pub(crate) use ends::ends;
-pub(crate) use overlap::overlapping;
+pub(crate) use overlap::{is_long, overlapping};
 pub(crate) use pinch::pinched;
 pub(crate) use watch::{Watch, path};

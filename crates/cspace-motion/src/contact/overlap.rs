@@ -114,6 +114,6 @@ fn judged(
 }
 
 /// Whether an edge is an arc of more than half a turn, of which the functions of its ends are right near them only.
-fn is_long(part: &Part, feature: FeatureId) -> bool {
+pub(crate) fn is_long(part: &Part, feature: FeatureId) -> bool {
     matches!(part.feature_shape(feature.name), Some(FeatureShape::Edge { bulge, .. }) if bulge.abs() > 1.0)
 }

@@ -8,7 +8,7 @@ use cspace::mechanism::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
-    Bound, SAME_PLACE, Watch, ends, nearly_touching, overlapping, path, touching,
+    Bound, SAME_PLACE, Watch, ends, is_long, nearly_touching, overlapping, path, touching,
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
@@ -153,6 +153,33 @@ impl<'a> Mechanical<'a> {
         path((&a.q, &a.v), (&b.q, &b.v), step.to.t - step.from.t)
     }
 
+    /// Whether a contact that bears has gone on past an end of its features: where these bend slowly it is told to be there for some way
+    /// yet.
+    fn is_past(&self, step: &Step<'_>) -> bool {
+        let system = &self.bodies.system;
+        let contacts = step.bearing.iter().filter_map(|&i| match self.bound(i) {
+            Bound::Contact(touch) => Some(touch),
+            Bound::Limit { .. } => None,
+        });
+        let mut contacts = contacts.peekable();
+        if contacts.peek().is_none() {
+            return false;
+        }
+        let [from, to] = [step.from, step.to].map(|s| self.bodies.coordinates(s.t, &s.q));
+        contacts.any(|touch| {
+            let pair = &self.pairs.list()[touch.pair];
+            let (f, m) = touch.features;
+            let long = [
+                is_long(pair.space.fixed(), f),
+                is_long(pair.space.moving(), m),
+            ];
+            let [before, after] = [&from, &to].map(|q| ends(pair, &touch, system, q));
+            let each = before.into_iter().zip(after).enumerate();
+            let mut known = each.filter(|(k, _)| !long[k / 2]);
+            known.any(|(_, (before, after))| after <= -PAST_END && after < before)
+        })
+    }
+
     fn held(&self, step: &Step<'_>) -> Vec<Bound> {
         step.bearing.iter().map(|&i| self.bound(i)).collect()
     }
@@ -294,7 +321,7 @@ impl World for Mechanical<'_> {
     fn met(&self, step: Step<'_>) -> bool {
         let path = self.path(&step);
         let met = self.watch.borrow_mut().check(&self.held(&step), &path);
-        met.is_some()
+        met.is_some() || self.is_past(&step)
     }
 
     fn sought(&self, step: Step<'_>, near: f64) -> Vec<Sought> {
