@@ -254,7 +254,10 @@ pub fn run_through<W: World + ?Sized>(
         open: 0.0,
         work: Work::default(),
     };
-    let ended = run.go(options, corners, observer).err().unwrap_or(Ended::Done);
+    let ended = run
+        .go(options, corners, observer)
+        .err()
+        .unwrap_or(Ended::Done);
     Motion {
         ended,
         first: run.first,
