@@ -649,8 +649,15 @@ impl<W: World + ?Sized> Run<'_, W> {
                         closed.push(i);
                     }
                 }
-                self.stay(&closed)?;
-                self.rest_for(left, &closed);
+                let (state, work) = (self.state.clone(), self.work);
+                self.stay(&closed, &[])?;
+                let halted = self.rest_for(left, &closed);
+                if !halted.is_empty() {
+                    // What slides no longer than the impacts last sticks in the limit.
+                    (self.state, self.work) = (state, work);
+                    self.stay(&closed, &halted)?;
+                    self.rest_for(left, &closed);
+                }
                 for &contact in &closed {
                     self.tell(EventKind::Rest, contact);
                 }
@@ -782,22 +789,41 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.work.impacts += before + drives - world.kinetic(&self.state);
     }
 
-    /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do.
-    fn stay(&mut self, closed: &[usize]) -> Result<(), Ended> {
-        let modes = vec![Mode::Forward; closed.len()];
+    /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do, and what gaps are left.
+    ///
+    /// Those that are halted do not slide either.
+    fn stay(&mut self, closed: &[usize], halted: &[usize]) -> Result<(), Ended> {
+        let mode = |i: &usize| match halted.contains(i) {
+            true => Mode::Stick,
+            false => Mode::Forward,
+        };
+        let modes: Vec<Mode> = closed.iter().map(mode).collect();
         let solution = self.impulses(closed, &|_| (0.0, 0.0)).within(&modes);
         self.pass(&solution.ok_or_else(|| self.stuck())?, closed);
+        let bearings = closed.iter().copied().zip(modes).collect();
+        let state = self.flow.projected(self.state.clone(), &bearings);
+        self.state = state.ok_or_else(|| self.stuck())?.0;
         Ok(())
     }
 
-    /// The short time that accumulating impacts have left, with their contacts closed.
-    fn rest_for(&mut self, left: f64, closed: &[usize]) {
+    /// The short time that accumulating impacts have left, with their contacts closed; and those whose sliding turned back in it.
+    fn rest_for(&mut self, left: f64, closed: &[usize]) -> Vec<usize> {
+        let mut halted = Vec::new();
         let solutions = self.problem(closed).solutions();
         let taken = match &solutions[..] {
             [solution] => {
                 let modes = closed.iter().copied().zip(solution.modes.iter().copied());
                 let bearings = modes.filter(|(_, mode)| *mode != Mode::Open).collect();
                 let step = self.flow.take(&self.state, left, &bearings, self.fastest);
+                if let Some(taken) = &step {
+                    let world = self.flow.world;
+                    let turned = |&&(i, mode): &&(usize, Mode)| {
+                        let touch = world.touch(i, taken.state.t, &taken.state.q);
+                        let rate = touch.sliding(&taken.state.v) * mode.direction();
+                        world.surface(i).friction > 0.0 && rate < 0.0
+                    };
+                    halted.extend(bearings.iter().filter(turned).map(|b| b.0));
+                }
                 step.map(|taken| (taken.state, taken.work))
             }
             // What it does is told at its end.
@@ -815,6 +841,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                 self.state.t += left;
             }
         }
+        halted
     }
 
     /// The one solution there is to be.

@@ -100,7 +100,9 @@ pub(crate) fn run(
     let mut samples = gathering.samples;
     // The end is a sample, also where it is none of the even times, or misses one by rounding.
     let rounding = 1e-12 * duration;
-    if samples.last().is_none_or(|s| s.t < until - rounding) {
+    // Numbers too large to be computed with have none.
+    let is_finite = end.coordinates.iter().all(|c| c.is_finite());
+    if is_finite && samples.last().is_none_or(|s| s.t < until - rounding) {
         samples.push(end);
     }
     let (at_start, at_end) = (energy(&motion.first), energy(&motion.last));

@@ -155,7 +155,7 @@ fn a_rocking_block_loses_what_housner_says() {
         assert_eq!(record.status, Status::Done, "{:?}", record.reason);
         let r = 1.0 - 1.5 * alpha.sin().powi(2);
         let struck = times(&record, EventKind::Impact);
-        assert!(struck.len() > 5, "{}", struck.len());
+        assert!((6..200).contains(&struck.len()), "{}", struck.len());
         // From the energy: rate² = 2 g R (cos(α − tilt) − cos α) / (4 R² / 3) at the stroke.
         let big = f64::hypot(b, h);
         let swing = |tilt: f64| {

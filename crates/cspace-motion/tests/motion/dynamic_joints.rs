@@ -318,7 +318,6 @@ fn masses_out_of_proportion() {
         assert_eq!(record.status, Status::Done, "{light}: {:?}", record.reason);
         let energy = record.energy.unwrap();
         let through: f64 = 1.0 * light;
-        println!("{light:e}: drift {:e} of {through:e}", energy.drift);
         near("drift", energy.drift / through.max(1e-9), 0.0, 1e-7);
     }
 }
