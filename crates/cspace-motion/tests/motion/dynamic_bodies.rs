@@ -43,12 +43,7 @@ fn a_disc_rolls_over_tangent_features() {
         let a = if rolls { 2.0 / 3.0 } else { 1.0 } * G * s;
         let t = f64::sqrt(2.0 * far / a);
         let rate = a * t;
-        let sample = record
-            .samples
-            .iter()
-            .filter(|k| k.t < t)
-            .next_back()
-            .unwrap();
+        let sample = record.samples.iter().rfind(|k| k.t < t).unwrap();
         let speed = f64::hypot(sample.rates[0], sample.rates[1]);
         near("speed", speed, rate - a * (t - sample.t), 1e-9);
         // The disc comes up as high on the other side.

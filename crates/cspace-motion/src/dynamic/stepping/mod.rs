@@ -87,6 +87,9 @@ fn stuck(contacts: Vec<usize>) -> Ended {
     Ended::Stuck { contacts }
 }
 
+/// The number of a contact, and its impulses along the normal and the tangent.
+type Impulse = (usize, f64, f64);
+
 struct Stepping<'a, W: World + ?Sized> {
     world: &'a W,
     /// Of the mass matrix.
@@ -180,7 +183,7 @@ impl<W: World + ?Sized> Stepping<'_, W> {
             held -= &self.inverse * (&a.touch.normal * n + &a.touch.tangent * t);
         }
         let joints = joined.multipliers(world.mass(), &held);
-        self.book(from, &to, &middle, (step, &active, &contacts, &joints));
+        self.book(from, &to, &middle, (step, &active), (&contacts, &joints));
         Ok(Taken {
             to,
             contacts,
@@ -264,7 +267,8 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         from: &State,
         to: &State,
         middle: &State,
-        (step, active, contacts, joints): (usize, &[Active], &[(usize, f64, f64)], &DVector<f64>),
+        (step, active): (usize, &[Active]),
+        (contacts, joints): (&[Impulse], &DVector<f64>),
     ) {
         let (world, h) = (self.world, self.h);
         let mean = State {
