@@ -34,6 +34,8 @@ pub(crate) struct Watch<'a> {
     /// How far each pair's parts may move until they can meet; 0 if that is not known.
     room: Vec<f64>,
     levers: Vec<[f64; 3]>,
+    /// Of each pair the patches on which its features touched last: features may touch on several.
+    patches: Vec<Vec<Touch>>,
 }
 
 impl<'a> Watch<'a> {
@@ -44,6 +46,7 @@ impl<'a> Watch<'a> {
             pairs,
             room: vec![0.0; pairs.list().len()],
             levers: parts.map(|(c, p)| c.levers(&p.part)).collect(),
+            patches: vec![Vec::new(); pairs.list().len()],
         }
     }
 
@@ -104,9 +107,16 @@ impl<'a> Watch<'a> {
             Bound::Contact(touch) if touch.pair == index => Some(touch),
             _ => None,
         });
-        let mut closed = held.peekable();
+        let mut closed = held.clone().peekable();
         if closed.peek().is_some() {
             self.room[index] = 0.0;
+            // Nearly always the patch is followed.
+            if held
+                .clone()
+                .all(|touch| self.follows(pair, touch, [from, to]))
+            {
+                return None;
+            }
             let touches = match pair.touches(index, self.system, to, pair.touch) {
                 Ok(touches) => touches,
                 Err(error) => return Some(outside(error)),
@@ -122,7 +132,11 @@ impl<'a> Watch<'a> {
                         && self.stays(pair, touch, [from, to], near)
                 }
             };
-            return (!closed.all(stays)).then_some(Met::Contact);
+            if !closed.all(stays) {
+                return Some(Met::Contact);
+            }
+            self.patches[index] = touches;
+            return None;
         }
         let travel = self.travel(pair, path);
         if travel <= self.room[index] {
@@ -152,6 +166,17 @@ impl<'a> Watch<'a> {
         }
         path.windows(2)
             .find_map(|w| self.meets(index, &w[0], &w[1]).then_some(Met::Contact))
+    }
+
+    /// Whether both ends of a step are on the patch on which two features touched last.
+    fn follows(&self, pair: &MovingPair, touch: &Touch, ends: [&[f64]; 2]) -> bool {
+        let last = self.patches[touch.pair].iter();
+        let last = last.into_iter().find(|t| t.features == touch.features);
+        let patch = last.unwrap_or(touch).patch;
+        ends.into_iter().all(|q| {
+            let at = pair.coordinates(self.system, q);
+            pair.space.is_on(patch, at, pair.touch) == Ok(true)
+        })
     }
 
     /// Whether a contact that is closed at both ends of a step was closed all the way.

@@ -10,19 +10,23 @@ mod accumulate;
 mod direct;
 mod flow;
 mod friction;
+mod impact;
 mod lemke;
 mod modes;
+mod motion;
 #[cfg(test)]
 mod numbers;
 mod problem;
 mod reduced;
 mod run;
+mod settle;
 mod step;
 mod stepping;
 mod world;
 
 pub use modes::Mode;
-pub use run::{Ended, Event, EventKind, Motion, Observer, Options, Work, run, run_through};
+pub use motion::{Ended, Event, EventKind, Motion, Observer, Options, Work};
+pub use run::{run, run_through};
 pub use stepping::step_through;
 pub use world::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 

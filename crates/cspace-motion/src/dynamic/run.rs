@@ -4,136 +4,10 @@ use nalgebra::DVector;
 
 use super::STILL;
 use super::accumulate::Impacts;
-use super::flow::{Bearings, Flow, ZERO};
-use super::modes::{Bearing, Mode, Problem, Solution};
-use super::step::{Looked, Watched};
-use super::world::{Acting, State, Step, Touch, World};
-
-/// What happens.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EventKind {
-    /// Velocities change at once.
-    Impact,
-    /// A contact closes without an impact.
-    Touch,
-    /// A contact opens.
-    Release,
-    /// A contact that slid sticks.
-    Stick,
-    /// One that stuck slides.
-    Slip,
-    /// Impacts have accumulated, and the contact stays closed.
-    Rest,
-}
-
-/// Something that happens to a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Event {
-    /// When, s.
-    pub t: f64,
-    /// What.
-    pub kind: EventKind,
-    /// The number of the contact.
-    pub contact: usize,
-}
-
-/// How a motion ends.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Ended {
-    /// At the time asked for.
-    Done,
-    /// No accelerations, or velocities after an impact, agree with the laws of contact and friction.
-    Inconsistent {
-        /// The contacts concerned.
-        contacts: Vec<usize>,
-    },
-    /// What is driven strikes what cannot give way.
-    Jammed {
-        /// The contacts concerned.
-        contacts: Vec<usize>,
-    },
-    /// Several do.
-    Undetermined {
-        /// The contacts concerned.
-        contacts: Vec<usize>,
-    },
-    /// More events in a time than can be told apart, or an equation of motion without a solution.
-    Stuck {
-        /// The contacts concerned.
-        contacts: Vec<usize>,
-    },
-    /// Steps are too many, because forces are too stiff or rates too large.
-    TooMany,
-    /// The observer wants no more.
-    Interrupted,
-}
-
-/// Who is told of a motion on its way.
-pub trait Observer {
-    /// The next time at which a sample is wanted, s.
-    fn next(&self) -> f64 {
-        f64::INFINITY
-    }
-
-    /// The state and the forces at that time.
-    fn sample(&mut self, _state: &State, _acting: &Acting<'_>) {}
-
-    /// The state at the start and at the ends of all steps.
-    fn step(&mut self, _state: &State) {}
-
-    /// The state after what happened at an event: rates may not be what they were at the end of the step.
-    fn changed(&mut self, _state: &State) {}
-
-    /// An event, and the state just after it.
-    fn event(&mut self, _event: &Event, _state: &State) {}
-
-    /// Whether it is to go on, asked now and then with the time it has come to.
-    fn goes_on(&self, _t: f64) -> bool {
-        true
-    }
-}
-
-/// Nobody.
-impl Observer for () {}
-
-/// A motion.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
-    /// How it ended.
-    pub ended: Ended,
-    /// Where it began: the start, with the rates nearest to its own that joints allow.
-    pub first: State,
-    /// Where it ended.
-    pub last: State,
-    /// What happened.
-    pub events: Vec<Event>,
-    /// Steps between events.
-    pub steps: usize,
-    /// How far closed contacts and joints were open at most after a step, before they were brought together.
-    pub open: f64,
-    /// What became of energy.
-    pub work: Work,
-}
-
-/// What drives put in, and what is lost.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Work {
-    /// By drives.
-    pub drives: f64,
-    /// To friction and dampers.
-    pub friction: f64,
-    /// To impacts.
-    pub impacts: f64,
-}
-
-/// What is asked of a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// When it ends, s.
-    pub until: f64,
-    /// No step is longer, s.
-    pub longest: f64,
-}
+use super::flow::{Bearings, Flow};
+use super::motion::{Ended, Event, Motion, Observer, Options, Work};
+use super::step::Looked;
+use super::world::{Acting, State, Step, World};
 
 /// Events within this share of the time that is simulated happen at one time.
 const AT_ONE_TIME: f64 = 1e-13;
@@ -147,21 +21,6 @@ const MOST_STEPS: usize = 10_000_000;
 const FORESEEN: f64 = 1e6;
 /// See [`FORESEEN`].
 const MOST_SHORT: usize = 20_000;
-/// So many impacts within [`CROWD`] of the time that is simulated do not bounce any more.
-const MOST_IMPACTS: usize = 300;
-/// A share of the time that is simulated.
-const CROWD: f64 = 1e-6;
-/// Trials of one of several sets of contacts go as far as this, as shares of the size: beyond what contacts are known to, and less than
-/// what follows next. A shorter one is made where something follows at once.
-const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
-
-/// Contacts that cease to stick within this share of the time that is simulated do so together.
-const LOOSE: f64 = 1e-8;
-/// What curvature and rates add to the acceleration of a gap is rounding if in the longest step it moves the gap by less than this
-/// share of the size: as where a part turns about the centre of an arc that touches.
-const SLIGHT: f64 = 1e-15;
-/// Slow are rates of this share of the largest so far.
-const SLOW: f64 = 1e-5;
 
 /// A motion from a state; `observer` is told the states it asks for.
 ///
@@ -271,13 +130,13 @@ pub fn run_through<W: World + ?Sized>(
 
 /// What contacts have come to at an event.
 #[derive(Debug, Clone, Default)]
-struct Reached {
+pub(super) struct Reached {
     /// Their sliding to its end: they do not slide at this moment, whatever rounding says.
-    halted: Vec<usize>,
+    pub(super) halted: Vec<usize>,
     /// All the friction there is.
-    loose: Vec<usize>,
+    pub(super) loose: Vec<usize>,
     /// The other side, without having opened by more than rounding: they stay, if they open slowly.
-    back: Vec<usize>,
+    pub(super) back: Vec<usize>,
 }
 
 /// The last time before another that all stages of a step may come to, whatever rounding does to them.
@@ -285,25 +144,25 @@ fn before(corner: f64) -> f64 {
     corner * (1.0 - 4.0 * f64::EPSILON)
 }
 
-struct Run<'a, W: World + ?Sized> {
-    flow: Flow<'a, W>,
-    first: State,
-    state: State,
+pub(super) struct Run<'a, W: World + ?Sized> {
+    pub(super) flow: Flow<'a, W>,
+    pub(super) first: State,
+    pub(super) state: State,
     /// The largest value of each rate so far.
-    largest: DVector<f64>,
+    pub(super) largest: DVector<f64>,
     /// The largest rate so far, as the world measures rates.
-    fastest: f64,
-    span: f64,
-    bearings: Bearings,
+    pub(super) fastest: f64,
+    pub(super) span: f64,
+    pub(super) bearings: Bearings,
     /// Contacts that have begun to open at the last event, and may close again; and those that others keep from sliding.
-    looked: Looked,
+    pub(super) looked: Looked,
     /// Contacts that did not stick any more, since a time.
-    loose: (f64, Vec<usize>),
-    impacts: Impacts,
-    events: Vec<Event>,
-    steps: usize,
-    open: f64,
-    work: Work,
+    pub(super) loose: (f64, Vec<usize>),
+    pub(super) impacts: Impacts,
+    pub(super) events: Vec<Event>,
+    pub(super) steps: usize,
+    pub(super) open: f64,
+    pub(super) work: Work,
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
@@ -448,7 +307,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         Ok(())
     }
 
-    fn stuck(&self) -> Ended {
+    pub(super) fn stuck(&self) -> Ended {
         Ended::Stuck {
             contacts: self.bearings.iter().map(|b| b.0).collect(),
         }
@@ -462,395 +321,6 @@ impl<W: World + ?Sized> Run<'_, W> {
         let floor = 1e-6 * self.largest.amax().max(self.state.v.amax()).max(slow);
         for k in 0..self.state.v.len() {
             self.largest[k] = self.largest[k].max(self.state.v[k].abs()).max(floor);
-        }
-    }
-
-    fn touch(&self, contact: usize) -> Touch {
-        let state = &self.state;
-        self.flow.world.touch(contact, state.t, &state.q)
-    }
-
-    fn is_same(&self, a: usize, b: usize) -> bool {
-        let state = &self.state;
-        self.flow.world.is_same(a, b, state.t, &state.q)
-    }
-
-    /// A rate that counts as none, of a row.
-    fn still(&self, row: &DVector<f64>) -> f64 {
-        let terms = row.iter().zip(self.largest.iter());
-        STILL * terms.map(|(r, v)| (r * v).abs()).sum::<f64>()
-    }
-
-    /// The rate at which a closed contact opens, and what counts as none.
-    fn opening(&self, contact: usize) -> (f64, f64) {
-        let touch = self.touch(contact);
-        let still = self.still(&touch.normal) + STILL * touch.drift[0].abs();
-        (touch.opening(&self.state.v), still)
-    }
-
-    fn happen(&mut self, events: &[(usize, Watched)]) -> Result<(), Ended> {
-        let before = self.bearings.clone();
-        let mut closed: Vec<usize> = self.flow.world.closed(self.state.t, &self.state.q);
-        let gaps = (events.iter()).filter(|e| matches!(e.1, Watched::Gap | Watched::Back));
-        for contact in gaps.map(|e| e.0).chain(before.iter().map(|b| b.0)) {
-            if !closed.contains(&contact) {
-                closed.push(contact);
-            }
-        }
-        closed.sort_unstable();
-        let of = |kind: Watched| -> Vec<usize> {
-            let all = events.iter().filter(|e| e.1 == kind);
-            all.map(|e| e.0).collect()
-        };
-        // Contacts that share a load let go one after the other.
-        if self.state.t > self.loose.0 + LOOSE * self.span {
-            self.loose = (self.state.t, Vec::new());
-        }
-        self.loose.1.extend(of(Watched::Sticking));
-        let reached = Reached {
-            halted: of(Watched::Sliding),
-            loose: self.loose.1.clone(),
-            back: of(Watched::Back),
-        };
-        self.settle(closed, &reached)?;
-        for &(contact, mode) in &before {
-            let now = self.bearings.iter().find(|b| b.0 == contact);
-            // A contact that passes from one feature to the next goes on.
-            let now = now.or_else(|| {
-                let is_new = |i: usize| before.iter().all(|b| b.0 != i);
-                (self.bearings.iter()).find(|b| is_new(b.0) && self.is_same(b.0, contact))
-            });
-            let kind = match (mode, now.map(|b| b.1)) {
-                (_, None) => EventKind::Release,
-                (Mode::Stick, Some(Mode::Forward | Mode::Backward)) => EventKind::Slip,
-                (Mode::Forward | Mode::Backward, Some(Mode::Stick)) => EventKind::Stick,
-                _ => continue,
-            };
-            self.tell(kind, contact);
-        }
-        Ok(())
-    }
-
-    fn tell(&mut self, kind: EventKind, contact: usize) {
-        let t = self.state.t;
-        let told = self.events.iter().rev().take_while(|e| e.t == t);
-        // Features that take each other's place are one contact.
-        let mut same = told.filter(|e| e.kind == kind);
-        if same.any(|e| self.is_same(e.contact, contact)) {
-            return;
-        }
-        self.events.push(Event { t, kind, contact });
-    }
-
-    /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
-    fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
-        let sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
-        if sets.len() < 2 {
-            return self.settle_with(closed, at);
-        }
-        let saved = (
-            self.state.clone(),
-            self.bearings.clone(),
-            self.looked.clone(),
-            self.impacts.clone(),
-            self.events.len(),
-            self.work,
-        );
-        let mut failed = None;
-        for scale in TRIALS {
-            for set in &sets {
-                let settled = self.settle_with(set.clone(), at);
-                if settled.is_ok() && self.leads_on(scale) {
-                    return Ok(());
-                }
-                let (state, bearings, looked, impacts, events, work) = &saved;
-                self.looked.clone_from(looked);
-                self.state.clone_from(state);
-                self.bearings.clone_from(bearings);
-                self.impacts.clone_from(impacts);
-                self.events.truncate(*events);
-                self.work = *work;
-                failed = failed.or(settled.err());
-            }
-        }
-        Err(failed.unwrap_or(Ended::Stuck { contacts: closed }))
-    }
-
-    /// Whether a very short step, as far as a share of the size, meets nothing.
-    fn leads_on(&self, scale: f64) -> bool {
-        /// A trial may go so many times as far.
-        const FARTHER: f64 = 10.0;
-        /// Otherwise its time is shortened by this, so many times at most: down to rounding.
-        const SHORTER: f64 = 0.1;
-        const MOST: usize = 16;
-        let far = scale * self.flow.world.size();
-        let speed = self.flow.world.reach(&self.state.v);
-        let mut h = (far / speed).min(1e-3 * self.span);
-        let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
-        for _ in 0..MOST {
-            if let Some(taken) = self.flow.take(&self.state, h, &self.bearings, self.fastest)
-                && self.flow.world.reach(&(&taken.state.q - &self.state.q)) <= FARTHER * far
-            {
-                return !self.flow.world.met(Step {
-                    from: &self.state,
-                    to: &taken.state,
-                    bearing: &bearing,
-                });
-            }
-            h *= SHORTER;
-        }
-        false
-    }
-
-    /// Impacts of the contacts that are closed, then what each of them does from now on.
-    fn settle_with(&mut self, mut closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
-        /// Impacts follow each other at one time where contacts pass them on.
-        const MOST: usize = 50;
-        let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
-        let (mut struck, mut rested) = (Vec::new(), Vec::new());
-        for round in 0..=MOST {
-            let strikes = |i: &usize| {
-                let (rate, still) = self.opening(*i);
-                rate < -still
-            };
-            let hits: Vec<usize> = closed.iter().copied().filter(strikes).collect();
-            if hits.is_empty() {
-                break;
-            }
-            if round == MOST {
-                return Err(Ended::Stuck { contacts: hits });
-            }
-            if !self.impact(&closed)? {
-                // So slow that it is none: the contacts close without.
-                break;
-            }
-            for &hit in &hits {
-                if !struck.contains(&hit) {
-                    struck.push(hit);
-                }
-            }
-        }
-        if !struck.is_empty() {
-            self.impacts.add(self.state.t);
-            for &contact in &struck {
-                self.tell(EventKind::Impact, contact);
-            }
-            let parts = |&i: &usize| {
-                let (rate, still) = self.opening(i);
-                if rate > still { rate } else { 0.0 }
-            };
-            let way = closed.iter().map(parts).fold(0.0, f64::max) / self.flow.world.size();
-            if let Some(left) = self.impacts.rest(self.span, way) {
-                // What bounces is closed for good: the rates at which it opens are gone in the limit.
-                let reach = way * left * self.flow.world.size();
-                let watched = self.flow.world.watched();
-                for i in watched.into_iter().chain(self.looked.gaps.iter().copied()) {
-                    if !closed.contains(&i) && self.touch(i).gap <= reach {
-                        closed.push(i);
-                    }
-                }
-                let (state, work) = (self.state.clone(), self.work);
-                self.stay(&closed, &[])?;
-                let halted = self.rest_for(left, &closed);
-                if !halted.is_empty() {
-                    // What slides no longer than the impacts last sticks in the limit.
-                    (self.state, self.work) = (state, work);
-                    self.stay(&closed, &halted)?;
-                    self.rest_for(left, &closed);
-                }
-                for &contact in &closed {
-                    self.tell(EventKind::Rest, contact);
-                }
-                rested.clone_from(&closed);
-                self.impacts = Impacts::default();
-            }
-        }
-        // Those that part are open from now on.
-        let stays = |i: &usize| {
-            let (rate, still) = self.opening(*i);
-            let slow = if at.back.contains(i) {
-                SLOW * still / STILL
-            } else {
-                still
-            };
-            rate <= slow
-        };
-        let (resting, parting): (Vec<usize>, Vec<usize>) = closed.into_iter().partition(stays);
-        self.looked.gaps = parting;
-        let mut problem = self.problem(&resting);
-        for (k, i) in resting.iter().enumerate() {
-            let is_among = |all: &[usize]| all.iter().any(|h| h == i || self.is_same(*h, *i));
-            if is_among(&at.halted) {
-                problem.bearings[k].slides = None;
-            }
-            problem.bearings[k].lets_go = is_among(&at.loose);
-        }
-        let solution = self.one(problem.solutions(), &resting)?;
-        self.bearings = (resting.iter().copied())
-            .zip(solution.modes)
-            .filter(|(_, mode)| *mode != Mode::Open)
-            .collect();
-        if let Some((state, _)) = self.flow.projected(self.state.clone(), &self.bearings) {
-            self.state = state;
-        }
-        self.looked.idle = self.flow.idle(&self.state, &self.bearings);
-        for (contact, _) in self.bearings.clone() {
-            // What has come to rest is not told to touch as well.
-            let mut before = known.iter().chain(&rested);
-            if !before.any(|&k| k == contact || self.is_same(k, contact)) {
-                self.tell(EventKind::Touch, contact);
-            }
-        }
-        Ok(())
-    }
-
-    fn problem(&self, contacts: &[usize]) -> Problem<'_> {
-        let mut problem = self.flow.problem(&self.state, contacts, 0.0);
-        let far = self.flow.world.longest(&self.state);
-        for (k, &i) in contacts.iter().enumerate() {
-            let touch = self.touch(i);
-            let rate = touch.sliding(&self.state.v);
-            if problem.bearings[k].b.abs() * far * far < SLIGHT * self.flow.world.size() {
-                problem.bearings[k].b = 0.0;
-            }
-            let still = self.still(&touch.tangent) + STILL * touch.drift[1].abs();
-            let slides = rate.abs() > still;
-            problem.bearings[k].slides = slides.then_some(rate.signum());
-        }
-        problem
-    }
-
-    /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once. Whether any contact
-    /// passes an impulse.
-    fn impact(&mut self, closed: &[usize]) -> Result<bool, Ended> {
-        let crowded = self.impacts.is_crowded(CROWD * self.span, MOST_IMPACTS);
-        let surface = |i: usize| {
-            let surface = self.flow.world.surface(i);
-            let restitution = if crowded { 0.0 } else { surface.restitution };
-            (surface.friction, restitution)
-        };
-        let problem = self.impulses(closed, &surface);
-        let solutions = problem.solutions();
-        if solutions.is_empty() {
-            // Impacts of what is free to move have solutions.
-            let contacts = closed.to_vec();
-            return Err(Ended::Jammed { contacts });
-        }
-        let solution = self.one(solutions, closed)?;
-        self.pass(&solution, closed);
-        Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
-    }
-
-    /// What velocities and impulses have to satisfy, with the friction and the restitution of each contact.
-    fn impulses(&self, closed: &[usize], surface: &dyn Fn(usize) -> (f64, f64)) -> Problem<'_> {
-        let world = self.flow.world;
-        let joints = world.joints(self.state.t, &self.state.q);
-        let bearings = (closed.iter())
-            .map(|&i| {
-                let touch = self.touch(i);
-                let (friction, restitution) = surface(i);
-                let rate = touch.opening(&self.state.v);
-                Bearing {
-                    b: touch.drift[0] + restitution * rate.min(0.0),
-                    c: touch.drift[1],
-                    normal: touch.normal,
-                    tangent: touch.tangent,
-                    friction,
-                    slides: None,
-                    lets_go: false,
-                }
-            })
-            .collect();
-        Problem {
-            mass: world.mass(),
-            h: world.mass() * &self.state.v,
-            joints: joints.rows,
-            j: joints.rates,
-            bearings,
-            zero: ZERO,
-        }
-    }
-
-    /// Velocities after impulses, and what becomes of the energy.
-    fn pass(&mut self, solution: &Solution, closed: &[usize]) {
-        let world = self.flow.world;
-        let before = world.kinetic(&self.state);
-        let forces = solution.normal.iter().zip(&solution.tangential);
-        let acting = Acting {
-            accelerations: None,
-            contacts: (closed.iter().zip(forces))
-                .map(|(&i, (&n, &t))| (i, n, t))
-                .collect(),
-            joints: &solution.joints,
-        };
-        let drives = world.powers(&self.state, &acting)[0];
-        self.state.v.clone_from(&solution.x);
-        self.work.drives += drives;
-        self.work.impacts += before + drives - world.kinetic(&self.state);
-    }
-
-    /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do, and what gaps are left.
-    ///
-    /// Those that are halted do not slide either.
-    fn stay(&mut self, closed: &[usize], halted: &[usize]) -> Result<(), Ended> {
-        let mode = |i: &usize| match halted.contains(i) {
-            true => Mode::Stick,
-            false => Mode::Forward,
-        };
-        let modes: Vec<Mode> = closed.iter().map(mode).collect();
-        let solution = self.impulses(closed, &|_| (0.0, 0.0)).within(&modes);
-        self.pass(&solution.ok_or_else(|| self.stuck())?, closed);
-        let bearings = closed.iter().copied().zip(modes).collect();
-        let state = self.flow.projected(self.state.clone(), &bearings);
-        self.state = state.ok_or_else(|| self.stuck())?.0;
-        Ok(())
-    }
-
-    /// The short time that accumulating impacts have left, with their contacts closed; and those whose sliding turned back in it.
-    fn rest_for(&mut self, left: f64, closed: &[usize]) -> Vec<usize> {
-        let mut halted = Vec::new();
-        let solutions = self.problem(closed).solutions();
-        let taken = match &solutions[..] {
-            [solution] => {
-                let modes = closed.iter().copied().zip(solution.modes.iter().copied());
-                let bearings = modes.filter(|(_, mode)| *mode != Mode::Open).collect();
-                let step = self.flow.take(&self.state, left, &bearings, self.fastest);
-                if let Some(taken) = &step {
-                    let world = self.flow.world;
-                    let turned = |&&(i, mode): &&(usize, Mode)| {
-                        let touch = world.touch(i, taken.state.t, &taken.state.q);
-                        let rate = touch.sliding(&taken.state.v) * mode.direction();
-                        world.surface(i).friction > 0.0 && rate < 0.0
-                    };
-                    halted.extend(bearings.iter().filter(turned).map(|b| b.0));
-                }
-                step.map(|taken| (taken.state, taken.work))
-            }
-            // What it does is told at its end.
-            _ => None,
-        };
-        match taken {
-            Some((state, work)) => {
-                self.state = state;
-                self.work.drives += work[0];
-                self.work.friction += work[1];
-            }
-            None => {
-                let v = self.state.v.clone();
-                self.state.q += v * left;
-                self.state.t += left;
-            }
-        }
-        halted
-    }
-
-    /// The one solution there is to be.
-    fn one(&self, mut solutions: Vec<Solution>, contacts: &[usize]) -> Result<Solution, Ended> {
-        let contacts = contacts.to_vec();
-        match solutions.len() {
-            0 => Err(Ended::Inconsistent { contacts }),
-            1 => Ok(solutions.remove(0)),
-            _ => Err(Ended::Undetermined { contacts }),
         }
     }
 }

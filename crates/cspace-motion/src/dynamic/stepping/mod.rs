@@ -21,7 +21,7 @@ use std::collections::HashMap;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::run::{Ended, Motion, Observer, Work};
+use super::motion::{Ended, Motion, Observer, Work};
 use super::world::{Acting, State, Touch, World};
 
 use joined::{Joined, held};

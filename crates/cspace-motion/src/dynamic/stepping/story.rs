@@ -1,6 +1,6 @@
 //! Events from the impulses of steps: as far as steps can tell what happens between their ends.
 
-use super::super::run::{Event, EventKind};
+use super::super::motion::{Event, EventKind};
 use super::super::world::State;
 
 /// A contact that bears in so many of the last steps stays; one that bears in none of them has opened.

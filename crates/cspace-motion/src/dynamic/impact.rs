@@ -1,0 +1,125 @@
+//! Impacts: of contacts that are closed at one time, and those that accumulate.
+
+use super::flow::ZERO;
+use super::modes::{Bearing, Mode, Problem, Solution};
+use super::motion::Ended;
+use super::run::Run;
+use super::world::{Acting, World};
+
+/// So many impacts within [`CROWD`] of the time that is simulated do not bounce any more.
+const MOST_IMPACTS: usize = 300;
+/// A share of the time that is simulated.
+const CROWD: f64 = 1e-6;
+
+impl<W: World + ?Sized> Run<'_, W> {
+    /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once. Whether any contact
+    /// passes an impulse.
+    pub(super) fn impact(&mut self, closed: &[usize]) -> Result<bool, Ended> {
+        let crowded = self.impacts.is_crowded(CROWD * self.span, MOST_IMPACTS);
+        let surface = |i: usize| {
+            let surface = self.flow.world.surface(i);
+            let restitution = if crowded { 0.0 } else { surface.restitution };
+            (surface.friction, restitution)
+        };
+        let problem = self.impulses(closed, &surface);
+        let solutions = problem.solutions();
+        if solutions.is_empty() {
+            // Impacts of what is free to move have solutions.
+            let contacts = closed.to_vec();
+            return Err(Ended::Jammed { contacts });
+        }
+        let solution = self.one(solutions, closed)?;
+        self.pass(&solution, closed);
+        Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
+    }
+
+    /// What velocities and impulses have to satisfy, with the friction and the restitution of each contact.
+    pub(super) fn impulses(
+        &self,
+        closed: &[usize],
+        surface: &dyn Fn(usize) -> (f64, f64),
+    ) -> Problem<'_> {
+        let world = self.flow.world;
+        let joints = world.joints(self.state.t, &self.state.q);
+        let bearings = (closed.iter())
+            .map(|&i| {
+                let touch = self.touch(i);
+                let (friction, restitution) = surface(i);
+                let rate = touch.opening(&self.state.v);
+                Bearing {
+                    b: touch.drift[0] + restitution * rate.min(0.0),
+                    c: touch.drift[1],
+                    normal: touch.normal,
+                    tangent: touch.tangent,
+                    friction,
+                    slides: None,
+                    lets_go: false,
+                }
+            })
+            .collect();
+        Problem {
+            mass: world.mass(),
+            h: world.mass() * &self.state.v,
+            joints: joints.rows,
+            j: joints.rates,
+            bearings,
+            zero: ZERO,
+        }
+    }
+
+    /// Velocities after impulses, and what becomes of the energy.
+    pub(super) fn pass(&mut self, solution: &Solution, closed: &[usize]) {
+        let world = self.flow.world;
+        let before = world.kinetic(&self.state);
+        let forces = solution.normal.iter().zip(&solution.tangential);
+        let acting = Acting {
+            accelerations: None,
+            contacts: (closed.iter().zip(forces))
+                .map(|(&i, (&n, &t))| (i, n, t))
+                .collect(),
+            joints: &solution.joints,
+        };
+        let drives = world.powers(&self.state, &acting)[0];
+        self.state.v.clone_from(&solution.x);
+        self.work.drives += drives;
+        self.work.impacts += before + drives - world.kinetic(&self.state);
+    }
+
+    /// The short time that accumulating impacts have left, with their contacts closed; and those whose sliding turned back in it.
+    pub(super) fn rest_for(&mut self, left: f64, closed: &[usize]) -> Vec<usize> {
+        let mut halted = Vec::new();
+        let solutions = self.problem(closed).solutions();
+        let taken = match &solutions[..] {
+            [solution] => {
+                let modes = closed.iter().copied().zip(solution.modes.iter().copied());
+                let bearings = modes.filter(|(_, mode)| *mode != Mode::Open).collect();
+                let step = self.flow.take(&self.state, left, &bearings, self.fastest);
+                if let Some(taken) = &step {
+                    let world = self.flow.world;
+                    let turned = |&&(i, mode): &&(usize, Mode)| {
+                        let touch = world.touch(i, taken.state.t, &taken.state.q);
+                        let rate = touch.sliding(&taken.state.v) * mode.direction();
+                        world.surface(i).friction > 0.0 && rate < 0.0
+                    };
+                    halted.extend(bearings.iter().filter(turned).map(|b| b.0));
+                }
+                step.map(|taken| (taken.state, taken.work))
+            }
+            // What it does is told at its end.
+            _ => None,
+        };
+        match taken {
+            Some((state, work)) => {
+                self.state = state;
+                self.work.drives += work[0];
+                self.work.friction += work[1];
+            }
+            None => {
+                let v = self.state.v.clone();
+                self.state.q += v * left;
+                self.state.t += left;
+            }
+        }
+        halted
+    }
+}

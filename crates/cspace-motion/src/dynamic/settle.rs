@@ -1,0 +1,314 @@
+//! What happens at an event, and what each contact does from then on.
+
+use nalgebra::DVector;
+
+use super::STILL;
+use super::accumulate::Impacts;
+use super::modes::{Mode, Problem, Solution};
+use super::motion::{Ended, Event, EventKind};
+use super::run::{Reached, Run};
+use super::step::Watched;
+use super::world::{Step, Touch, World};
+
+/// Trials of one of several sets of contacts go as far as this, as shares of the size: beyond what contacts are known to, and less than
+/// what follows next. A shorter one is made where something follows at once.
+const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
+/// Contacts that cease to stick within this share of the time that is simulated do so together.
+const LOOSE: f64 = 1e-8;
+/// What curvature and rates add to the acceleration of a gap is rounding if in the longest step it moves the gap by less than this
+/// share of the size: as where a part turns about the centre of an arc that touches.
+const SLIGHT: f64 = 1e-15;
+/// Slow are rates of this share of the largest so far.
+const SLOW: f64 = 1e-5;
+
+impl<W: World + ?Sized> Run<'_, W> {
+    pub(super) fn touch(&self, contact: usize) -> Touch {
+        let state = &self.state;
+        self.flow.world.touch(contact, state.t, &state.q)
+    }
+
+    pub(super) fn is_same(&self, a: usize, b: usize) -> bool {
+        let state = &self.state;
+        self.flow.world.is_same(a, b, state.t, &state.q)
+    }
+
+    /// A rate that counts as none, of a row.
+    pub(super) fn still(&self, row: &DVector<f64>) -> f64 {
+        let terms = row.iter().zip(self.largest.iter());
+        STILL * terms.map(|(r, v)| (r * v).abs()).sum::<f64>()
+    }
+
+    /// The rate at which a closed contact opens, and what counts as none.
+    pub(super) fn opening(&self, contact: usize) -> (f64, f64) {
+        let touch = self.touch(contact);
+        let still = self.still(&touch.normal) + STILL * touch.drift[0].abs();
+        (touch.opening(&self.state.v), still)
+    }
+
+    pub(super) fn happen(&mut self, events: &[(usize, Watched)]) -> Result<(), Ended> {
+        let before = self.bearings.clone();
+        let mut closed: Vec<usize> = self.flow.world.closed(self.state.t, &self.state.q);
+        let gaps = (events.iter()).filter(|e| matches!(e.1, Watched::Gap | Watched::Back));
+        for contact in gaps.map(|e| e.0).chain(before.iter().map(|b| b.0)) {
+            if !closed.contains(&contact) {
+                closed.push(contact);
+            }
+        }
+        closed.sort_unstable();
+        let of = |kind: Watched| -> Vec<usize> {
+            let all = events.iter().filter(|e| e.1 == kind);
+            all.map(|e| e.0).collect()
+        };
+        // Contacts that share a load let go one after the other.
+        if self.state.t > self.loose.0 + LOOSE * self.span {
+            self.loose = (self.state.t, Vec::new());
+        }
+        self.loose.1.extend(of(Watched::Sticking));
+        let reached = Reached {
+            halted: of(Watched::Sliding),
+            loose: self.loose.1.clone(),
+            back: of(Watched::Back),
+        };
+        self.settle(closed, &reached)?;
+        for &(contact, mode) in &before {
+            let now = self.bearings.iter().find(|b| b.0 == contact);
+            // A contact that passes from one feature to the next goes on.
+            let now = now.or_else(|| {
+                let is_new = |i: usize| before.iter().all(|b| b.0 != i);
+                (self.bearings.iter()).find(|b| is_new(b.0) && self.is_same(b.0, contact))
+            });
+            let kind = match (mode, now.map(|b| b.1)) {
+                (_, None) => EventKind::Release,
+                (Mode::Stick, Some(Mode::Forward | Mode::Backward)) => EventKind::Slip,
+                (Mode::Forward | Mode::Backward, Some(Mode::Stick)) => EventKind::Stick,
+                _ => continue,
+            };
+            self.tell(kind, contact);
+        }
+        Ok(())
+    }
+
+    pub(super) fn tell(&mut self, kind: EventKind, contact: usize) {
+        let t = self.state.t;
+        let told = self.events.iter().rev().take_while(|e| e.t == t);
+        // Features that take each other's place are one contact.
+        let mut same = told.filter(|e| e.kind == kind);
+        if same.any(|e| self.is_same(e.contact, contact)) {
+            return;
+        }
+        self.events.push(Event { t, kind, contact });
+    }
+
+    /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
+    pub(super) fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
+        let sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
+        if sets.len() < 2 {
+            return self.settle_with(closed, at);
+        }
+        let saved = (
+            self.state.clone(),
+            self.bearings.clone(),
+            self.looked.clone(),
+            self.impacts.clone(),
+            self.events.len(),
+            self.work,
+        );
+        let mut failed = None;
+        for scale in TRIALS {
+            for set in &sets {
+                let settled = self.settle_with(set.clone(), at);
+                if settled.is_ok() && self.leads_on(scale) {
+                    return Ok(());
+                }
+                let (state, bearings, looked, impacts, events, work) = &saved;
+                self.looked.clone_from(looked);
+                self.state.clone_from(state);
+                self.bearings.clone_from(bearings);
+                self.impacts.clone_from(impacts);
+                self.events.truncate(*events);
+                self.work = *work;
+                failed = failed.or(settled.err());
+            }
+        }
+        Err(failed.unwrap_or(Ended::Stuck { contacts: closed }))
+    }
+
+    /// Whether a very short step, as far as a share of the size, meets nothing.
+    pub(super) fn leads_on(&self, scale: f64) -> bool {
+        /// A trial may go so many times as far.
+        const FARTHER: f64 = 10.0;
+        /// Otherwise its time is shortened by this, so many times at most: down to rounding.
+        const SHORTER: f64 = 0.1;
+        const MOST: usize = 16;
+        let far = scale * self.flow.world.size();
+        let speed = self.flow.world.reach(&self.state.v);
+        let mut h = (far / speed).min(1e-3 * self.span);
+        let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
+        for _ in 0..MOST {
+            if let Some(taken) = self.flow.take(&self.state, h, &self.bearings, self.fastest)
+                && self.flow.world.reach(&(&taken.state.q - &self.state.q)) <= FARTHER * far
+            {
+                return !self.flow.world.met(Step {
+                    from: &self.state,
+                    to: &taken.state,
+                    bearing: &bearing,
+                });
+            }
+            h *= SHORTER;
+        }
+        false
+    }
+
+    /// Impacts of the contacts that are closed, then what each of them does from now on.
+    pub(super) fn settle_with(
+        &mut self,
+        mut closed: Vec<usize>,
+        at: &Reached,
+    ) -> Result<(), Ended> {
+        /// Impacts follow each other at one time where contacts pass them on.
+        const MOST: usize = 50;
+        let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
+        let (mut struck, mut rested) = (Vec::new(), Vec::new());
+        for round in 0..=MOST {
+            let strikes = |i: &usize| {
+                let (rate, still) = self.opening(*i);
+                rate < -still
+            };
+            let hits: Vec<usize> = closed.iter().copied().filter(strikes).collect();
+            if hits.is_empty() {
+                break;
+            }
+            if round == MOST {
+                return Err(Ended::Stuck { contacts: hits });
+            }
+            if !self.impact(&closed)? {
+                // So slow that it is none: the contacts close without.
+                break;
+            }
+            for &hit in &hits {
+                if !struck.contains(&hit) {
+                    struck.push(hit);
+                }
+            }
+        }
+        if !struck.is_empty() {
+            self.impacts.add(self.state.t);
+            for &contact in &struck {
+                self.tell(EventKind::Impact, contact);
+            }
+            let parts = |&i: &usize| {
+                let (rate, still) = self.opening(i);
+                if rate > still { rate } else { 0.0 }
+            };
+            let way = closed.iter().map(parts).fold(0.0, f64::max) / self.flow.world.size();
+            if let Some(left) = self.impacts.rest(self.span, way) {
+                // What bounces is closed for good: the rates at which it opens are gone in the limit.
+                let reach = way * left * self.flow.world.size();
+                let watched = self.flow.world.watched();
+                for i in watched.into_iter().chain(self.looked.gaps.iter().copied()) {
+                    if !closed.contains(&i) && self.touch(i).gap <= reach {
+                        closed.push(i);
+                    }
+                }
+                let (state, work) = (self.state.clone(), self.work);
+                self.stay(&closed, &[])?;
+                let halted = self.rest_for(left, &closed);
+                if !halted.is_empty() {
+                    // What slides no longer than the impacts last sticks in the limit.
+                    (self.state, self.work) = (state, work);
+                    self.stay(&closed, &halted)?;
+                    self.rest_for(left, &closed);
+                }
+                for &contact in &closed {
+                    self.tell(EventKind::Rest, contact);
+                }
+                rested.clone_from(&closed);
+                self.impacts = Impacts::default();
+            }
+        }
+        // Those that part are open from now on.
+        let stays = |i: &usize| {
+            let (rate, still) = self.opening(*i);
+            let slow = if at.back.contains(i) {
+                SLOW * still / STILL
+            } else {
+                still
+            };
+            rate <= slow
+        };
+        let (resting, parting): (Vec<usize>, Vec<usize>) = closed.into_iter().partition(stays);
+        self.looked.gaps = parting;
+        let mut problem = self.problem(&resting);
+        for (k, i) in resting.iter().enumerate() {
+            let is_among = |all: &[usize]| all.iter().any(|h| h == i || self.is_same(*h, *i));
+            if is_among(&at.halted) {
+                problem.bearings[k].slides = None;
+            }
+            problem.bearings[k].lets_go = is_among(&at.loose);
+        }
+        let solution = self.one(problem.solutions(), &resting)?;
+        self.bearings = (resting.iter().copied())
+            .zip(solution.modes)
+            .filter(|(_, mode)| *mode != Mode::Open)
+            .collect();
+        if let Some((state, _)) = self.flow.projected(self.state.clone(), &self.bearings) {
+            self.state = state;
+        }
+        self.looked.idle = self.flow.idle(&self.state, &self.bearings);
+        for (contact, _) in self.bearings.clone() {
+            // What has come to rest is not told to touch as well.
+            let mut before = known.iter().chain(&rested);
+            if !before.any(|&k| k == contact || self.is_same(k, contact)) {
+                self.tell(EventKind::Touch, contact);
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn problem(&self, contacts: &[usize]) -> Problem<'_> {
+        let mut problem = self.flow.problem(&self.state, contacts, 0.0);
+        let far = self.flow.world.longest(&self.state);
+        for (k, &i) in contacts.iter().enumerate() {
+            let touch = self.touch(i);
+            let rate = touch.sliding(&self.state.v);
+            if problem.bearings[k].b.abs() * far * far < SLIGHT * self.flow.world.size() {
+                problem.bearings[k].b = 0.0;
+            }
+            let still = self.still(&touch.tangent) + STILL * touch.drift[1].abs();
+            let slides = rate.abs() > still;
+            problem.bearings[k].slides = slides.then_some(rate.signum());
+        }
+        problem
+    }
+
+    /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do, and what gaps are left.
+    ///
+    /// Those that are halted do not slide either.
+    pub(super) fn stay(&mut self, closed: &[usize], halted: &[usize]) -> Result<(), Ended> {
+        let mode = |i: &usize| match halted.contains(i) {
+            true => Mode::Stick,
+            false => Mode::Forward,
+        };
+        let modes: Vec<Mode> = closed.iter().map(mode).collect();
+        let solution = self.impulses(closed, &|_| (0.0, 0.0)).within(&modes);
+        self.pass(&solution.ok_or_else(|| self.stuck())?, closed);
+        let bearings = closed.iter().copied().zip(modes).collect();
+        let state = self.flow.projected(self.state.clone(), &bearings);
+        self.state = state.ok_or_else(|| self.stuck())?.0;
+        Ok(())
+    }
+
+    /// The one solution there is to be.
+    pub(super) fn one(
+        &self,
+        mut solutions: Vec<Solution>,
+        contacts: &[usize],
+    ) -> Result<Solution, Ended> {
+        let contacts = contacts.to_vec();
+        match solutions.len() {
+            0 => Err(Ended::Inconsistent { contacts }),
+            1 => Ok(solutions.remove(0)),
+            _ => Err(Ended::Undetermined { contacts }),
+        }
+    }
+}
