@@ -33,6 +33,8 @@ pub(crate) struct Watch<'a> {
     pairs: &'a Pairs,
     /// How far each pair's parts may move until they can meet; 0 if that is not known.
     room: Vec<f64>,
+    /// How far each pair's parts are apart at most: as far as they were, and as far as they have moved since.
+    ceiling: Vec<f64>,
     levers: Vec<[f64; 3]>,
     /// Of each pair the patches on which its features touched last: features may touch on several.
     patches: Vec<Vec<Touch>>,
@@ -45,6 +47,7 @@ impl<'a> Watch<'a> {
             system,
             pairs,
             room: vec![0.0; pairs.list().len()],
+            ceiling: vec![f64::INFINITY; pairs.list().len()],
             levers: parts.map(|(c, p)| c.levers(&p.part)).collect(),
             patches: vec![Vec::new(); pairs.list().len()],
         }
@@ -109,7 +112,7 @@ impl<'a> Watch<'a> {
         });
         let mut closed = held.clone().peekable();
         if closed.peek().is_some() {
-            self.room[index] = 0.0;
+            (self.room[index], self.ceiling[index]) = (0.0, pair.touch);
             // Nearly always the patch is followed.
             if held
                 .clone()
@@ -145,15 +148,19 @@ impl<'a> Watch<'a> {
         if travel == 0.0 {
             return None;
         }
-        match pair.space.clearance(pair.coordinates(self.system, from)) {
-            Ok(clearance) if travel <= clearance => {
-                self.room[index] = clearance;
-                return None;
+        // Nothing is asked of which the answer is known to be no.
+        if travel <= self.ceiling[index] {
+            match pair.space.clearance(pair.coordinates(self.system, from)) {
+                Ok(clearance) => {
+                    (self.room[index], self.ceiling[index]) = (clearance, clearance);
+                    if travel <= clearance {
+                        return None;
+                    }
+                }
+                // It may be as deep as a contact's tolerance.
+                Err(QueryError::Blocked) => self.ceiling[index] = pair.touch,
+                Err(error) => return Some(outside(error)),
             }
-            Ok(_) => {}
-            // It may be as deep as a contact's tolerance.
-            Err(QueryError::Blocked) => {}
-            Err(error) => return Some(outside(error)),
         }
         match pair.classify(self.system, to) {
             // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
@@ -243,7 +250,9 @@ impl<'a> Watch<'a> {
     /// That a step along a path was taken.
     pub(crate) fn taken(&mut self, path: &[Vec<f64>]) {
         for (index, pair) in self.pairs.list().iter().enumerate() {
-            self.room[index] -= self.travel(pair, path);
+            let travel = self.travel(pair, path);
+            self.room[index] -= travel;
+            self.ceiling[index] += travel;
         }
     }
 }

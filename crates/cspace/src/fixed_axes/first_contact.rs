@@ -98,15 +98,7 @@ impl FixedAxesSpace {
                 }
             }
         };
-        // A short way is among few branches.
-        let (x, to) = (way.x, way.x + way.dx * end);
-        if (to - x).abs() < SHORT * (self.setting.x.hi - self.setting.x.lo) {
-            for i in self.by_x.between(x.min(to), x.max(to)) {
-                look(&self.data.branches[i as usize]);
-            }
-        } else {
-            self.data.branches.iter().for_each(look);
-        }
+        self.along(&way, end, &mut look);
         Ok(match (first, leaves) {
             (Some((time, patch)), _) => AxesMotionOutcome::Contact(AxesContact {
                 time,
@@ -147,7 +139,7 @@ impl FixedAxesSpace {
             dy: -way.dy,
         };
         let mut found = Vec::new();
-        for b in &self.data.branches {
+        self.along(&way, end, &mut |b| {
             let mut add = |way: &Way, enters: bool| {
                 self.falls_through(way, b.cell, end, |time| {
                     let time = if enters { time } else { end - time };
@@ -157,9 +149,25 @@ impl FixedAxesSpace {
             };
             add(&way, true);
             add(&back, false);
-        }
+        });
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         Ok(found)
+    }
+
+    /// All branches that a way may come to until a time, and others, each once and in order.
+    fn along(&self, way: &Way, end: f64, look: &mut dyn FnMut(&AxesBranch)) {
+        // A short way is among few branches.
+        let (x, to) = (way.x, way.x + way.dx * end);
+        if (to - x).abs() < SHORT * (self.setting.x.hi - self.setting.x.lo) {
+            let mut near: Vec<u32> = self.by_x.between(x.min(to), x.max(to)).collect();
+            near.sort_unstable();
+            near.dedup();
+            for i in near {
+                look(&self.data.branches[i as usize]);
+            }
+        } else {
+            self.data.branches.iter().for_each(look);
+        }
     }
 
     /// The motion in the coordinates of the sweep.
