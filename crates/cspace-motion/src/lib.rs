@@ -74,5 +74,5 @@ pub use record::{
     Record, Sample, Status, What,
 };
 pub use report::{ContactInterval, Cycle, Drop, PartCycle, Report, Swing, Trajectory};
-pub use simulate::{Settings, Simulation};
+pub use simulate::{Freedom, Settings, Simulation};
 pub use system::{PartCoordinates, Row, System};

@@ -5,6 +5,7 @@ use cspace::{ComputeError, Mechanism, Progress, Stage};
 use crate::error::SimulateError;
 use crate::inertial;
 use crate::kinematic::{close, run};
+use crate::linear::Rows;
 use crate::pairs::Pairs;
 use crate::record::Record;
 use crate::system::{PartCoordinates, System};
@@ -35,6 +36,29 @@ pub struct Simulation {
     system: System,
     pairs: Pairs,
     start: Vec<f64>,
+}
+
+/// What joints between parts that move leave free.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Freedom {
+    /// Coordinates that are not driven.
+    pub coordinates: usize,
+    /// Equations of the joints.
+    pub equations: usize,
+    /// Those of them that do not follow from others.
+    pub independent: usize,
+}
+
+impl Freedom {
+    /// How many ways to move are left, contacts aside.
+    pub fn left(&self) -> usize {
+        self.coordinates - self.independent
+    }
+
+    /// How many equations follow from others: the mechanism is over-determined by that many.
+    pub fn redundant(&self) -> usize {
+        self.equations - self.independent
+    }
 }
 
 struct Silent;
@@ -96,6 +120,27 @@ impl Simulation {
     /// All coordinates at the start.
     pub fn start(&self) -> &[f64] {
         &self.start
+    }
+
+    /// How many freedoms the joints leave at the start, and how many of their equations follow from others.
+    pub fn freedom(&self) -> Freedom {
+        let (free, lengths) = (self.system.free(), self.system.lengths());
+        let joints = self.system.joints(&self.start);
+        let mut rows = Rows::default();
+        for joint in &joints {
+            let mut row = vec![0.0; free.len()];
+            for &(i, by) in joint.entries() {
+                if let Ok(k) = free.binary_search(&i) {
+                    row[k] = by / lengths[i];
+                }
+            }
+            rows.push(&row);
+        }
+        Freedom {
+            coordinates: free.len(),
+            equations: joints.len(),
+            independent: rows.rank(),
+        }
     }
 
     /// Dynamic motion: parts with masses, impacts and friction.

@@ -227,3 +227,27 @@ fn hostile_drives_are_told() {
         assert_eq!(record.status, Status::Undetermined, "{rate}");
     }
 }
+
+/// A coupler between two cranks, and between three that are parallel, one too many.
+#[test]
+fn freedoms_are_counted() {
+    let count = |places: &[f64]| {
+        let mut text =
+            "[[part]]\nname = \"coupler\"\nloops = [ [[-4, 8], [4, 8], [4, 9], [-4, 9]] ]\n"
+                .to_owned();
+        for (k, x) in places.iter().enumerate() {
+            let (a, b) = (x - 0.5, x + 0.5);
+            text += &format!(
+                "[[part]]\nname = \"crank {k}\"\nmotion = {{ type = \"revolute\", center = [{x}, 0] }}\nloops = [ [[{a}, 0], [{b}, 0], [{x}, 8]] ]\n\
+                 [[joint]]\nparts = [\"crank {k}\", \"coupler\"]\ntype = \"revolute\"\nat = [{x}, 8.5]\n"
+            );
+        }
+        let mechanism = cspace_io::model::from_toml(&text, "m.toml").unwrap();
+        let freedom = cspace_motion::Simulation::new(&mechanism)
+            .unwrap()
+            .freedom();
+        (freedom.left(), freedom.redundant())
+    };
+    assert_eq!(count(&[-3.0, 3.0]), (1, 0));
+    assert_eq!(count(&[-3.0, 0.5, 3.0]), (1, 1));
+}

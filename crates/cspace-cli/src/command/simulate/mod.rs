@@ -61,6 +61,15 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         let name = |i: &usize| shown::quoted(model.parts[*i].part.name());
         note(format_args!("{} and {} never meet", name(a), name(b)));
     }
+    let freedom = simulation.freedom();
+    if freedom.redundant() > 0 {
+        note(format_args!(
+            "{} of the {} equations of the joints follow from the others: the mechanism is over-determined, and how its joints share \
+             forces is not",
+            freedom.redundant(),
+            freedom.equations
+        ));
+    }
     let system = simulation.system();
     let report = Report::of(system, &record);
     let wanted = Wanted {
