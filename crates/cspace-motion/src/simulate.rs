@@ -3,7 +3,7 @@
 use cspace::{ComputeError, Mechanism, Progress, Stage};
 
 use crate::error::SimulateError;
-use crate::inertial;
+use crate::inertial::{self, Scheme};
 use crate::kinematic::{close, run};
 use crate::linear::Rows;
 use crate::pairs::Pairs;
@@ -164,7 +164,8 @@ impl Simulation {
         let system = System::about_masses(self.system.mechanism());
         let start = (self.start.clone(), self.system.start_rates());
         let goes_on = |_| progress.stage(Stage::Graph).is_ok();
-        inertial::run(system, &self.pairs, start, time, every, &goes_on)
+        let times = (time, every);
+        inertial::run(system, &self.pairs, start, times, Scheme::Events, &goes_on)
     }
 
     /// Dynamic motion by Moreau–Jean time stepping, in steps no longer than `step`, in seconds: a check of [`dynamic`](Self::dynamic) that
@@ -203,8 +204,8 @@ impl Simulation {
         let system = System::about_masses(self.system.mechanism());
         let start = (self.start.clone(), self.system.start_rates());
         let goes_on = |_| progress.stage(Stage::Graph).is_ok();
-        let times = (time, every, steps as usize);
-        inertial::step(system, &self.pairs, start, times, &goes_on)
+        let (times, scheme) = ((time, every), Scheme::Steps(steps as usize));
+        inertial::run(system, &self.pairs, start, times, scheme, &goes_on)
     }
 
     /// Kinematic motion: drives move, other parts go only where contacts, springs and loads push them.

@@ -10,8 +10,6 @@ mod joints;
 mod observer;
 mod rates;
 mod run;
-mod stepping;
 mod world;
 
-pub(crate) use run::run;
-pub(crate) use stepping::step;
+pub(crate) use run::{Scheme, run};

@@ -12,13 +12,22 @@ use super::forces::{kinetic, potential};
 use super::observer::Gathering;
 use super::world::Mechanical;
 
-/// Follows the motion of a mechanism from coordinates and rates of its parts' frames for some time.
+/// How the motion is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Scheme {
+    /// From event to event.
+    Events,
+    /// In so many steps of one length.
+    Steps(usize),
+}
+
+/// Follows the motion of a mechanism from coordinates and rates of its parts' frames for some time, with samples at even times.
 pub(crate) fn run(
     system: System,
     pairs: &Pairs,
     (mut q, mut v): (Vec<f64>, Vec<f64>),
-    duration: f64,
-    every: f64,
+    (duration, every): (f64, f64),
+    scheme: Scheme,
     progress: &dyn Fn(f64) -> bool,
 ) -> Result<Record, SimulateError> {
     system.shift(&mut q, &mut v, false);
@@ -42,15 +51,22 @@ pub(crate) fn run(
         trace: Vec::new(),
         progress,
     };
-    let options = Options {
-        until: duration,
-        longest: f64::INFINITY,
+    let motion = match scheme {
+        Scheme::Events => {
+            let options = Options {
+                until: duration,
+                longest: f64::INFINITY,
+            };
+            let drives = bodies.system.drives().iter();
+            let mut corners: Vec<f64> = drives.flat_map(|(_, curve)| curve.corners()).collect();
+            corners.sort_by(f64::total_cmp);
+            corners.dedup();
+            dynamic::run_through(&world, start, &options, &corners, &mut gathering)
+        }
+        Scheme::Steps(steps) => {
+            dynamic::step_through(&world, start, duration, steps, &mut gathering)
+        }
     };
-    let drives = bodies.system.drives().iter();
-    let mut corners: Vec<f64> = drives.flat_map(|(_, curve)| curve.corners()).collect();
-    corners.sort_by(f64::total_cmp);
-    corners.dedup();
-    let motion = dynamic::run_through(&world, start, &options, &corners, &mut gathering);
     let list = |contacts: &[usize]| {
         let names: Vec<String> = (contacts.iter())
             .map(|&i| named(&bodies.system, pairs, &world.bound(i)).to_string())
@@ -61,7 +77,13 @@ pub(crate) fn run(
         Ended::Done => (Status::Done, None),
         Ended::Jammed { contacts } => (
             Status::Jammed,
-            Some(format!("what is driven cannot go on: {}", list(contacts))),
+            Some(match scheme {
+                Scheme::Events => format!("what is driven cannot go on: {}", list(contacts)),
+                Scheme::Steps(_) => format!(
+                    "no impulses let what moves go on at these contacts: {}",
+                    list(contacts)
+                ),
+            }),
         ),
         Ended::Inconsistent { contacts } => (
             Status::Inconsistent,
@@ -76,6 +98,10 @@ pub(crate) fn run(
                 "several motions agree with friction at these contacts: {}",
                 list(contacts)
             )),
+        ),
+        Ended::Stuck { .. } if scheme != Scheme::Events => (
+            Status::Undetermined,
+            Some("a pair left its space, or joints cannot hold; take shorter steps".to_owned()),
         ),
         Ended::Stuck { contacts } => {
             let names = list(contacts);
