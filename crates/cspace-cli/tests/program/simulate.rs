@@ -96,8 +96,11 @@ fn what_cannot_be_simulated_is_told() {
     let (_f, command) = run(&overlap, &[]);
     fails(command, 2, &["pusher", "block", "overlap at the start"]);
     let heavy = JAM.replace("name = \"block\"", "name = \"block\"\nmass = 1");
-    let (_f, command) = run(&heavy, &[]);
-    fails(command, 1, &["not there yet", "--mode kinematic"]);
+    let (_f, mut command) = run(&heavy, &[]);
+    command.assert().success();
+    let light = "\n[[part]]\nname = \"light\"\nloops = [ [[20, 0], [21, 0], [20, 1]] ]\n";
+    let (_f, command) = run(&(heavy.clone() + light), &[]);
+    fails(command, 2, &["light has no mass", "kinematic mode"]);
     let (_f, mut command) = run(&heavy, &["--mode", "kinematic"]);
     command.assert().success();
     let (_f, command) = run(&JAM.replace("\"block\"", "\"t\""), &[]);
