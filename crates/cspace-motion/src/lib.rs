@@ -39,14 +39,14 @@
 //!
 //! # Dynamic motion
 //!
-//! [`dynamic`] integrates systems with masses, impacts and friction from event to event. It is not joined to mechanisms yet: what moves
-//! is written down as a [`dynamic::World`].
+//! [`Simulation::dynamic`] follows parts with masses from event to event, with impacts and friction; [`Simulation::stepping`] does so in
+//! steps of one length, as a check. Both go through [`dynamic`], which integrates whatever is written down as a [`dynamic::World`].
 //!
 //! # How far it can be trusted
 //!
 //! Closed contacts and joints hold to 10⁻¹³ of the size; parts that are apart overlap at no sample by more than
 //! [`MovingPair::touch`], some 10⁻¹⁰ of the size, and events are located to rounding where the motion is not tangent to a contact.
-//! Whether parts that are apart meet within a step is asked of their space along four straight pieces that stand for the path of the step, where
+//! Whether parts that are apart meet within a step is asked of their space along five straight pieces that stand for the path of the step, where
 //! their clearance does not answer it; steps move no part by more than a fiftieth of the mechanism's size.
 
 // It reads no files and prints nothing.

@@ -18,6 +18,10 @@ use cspace::{
 use crate::pairs::{MovingPair, Touch};
 use crate::system::System;
 
+/// How far a contact is past the end of a feature when it is seen to be: an angle, or a length that is always larger than this
+/// where it is seen, and never where it is rounding.
+pub(crate) const PAST_END: f64 = 2e-11;
+
 /// Functions that are positive while the contact is between the ends of both features, and of which one vanishes where it
 /// comes to an end; always in the same order. Empty where the features do not say.
 pub(crate) fn ends(pair: &MovingPair, touch: &Touch, system: &System, q: &[f64]) -> Vec<f64> {

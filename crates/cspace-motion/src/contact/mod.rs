@@ -9,7 +9,7 @@ mod watch;
 
 pub(crate) use bound::{Bound, SAME_PLACE, limit_tolerance, limits, nearly_touching, touching};
 pub(crate) use describe::named;
-pub(crate) use ends::ends;
+pub(crate) use ends::{PAST_END, ends};
 pub(crate) use overlap::{is_long, overlapping};
 pub(crate) use pinch::pinched;
-pub(crate) use watch::{Watch, path};
+pub(crate) use watch::{LONGEST, Watch, path};

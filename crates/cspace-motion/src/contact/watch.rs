@@ -11,6 +11,8 @@ use super::pinch::pinching;
 /// The straight pieces that stand for the path of a step, in each of which the first contact is sought exactly, end at these shares of
 /// it. Their distance from the path falls with the square of their number. The first of a step that begins in contact is short.
 const PIECES: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 1.0];
+/// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
+pub(crate) const LONGEST: f64 = 0.02;
 /// A path between two configurations of a step is at most so much longer than its pieces.
 const LONGER: f64 = 1.1;
 

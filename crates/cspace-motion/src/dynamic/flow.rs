@@ -89,10 +89,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             .map(|b| self.world.touch(b.0, state.t, &state.q))
             .collect();
         let joints = self.world.joints(state.t, &state.q).rows;
-        let stuck: Vec<&Touch> = (touches.iter().zip(bearings))
-            .filter(|(_, b)| b.1 == Mode::Stick)
-            .map(|(touch, _)| touch)
-            .collect();
+        let stuck = stuck(&touches, bearings);
         let held = rows(&joints, &touches, &stuck);
         let scaled = |row: DVector<f64>| -> Vec<f64> {
             let mut row = row.as_slice().to_vec();
@@ -144,10 +141,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             state.q += self.least(&joints.rows, &touches, &[], &-&off)?;
             (joints, touches) = at(&state);
         }
-        let stuck: Vec<&Touch> = (touches.iter().zip(bearings))
-            .filter(|(_, b)| b.1 == Mode::Stick)
-            .map(|(touch, _)| touch)
-            .collect();
+        let stuck = stuck(&touches, bearings);
         let jointed = &joints.rows * &state.v - &joints.rates;
         let opening = touches.iter().map(|t| t.opening(&state.v));
         let sliding = stuck.iter().map(|t| t.sliding(&state.v));
@@ -179,6 +173,14 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         let least = 1e-12 * svd.singular_values.max();
         Some(across * svd.solve(by, least).ok()?)
     }
+}
+
+/// Those of the contacts that bear that stick.
+fn stuck<'t>(touches: &'t [Touch], bearings: &Bearings) -> Vec<&'t Touch> {
+    let all = touches.iter().zip(bearings);
+    all.filter(|(_, b)| b.1 == Mode::Stick)
+        .map(|(touch, _)| touch)
+        .collect()
 }
 
 /// The rows of joints, contacts, and of those that stick their tangents.

@@ -8,7 +8,8 @@ use cspace::mechanism::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
-    Bound, SAME_PLACE, Watch, ends, is_long, nearly_touching, overlapping, path, touching,
+    Bound, LONGEST, PAST_END, SAME_PLACE, Watch, ends, is_long, nearly_touching, overlapping, path,
+    touching,
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
@@ -19,11 +20,6 @@ use super::forces::{drives, forces, kinetic};
 use super::joints::{Constraint, constraints};
 use super::rates::Rates;
 
-/// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
-const LONGEST: f64 = 0.02;
-/// How far a contact is past the end of a feature when it is seen to be: an angle, or a length that is always larger than this
-/// where it is seen, and never where it is rounding.
-const PAST_END: f64 = 2e-11;
 /// More sets of contacts than that are not gone through.
 const MOST_SETS: usize = 64;
 

@@ -4,7 +4,7 @@
 //! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
 //! root is found to rounding.
 
-use crate::contact::{Bound, Watch, ends, pinched, touching};
+use crate::contact::{Bound, PAST_END, Watch, ends, pinched, touching};
 
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
@@ -13,10 +13,6 @@ use super::flow::{Arrived, Flow};
 const LOCATED: f64 = 1e-13;
 /// A function is looked for whose root is not farther back than parts move by this, relative to the size of the mechanism.
 const NEAR_EVENT: f64 = 1e-6;
-
-/// How far a contact is past the end of a feature when it is seen to be: an angle, or a length that is always larger than this
-/// where it is seen, and never where it is rounding.
-const PAST_END: f64 = 2e-11;
 
 /// Where a step has to stop.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! From event to event.
 
-use crate::contact::{Bound, Watch, named, pinched, touching};
+use crate::contact::{Bound, LONGEST, Watch, named, pinched, touching};
 use crate::pairs::Pairs;
 use crate::record::{MOST_TRACED, Obstacle, Record, Sample, Status};
 use crate::system::System;
@@ -11,8 +11,6 @@ use super::events::Told;
 use super::flow::{Arrived, Flow};
 use super::locate::{add, first_event};
 
-/// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
-const LONGEST: f64 = 0.02;
 /// What diverges in a step is tried again with this share of it.
 const DIVERGED: f64 = 0.2;
 /// More steps than this to the next stop are too many to be made as short as that where nothing is near.
