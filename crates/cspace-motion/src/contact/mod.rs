@@ -4,6 +4,7 @@ mod bound;
 mod describe;
 mod ends;
 mod overlap;
+mod path;
 mod pinch;
 mod watch;
 
@@ -11,5 +12,6 @@ pub(crate) use bound::{Bound, SAME_PLACE, limit_tolerance, limits, nearly_touchi
 pub(crate) use describe::named;
 pub(crate) use ends::{PAST_END, ends};
 pub(crate) use overlap::{is_long, overlapping};
+pub(crate) use path::Path;
 pub(crate) use pinch::pinched;
-pub(crate) use watch::{LONGEST, Watch, path};
+pub(crate) use watch::{LONGEST, Watch};

@@ -1,20 +1,26 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::{Classification, Coordinates, PairSpace, PatchId, QueryError};
+use cspace::pair::PairMotion;
+use cspace::{Classification, Configuration, Coordinates, PairSpace, PatchId, QueryError};
 
 use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
 use super::bound::{Bound, SAME_PLACE, limits};
+use super::path::Path;
 use super::pinch::pinching;
 
-/// The straight pieces that stand for the path of a step, in each of which the first contact is sought exactly, end at these shares of
-/// it. Their distance from the path falls with the square of their number. The first of a step that begins in contact is short.
-const PIECES: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 1.0];
 /// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
 pub(crate) const LONGEST: f64 = 0.02;
 /// A path between two configurations of a step is at most so much longer than its pieces.
 const LONGER: f64 = 1.1;
+
+/// A contact on a straight piece of a path that is none on the path itself asks for shorter pieces, by halves so many times: a piece's
+/// distance from the path falls by four each time, from a thousandth of the size to rounding. What is left then counts as met.
+const MOST_HALVED: usize = 20;
+
+/// And in these shares of a piece it is halved where that contact is, elsewhere in the middle.
+const INNER: core::ops::RangeInclusive<f64> = 0.1..=0.9;
 
 /// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
 const SHARE: f64 = 1.0 / 14.0;
@@ -56,13 +62,13 @@ impl<'a> Watch<'a> {
     }
 
     /// How far points of the two parts of a pair move at most along a path.
-    fn travel(&self, pair: &MovingPair, path: &[Vec<f64>]) -> f64 {
+    fn travel(&self, pair: &MovingPair, places: &[(f64, Vec<f64>)]) -> f64 {
         let of = |part: usize| -> f64 {
             let indices = self.system.parts()[part].indices();
-            (path.windows(2))
+            (places.windows(2))
                 .map(|w| {
                     (indices.clone().zip(self.levers[part]))
-                        .map(|(i, lever)| lever * (w[1][i] - w[0][i]).abs())
+                        .map(|(i, lever)| lever * (w[1].1[i] - w[0].1[i]).abs())
                         .sum::<f64>()
                 })
                 .sum()
@@ -97,13 +103,20 @@ impl<'a> Watch<'a> {
     }
 
     /// What a step along a path met, with some bounds held on the way.
-    pub(crate) fn check(&mut self, held: &[Bound], path: &[Vec<f64>]) -> Option<Met> {
-        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path))
+    pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
+        let places = path.places();
+        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path, &places))
     }
 
-    fn check_pair(&mut self, index: usize, held: &[Bound], path: &[Vec<f64>]) -> Option<Met> {
+    fn check_pair(
+        &mut self,
+        index: usize,
+        held: &[Bound],
+        path: &Path<'_>,
+        places: &[(f64, Vec<f64>)],
+    ) -> Option<Met> {
         let pair = &self.pairs.list()[index];
-        let (from, to) = (&path[0], &path[path.len() - 1]);
+        let (from, to) = (path.from(), path.to());
         let outside = |error: QueryError| match error {
             QueryError::Outside => Met::Window,
             _ => Met::Contact,
@@ -143,7 +156,7 @@ impl<'a> Watch<'a> {
             self.patches[index] = touches;
             return None;
         }
-        let travel = self.travel(pair, path);
+        let travel = self.travel(pair, places);
         if travel <= self.room[index] {
             return None;
         }
@@ -173,8 +186,9 @@ impl<'a> Watch<'a> {
             Err(error) => return Some(outside(error)),
             Ok(_) => {}
         }
-        path.windows(2)
-            .find_map(|w| self.meets(index, &w[0], &w[1]).then_some(Met::Contact))
+        (places.windows(2))
+            .any(|w| self.meets(index, path, [&w[0], &w[1]], MOST_HALVED))
+            .then_some(Met::Contact)
     }
 
     /// Whether both ends of a step are on the patch on which two features touched last.
@@ -215,65 +229,98 @@ impl<'a> Watch<'a> {
         begun.iter().chain([&touch.patch]).any(goes_on)
     }
 
-    /// Whether the parts meet on the straight way between two configurations. Where that begins in contact, they do if they come to be
-    /// deeper in each other than contacts are known to.
-    fn meets(&self, index: usize, from: &[f64], to: &[f64]) -> bool {
+    /// Whether the parts meet between two places of a path. Where that begins in contact, they do if they come to be deeper in each
+    /// other than contacts are known to.
+    ///
+    /// The first contact is sought exactly on the straight way, and counts if the path itself comes to it.
+    fn meets(
+        &self,
+        index: usize,
+        path: &Path<'_>,
+        [from, to]: [&(f64, Vec<f64>); 2],
+        halved: usize,
+    ) -> bool {
         let pair = &self.pairs.list()[index];
-        let [a, b] = [from, to].map(|q| pair.coordinates(self.system, q));
-        let rates = match (a, b) {
-            (Coordinates::Planar(a), Coordinates::Planar(b)) => Coordinates::Planar(
-                cspace::Configuration::new(b.x - a.x, b.y - a.y, b.theta - a.theta),
-            ),
-            (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => {
-                Coordinates::Axes { u: s - u, v: t - v }
-            }
-            _ => return false,
+        let [a, b] = [from, to].map(|place| pair.coordinates(self.system, &place.1));
+        let Some(rates) = difference(a, b) else {
+            return false;
+        };
+        // How far apart two features are; where that cannot be told, they overlap.
+        let gap = |patch: PatchId, q: &[f64]| {
+            let touch = pair.touch_of(index, patch);
+            touch.map_or(f64::NEG_INFINITY, |touch| {
+                pair.function(&touch, self.system, q).value
+            })
+        };
+        let straight = |share: f64| -> Vec<f64> {
+            let ends = from.1.iter().zip(&to.1);
+            ends.map(|(a, b)| a + share * (b - a)).collect()
+        };
+        let place = |share: f64| {
+            let share = from.0 + share * (to.0 - from.0);
+            (share, path.at(share))
+        };
+        let halves = |share: f64| {
+            let middle = place(if INNER.contains(&share) { share } else { 0.5 });
+            self.meets(index, path, [from, &middle], halved - 1)
+                || self.meets(index, path, [&middle, to], halved - 1)
         };
         if pair.space.classify(a) == Ok(Classification::Free) {
-            return matches!(
-                pair.space.first_contact(a, rates, 1.0),
-                Ok(cspace::pair::PairMotion::Contact(_))
-            );
+            let Ok(PairMotion::Contact(contact)) = pair.space.first_contact(a, rates, 1.0) else {
+                return false;
+            };
+            let (patch, share) = (contact.patch, contact.time);
+            let there = place(share);
+            if halved == 0 || gap(patch, &there.1) <= 0.0 {
+                return true;
+            }
+            // Spaces tell contacts a little early: by the features themselves there may be none.
+            if gap(patch, &straight(share)) > 0.0 {
+                return gap(patch, &to.1) <= 0.0
+                    || (share < *INNER.end() && self.meets(index, path, [&there, to], halved - 1));
+            }
+            return halves(share);
         }
         let crossings = pair.space.crossings(a, rates, 1.0).unwrap_or_default();
-        crossings.iter().enumerate().any(|(k, crossing)| {
+        let mut beside = None;
+        let is_met = crossings.iter().enumerate().any(|(k, crossing)| {
             // Half way to where it comes out again.
             let out = crossings[k..].iter().find(|c| !c.enters);
             let middle = 0.5 * (crossing.time + out.map_or(1.0, |c| c.time));
-            let ends = from.iter().zip(to);
-            let q: Vec<f64> = ends.map(|(a, b)| a + middle * (b - a)).collect();
-            crossing.enters
-                && pair
-                    .touch_of(index, crossing.patch)
-                    .is_ok_and(|t| pair.function(&t, self.system, &q).value < -pair.touch)
-        })
+            if !crossing.enters || gap(crossing.patch, &straight(middle)) >= -pair.touch {
+                return false;
+            }
+            let is_deep = halved == 0 || gap(crossing.patch, &place(middle).1) < -pair.touch;
+            if !is_deep {
+                beside = beside.or(Some(middle));
+            }
+            is_deep
+        });
+        is_met || beside.is_some_and(halves)
     }
 
     /// That a step along a path was taken.
-    pub(crate) fn taken(&mut self, path: &[Vec<f64>]) {
+    pub(crate) fn taken(&mut self, path: &Path<'_>) {
+        let places = path.places();
         for (index, pair) in self.pairs.list().iter().enumerate() {
-            let travel = self.travel(pair, path);
+            let travel = self.travel(pair, &places);
             self.room[index] -= travel;
             self.ceiling[index] += travel;
         }
     }
 }
 
-/// Configurations along a step of a duration h, by the cubic that has the configurations and rates of its ends.
-pub(crate) fn path((a, va): (&[f64], &[f64]), (b, vb): (&[f64], &[f64]), h: f64) -> Vec<Vec<f64>> {
-    let at = |t: f64| -> Vec<f64> {
-        let s = 1.0 - t;
-        let cubic = |i: usize| {
-            s * s * (1.0 + 2.0 * t) * a[i]
-                + t * t * (1.0 + 2.0 * s) * b[i]
-                + h * s * t * (s * va[i] - t * vb[i])
-        };
-        (0..a.len()).map(cubic).collect()
-    };
-    let mut path: Vec<Vec<f64>> = vec![a.to_vec()];
-    path.extend(PIECES.iter().rev().skip(1).rev().map(|&t| at(t)));
-    path.push(b.to_vec());
-    path
+/// The rates of a straight way that takes a second.
+fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> {
+    match (a, b) {
+        (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
+            Configuration::new(b.x - a.x, b.y - a.y, b.theta - a.theta),
+        )),
+        (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => {
+            Some(Coordinates::Axes { u: s - u, v: t - v })
+        }
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -321,7 +368,9 @@ mod tests {
         let mut watch = Watch::new(simulation.system(), simulation.pairs());
         for (height, met) in [(1.0 + 1e-3, Some(Met::Contact)), (2.5, None)] {
             let to = vec![3.0, height, 0.0];
-            assert_eq!(watch.check(&[], &[from.clone(), to]), met, "{height}");
+            let rates: Vec<f64> = from.iter().zip(&to).map(|(a, b)| b - a).collect();
+            let path = Path::new((&from, &rates), (&to, &rates), 1.0);
+            assert_eq!(watch.check(&[], &path), met, "{height}");
         }
     }
 }

@@ -4,6 +4,7 @@ use super::flow::ZERO;
 use super::modes::{Bearing, Mode, Problem, Solution};
 use super::motion::Ended;
 use super::run::Run;
+use super::step::Span;
 use super::world::{Acting, World};
 
 /// So many impacts within [`CROWD`] of the time that is simulated do not bounce any more.
@@ -93,7 +94,11 @@ impl<W: World + ?Sized> Run<'_, W> {
             [solution] => {
                 let modes = closed.iter().copied().zip(solution.modes.iter().copied());
                 let bearings = modes.filter(|(_, mode)| *mode != Mode::Open).collect();
-                let step = self.flow.take(&self.state, left, &bearings, self.fastest);
+                let span = Span {
+                    bearings: &bearings,
+                    ..self.span_from(&self.state)
+                };
+                let step = self.flow.take(span, left);
                 if let Some(taken) = &step {
                     let world = self.flow.world;
                     let turned = |&&(i, mode): &&(usize, Mode)| {

@@ -6,7 +6,7 @@ use super::STILL;
 use super::accumulate::Impacts;
 use super::flow::{Bearings, Flow};
 use super::motion::{Ended, Event, Motion, Observer, Options, Work};
-use super::step::Looked;
+use super::step::{Looked, Span};
 use super::world::{Acting, State, Step, World};
 
 /// Events within this share of the time that is simulated happen at one time.
@@ -218,7 +218,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             looked.gaps.dedup();
             let stepped = self
                 .flow
-                .step(&self.state, h, &self.bearings, &looked, self.fastest)
+                .step(self.span_from(&self.state), h, &looked)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
             let from = core::mem::replace(&mut self.state, stepped.state);
@@ -295,7 +295,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             } else if from.t + h >= self.state.t {
                 self.state.clone()
             } else {
-                let taken = self.flow.take(from, h, &self.bearings, self.fastest);
+                let taken = self.flow.take(self.span_from(from), h);
                 taken.ok_or_else(|| self.stuck())?.state
             };
             let solution = self.flow.accelerations(&at, &self.bearings);
@@ -310,6 +310,15 @@ impl<W: World + ?Sized> Run<'_, W> {
     pub(super) fn stuck(&self) -> Ended {
         Ended::Stuck {
             contacts: self.bearings.iter().map(|b| b.0).collect(),
+        }
+    }
+
+    /// Steps from a state with the contacts that bear.
+    pub(super) fn span_from<'s>(&'s self, from: &'s State) -> Span<'s> {
+        Span {
+            from,
+            bearings: &self.bearings,
+            fastest: self.fastest,
         }
     }
 

@@ -145,7 +145,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let mut h = (far / speed).min(1e-3 * self.span);
         let bearing: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
         for _ in 0..MOST {
-            if let Some(taken) = self.flow.take(&self.state, h, &self.bearings, self.fastest)
+            if let Some(taken) = self.flow.take(self.span_from(&self.state), h)
                 && self.flow.world.reach(&(&taken.state.q - &self.state.q)) <= FARTHER * far
             {
                 return !self.flow.world.met(Step {

@@ -8,7 +8,7 @@ use cspace::mechanism::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
-    Bound, LONGEST, PAST_END, SAME_PLACE, Watch, ends, is_long, nearly_touching, overlapping, path,
+    Bound, LONGEST, PAST_END, Path, SAME_PLACE, Watch, ends, is_long, nearly_touching, overlapping,
     touching,
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
@@ -144,9 +144,14 @@ impl<'a> Mechanical<'a> {
         })
     }
 
-    fn path(&self, step: &Step<'_>) -> Vec<Vec<f64>> {
+    /// What is done with the path of a step.
+    fn along<T>(&self, step: &Step<'_>, what: impl FnOnce(&Path<'_>) -> T) -> T {
         let [a, b] = [step.from, step.to].map(|s| self.bodies.all(s));
-        path((&a.q, &a.v), (&b.q, &b.v), step.to.t - step.from.t)
+        what(&Path::new(
+            (&a.q, &a.v),
+            (&b.q, &b.v),
+            step.to.t - step.from.t,
+        ))
     }
 
     /// Whether a contact that bears has gone on past an end of its features: where these bend slowly it is told to be there for some way
@@ -315,8 +320,8 @@ impl World for Mechanical<'_> {
     }
 
     fn met(&self, step: Step<'_>) -> bool {
-        let path = self.path(&step);
-        let met = self.watch.borrow_mut().check(&self.held(&step), &path);
+        let held = self.held(&step);
+        let met = self.along(&step, |path| self.watch.borrow_mut().check(&held, path));
         met.is_some() || self.is_past(&step)
     }
 
@@ -386,8 +391,7 @@ impl World for Mechanical<'_> {
     }
 
     fn taken(&self, step: Step<'_>) {
-        let path = self.path(&step);
-        self.watch.borrow_mut().taken(&path);
+        self.along(&step, |path| self.watch.borrow_mut().taken(path));
     }
 
     fn surface(&self, contact: usize) -> Surface {

@@ -1,6 +1,6 @@
 //! Whether a step of the motion may be taken as it is.
 
-use crate::contact::{Bound, Watch, limit_tolerance, limits, path};
+use crate::contact::{Bound, Path, Watch, limit_tolerance, limits};
 
 use super::flow::{Arrived, Flow};
 
@@ -26,8 +26,8 @@ pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arriv
 }
 
 /// The path of a step.
-pub(crate) fn step(flow: &Flow<'_>, h: f64, to: &Arrived) -> Vec<Vec<f64>> {
-    path(
+pub(crate) fn step<'a>(flow: &'a Flow<'_>, h: f64, to: &'a Arrived) -> Path<'a> {
+    Path::new(
         (&flow.q, &flow.velocity.rates),
         (&to.q, &to.velocity.rates),
         h,

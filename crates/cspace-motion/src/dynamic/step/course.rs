@@ -1,0 +1,134 @@
+//! A step that is taken, in which something may happen.
+
+use super::super::flow::{Bearings, Flow};
+use super::super::world::{State, Step, World};
+use super::dense::Dense;
+use super::root::root;
+use super::{Span, Taken};
+
+/// Roots of the polynomial are mended by true steps, so many at most: each leaves a share of the error as small as the polynomial's own.
+const MENDED: usize = 6;
+/// How a function changes there is told from the polynomial over this share of where the root is looked for.
+const SLOPE: f64 = 1e-3;
+/// A root from the side where the function is not positive is looked for a little farther on, so many times.
+const FARTHER: usize = 6;
+
+/// The step, with its polynomial.
+pub(super) struct Course<'c, 'a, W: World + ?Sized> {
+    pub(super) flow: &'c Flow<'a, W>,
+    pub(super) span: Span<'c>,
+    pub(super) bearing: Vec<usize>,
+    dense: Dense,
+}
+
+impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
+    /// A step of a length.
+    pub(super) fn new(flow: &'c Flow<'a, W>, span: Span<'c>, h: f64, taken: &Taken) -> Self {
+        Self {
+            flow,
+            span,
+            bearing: span.bearings.iter().map(|b| b.0).collect(),
+            dense: Dense::new(span.from, h, taken),
+        }
+    }
+
+    pub(super) fn world(&self) -> &'a W {
+        self.flow.world
+    }
+
+    pub(super) fn bearings(&self) -> &'c Bearings {
+        self.span.bearings
+    }
+
+    /// A shorter step.
+    pub(super) fn at(&self, h: f64) -> Option<Taken> {
+        self.flow.take(self.span, h)
+    }
+
+    /// What a shorter step comes to, nearly.
+    pub(super) fn near(&self, h: f64) -> Option<State> {
+        let state = self.dense.at(self.span.from, h);
+        Some(self.flow.projected(state, self.bearings())?.0)
+    }
+
+    /// Whether something was met up to a state.
+    pub(super) fn met(&self, to: &State) -> bool {
+        self.world().met(Step {
+            from: self.span.from,
+            to,
+            bearing: &self.bearing,
+        })
+    }
+
+    /// A root of a function between two times, at which it is positive and below 0: of a step to there, and how long it is.
+    pub(super) fn root(
+        &self,
+        (lo, f_lo): (f64, f64),
+        (hi, f_hi): (f64, f64),
+        value: &dyn Fn(&State) -> Option<f64>,
+    ) -> Option<(f64, Taken)> {
+        let near = |h: f64| value(&self.near(h)?);
+        let about = root((lo, f_lo), (hi, f_hi), near)?;
+        if let Some(found) = self.mended(about, (lo, hi), value) {
+            return Some(found);
+        }
+        let h = root((lo, f_lo), (hi, f_hi), |h| value(&self.at(h)?.state))?;
+        Some((h, self.at(h)?))
+    }
+
+    /// From a root of the polynomial, by secants.
+    fn mended(
+        &self,
+        about: f64,
+        (lo, hi): (f64, f64),
+        value: &dyn Fn(&State) -> Option<f64>,
+    ) -> Option<(f64, Taken)> {
+        let side = SLOPE * (hi - lo);
+        let (before, after) = ((about - side).max(lo), (about + side).min(hi));
+        let of = |h: f64| value(&self.near(h)?);
+        let mut slope = (of(after)? - of(before)?) / (after - before);
+        let mut h = about;
+        let mut taken = self.at(h)?;
+        let mut f = value(&taken.state)?;
+        let time = |h: f64| self.span.from.t + h;
+        for _ in 0..MENDED {
+            let next = h - f / slope;
+            if !(slope < 0.0 && next > lo && next <= hi) {
+                return (f == 0.0).then_some((h, taken));
+            }
+            if f == 0.0 || time(next) == time(h) {
+                break;
+            }
+            let there = self.at(next)?;
+            let g = value(&there.state)?;
+            if g.abs() >= f.abs() {
+                break;
+            }
+            let secant = (g - f) / (next - h);
+            if secant.is_finite() {
+                slope = secant;
+            }
+            (h, taken, f) = (next, there, g);
+        }
+        // What ends there is over.
+        let mut more = (f / slope).abs().max(f64::EPSILON * time(h).abs());
+        for _ in 0..FARTHER {
+            if f <= 0.0 || h + more > hi {
+                break;
+            }
+            h += more;
+            more *= 2.0;
+            taken = self.at(h)?;
+            f = value(&taken.state)?;
+        }
+        (f <= 0.0).then_some((h, taken))
+    }
+}
+
+/// A state a very short time before another, along its rates.
+pub(super) fn just_before(state: &State, time: f64) -> State {
+    let mut before = state.clone();
+    before.t -= time;
+    before.q.axpy(-time, &state.v, 1.0);
+    before
+}

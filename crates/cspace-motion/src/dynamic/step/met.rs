@@ -1,0 +1,155 @@
+//! Where a step first met something that no watched function tells.
+
+use super::super::world::{Sought, State, Step, World};
+use super::Taken;
+use super::course::{Course, just_before};
+use super::root::root;
+
+/// What a step met is located to this share of it.
+const LOCATED: f64 = 1e-14;
+/// A root between two times is looked for when they are within these shares of the step.
+const QUICK: [f64; 3] = [0.125, 1e-3, 1e-6];
+/// Nothing is met at this share of the two times before it.
+const BEFORE: f64 = 1e-7;
+/// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
+const NEAR_EVENT: f64 = 1e-6;
+/// And one whose root is not farther ahead than this: what contacts are known to.
+const EARLY: f64 = 4.0 * super::super::CLOSED;
+
+impl<W: World + ?Sized> Course<'_, '_, W> {
+    /// Where a step of a length first met something, and the contacts that closed there.
+    ///
+    /// Halving the step tells it as well as contacts are told by their spaces; then the function is looked for that vanishes there.
+    pub(super) fn first_met(&self, h: f64) -> Option<(Taken, Vec<usize>)> {
+        let (mut before, mut after) = (0.0, h);
+        let mut ends: (Option<State>, Option<State>) = (None, None);
+        let mut tries = QUICK.iter();
+        let mut next = tries.next();
+        while after - before > LOCATED * h {
+            if next.is_some_and(|share| after - before <= share * h) {
+                next = tries.next();
+                let begin = ends.0.as_ref().unwrap_or(self.span.from);
+                if let Some(end) = &ends.1
+                    && let Some(found) = self.first_root((before, begin), (after, end))
+                {
+                    return Some(found);
+                }
+            }
+            let middle = 0.5 * (before + after);
+            if middle <= before || middle >= after {
+                break;
+            }
+            match self.near(middle) {
+                Some(to) if !self.met(&to) => {
+                    before = middle;
+                    ends.0 = Some(to);
+                }
+                found => {
+                    after = middle;
+                    ends.1 = found;
+                }
+            }
+        }
+        let end = match self.at(after) {
+            Some(end) => end,
+            None => self.at(before)?,
+        };
+        let last = self.at(before)?;
+        let step = Step {
+            from: &last.state,
+            to: &end.state,
+            bearing: &self.bearing,
+        };
+        let mut first: Option<(f64, Taken, Sought)> = None;
+        for sought in self.world().sought(step, 0.0) {
+            let value = |to: &Taken| self.world().value(sought, to.state.t, &to.state.q);
+            if let Some((h, taken)) = self.last_root(after, &end, &value)
+                && first.as_ref().is_none_or(|f| h < f.0)
+            {
+                first = Some((h, taken, sought));
+            }
+        }
+        Some(match first {
+            Some((_, taken, Sought::Gap(contact))) => (taken, vec![contact]),
+            Some((_, taken, Sought::End(..))) => (taken, Vec::new()),
+            None => (end, Vec::new()),
+        })
+    }
+
+    /// The first root of a function that is positive at the first of two times and negative at the second, if that is what is met
+    /// between them.
+    fn first_root(
+        &self,
+        (before, begin): (f64, &State),
+        (after, end): (f64, &State),
+    ) -> Option<(Taken, Vec<usize>)> {
+        let world = self.world();
+        let step = Step {
+            from: begin,
+            to: end,
+            bearing: &self.bearing,
+        };
+        let way = world.reach(&(&end.q - &begin.q));
+        let mut first: Option<(f64, Taken, Sought)> = None;
+        for sought in world.sought(step, way) {
+            let value = |state: &State| world.value(sought, state.t, &state.q);
+            let (a, b) = (value(begin), value(end));
+            if !(a > 0.0 && b < 0.0) {
+                continue;
+            }
+            let (h, taken) = self.root((before, a), (after, b), &|s| Some(value(s)))?;
+            if first.as_ref().is_none_or(|f| h < f.0) {
+                first = Some((h, taken, sought));
+            }
+        }
+        let (_, taken, sought) = first?;
+        let there = &taken.state;
+        let closed = match sought {
+            Sought::Gap(contact) if !world.is_there(contact, there.t, &there.q) => return None,
+            Sought::Gap(contact) => vec![contact],
+            Sought::End(..) => Vec::new(),
+        };
+        // Nothing else was met before.
+        let just = just_before(there, BEFORE * (after - before));
+        (!self.met(&just)).then_some((taken, closed))
+    }
+
+    /// The last root before a time of a function that is negative then, or the first after it of one that is nearly 0, if it is near;
+    /// just after it.
+    fn last_root(
+        &self,
+        after: f64,
+        end: &Taken,
+        value: &dyn Fn(&Taken) -> f64,
+    ) -> Option<(f64, Taken)> {
+        let world = self.world();
+        let far = |to: &Taken| world.reach(&(&to.state.q - &end.state.q));
+        let (mut below, mut above, mut back) = (after, after, LOCATED * after);
+        // Spaces tell contacts a little early.
+        let mut early = value(end) >= 0.0;
+        while early {
+            below = after + back;
+            back *= 2.0;
+            let to = self.at(below)?;
+            if far(&to) > EARLY * world.size() {
+                return None;
+            }
+            early = value(&to) >= 0.0;
+        }
+        while below <= after {
+            above = (above - back).max(0.0);
+            back *= 2.0;
+            let to = self.at(above)?;
+            if value(&to) >= 0.0 {
+                break;
+            }
+            if above == 0.0 || far(&to) > NEAR_EVENT * world.size() {
+                return None;
+            }
+            below = above;
+        }
+        let of = |h: f64| self.at(h).map(|to| value(&to));
+        let below = root((above, of(above)?), (below, of(below)?), of)?;
+        Some((below, self.at(below)?))
+    }
+}

@@ -1,0 +1,265 @@
+//! Steps of the motion between events, and the events at their ends.
+
+mod course;
+mod dense;
+mod met;
+mod root;
+mod watched;
+
+use nalgebra::DVector;
+
+use crate::dormand_prince::{DIFFERENCE, STAGES};
+
+use super::flow::{Bearings, Flow};
+use super::world::{Acting, State, World};
+use course::{Course, just_before};
+use watched::Watch;
+pub(super) use watched::{Looked, Watched};
+
+/// The error of a step, as a share of the size, and of the largest rate so far.
+const TOLERANCE: f64 = 1e-11;
+/// A function other than a gap that is smaller than this share of its value at the end of a step begins at 0.
+const START: f64 = 1e-6;
+/// And is looked at down to this share of the step.
+const SHORTEST: f64 = 1e-12;
+/// What is met beside a gap that closes is met before this share of the step from there: what is so near is closed as well.
+const JUST: f64 = 1e-12;
+
+/// What steps go on from, with the contacts that bear.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Span<'s> {
+    pub(super) from: &'s State,
+    pub(super) bearings: &'s Bearings,
+    /// The largest rate so far.
+    pub(super) fastest: f64,
+}
+
+/// Where a step ends.
+#[derive(Debug, Clone)]
+pub(super) struct Stepped {
+    pub(super) state: State,
+    /// What ended it, if anything did.
+    pub(super) events: Vec<(usize, Watched)>,
+    /// Whether it met something beside these.
+    pub(super) met: bool,
+    /// How long the next may be.
+    pub(super) next: f64,
+    /// How far closed contacts and joints were open before they were brought together.
+    pub(super) open: f64,
+    /// The work of drives and what was lost by friction, on the way.
+    pub(super) work: [f64; 2],
+}
+
+/// The end of a step.
+#[derive(Debug, Clone)]
+pub(super) struct Taken {
+    pub(super) state: State,
+    /// The error, as a share of what is allowed.
+    error: f64,
+    open: f64,
+    pub(super) work: [f64; 2],
+    /// The rates and accelerations of all stages.
+    slopes: Vec<(DVector<f64>, DVector<f64>)>,
+}
+
+/// The end of a step with what is watched there, and how long it is.
+struct End {
+    h: f64,
+    taken: Taken,
+    watches: Vec<Watch>,
+}
+
+impl<W: World + ?Sized> Flow<'_, W> {
+    /// One step of a length.
+    pub(super) fn take(&self, span: Span<'_>, h: f64) -> Option<Taken> {
+        let Span { from, bearings, .. } = span;
+        let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);
+        let mut work = [0.0; 2];
+        let mut at = from.clone();
+        // The weights of the last stage are those of the step.
+        let shares = STAGES.last().map_or(&[][..], |s| s.1);
+        let mut slope = |at: &State, k: usize| {
+            let solution = self.accelerations(at, bearings)?;
+            if let Some(share) = shares.get(k).filter(|s| **s != 0.0) {
+                let acting = Acting::of(&solution, bearings);
+                let powers = self.world.powers(at, &acting);
+                work[0] += share * h * powers[0];
+                work[1] += share * h * powers[1];
+            }
+            Some((at.v.clone(), solution.x))
+        };
+        slopes.push(slope(&at, 0)?);
+        for (k, (time, weights)) in STAGES.iter().enumerate() {
+            at.t = from.t + time * h;
+            at.q.copy_from(&from.q);
+            at.v.copy_from(&from.v);
+            for (&weight, slope) in weights.iter().zip(&slopes) {
+                at.q.axpy(h * weight, &slope.0, 1.0);
+                at.v.axpy(h * weight, &slope.1, 1.0);
+            }
+            slopes.push(slope(&at, k + 1)?);
+        }
+        let (mut q, mut v) = (DVector::zeros(at.q.len()), DVector::zeros(at.q.len()));
+        for (weight, slope) in DIFFERENCE.iter().zip(&slopes) {
+            q.axpy(h * weight, &slope.0, 1.0);
+            v.axpy(h * weight, &slope.1, 1.0);
+        }
+        let error = (self.world.reach(&q) / self.world.size())
+            .max(self.world.reach(&v) / span.fastest)
+            / TOLERANCE;
+        if error.is_nan() {
+            return None;
+        }
+        // The last stage is the end of the step.
+        let (state, open) = self.projected(at, bearings)?;
+        Some(Taken {
+            state,
+            error,
+            open,
+            work,
+            slopes,
+        })
+    }
+
+    /// A step as long as its error lets it be, and what it was to be at most.
+    fn longest(&self, span: Span<'_>, longest: f64) -> Option<(f64, Taken)> {
+        let mut h = longest;
+        let shortest = 1e-12 * longest.max(f64::MIN_POSITIVE);
+        loop {
+            // What cannot be followed so far may be followed less far.
+            let Some(taken) = self.take(span, h) else {
+                h *= 0.25;
+                if h < shortest {
+                    return None;
+                }
+                continue;
+            };
+            if taken.error <= 1.0 || h <= shortest {
+                return Some((h, taken));
+            }
+            h *= (0.9 * taken.error.powf(-0.2)).clamp(0.1, 0.9);
+        }
+    }
+
+    /// A step of at most a length, to the first event in it if there is one, with the gaps of some contacts looked at. `None` if the
+    /// equations of the modes have no solution.
+    pub(super) fn step(&self, span: Span<'_>, longest: f64, looked: &Looked) -> Option<Stepped> {
+        let before = self.watches(span.from, span.bearings, looked)?;
+        let (h, taken) = self.longest(span, longest)?;
+        let next = h * (0.9 * taken.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
+        let course = Course::new(self, span, h, &taken);
+        let watches = self.watches(&taken.state, span.bearings, looked)?;
+        let mut end = End { h, taken, watches };
+        self.graze(&course, &before, &mut end, looked)?;
+        let mut events = self.fallen(&course, &before, &mut end, looked)?;
+        let closes = (events.iter()).any(|e| matches!(e.1, Watched::Gap | Watched::Back));
+        let met = if closes {
+            course.met(&just_before(&end.taken.state, JUST * end.h))
+        } else {
+            course.met(&end.taken.state)
+        };
+        let mut taken = end.taken;
+        if met {
+            let found = course.first_met(end.h)?;
+            // What would have happened later does not.
+            events = found.1.into_iter().map(|c| (c, Watched::Gap)).collect();
+            taken = found.0;
+        }
+        Some(Stepped {
+            state: taken.state,
+            events,
+            met,
+            next,
+            open: taken.open,
+            work: taken.work,
+        })
+    }
+
+    /// Ends a step where a gap that closes and opens again within it is least, if it is closed there.
+    fn graze(
+        &self,
+        course: &Course<'_, '_, W>,
+        before: &[Watch],
+        end: &mut End,
+        looked: &Looked,
+    ) -> Option<()> {
+        for (k, first) in before.iter().enumerate() {
+            if first.kind != Watched::Gap || end.watches[k].value < 0.0 {
+                continue;
+            }
+            let closing = |state: &State| {
+                let touch = self.world.touch(first.contact, state.t, &state.q);
+                Some(-touch.opening(&state.v))
+            };
+            let (begins, ends) = (closing(course.span.from)?, closing(&end.taken.state)?);
+            if begins > 0.0 && ends < 0.0 {
+                let (h, taken) = course.root((0.0, begins), (end.h, ends), &closing)?;
+                let watches = self.watches(&taken.state, course.bearings(), looked)?;
+                if watches[k].value < 0.0 {
+                    *end = End { h, taken, watches };
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Ends a step at the first of the functions that fall below 0 in it; the contacts of which one does there.
+    fn fallen(
+        &self,
+        course: &Course<'_, '_, W>,
+        before: &[Watch],
+        end: &mut End,
+        looked: &Looked,
+    ) -> Option<Vec<(usize, Watched)>> {
+        let bearings = course.bearings();
+        let mut events: Vec<(usize, Watched)> = Vec::new();
+        let mut ignored: Vec<usize> = Vec::new();
+        // Of what falls below 0 the first; then what is below 0 there, if anything still is.
+        while let Some(k) =
+            (0..before.len()).find(|k| !ignored.contains(k) && before[*k].falls(&end.watches[*k]))
+        {
+            let (watch, last) = (&before[k], end.watches[k].value);
+            let value = |state: &State| self.watched(watch, state, bearings);
+            // What begins at 0 and grows is positive somewhere in between.
+            let mut begin = (0.0, watch.value);
+            let mut ahead = end.h;
+            let nothing = match watch.kind {
+                Watched::Gap => f64::EPSILON * self.world.size(),
+                _ => START * last.abs(),
+            };
+            while begin.1 <= nothing && ahead > SHORTEST * end.h {
+                ahead *= 0.5;
+                begin = (ahead, value(&course.at(ahead)?.state)?);
+            }
+            let kind = match watch.kind {
+                Watched::Gap if begin.1 <= nothing => Watched::Back,
+                kind => kind,
+            };
+            let (h, taken) = if begin.1 > 0.0 {
+                course.root(begin, (end.h, last), &value)?
+            } else {
+                (ahead, course.at(ahead)?)
+            };
+            let at = &taken.state;
+            if watch.kind == Watched::Gap && !self.world.is_there(watch.contact, at.t, &at.q) {
+                // Beyond the ends of its features a contact has no gap.
+                ignored.push(k);
+                continue;
+            }
+            let mut watches = self.watches(at, bearings, looked)?;
+            // It is 0 here, whatever rounding makes of it.
+            watches[k].value = 0.0;
+            events.retain(|&(j, _)| watches[j].value <= 0.0);
+            events.push((k, kind));
+            for &(j, _) in &events {
+                watches[j].value = 0.0;
+            }
+            if h >= end.h {
+                break;
+            }
+            *end = End { h, taken, watches };
+        }
+        let told = events.into_iter();
+        Some(told.map(|(k, kind)| (before[k].contact, kind)).collect())
+    }
+}

@@ -1,0 +1,122 @@
+//! Functions that end a step where they fall below 0.
+
+use super::super::flow::{Bearings, Flow};
+use super::super::modes::{Mode, Solution};
+use super::super::world::{State, World};
+
+/// What may happen to a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Watched {
+    /// The gap of a contact that does not bear.
+    Gap,
+    /// The same, where it never opened by more than rounding.
+    Back,
+    /// The force of one that does.
+    Force,
+    /// The rate at which one slides.
+    Sliding,
+    /// What the friction of one that sticks is short of.
+    Sticking,
+}
+
+/// What is looked at in steps between two events, beside the forces of what bears.
+#[derive(Debug, Clone, Default)]
+pub(in super::super) struct Looked {
+    /// Contacts whose gaps may close.
+    pub(in super::super) gaps: Vec<usize>,
+    /// Contacts with the force of sliding that others keep from it: they do not slide, and begin to only after another event.
+    pub(in super::super) idle: Vec<usize>,
+}
+
+/// A function that ends a step where it falls below 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Watch {
+    pub(super) contact: usize,
+    pub(super) kind: Watched,
+    pub(super) value: f64,
+}
+
+impl Watch {
+    /// Whether a function is below 0 after a step, by more than it was before.
+    pub(super) fn falls(&self, after: &Self) -> bool {
+        after.value < self.value.min(0.0)
+    }
+}
+
+impl<W: World + ?Sized> Flow<'_, W> {
+    /// The functions that are watched, at a state.
+    pub(super) fn watches(
+        &self,
+        state: &State,
+        bearings: &Bearings,
+        looked: &Looked,
+    ) -> Option<Vec<Watch>> {
+        let mut found = Vec::new();
+        for &contact in &looked.gaps {
+            if bearings.iter().all(|b| b.0 != contact) {
+                found.push(Watch {
+                    contact,
+                    kind: Watched::Gap,
+                    value: self.gap(contact, state),
+                });
+            }
+        }
+        if bearings.is_empty() {
+            return Some(found);
+        }
+        let solution = self.accelerations(state, bearings)?;
+        for (k, &(contact, mode)) in bearings.iter().enumerate() {
+            let kind = match mode {
+                Mode::Stick => Some(Watched::Sticking),
+                // Without friction it does not matter which way it slides.
+                _ if self.world.surface(contact).friction == 0.0 => None,
+                _ if looked.idle.contains(&contact) => None,
+                _ => Some(Watched::Sliding),
+            };
+            for kind in [Some(Watched::Force), kind].into_iter().flatten() {
+                found.push(Watch {
+                    contact,
+                    kind,
+                    value: self.bearing_value(kind, k, bearings[k], state, &solution),
+                });
+            }
+        }
+        Some(found)
+    }
+
+    /// One of them.
+    pub(super) fn watched(&self, watch: &Watch, state: &State, bearings: &Bearings) -> Option<f64> {
+        let place = bearings.iter().position(|b| b.0 == watch.contact);
+        match (watch.kind, place) {
+            (Watched::Gap | Watched::Back, _) | (_, None) => Some(self.gap(watch.contact, state)),
+            (kind, Some(k)) => {
+                let solution = self.accelerations(state, bearings)?;
+                Some(self.bearing_value(kind, k, bearings[k], state, &solution))
+            }
+        }
+    }
+
+    fn gap(&self, contact: usize, state: &State) -> f64 {
+        self.world.touch(contact, state.t, &state.q).gap
+    }
+
+    /// Of the contact at a place among those that bear.
+    fn bearing_value(
+        &self,
+        kind: Watched,
+        place: usize,
+        (contact, mode): (usize, Mode),
+        state: &State,
+        solution: &Solution,
+    ) -> f64 {
+        let (normal, tangential) = (solution.normal[place], solution.tangential[place]);
+        match kind {
+            Watched::Sticking => self.world.surface(contact).friction * normal - tangential.abs(),
+            Watched::Sliding => {
+                let touch = self.world.touch(contact, state.t, &state.q);
+                touch.sliding(&state.v) * mode.direction()
+            }
+            _ => normal,
+        }
+    }
+}
