@@ -1,6 +1,6 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::pair::PairMotion;
+use cspace::pair::{PairCrossing, PairMotion};
 use cspace::{Classification, Configuration, Coordinates, PairSpace, PatchId, QueryError};
 
 use crate::pairs::{MovingPair, Pairs, Touch};
@@ -276,21 +276,22 @@ impl<'a> Watch<'a> {
             }
             // Spaces tell contacts a little early: by the features themselves there may be none.
             if gap(patch, &straight(share)) > 0.0 {
+                let inside = middles(&pair.space.crossings(a, rates, 1.0).unwrap_or_default());
+                let overlaps =
+                    |&(patch, share): &(PatchId, f64)| gap(patch, &place(share).1) <= 0.0;
                 return gap(patch, &to.1) <= 0.0
+                    || inside.first().is_some_and(overlaps)
                     || (share < *INNER.end() && self.meets(index, path, [&there, to], halved - 1));
             }
             return halves(share);
         }
         let crossings = pair.space.crossings(a, rates, 1.0).unwrap_or_default();
         let mut beside = None;
-        let is_met = crossings.iter().enumerate().any(|(k, crossing)| {
-            // Half way to where it comes out again.
-            let out = crossings[k..].iter().find(|c| !c.enters);
-            let middle = 0.5 * (crossing.time + out.map_or(1.0, |c| c.time));
-            if !crossing.enters || gap(crossing.patch, &straight(middle)) >= -pair.touch {
+        let is_met = middles(&crossings).into_iter().any(|(patch, middle)| {
+            if gap(patch, &straight(middle)) >= -pair.touch {
                 return false;
             }
-            let is_deep = halved == 0 || gap(crossing.patch, &place(middle).1) < -pair.touch;
+            let is_deep = halved == 0 || gap(patch, &place(middle).1) < -pair.touch;
             if !is_deep {
                 beside = beside.or(Some(middle));
             }
@@ -308,6 +309,20 @@ impl<'a> Watch<'a> {
             self.ceiling[index] += travel;
         }
     }
+}
+
+/// Half way between where a way goes into blocked space, through which patch, and where it comes out again or ends.
+fn middles(crossings: &[PairCrossing]) -> Vec<(PatchId, f64)> {
+    let enters = crossings.iter().enumerate().filter(|(_, c)| c.enters);
+    enters
+        .map(|(k, crossing)| {
+            let out = crossings[k..].iter().find(|c| !c.enters);
+            (
+                crossing.patch,
+                0.5 * (crossing.time + out.map_or(1.0, |c| c.time)),
+            )
+        })
+        .collect()
 }
 
 /// The rates of a straight way that takes a second.

@@ -227,9 +227,14 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 Watched::Gap => f64::EPSILON * self.world.size(),
                 _ => START * last.abs(),
             };
+            // The last time found at which it is neither.
+            let mut still_nothing = None;
             while begin.1 <= nothing && ahead > SHORTEST * end.h {
                 ahead *= 0.5;
                 begin = (ahead, value(&course.at(ahead)?.state)?);
+                if begin.1.abs() <= nothing && still_nothing.is_none() {
+                    still_nothing = Some(ahead);
+                }
             }
             let kind = match watch.kind {
                 Watched::Gap if begin.1 <= nothing => Watched::Back,
@@ -238,7 +243,8 @@ impl<W: World + ?Sized> Flow<'_, W> {
             let (h, taken) = if begin.1 > 0.0 {
                 course.root(begin, (end.h, last), &value)?
             } else {
-                (ahead, course.at(ahead)?)
+                let last = still_nothing.unwrap_or(ahead);
+                (last, course.at(last)?)
             };
             let at = &taken.state;
             if watch.kind == Watched::Gap && !self.world.is_there(watch.contact, at.t, &at.q) {
