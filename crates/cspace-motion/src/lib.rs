@@ -63,6 +63,7 @@ mod linear;
 mod pairs;
 mod record;
 mod report;
+mod root;
 mod simulate;
 mod system;
 

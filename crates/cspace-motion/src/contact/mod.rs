@@ -3,6 +3,7 @@
 mod bound;
 mod describe;
 mod ends;
+mod meeting;
 mod overlap;
 mod path;
 mod pinch;

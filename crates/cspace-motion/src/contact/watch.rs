@@ -1,12 +1,12 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::pair::{PairCrossing, PairMotion};
-use cspace::{Classification, Configuration, Coordinates, PairSpace, PatchId, QueryError};
+use cspace::{Classification, PairSpace, PatchId, QueryError};
 
 use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
 use super::bound::{Bound, SAME_PLACE, limits};
+use super::meeting::Meeting;
 use super::path::Path;
 use super::pinch::pinching;
 
@@ -14,13 +14,6 @@ use super::pinch::pinching;
 pub(crate) const LONGEST: f64 = 0.02;
 /// A path between two configurations of a step is at most so much longer than its pieces.
 const LONGER: f64 = 1.1;
-
-/// A contact on a straight piece of a path that is none on the path itself asks for shorter pieces, by halves so many times: a piece's
-/// distance from the path falls by four each time, from a thousandth of the size to rounding. What is left then counts as met.
-const MOST_HALVED: usize = 20;
-
-/// And in these shares of a piece it is halved where that contact is, elsewhere in the middle.
-const INNER: core::ops::RangeInclusive<f64> = 0.1..=0.9;
 
 /// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
 const SHARE: f64 = 1.0 / 14.0;
@@ -104,7 +97,7 @@ impl<'a> Watch<'a> {
 
     /// What a step along a path met, with some bounds held on the way.
     pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
-        let places = path.places();
+        let places = path.places(self.system);
         (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path, &places))
     }
 
@@ -186,9 +179,13 @@ impl<'a> Watch<'a> {
             Err(error) => return Some(outside(error)),
             Ok(_) => {}
         }
-        (places.windows(2))
-            .any(|w| self.meets(index, path, [&w[0], &w[1]], MOST_HALVED))
-            .then_some(Met::Contact)
+        let meeting = Meeting {
+            system: self.system,
+            pair,
+            index,
+            path,
+        };
+        meeting.happens(places).then_some(Met::Contact)
     }
 
     /// Whether both ends of a step are on the patch on which two features touched last.
@@ -229,112 +226,14 @@ impl<'a> Watch<'a> {
         begun.iter().chain([&touch.patch]).any(goes_on)
     }
 
-    /// Whether the parts meet between two places of a path. Where that begins in contact, they do if they come to be deeper in each
-    /// other than contacts are known to.
-    ///
-    /// The first contact is sought exactly on the straight way, and counts if the path itself comes to it.
-    fn meets(
-        &self,
-        index: usize,
-        path: &Path<'_>,
-        [from, to]: [&(f64, Vec<f64>); 2],
-        halved: usize,
-    ) -> bool {
-        let pair = &self.pairs.list()[index];
-        let [a, b] = [from, to].map(|place| pair.coordinates(self.system, &place.1));
-        let Some(rates) = difference(a, b) else {
-            return false;
-        };
-        // How far apart two features are; where that cannot be told, they overlap.
-        let gap = |patch: PatchId, q: &[f64]| {
-            let touch = pair.touch_of(index, patch);
-            touch.map_or(f64::NEG_INFINITY, |touch| {
-                pair.function(&touch, self.system, q).value
-            })
-        };
-        let straight = |share: f64| -> Vec<f64> {
-            let ends = from.1.iter().zip(&to.1);
-            ends.map(|(a, b)| a + share * (b - a)).collect()
-        };
-        let place = |share: f64| {
-            let share = from.0 + share * (to.0 - from.0);
-            (share, path.at(share))
-        };
-        let halves = |share: f64| {
-            let middle = place(if INNER.contains(&share) { share } else { 0.5 });
-            self.meets(index, path, [from, &middle], halved - 1)
-                || self.meets(index, path, [&middle, to], halved - 1)
-        };
-        if pair.space.classify(a) == Ok(Classification::Free) {
-            let Ok(PairMotion::Contact(contact)) = pair.space.first_contact(a, rates, 1.0) else {
-                return false;
-            };
-            let (patch, share) = (contact.patch, contact.time);
-            let there = place(share);
-            if halved == 0 || gap(patch, &there.1) <= 0.0 {
-                return true;
-            }
-            // Spaces tell contacts a little early: by the features themselves there may be none.
-            if gap(patch, &straight(share)) > 0.0 {
-                let inside = middles(&pair.space.crossings(a, rates, 1.0).unwrap_or_default());
-                let overlaps =
-                    |&(patch, share): &(PatchId, f64)| gap(patch, &place(share).1) <= 0.0;
-                return gap(patch, &to.1) <= 0.0
-                    || inside.first().is_some_and(overlaps)
-                    || (share < *INNER.end() && self.meets(index, path, [&there, to], halved - 1));
-            }
-            return halves(share);
-        }
-        let crossings = pair.space.crossings(a, rates, 1.0).unwrap_or_default();
-        let mut beside = None;
-        let is_met = middles(&crossings).into_iter().any(|(patch, middle)| {
-            if gap(patch, &straight(middle)) >= -pair.touch {
-                return false;
-            }
-            let is_deep = halved == 0 || gap(patch, &place(middle).1) < -pair.touch;
-            if !is_deep {
-                beside = beside.or(Some(middle));
-            }
-            is_deep
-        });
-        is_met || beside.is_some_and(halves)
-    }
-
     /// That a step along a path was taken.
     pub(crate) fn taken(&mut self, path: &Path<'_>) {
-        let places = path.places();
+        let places = path.places(self.system);
         for (index, pair) in self.pairs.list().iter().enumerate() {
             let travel = self.travel(pair, &places);
             self.room[index] -= travel;
             self.ceiling[index] += travel;
         }
-    }
-}
-
-/// Half way between where a way goes into blocked space, through which patch, and where it comes out again or ends.
-fn middles(crossings: &[PairCrossing]) -> Vec<(PatchId, f64)> {
-    let enters = crossings.iter().enumerate().filter(|(_, c)| c.enters);
-    enters
-        .map(|(k, crossing)| {
-            let out = crossings[k..].iter().find(|c| !c.enters);
-            (
-                crossing.patch,
-                0.5 * (crossing.time + out.map_or(1.0, |c| c.time)),
-            )
-        })
-        .collect()
-}
-
-/// The rates of a straight way that takes a second.
-fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> {
-    match (a, b) {
-        (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
-            Configuration::new(b.x - a.x, b.y - a.y, b.theta - a.theta),
-        )),
-        (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => {
-            Some(Coordinates::Axes { u: s - u, v: t - v })
-        }
-        _ => None,
     }
 }
 

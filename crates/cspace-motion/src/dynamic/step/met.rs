@@ -3,7 +3,7 @@
 use super::super::world::{Sought, State, Step, World};
 use super::Taken;
 use super::course::{Course, just_before};
-use super::root::root;
+use crate::root::root;
 
 /// What a step met is located to this share of it.
 const LOCATED: f64 = 1e-14;

@@ -3,7 +3,6 @@
 mod course;
 mod dense;
 mod met;
-mod root;
 mod watched;
 
 use nalgebra::DVector;

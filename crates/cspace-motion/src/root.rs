@@ -7,7 +7,7 @@ const TRIES: usize = 100;
 
 /// A root between two places: the first has a positive value, the second one below 0. Found by the method of Illinois with
 /// halving, from the side where the function is not positive.
-pub(super) fn root(
+pub(crate) fn root(
     (mut lo, mut f_lo): (f64, f64),
     (mut hi, mut f_hi): (f64, f64),
     f: impl Fn(f64) -> Option<f64>,
