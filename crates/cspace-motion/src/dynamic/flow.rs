@@ -83,11 +83,14 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         self.problem(state, &contacts, f64::INFINITY).within(&modes)
     }
 
+    fn touches(&self, state: &State, bearings: &Bearings) -> Vec<Touch> {
+        let contacts: Vec<usize> = bearings.iter().map(|b| b.0).collect();
+        self.world.touches(&contacts, state.t, &state.q)
+    }
+
     /// Contacts with the force of sliding that cannot slide, because all that bears leaves them no way to.
     pub(super) fn idle(&self, state: &State, bearings: &Bearings) -> Vec<usize> {
-        let touches: Vec<Touch> = (bearings.iter())
-            .map(|b| self.world.touch(b.0, state.t, &state.q))
-            .collect();
+        let touches = self.touches(state, bearings);
         let joints = self.world.joints(state.t, &state.q).rows;
         let stuck = stuck(&touches, bearings);
         let held = rows(&joints, &touches, &stuck);
@@ -118,9 +121,8 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         let world = self.world;
         let mut open = 0.0;
         let at = |state: &State| -> (Joints, Vec<Touch>) {
-            let touch = |b: &(usize, Mode)| world.touch(b.0, state.t, &state.q);
             let joints = world.joints(state.t, &state.q);
-            (joints, bearings.iter().map(touch).collect())
+            (joints, self.touches(state, bearings))
         };
         let (mut joints, mut touches) = at(&state);
         if joints.values.is_empty() && touches.is_empty() {

@@ -90,6 +90,11 @@ pub trait World {
     /// A contact at a configuration.
     fn touch(&self, contact: usize, t: f64, q: &DVector<f64>) -> Touch;
 
+    /// Some contacts at one configuration.
+    fn touches(&self, contacts: &[usize], t: f64, q: &DVector<f64>) -> Vec<Touch> {
+        contacts.iter().map(|&i| self.touch(i, t, q)).collect()
+    }
+
     /// A contact, and what its rates of opening and of sliding change by where no rate does: ṅ · v, τ̇ · v and the derivatives of the
     /// drift. By differences along v unless a world knows better.
     fn bends(&self, contact: usize, state: &State) -> (Touch, [f64; 2]) {

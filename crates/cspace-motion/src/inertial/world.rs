@@ -251,6 +251,15 @@ impl World for Mechanical<'_> {
         self.touch_of(&self.opening(contact, &posed), &posed.all)
     }
 
+    fn touches(&self, contacts: &[usize], t: f64, q: &DVector<f64>) -> Vec<Touch> {
+        if contacts.is_empty() {
+            return Vec::new();
+        }
+        let posed = self.at(t, q);
+        let each = contacts.iter().map(|&i| self.opening(i, &posed));
+        each.map(|open| self.touch_of(&open, &posed.all)).collect()
+    }
+
     fn closed(&self, t: f64, q: &DVector<f64>) -> Vec<usize> {
         let q = self.bodies.coordinates(t, q);
         let bounds = touching(&self.bodies.system, self.pairs, &q);

@@ -78,6 +78,17 @@ impl<'a> Flow<'a> {
         })
     }
 
+    /// A configuration near the motion a while later, brought to where contacts and joints hold.
+    pub(crate) fn brought(&self, h: f64, mut q: Vec<f64>) -> Option<Arrived> {
+        let room = CORRECTION * self.system.moved(&self.q, &q) + CLOSED * self.system.size();
+        let time = self.time + h;
+        self.system.drive(time, &mut q);
+        close(self.system, self.pairs, &self.held, time, &mut q, room)?;
+        let velocity = velocity(self.system, self.pairs, &self.held, time, &q)?;
+        let error = 0.0;
+        Some(Arrived { q, velocity, error })
+    }
+
     /// A while later; `None` if the contacts and joints cannot hold until then.
     pub(crate) fn after(&self, h: f64) -> Option<Arrived> {
         if h == 0.0 {

@@ -4,13 +4,15 @@
 //! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
 //! root is found to rounding.
 
-use crate::contact::{Bound, PAST_END, Watch, ends, pinched, touching};
+use crate::contact::{Bound, PAST_END, Path, Watch, ends, pinched, touching};
 
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
 
 /// Events are located to this share of a step.
 const LOCATED: f64 = 1e-13;
+/// Between times within this share of a step of each other the motion is a cubic, to the fourth power of it.
+const CLOSE: f64 = 1e-3;
 /// A function is looked for whose root is not farther back than parts move by this, relative to the size of the mechanism.
 const NEAR_EVENT: f64 = 1e-6;
 
@@ -25,34 +27,87 @@ pub(crate) struct Stop {
     pub(crate) bounds: Vec<Bound>,
 }
 
-/// The first event within a step of length `h` that met something.
-pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) -> Stop {
-    let (mut before, mut after) = (0.0, h);
-    let mut last = None;
-    while after - before > LOCATED * h {
-        let middle = 0.5 * (before + after);
-        if middle <= before || middle >= after {
-            break;
-        }
-        match flow.after(middle) {
-            Some(to) if to.excess(flow.system) <= 1.0 && goes_on(watch, flow, middle, &to) => {
-                before = middle;
+/// A part of a step between two times, at which the motion is known.
+#[derive(Debug, Clone)]
+struct Between<'f, 'a> {
+    flow: &'f Flow<'a>,
+    from: (f64, Arrived),
+    to: Option<(f64, Arrived)>,
+}
+
+impl Between<'_, '_> {
+    /// The motion after a time: within, by the cubic through the ends, where contacts hold.
+    fn at(&self, h: f64) -> Option<Arrived> {
+        match &self.to {
+            Some((end, to)) if self.from.0 <= h && h <= *end => {
+                let (begin, from) = (self.from.0, &self.from.1);
+                let ends = [from, to].map(|at| (&at.q[..], &at.velocity.rates[..]));
+                let duration = end - begin;
+                let path = Path::new(ends[0], ends[1], duration);
+                self.flow.brought(h, path.at((h - begin) / duration))
             }
-            found => {
-                after = middle;
-                last = found;
-            }
+            _ => self.flow.after(h),
         }
     }
+
+    /// Two times, no farther from each other than that, between which it stops going on.
+    fn halved(
+        &self,
+        [mut before, mut after]: [f64; 2],
+        until: f64,
+        goes_on: &mut dyn FnMut(f64, &Arrived) -> bool,
+    ) -> [f64; 2] {
+        while after - before > until {
+            let middle = 0.5 * (before + after);
+            if middle <= before || middle >= after {
+                break;
+            }
+            match self.at(middle) {
+                Some(to) if goes_on(middle, &to) => before = middle,
+                _ => after = middle,
+            }
+        }
+        [before, after]
+    }
+}
+
+/// The first event within a step of length `h` that met something.
+pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) -> Stop {
+    let mut goes_on =
+        |h: f64, to: &Arrived| to.excess(flow.system) <= 1.0 && goes_on(watch, flow, h, to);
+    let start = Arrived {
+        q: flow.q.clone(),
+        velocity: flow.velocity.clone(),
+        error: 0.0,
+    };
+    let mut part = Between {
+        flow,
+        from: (0.0, start),
+        to: flow.after(h).map(|to| (h, to)),
+    };
+    // The cubic tells about when; between two times so near to each other another one is as good as the motion.
+    let [before, after] = part.halved([0.0, h], CLOSE * h, &mut goes_on);
+    let ends = [before, after].map(|h| flow.after(h));
+    let mut around = [0.0, h];
+    part.to = None;
+    if let [Some(from), to] = ends
+        && goes_on(before, &from)
+        && !to.as_ref().is_some_and(|to| goes_on(after, to))
+    {
+        around = [before, after];
+        part.from = (before, from);
+        part.to = to.map(|to| (after, to));
+    }
+    let [before, after] = part.halved(around, LOCATED * h, &mut goes_on);
     // What was held is closed still, though it may have come to the end of where it touches: where a side comes to lie on
     // another, one corner of it was held, and both are to be.
     let mut bounds = flow.held.clone();
     if let Some(end) = flow.after(after) {
         add(&mut bounds, touching(flow.system, flow.pairs, &end.q));
-        let mut found = root(flow, after, &end, &bounds);
+        let mut found = root(&part, after, &end, &bounds);
         if found.is_none() {
             add(&mut bounds, pinched(flow.system, flow.pairs, &end.q));
-            found = root(flow, after, &end, &bounds);
+            found = root(&part, after, &end, &bounds);
         }
         if let Some((after, to)) = found {
             let q = to.q;
@@ -60,9 +115,7 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         }
     }
     // Where contacts cannot hold on, the configuration is the last at which they do.
-    let to = last
-        .or_else(|| flow.after(after))
-        .or_else(|| flow.after(before));
+    let to = flow.after(after).or_else(|| flow.after(before));
     let q = to.map_or_else(|| flow.q.clone(), |to| to.q);
     Stop { after, q, bounds }
 }
@@ -77,12 +130,18 @@ pub(super) fn add(bounds: &mut Vec<Bound>, more: Vec<Bound>) {
 }
 
 /// The first root, near a time, of a function that is negative then.
-fn root(flow: &Flow<'_>, after: f64, end: &Arrived, bounds: &[Bound]) -> Option<(f64, Arrived)> {
+fn root(
+    part: &Between<'_, '_>,
+    after: f64,
+    end: &Arrived,
+    bounds: &[Bound],
+) -> Option<(f64, Arrived)> {
+    let flow = part.flow;
     let closing = (bounds.iter())
         .filter(|b| flow.held.iter().all(|other| !b.is_same(other)))
         .map(|b| {
             let value = |q: &[f64]| b.function(flow.system, flow.pairs, q).value;
-            root_of(flow, after, end, value)
+            root_of(part, after, end, value)
         });
     let held = flow.held.iter().filter_map(|b| match b {
         Bound::Contact(touch) => Some(touch),
@@ -97,50 +156,38 @@ fn root(flow: &Flow<'_>, after: f64, end: &Arrived, bounds: &[Bound]) -> Option<
                 return None;
             }
             let value = |q: &[f64]| ends(pair, touch, flow.system, q)[k];
-            root_of(flow, after, end, value)
+            root_of(part, after, end, value)
         })
     });
-    closing
-        .chain(ending)
-        .flatten()
-        .min_by(|a, b| a.0.total_cmp(&b.0))
+    let first = closing.chain(ending).flatten().min_by(f64::total_cmp)?;
+    Some((first, flow.after(first)?))
 }
 
 /// The last root before a time of a function that is negative then; just after it.
 fn root_of(
-    flow: &Flow<'_>,
+    part: &Between<'_, '_>,
     after: f64,
     end: &Arrived,
     value: impl Fn(&[f64]) -> f64,
-) -> Option<(f64, Arrived)> {
+) -> Option<f64> {
     if value(&end.q) >= 0.0 {
         return None;
     }
-    let reach = NEAR_EVENT * flow.system.size();
-    let at = |h: f64| flow.after(h).map(|to| (value(&to.q), to));
-    let (mut below, mut above, mut back) = (after, after, LOCATED * after);
-    loop {
+    let system = part.flow.system;
+    let reach = NEAR_EVENT * system.size();
+    let (mut below, mut above, mut back) = ((after, value(&end.q)), after, LOCATED * after);
+    let first = loop {
         above = (above - back).max(0.0);
         back *= 2.0;
-        let (found, to) = at(above)?;
+        let to = part.at(above)?;
+        let found = value(&to.q);
         if found >= 0.0 {
-            break;
+            break (above, found);
         }
-        if above == 0.0 || flow.system.moved(&to.q, &end.q) > reach {
+        if above == 0.0 || system.moved(&to.q, &end.q) > reach {
             return None;
         }
-        below = above;
-    }
-    while below - above > LOCATED * after {
-        let middle = 0.5 * (above + below);
-        if middle <= above || middle >= below {
-            break;
-        }
-        if at(middle)?.0 >= 0.0 {
-            above = middle;
-        } else {
-            below = middle;
-        }
-    }
-    Some((below, at(below)?.1))
+        below = (above, found);
+    };
+    crate::root::root(first, below, |h| Some(value(&part.at(h)?.q)))
 }

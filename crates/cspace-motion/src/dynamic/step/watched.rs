@@ -51,16 +51,17 @@ impl<W: World + ?Sized> Flow<'_, W> {
         bearings: &Bearings,
         looked: &Looked,
     ) -> Option<Vec<Watch>> {
-        let mut found = Vec::new();
-        for &contact in &looked.gaps {
-            if bearings.iter().all(|b| b.0 != contact) {
-                found.push(Watch {
-                    contact,
-                    kind: Watched::Gap,
-                    value: self.gap(contact, state),
-                });
-            }
-        }
+        let open = |i: &&usize| bearings.iter().all(|b| b.0 != **i);
+        let open: Vec<usize> = looked.gaps.iter().filter(open).copied().collect();
+        let touches = self.world.touches(&open, state.t, &state.q);
+        let gaps = open.into_iter().zip(touches);
+        let mut found: Vec<Watch> = gaps
+            .map(|(contact, touch)| Watch {
+                contact,
+                kind: Watched::Gap,
+                value: touch.gap,
+            })
+            .collect();
         if bearings.is_empty() {
             return Some(found);
         }
