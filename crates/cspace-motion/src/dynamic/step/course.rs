@@ -3,7 +3,7 @@
 use super::super::flow::{Bearings, Flow};
 use super::super::world::{State, Step, World};
 use super::dense::Dense;
-use super::{Span, Taken};
+use super::take::{Span, Taken};
 use crate::root::root;
 
 /// Roots of the polynomial are mended by true steps, so many at most: each leaves a share of the error as small as the polynomial's own.

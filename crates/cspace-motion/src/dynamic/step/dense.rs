@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::super::world::State;
-use super::Taken;
+use super::take::Taken;
 
 /// Weights of the slopes in the last term of the interpolation (Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I,
 /// II.6).

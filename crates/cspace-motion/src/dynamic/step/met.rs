@@ -1,8 +1,8 @@
 //! Where a step first met something that no watched function tells.
 
 use super::super::world::{Sought, State, Step, World};
-use super::Taken;
 use super::course::{Course, just_before};
+use super::take::Taken;
 use crate::root::root;
 
 /// What a step met is located to this share of it.

@@ -3,35 +3,22 @@
 mod course;
 mod dense;
 mod met;
+mod take;
 mod watched;
 
-use nalgebra::DVector;
-
-use crate::dormand_prince::{DIFFERENCE, STAGES};
-
-use super::flow::{Bearings, Flow};
-use super::world::{Acting, State, World};
+use super::flow::Flow;
+use super::world::{State, World};
 use course::{Course, just_before};
+pub(super) use take::{Span, Taken};
 use watched::Watch;
 pub(super) use watched::{Looked, Watched};
 
-/// The error of a step, as a share of the size, and of the largest rate so far.
-const TOLERANCE: f64 = 1e-11;
 /// A function other than a gap that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
 /// And is looked at down to this share of the step.
 const SHORTEST: f64 = 1e-12;
 /// What is met beside a gap that closes is met before this share of the step from there: what is so near is closed as well.
 const JUST: f64 = 1e-12;
-
-/// What steps go on from, with the contacts that bear.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Span<'s> {
-    pub(super) from: &'s State,
-    pub(super) bearings: &'s Bearings,
-    /// The largest rate so far.
-    pub(super) fastest: f64,
-}
 
 /// Where a step ends.
 #[derive(Debug, Clone)]
@@ -49,18 +36,6 @@ pub(super) struct Stepped {
     pub(super) work: [f64; 2],
 }
 
-/// The end of a step.
-#[derive(Debug, Clone)]
-pub(super) struct Taken {
-    pub(super) state: State,
-    /// The error, as a share of what is allowed.
-    error: f64,
-    open: f64,
-    pub(super) work: [f64; 2],
-    /// The rates and accelerations of all stages.
-    slopes: Vec<(DVector<f64>, DVector<f64>)>,
-}
-
 /// The end of a step with what is watched there, and how long it is.
 struct End {
     h: f64,
@@ -69,57 +44,6 @@ struct End {
 }
 
 impl<W: World + ?Sized> Flow<'_, W> {
-    /// One step of a length.
-    pub(super) fn take(&self, span: Span<'_>, h: f64) -> Option<Taken> {
-        let Span { from, bearings, .. } = span;
-        let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);
-        let mut work = [0.0; 2];
-        let mut at = from.clone();
-        // The weights of the last stage are those of the step.
-        let shares = STAGES.last().map_or(&[][..], |s| s.1);
-        let mut slope = |at: &State, k: usize| {
-            let solution = self.accelerations(at, bearings)?;
-            if let Some(share) = shares.get(k).filter(|s| **s != 0.0) {
-                let acting = Acting::of(&solution, bearings);
-                let powers = self.world.powers(at, &acting);
-                work[0] += share * h * powers[0];
-                work[1] += share * h * powers[1];
-            }
-            Some((at.v.clone(), solution.x))
-        };
-        slopes.push(slope(&at, 0)?);
-        for (k, (time, weights)) in STAGES.iter().enumerate() {
-            at.t = from.t + time * h;
-            at.q.copy_from(&from.q);
-            at.v.copy_from(&from.v);
-            for (&weight, slope) in weights.iter().zip(&slopes) {
-                at.q.axpy(h * weight, &slope.0, 1.0);
-                at.v.axpy(h * weight, &slope.1, 1.0);
-            }
-            slopes.push(slope(&at, k + 1)?);
-        }
-        let (mut q, mut v) = (DVector::zeros(at.q.len()), DVector::zeros(at.q.len()));
-        for (weight, slope) in DIFFERENCE.iter().zip(&slopes) {
-            q.axpy(h * weight, &slope.0, 1.0);
-            v.axpy(h * weight, &slope.1, 1.0);
-        }
-        let error = (self.world.reach(&q) / self.world.size())
-            .max(self.world.reach(&v) / span.fastest)
-            / TOLERANCE;
-        if error.is_nan() {
-            return None;
-        }
-        // The last stage is the end of the step.
-        let (state, open) = self.projected(at, bearings)?;
-        Some(Taken {
-            state,
-            error,
-            open,
-            work,
-            slopes,
-        })
-    }
-
     /// A step as long as its error lets it be, and what it was to be at most.
     fn longest(&self, span: Span<'_>, longest: f64) -> Option<(f64, Taken)> {
         let mut h = longest;
