@@ -31,6 +31,8 @@ impl ContactInterval {
 /// The contacts of a record, by their beginnings.
 pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
     let mut all: Vec<ContactInterval> = Vec::new();
+    // Those that have not ended.
+    let mut open: Vec<usize> = Vec::new();
     for event in &record.events {
         let What::Contact {
             fixed,
@@ -40,13 +42,13 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
         else {
             continue;
         };
-        let of_pair =
-            |c: &ContactInterval| c.to.is_none() && c.fixed == *fixed && c.moving == *moving;
+        let of_pair = |c: &ContactInterval| c.fixed == *fixed && c.moving == *moving;
         match event.kind {
             // A contact at which impacts have come to rest lasts, and a touch may tell so as well.
             EventKind::Touch | EventKind::Rest => {
                 let is_open = |c: &ContactInterval| of_pair(c) && c.features == *features;
-                if !all.iter().any(is_open) {
+                if !open.iter().any(|&i| is_open(&all[i])) {
+                    open.push(all.len());
                     all.push(ContactInterval {
                         fixed: fixed.clone(),
                         moving: moving.clone(),
@@ -62,9 +64,10 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
                     let pairs = c.features.iter().zip(features);
                     pairs.filter(|(a, b)| a == b).count()
                 };
-                let open = all.iter_mut().filter(|c| of_pair(c)).rev();
-                if let Some(best) = open.max_by_key(|c| same(c)) {
-                    best.to = Some(event.t);
+                let of_this = open.iter().copied().filter(|&i| of_pair(&all[i])).rev();
+                if let Some(best) = of_this.max_by_key(|&i| same(&all[i])) {
+                    all[best].to = Some(event.t);
+                    open.retain(|&i| i != best);
                 }
             }
             EventKind::Impact | EventKind::Stick | EventKind::Slip | EventKind::Limit => {}

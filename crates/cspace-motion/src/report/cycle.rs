@@ -18,6 +18,8 @@ const MOVES: f64 = 1e-2;
 const SEEN: f64 = 0.5;
 /// And for as much if a part goes on without coming back to where it was.
 const SEEN_ADVANCING: f64 = 1.0;
+/// Times at which a period is looked at before it is at all of them.
+const LOOKS: usize = 16;
 /// As many periods are tried for each drive, and for events.
 const MOST_TRIED: usize = 2000;
 /// Times nearer than this are one, relative to the duration: twice the error of an event's time.
@@ -180,6 +182,37 @@ fn repeats(
     let (size, lengths) = (system.size(), system.lengths());
     let most = REPEATS * size;
     let n = system.count();
+    let mut advance = Vec::new();
+    for i in 0..n {
+        let found = trajectory.at(until, i) - trajectory.at(start, i);
+        let whole = match steps[i] {
+            Step::Whole(step) => (found / step).round() * step + 0.0,
+            // What comes back does so exactly.
+            Step::Any if found.abs() * lengths[i] <= most => 0.0,
+            Step::Any => found,
+        };
+        if (found - whole).abs() * lengths[i] > most {
+            return None;
+        }
+        advance.push(whole);
+    }
+    let off = |advance: &[f64], t: f64| {
+        let each = (0..n).map(|i| {
+            let gone = trajectory.at(t + period, i) - trajectory.at(t, i);
+            (gone - advance[i]).abs() * lengths[i]
+        });
+        each.fold(0.0, f64::max)
+    };
+    // Most periods do not pass a look at a few times.
+    let slides = (0..n).any(|i| steps[i] == Step::Any && advance[i] != 0.0);
+    let seen = if slides { SEEN_ADVANCING } else { SEEN };
+    let looks = (1..=LOOKS).map(|k| k as f64 / LOOKS as f64);
+    if looks.into_iter().any(|share| {
+        let t = start - share * seen * period;
+        t < -SAME * record.until || off(&advance, t.max(0.0)) > most
+    }) {
+        return None;
+    }
     let ranges: Vec<(f64, f64)> = (0..n).map(|i| trajectory.extent(i, start, until)).collect();
     let moves = ranges.iter().zip(lengths);
     if !moves
@@ -188,44 +221,26 @@ fn repeats(
     {
         return None;
     }
-    let mut advance = Vec::new();
-    for i in 0..n {
-        let found = trajectory.at(until, i) - trajectory.at(start, i);
-        let whole = match steps[i] {
-            Step::Whole(step) => (found / step).round() * step + 0.0,
-            // What comes back does so exactly.
-            Step::Any if found.abs() * lengths[i] <= most => 0.0,
-            Step::Any => exact_advance(trajectory, i, period, until).unwrap_or(found),
-        };
-        if (found - whole).abs() * lengths[i] > most {
-            return None;
+    for (i, gone) in advance.iter_mut().enumerate() {
+        if steps[i] == Step::Any && *gone != 0.0 {
+            *gone = exact_advance(trajectory, i, period, until).unwrap_or(*gone);
         }
-        advance.push(whole);
     }
-    let off = |t: f64| {
-        let each = (0..n).map(|i| {
-            let gone = trajectory.at(t + period, i) - trajectory.at(t, i);
-            (gone - advance[i]).abs() * lengths[i]
-        });
-        each.fold(0.0, f64::max)
-    };
     // Every moment that is known, of this cycle and the next, back from the end.
-    let mut times: Vec<f64> = (trajectory.knots().iter())
-        .flat_map(|k| [k.t, k.t - period])
-        .filter(|t| (0.0..=start).contains(t))
-        .collect();
-    times.sort_by(|a, b| b.total_cmp(a));
     let (mut since, mut difference) = (start, 0.0_f64);
-    for t in times {
-        let here = off(t);
+    let here = trajectory.back_from(start, 0.0);
+    let next = trajectory.back_from(start, period);
+    for t in merged(here, next).take_while(|t| *t >= 0.0) {
+        let here = off(&advance, t);
         if here > most {
             break;
         }
         difference = difference.max(here);
         since = t;
     }
-    let slides = (0..n).any(|i| steps[i] == Step::Any && advance[i] != 0.0);
-    let seen = if slides { SEEN_ADVANCING } else { SEEN };
+    if start - since < seen * period * (1.0 - SAME) {
+        return None;
+    }
     let since = since.max(last_change(record, start, period));
     if start - since < seen * period * (1.0 - SAME) {
         return None;
@@ -248,6 +263,16 @@ fn repeats(
     })
 }
 
+/// Two falling sequences as one.
+fn merged(a: impl Iterator<Item = f64>, b: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
+    let (mut a, mut b) = (a.peekable(), b.peekable());
+    core::iter::from_fn(move || match (a.peek(), b.peek()) {
+        (Some(s), Some(t)) if s < t => b.next(),
+        (None, _) => b.next(),
+        _ => a.next(),
+    })
+}
+
 /// The advance between two moments that are both known, if there are such.
 fn exact_advance(trajectory: &Trajectory<'_>, i: usize, period: f64, until: f64) -> Option<f64> {
     let near = 1e-12 * until;
@@ -262,7 +287,10 @@ fn exact_advance(trajectory: &Trajectory<'_>, i: usize, period: f64, until: f64)
 fn last_change(record: &Record, to: f64, period: f64) -> f64 {
     let near = REPEATS * period;
     let has = |event: &Event, at: f64| {
-        let mut near_by = record.events.iter().filter(|e| (e.t - at).abs() <= near);
+        let first = record.events.partition_point(|e| e.t < at - near);
+        let mut near_by = record.events[first..]
+            .iter()
+            .take_while(|e| e.t <= at + near);
         near_by.any(|e| alike(e, event))
     };
     // A motion that settles may tell of sticking or not; what happens at the end may do so a little later.

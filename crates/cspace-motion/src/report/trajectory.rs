@@ -34,6 +34,12 @@ impl<'a> Trajectory<'a> {
         &self.knots
     }
 
+    /// The times of the moments that are known up to one, the last first, less an amount.
+    pub(super) fn back_from(&self, last: f64, less: f64) -> impl Iterator<Item = f64> + '_ {
+        let end = self.knots.partition_point(|k| k.t - less <= last);
+        self.knots[..end].iter().rev().map(move |k| k.t - less)
+    }
+
     /// The first and the last time.
     pub fn span(&self) -> (f64, f64) {
         let time = |k: Option<&&Sample>| k.map_or(0.0, |s| s.t);
@@ -72,10 +78,11 @@ impl<'a> Trajectory<'a> {
         let mut add = |x: f64| range = (range.0.min(x), range.1.max(x));
         add(self.at(from, coordinate));
         add(self.at(to, coordinate));
-        for pair in self.knots.windows(2) {
+        let first = self.knots.partition_point(|k| k.t < from).saturating_sub(1);
+        for pair in self.knots[first..].windows(2) {
             let (a, b) = (pair[0], pair[1]);
-            if b.t < from || a.t > to {
-                continue;
+            if a.t > to {
+                break;
             }
             let piece = Piece::new(a, b, coordinate);
             let inside = |s: f64| (from..=to).contains(&(a.t + s * (b.t - a.t)));
