@@ -9,6 +9,17 @@ use crate::system::System;
 
 use super::path::Path;
 
+/// A piece of a path is straight if the pair's configuration is no farther than this from the straight way, relative to the size of the
+/// mechanism: what is met by less goes unseen.
+const STRAIGHT: f64 = 1e-6;
+/// A path that is not is halved, so many times at most.
+const MOST_BENT: usize = 12;
+/// The first piece of a step that begins in contact is short: this share of it.
+const FIRST: f64 = 1.0 / 64.0;
+
+/// A path between two configurations of a step is at most so much longer than the way from one to the other.
+const LONGER: f64 = 1.1;
+
 /// A contact on a straight piece of a path that is none on the path itself asks for shorter pieces, by halves so many times: a piece's
 /// distance from the path falls by four each time, from a thousandth of the size to rounding. What is left then counts as met.
 const MOST_HALVED: usize = 20;
@@ -26,18 +37,75 @@ pub(super) struct Meeting<'m> {
     /// The pair's number.
     pub(super) index: usize,
     pub(super) path: &'m Path<'m>,
+    /// How far each part's coordinates move its points at most.
+    pub(super) levers: &'m [[f64; 3]],
+    /// The largest distance of points of the moving part from its origin.
+    pub(super) reach: f64,
 }
 
 impl Meeting<'_> {
-    /// Whether they meet between some places, from each to the next.
-    pub(super) fn happens(&self, places: &[Place]) -> bool {
-        (places.windows(2)).any(|w| self.is_between([&w[0], &w[1]], MOST_HALVED))
+    /// How far points of the two parts move at most.
+    pub(super) fn travel(&self) -> f64 {
+        let [from, middle, to] = [0.0, 0.5, 1.0].map(|share| self.path.at(share));
+        self.way(&from, &middle) + self.way(&middle, &to)
+    }
+
+    fn way(&self, from: &[f64], to: &[f64]) -> f64 {
+        let of = |part: usize| -> f64 {
+            let indices = self.system.parts()[part].indices();
+            let each = indices.zip(self.levers[part]);
+            each.map(|(i, lever)| lever * (to[i] - from[i]).abs()).sum()
+        };
+        LONGER * (of(self.pair.fixed) + of(self.pair.moving))
+    }
+
+    /// Whether they meet anywhere.
+    pub(super) fn happens(&self) -> bool {
+        let [from, first, to] = [0.0, FIRST, 1.0].map(|share| (share, self.path.at(share)));
+        self.is_on([&from, &first], MOST_BENT) || self.is_on([&first, &to], MOST_BENT)
+    }
+
+    /// Whether they meet between two places, which are looked at in straight pieces.
+    fn is_on(&self, [from, to]: [&Place; 2], bent: usize) -> bool {
+        if bent == 0 || self.is_straight([from, to]) {
+            return self.is_between([from, to], MOST_HALVED);
+        }
+        let clearance = self.pair.space.clearance(self.coordinates(&from.1));
+        if clearance.is_ok_and(|clearance| self.way(&from.1, &to.1) <= clearance) {
+            return false;
+        }
+        let middle = self.place([from, to], 0.5);
+        self.is_on([from, &middle], bent - 1) || self.is_on([&middle, to], bent - 1)
+    }
+
+    /// Whether the pair's configuration goes straight between two places, as seen at two others between them: a cubic that is straight
+    /// there is so all the way.
+    fn is_straight(&self, [from, to]: [&Place; 2]) -> bool {
+        let ends = [from, to].map(|place| self.coordinates(&place.1));
+        [0.25, 0.75].into_iter().all(|share| {
+            let there = self.coordinates(&self.place([from, to], share).1);
+            let off = between(ends, share).and_then(|straight| difference(straight, there));
+            off.is_some_and(|off| self.length(off) <= STRAIGHT * self.system.size())
+        })
+    }
+
+    /// How far a change of the pair's configuration moves points of the moving part at most, or both parts on their axes.
+    fn length(&self, change: Coordinates) -> f64 {
+        let [fixed, moving] = [self.pair.fixed, self.pair.moving].map(|part| self.levers[part]);
+        match change {
+            Coordinates::Planar(c) => c.x.hypot(c.y) + self.reach * c.theta.abs(),
+            Coordinates::Axes { u, v } => fixed[0] * u.abs() + moving[0] * v.abs(),
+        }
+    }
+
+    fn coordinates(&self, q: &[f64]) -> Coordinates {
+        self.pair.coordinates(self.system, q)
     }
 
     /// The first contact is sought exactly on the straight way between two places, and counts if the path itself comes to it.
     fn is_between(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
         let space = &self.pair.space;
-        let [a, b] = [from, to].map(|place| self.pair.coordinates(self.system, &place.1));
+        let [a, b] = [from, to].map(|place| self.coordinates(&place.1));
         if space.classify(a) != Ok(Classification::Free) {
             return self.goes_deep([from, to], halved);
         }
@@ -52,7 +120,7 @@ impl Meeting<'_> {
         if halved == 0 || self.gap(&touch, &there.1) <= 0.0 {
             return true;
         }
-        if self.gap(&touch, &straight([from, to], contact.time)) <= 0.0 {
+        if straight_gap(&touch, [a, b], contact.time) <= 0.0 {
             return self.is_in_halves([from, to], contact.time, halved);
         }
         // Spaces tell contacts a little early: by the features themselves there may be none.
@@ -62,7 +130,7 @@ impl Meeting<'_> {
     /// Whether they come to be deeper in each other than contacts are known to, from where they touch.
     fn goes_deep(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
         let pair = self.pair;
-        let [a, b] = [from, to].map(|place| pair.coordinates(self.system, &place.1));
+        let [a, b] = [from, to].map(|place| self.coordinates(&place.1));
         let crossings = difference(a, b).map(|rates| pair.space.crossings(a, rates, 1.0));
         let Some(Ok(crossings)) = crossings else {
             return false;
@@ -72,11 +140,11 @@ impl Meeting<'_> {
             let Ok(touch) = pair.touch_of(self.index, patch) else {
                 return false;
             };
-            let is_deep = |q: &[f64]| self.gap(&touch, q) < -pair.touch;
-            if !is_deep(&straight([from, to], middle)) {
+            if straight_gap(&touch, [a, b], middle) >= -pair.touch {
                 return false;
             }
-            let is_met = halved == 0 || is_deep(&self.place([from, to], middle).1);
+            let there = self.place([from, to], middle);
+            let is_met = halved == 0 || self.gap(&touch, &there.1) < -pair.touch;
             if !is_met {
                 beside = beside.or(Some(middle));
             }
@@ -122,10 +190,26 @@ impl Meeting<'_> {
     }
 }
 
-/// The coordinates at a share of the straight way between two places.
-fn straight([from, to]: [&Place; 2], share: f64) -> Vec<f64> {
-    let ends = from.1.iter().zip(&to.1);
-    ends.map(|(a, b)| a + share * (b - a)).collect()
+/// The gap of a contact at a share of the straight way between two configurations; where it cannot be told, the parts overlap.
+fn straight_gap(touch: &Touch, ends: [Coordinates; 2], share: f64) -> f64 {
+    let there = between(ends, share);
+    let gap = there.and_then(|there| touch.contact().value(there).ok());
+    gap.unwrap_or(f64::NEG_INFINITY)
+}
+
+/// The configuration at a share of the straight way between two.
+fn between([a, b]: [Coordinates; 2], share: f64) -> Option<Coordinates> {
+    let at = |a: f64, b: f64| a + share * (b - a);
+    match (a, b) {
+        (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
+            Configuration::new(at(a.x, b.x), at(a.y, b.y), at(a.theta, b.theta)),
+        )),
+        (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => Some(Coordinates::Axes {
+            u: at(u, s),
+            v: at(v, t),
+        }),
+        _ => None,
+    }
 }
 
 /// Half way between where a way goes into blocked space, through which patch, and where it comes out again or ends.

@@ -1,9 +1,9 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::{Classification, PairSpace, PatchId, QueryError};
+use cspace::{Classification, PairSpace, PatchId, Point, QueryError};
 
 use crate::pairs::{MovingPair, Pairs, Touch};
-use crate::system::System;
+use crate::system::{System, reach};
 
 use super::bound::{Bound, SAME_PLACE, limits};
 use super::meeting::Meeting;
@@ -12,8 +12,6 @@ use super::pinch::pinching;
 
 /// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
 pub(crate) const LONGEST: f64 = 0.02;
-/// A path between two configurations of a step is at most so much longer than its pieces.
-const LONGER: f64 = 1.1;
 
 /// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
 const SHARE: f64 = 1.0 / 14.0;
@@ -36,37 +34,41 @@ pub(crate) struct Watch<'a> {
     room: Vec<f64>,
     /// How far each pair's parts are apart at most: as far as they were, and as far as they have moved since.
     ceiling: Vec<f64>,
+    /// How far each part's coordinates move its points at most.
     levers: Vec<[f64; 3]>,
+    /// The largest distance of each part's points from its origin.
+    reaches: Vec<f64>,
     /// Of each pair the patches on which its features touched last: features may touch on several.
     patches: Vec<Vec<Touch>>,
 }
 
 impl<'a> Watch<'a> {
     pub(crate) fn new(system: &'a System, pairs: &'a Pairs) -> Self {
-        let parts = system.parts().iter().zip(&system.mechanism().parts);
+        let entries = &system.mechanism().parts;
+        let parts = system.parts().iter().zip(entries);
         Self {
             system,
             pairs,
             room: vec![0.0; pairs.list().len()],
             ceiling: vec![f64::INFINITY; pairs.list().len()],
             levers: parts.map(|(c, p)| c.levers(&p.part)).collect(),
+            reaches: (entries.iter())
+                .map(|p| reach(&p.part, Point::ORIGIN))
+                .collect(),
             patches: vec![Vec::new(); pairs.list().len()],
         }
     }
 
-    /// How far points of the two parts of a pair move at most along a path.
-    fn travel(&self, pair: &MovingPair, places: &[(f64, Vec<f64>)]) -> f64 {
-        let of = |part: usize| -> f64 {
-            let indices = self.system.parts()[part].indices();
-            (places.windows(2))
-                .map(|w| {
-                    (indices.clone().zip(self.levers[part]))
-                        .map(|(i, lever)| lever * (w[1].1[i] - w[0].1[i]).abs())
-                        .sum::<f64>()
-                })
-                .sum()
-        };
-        LONGER * (of(pair.fixed) + of(pair.moving))
+    fn meeting<'m>(&'m self, index: usize, path: &'m Path<'m>) -> Meeting<'m> {
+        let pair = &self.pairs.list()[index];
+        Meeting {
+            system: self.system,
+            pair,
+            index,
+            path,
+            levers: &self.levers,
+            reach: self.reaches[pair.moving],
+        }
     }
 
     /// How far each coordinate may change, in the lengths of [`System::lengths`], until parts can meet or come to the end of a range.
@@ -97,17 +99,10 @@ impl<'a> Watch<'a> {
 
     /// What a step along a path met, with some bounds held on the way.
     pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
-        let places = path.places(self.system);
-        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path, &places))
+        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path))
     }
 
-    fn check_pair(
-        &mut self,
-        index: usize,
-        held: &[Bound],
-        path: &Path<'_>,
-        places: &[(f64, Vec<f64>)],
-    ) -> Option<Met> {
+    fn check_pair(&mut self, index: usize, held: &[Bound], path: &Path<'_>) -> Option<Met> {
         let pair = &self.pairs.list()[index];
         let (from, to) = (path.from(), path.to());
         let outside = |error: QueryError| match error {
@@ -149,7 +144,7 @@ impl<'a> Watch<'a> {
             self.patches[index] = touches;
             return None;
         }
-        let travel = self.travel(pair, places);
+        let travel = self.meeting(index, path).travel();
         if travel <= self.room[index] {
             return None;
         }
@@ -179,13 +174,7 @@ impl<'a> Watch<'a> {
             Err(error) => return Some(outside(error)),
             Ok(_) => {}
         }
-        let meeting = Meeting {
-            system: self.system,
-            pair,
-            index,
-            path,
-        };
-        meeting.happens(places).then_some(Met::Contact)
+        (self.meeting(index, path).happens()).then_some(Met::Contact)
     }
 
     /// Whether both ends of a step are on the patch on which two features touched last.
@@ -228,9 +217,8 @@ impl<'a> Watch<'a> {
 
     /// That a step along a path was taken.
     pub(crate) fn taken(&mut self, path: &Path<'_>) {
-        let places = path.places(self.system);
-        for (index, pair) in self.pairs.list().iter().enumerate() {
-            let travel = self.travel(pair, &places);
+        for index in 0..self.pairs.list().len() {
+            let travel = self.meeting(index, path).travel();
             self.room[index] -= travel;
             self.ceiling[index] += travel;
         }

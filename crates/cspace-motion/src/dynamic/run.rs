@@ -6,7 +6,7 @@ use super::STILL;
 use super::accumulate::Impacts;
 use super::flow::{Bearings, Flow};
 use super::motion::{Ended, Event, Motion, Observer, Options, Work};
-use super::step::{Looked, Span};
+use super::step::{Looked, Span, Watched};
 use super::world::{Acting, State, Step, World};
 
 /// Events within this share of the time that is simulated happen at one time.
@@ -239,6 +239,13 @@ impl<W: World + ?Sized> Run<'_, W> {
             self.show(&from, self.state.t, observer)?;
             observer.step(&self.state);
             if stepped.events.is_empty() && !stepped.met {
+                if !self.looked.steady.is_empty() {
+                    // Whether they still can is asked as a whole.
+                    let told = self.events.len();
+                    let happened = self.happen(&[]);
+                    self.announce(told, observer);
+                    happened?;
+                }
                 continue;
             }
             at_once += 1;
@@ -249,9 +256,17 @@ impl<W: World + ?Sized> Run<'_, W> {
                 return Err(self.stuck());
             }
             let told = self.events.len();
+            let before = self.bearings.clone();
             let happened = self.happen(&stepped.events);
             self.announce(told, observer);
             happened?;
+            let of_forces =
+                |e: &(usize, Watched)| matches!(e.1, Watched::Force | Watched::Sticking);
+            if self.bearings != before {
+                self.looked.steady.clear();
+            } else if !stepped.met && stepped.events.iter().all(of_forces) {
+                (self.looked.steady).extend(stepped.events.iter().map(|e| e.0));
+            }
             observer.changed(&self.state);
             longest = longest.min(1e-3 * self.span);
         }

@@ -76,13 +76,7 @@ impl PartCoordinates {
 
     /// How fast a point of the part moves at most, per unit of the rate of each of its coordinates.
     pub(crate) fn levers(&self, part: &Part) -> [f64; 3] {
-        let reach = |from: Point| {
-            let corners = part.edges().flat_map(|e| {
-                let b = e.bounds();
-                [b.min.x, b.max.x].map(|x| [b.min.y, b.max.y].map(|y| Point::new(x, y)))
-            });
-            (corners.flatten().map(|p| from.distance(p))).fold(0.0, f64::max)
-        };
+        let reach = |from: Point| reach(part, from);
         match self {
             Self::Axis {
                 motion: AxisMotion::Revolute { center },
@@ -92,6 +86,15 @@ impl PartCoordinates {
             _ => [1.0, 0.0, 0.0],
         }
     }
+}
+
+/// The largest distance of a part's points from one, or a little more.
+pub(crate) fn reach(part: &Part, from: Point) -> f64 {
+    let corners = part.edges().flat_map(|e| {
+        let b = e.bounds();
+        [b.min.x, b.max.x].map(|x| [b.min.y, b.max.y].map(|y| Point::new(x, y)))
+    });
+    (corners.flatten().map(|p| from.distance(p))).fold(0.0, f64::max)
 }
 
 /// Numbers that carry the derivatives by the coordinates of two parts.

@@ -9,4 +9,5 @@ mod row;
 
 pub use coordinates::System;
 pub use layout::PartCoordinates;
+pub(crate) use layout::reach;
 pub use row::Row;

@@ -26,6 +26,9 @@ pub(in super::super) struct Looked {
     pub(in super::super) gaps: Vec<usize>,
     /// Contacts with the force of sliding that others keep from it: they do not slide, and begin to only after another event.
     pub(in super::super) idle: Vec<usize>,
+    /// Contacts that go on as they are whatever their own forces are: others take over what these may not bear. Where more contacts bear than
+    /// there are freedoms, forces are not determined one by one.
+    pub(in super::super) steady: Vec<usize>,
 }
 
 /// A function that ends a step where it falls below 0.
@@ -74,7 +77,10 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 _ if looked.idle.contains(&contact) => None,
                 _ => Some(Watched::Sliding),
             };
-            for kind in [Some(Watched::Force), kind].into_iter().flatten() {
+            let is_steady = looked.steady.contains(&contact);
+            let forces = |kind: &Watched| matches!(kind, Watched::Force | Watched::Sticking);
+            let all = [Some(Watched::Force), kind].into_iter().flatten();
+            for kind in all.filter(|kind| !(is_steady && forces(kind))) {
                 found.push(Watch {
                     contact,
                     kind,
