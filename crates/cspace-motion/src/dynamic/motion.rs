@@ -55,6 +55,8 @@ pub enum Ended {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
+    /// Joints that leave no freedom come to a point from which parts can go on in more than one way, or in none.
+    Folded,
     /// Steps are too many, because forces are too stiff or rates too large.
     TooMany,
     /// The observer wants no more.

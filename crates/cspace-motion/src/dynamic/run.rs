@@ -14,6 +14,10 @@ const AT_ONE_TIME: f64 = 1e-13;
 /// No more events happen at one time.
 const AT_ONCE: usize = 200;
 
+/// Joints are folded where their determinant is this: nearer to such a point rounding in accelerations, which it divides, may lead into
+/// any of the ways.
+const FOLD: f64 = 1e-6;
+
 /// There are no more steps than that.
 const MOST_STEPS: usize = 10_000_000;
 /// Where steps are so short that more than this would follow, and have been for so many steps in a row, it is given up: they would
@@ -112,6 +116,7 @@ pub fn run_through<W: World + ?Sized>(
         steps: 0,
         open: 0.0,
         work: Work::default(),
+        fold: (0.0, 0.0),
     };
     let ended = run
         .go(options, corners, observer)
@@ -163,6 +168,8 @@ pub(super) struct Run<'a, W: World + ?Sized> {
     pub(super) steps: usize,
     pub(super) open: f64,
     pub(super) work: Work,
+    /// See [`Flow::fold`], and how it changes per second.
+    fold: (f64, f64),
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
@@ -206,7 +213,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             }
             let left = corner.map_or(options.until, before) - self.state.t;
             let far = self.flow.world.longest(&self.state);
-            let h = longest.min(left).min(far);
+            let h = longest.min(left).min(far).min(self.to_fold());
             let foreseen = (options.until - self.state.t) / h;
             short = if foreseen > FORESEEN { short + 1 } else { 0 };
             if self.state.t + h <= self.state.t || short > MOST_SHORT {
@@ -221,7 +228,11 @@ impl<W: World + ?Sized> Run<'_, W> {
                 .step(self.span_from(&self.state), h, &looked)
                 .ok_or_else(|| self.stuck())?;
             self.steps += 1;
+            let folds = self.folds(&stepped.state);
             let from = core::mem::replace(&mut self.state, stepped.state);
+            if folds {
+                return Err(Ended::Folded);
+            }
             if self.state.t + 1e-15 * options.until.abs() >= options.until {
                 self.state.t = options.until;
             }
@@ -271,6 +282,28 @@ impl<W: World + ?Sized> Run<'_, W> {
             longest = longest.min(1e-3 * self.span);
         }
         Ok(())
+    }
+
+    /// Half of the time after which joints that leave no freedom would fold, as it seems.
+    fn to_fold(&self) -> f64 {
+        let (fold, rate) = self.fold;
+        let time = -fold / rate;
+        if time > 0.0 {
+            0.5 * time
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Whether they are folded at the end of a step.
+    fn folds(&mut self, to: &State) -> bool {
+        let Some(after) = self.flow.fold(to) else {
+            return false;
+        };
+        let rate = (after - self.fold.0) / (to.t - self.state.t);
+        let before = self.fold.0;
+        self.fold = (after, if before == 0.0 { 0.0 } else { rate });
+        after.abs() <= FOLD || before * after < 0.0
     }
 
     /// Passes a time at which what is driven does not move smoothly.

@@ -112,6 +112,13 @@ pub(crate) fn run(
             };
             (Status::Undetermined, Some(why))
         }
+        Ended::Folded => (
+            Status::Undetermined,
+            Some(
+                "the joints come to a dead point or a change point: from there parts can go on in more than one way, or in none"
+                    .to_owned(),
+            ),
+        ),
         Ended::TooMany => (
             Status::Undetermined,
             Some(
