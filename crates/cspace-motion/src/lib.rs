@@ -52,6 +52,7 @@
 // It reads no files and prints nothing.
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
+mod assemble;
 mod contact;
 mod dormand_prince;
 mod drive;

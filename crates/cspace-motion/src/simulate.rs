@@ -2,9 +2,10 @@
 
 use cspace::{ComputeError, Mechanism, Progress, Stage};
 
+use crate::assemble::assemble;
 use crate::error::SimulateError;
 use crate::inertial::{self, Scheme};
-use crate::kinematic::{close, run};
+use crate::kinematic::run;
 use crate::linear::Rows;
 use crate::pairs::Pairs;
 use crate::record::Record;
@@ -18,8 +19,6 @@ const MOST_SAMPLES: usize = 10_000_000;
 const MOST_STEPS: f64 = 1e10;
 /// A duration is a whole number of steps to this share of one.
 const STEP_ROUNDING: f64 = 1e-6;
-/// Parts may be moved by this much to make joints hold at the start, relative to the size of the mechanism.
-const MOST_ASSEMBLING: f64 = 10.0;
 
 /// What is wanted of a simulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,14 +87,11 @@ impl Simulation {
         if system.count() == 0 {
             return Err(SimulateError::NothingMoves);
         }
-        let mut start = system.start();
-        check_ranges(&system, &start)?;
+        check_ranges(&system, &system.start())?;
         let pairs = Pairs::compute(mechanism, progress)?;
-        let room = MOST_ASSEMBLING * system.size();
-        let closed = close(&system, &pairs, &[], 0.0, &mut start, room);
-        if closed.is_none() {
+        let Some(start) = assemble(&system, &pairs) else {
             return Err(system.open_joint(&system.start()));
-        }
+        };
         check_ranges(&system, &start)?;
         for pair in pairs.list() {
             pair.check_start(&system, &start)?;

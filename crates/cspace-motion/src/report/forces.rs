@@ -2,63 +2,88 @@
 
 use super::number::digits;
 use super::phase::Clock;
-use crate::record::{ContactForce, Record, What};
+use crate::record::{Record, What};
 use crate::system::System;
 
-/// The largest force between each two parts, and the power of each drive.
+/// The largest force between each two parts and the largest power of each drive, of what was sampled, and what drives do on average.
 pub(super) fn sentences(system: &System, record: &Record, clock: &Clock<'_>) -> Vec<String> {
     let unit = system.mechanism().unit.as_deref().unwrap_or("unit");
-    let mut largest: Vec<(f64, &ContactForce)> = Vec::new();
-    // Of each drive: its name, its power's largest value and where, and the integral of its power so far.
-    let mut drives: Vec<(&str, f64, f64, f64)> = Vec::new();
-    let mut before: Option<(f64, Vec<f64>)> = None;
+    let mut largest: Vec<Largest<&What>> = Vec::new();
+    let mut drives: Vec<Largest<&str>> = Vec::new();
     for sample in &record.samples {
         let Some(forces) = &sample.forces else {
             continue;
         };
+        // All contacts of two parts together.
+        let mut sums: Vec<(&What, f64)> = Vec::new();
         for contact in &forces.contacts {
-            match largest.iter_mut().find(|l| same(&l.1.what, &contact.what)) {
-                Some(old) if old.1.normal >= contact.normal => {}
-                Some(old) => *old = (sample.t, contact),
-                None => largest.push((sample.t, contact)),
+            match sums.iter_mut().find(|s| same(s.0, &contact.what)) {
+                Some(sum) => sum.1 += contact.normal,
+                None => sums.push((&contact.what, contact.normal)),
             }
+        }
+        for (what, force) in sums {
+            keep(&mut largest, what, force, sample.t, same);
         }
         for drive in &forces.drives {
-            match drives.iter_mut().find(|d| d.0 == drive.part) {
-                Some(old) if old.1 >= drive.power => {}
-                Some(old) => (old.1, old.2) = (drive.power, sample.t),
-                None => drives.push((&drive.part, drive.power, sample.t, 0.0)),
-            }
+            let part: &str = &drive.part;
+            keep(&mut drives, part, drive.power, sample.t, |a, b| a == b);
         }
-        let powers: Vec<f64> = forces.drives.iter().map(|d| d.power).collect();
-        if let Some((t, old)) = &before {
-            for ((drive, a), b) in drives.iter_mut().zip(old).zip(&powers) {
-                drive.3 += 0.5 * (sample.t - t) * (a + b);
-            }
-        }
-        before = Some((sample.t, powers));
     }
     let mut all = Vec::new();
-    for (t, contact) in largest.iter().filter(|l| l.1.normal > 0.0) {
-        let force = digits(contact.normal, 4);
-        let at = clock.at(*t);
-        all.push(match &contact.what {
+    for found in largest.iter().filter(|l| l.value > 0.0) {
+        let force = digits(found.value, 4);
+        let at = clock.at(found.t);
+        all.push(match found.of {
             What::Contact { fixed, moving, .. } => format!(
-                "{fixed} and {moving} press on each other with at most {force} kg·{unit}/s², at {at}"
+                "{fixed} and {moving} press on each other with at most {force} kg·{unit}/s² at the samples, at {at}"
             ),
             What::Limit { part, limit } => format!(
-                "the {part} presses on the {limit} end of its range with at most {force}, at {at}"
+                "the {part} presses on the {limit} end of its range with at most {force} at the samples, at {at}"
             ),
         });
     }
-    for (name, most, t, work) in drives {
-        let mean = digits(work / record.until, 4);
-        let (most, at) = (digits(most, 4), clock.at(t));
+    for found in &drives {
+        let (most, at) = (digits(found.value, 4), clock.at(found.t));
         all.push(format!(
-            "the drive of the {name} gives at most {most} kg·{unit}²/s³, at {at}, and {mean} on average"
+            "the drive of the {} gives at most {most} kg·{unit}²/s³ at the samples, at {at}",
+            found.of
+        ));
+    }
+    if let (Some(energy), [_, rest @ ..]) = (&record.energy, &drives[..]) {
+        let mean = digits(energy.drives / record.until, 4);
+        let who = if rest.is_empty() {
+            "the drive gives"
+        } else {
+            "all drives together give"
+        };
+        all.push(format!(
+            "{who} {mean} kg·{unit}²/s³ on average, impacts included"
         ));
     }
     all
+}
+
+/// The largest value of something so far, and when.
+struct Largest<T> {
+    of: T,
+    value: f64,
+    t: f64,
+}
+
+/// Keeps the larger of two values of the same.
+fn keep<T: Copy>(
+    all: &mut Vec<Largest<T>>,
+    of: T,
+    value: f64,
+    t: f64,
+    same: impl Fn(T, T) -> bool,
+) {
+    match all.iter_mut().find(|l| same(l.of, of)) {
+        Some(old) if old.value >= value => {}
+        Some(old) => (old.value, old.t) = (value, t),
+        None => all.push(Largest { of, value, t }),
+    }
 }
 
 /// Of the same parts.

@@ -174,6 +174,20 @@ impl System {
         q
     }
 
+    /// Which coordinates are given at the start, by the model or by drives.
+    pub(crate) fn given(&self) -> Vec<bool> {
+        let mut given = vec![false; self.count];
+        for (i, part) in self.parts.iter().enumerate() {
+            if self.mechanism.dynamics.part(i).start.is_some() {
+                given[part.indices()].fill(true);
+            }
+        }
+        for (i, _) in &self.drives {
+            given[*i] = true;
+        }
+        given
+    }
+
     /// The rates at the start, as they are given: of the coordinates of [`start`](Self::start).
     pub(crate) fn start_rates(&self) -> Vec<f64> {
         let mut v = vec![0.0; self.count];

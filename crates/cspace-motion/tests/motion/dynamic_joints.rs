@@ -321,3 +321,75 @@ fn masses_out_of_proportion() {
         near("drift", energy.drift / through.max(1e-9), 0.0, 1e-7);
     }
 }
+
+/// A parallelogram linkage that is driven, upright at first.
+fn parallelogram(start: &str) -> String {
+    format!(
+        r#"
+        [[part]]
+        name = "a"
+        mass = 0.1
+        motion = {{ type = "revolute", center = [0, 0] }}
+        loops = [[[-3, -3], [3, -3], [3, 53], [-3, 53]]]
+        [[part]]
+        name = "b"
+        mass = 0.1
+        {start}
+        loops = [[[-3, 47], [103, 47], [103, 53], [-3, 53]]]
+        [[part]]
+        name = "c"
+        mass = 0.1
+        motion = {{ type = "revolute", center = [100, 0] }}
+        loops = [[[97, -3], [103, -3], [103, 53], [97, 53]]]
+        [[joint]]
+        type = "revolute"
+        parts = ["a", "b"]
+        at = [0, 50]
+        [[joint]]
+        type = "revolute"
+        parts = ["b", "c"]
+        at = [100, 50]
+        [[drive]]
+        part = "a"
+        rate = "360deg""#
+    )
+}
+
+/// Where its cranks lie on one line with its frame it can go on as a parallelogram or crossed: that is told, however long the simulation is.
+#[test]
+fn a_parallelogram_ends_where_it_can_cross() {
+    for time in [0.3, 1.0, 1.7, 2.0, 3.0, 5.0] {
+        let (_, record) = thrown(&parallelogram(""), time, time);
+        assert_eq!(record.status, Status::Undetermined, "{time}");
+        near("until", record.until, 0.25, 1e-6);
+        let reason = record.reason.unwrap();
+        assert!(reason.contains("change point"), "{reason}");
+    }
+}
+
+/// A part that has a start keeps it; what is joined to it and has none comes along.
+#[test]
+fn what_is_joined_comes_to_what_has_a_start() {
+    for angle in [10.0_f64, 120.0, -170.0] {
+        let text = format!(
+            r#"
+            gravity = [0, -9.81]
+            [[part]]
+            name = "upper"
+            mass = 1
+            motion = {{ type = "revolute", center = [0, 0] }}
+            start = "{angle}deg"
+            loops = [[[-0.02, -1], [0.02, -1], [0.02, 0], [-0.02, 0]]]
+            [[part]]
+            name = "lower"
+            mass = 1
+            loops = [[[-0.02, -2], [0.02, -2], [0.02, -1], [-0.02, -1]]]
+            [[joint]]
+            type = "revolute"
+            parts = ["upper", "lower"]
+            at = [0, -1]"#
+        );
+        let (simulation, _) = thrown(&text, 1e-3, 1e-3);
+        near("start", simulation.start()[0], angle.to_radians(), 1e-12);
+    }
+}

@@ -18,3 +18,4 @@ mod models;
 mod oversize;
 mod planar;
 mod random;
+mod turning;

@@ -166,7 +166,8 @@ fn rest_is_a_cycle_of_what_goes_on() {
     assert!((trajectory.at(3.0, 1) - 1.0).abs() < 1e-9);
 }
 
-/// Of forces the largest between each two parts is told, and the most and the mean of each drive's power.
+/// Of forces the largest between each two parts is told, of all their contacts together, and the most of each drive's power and what drives do on
+/// average.
 #[test]
 fn forces_are_told_where_they_are_known() {
     let (simulation, mut record) = run(&model("gears_on_shafts"), 1.0, Some(0.25));
@@ -178,12 +179,15 @@ fn forces_are_told_where_they_are_known() {
             features: ["a".into(), "b".into()],
         };
         sample.forces = Some(Forces {
-            contacts: vec![ContactForce {
-                what,
-                at: None,
-                normal: 10.0 * k * (4.0 - k),
-                tangential: 1.0,
-            }],
+            contacts: vec![
+                ContactForce {
+                    what,
+                    at: None,
+                    normal: 10.0 * k * (4.0 - k),
+                    tangential: 1.0,
+                };
+                2
+            ],
             joints: Vec::new(),
             drives: vec![DriveForce {
                 part: "gear".into(),
@@ -192,14 +196,26 @@ fn forces_are_told_where_they_are_known() {
             }],
         });
     }
+    record.energy = Some(cspace_motion::Energy {
+        start: 0.0,
+        end: 5.0,
+        drives: 5.0,
+        friction: 0.0,
+        impacts: 0.0,
+        drift: 0.0,
+    });
     let report = Report::of(simulation.system(), &record);
     says(
         &report,
-        "gear and pinion press on each other with at most 40.00 kg·mm/s², at 180.0 deg of the gear",
+        "gear and pinion press on each other with at most 80.00 kg·mm/s² at the samples, at 180.0 deg of the gear",
     );
-    // 0, 2, .. 8 at even times: 4 on average.
+    // Impacts are in the energy alone.
     says(
         &report,
-        "the drive of the gear gives at most 8.000 kg·mm²/s³, at 0.0 deg of the gear, and 4.000 on average",
+        "the drive of the gear gives at most 8.000 kg·mm²/s³ at the samples, at 0.0 deg of the gear",
+    );
+    says(
+        &report,
+        "the drive gives 5.000 kg·mm²/s³ on average, impacts included",
     );
 }
