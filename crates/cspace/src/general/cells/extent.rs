@@ -58,7 +58,7 @@ impl Extent {
 }
 
 /// On which side of a cluster a cell lies that ends or begins there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Side {
     Below,
     Above,
@@ -85,6 +85,8 @@ pub(crate) struct CellExtents<'a> {
     known: Vec<((u32, Side), (f64, f64))>,
     /// The same as far as doubles tell.
     rough: Vec<(u32, (f64, f64))>,
+    /// What is known better than this is known well enough (length).
+    good: f64,
 }
 
 impl<'a> CellExtents<'a> {
@@ -121,7 +123,13 @@ impl<'a> CellExtents<'a> {
             width: clusters.width(cluster),
             known: Vec::new(),
             rough: Vec::new(),
+            good: GOOD,
         }
+    }
+
+    /// The same, measured no better than to this (length), where doubles tell as much.
+    pub(crate) fn to_within(self, good: f64) -> Self {
+        Self { good, ..self }
     }
 
     /// What a cell that ends at the cluster shares with one that begins there: by doubles if these decide whether there is anything.
@@ -148,7 +156,7 @@ impl<'a> CellExtents<'a> {
     /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
     fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
         let rough = self.rough(branch, end);
-        if rough.1 <= GOOD {
+        if rough.1 <= self.good {
             return rough;
         }
         if branch == END {
@@ -194,7 +202,7 @@ impl<'a> CellExtents<'a> {
         const ASIDE: [f64; 3] = [1e-20, 1e-17, 1e-14];
         let mut best = self.approached_to(b, side, ASIDE[0]);
         for aside in ASIDE.into_iter().skip(1) {
-            if best.1 > GOOD {
+            if best.1 > self.good {
                 let found = self.approached_to(b, side, aside);
                 if found.1 < best.1 {
                     best = found;
@@ -253,7 +261,7 @@ fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
     }
 }
 
-/// What is known better than this is known well enough (length).
+/// See [`CellExtents::good`].
 const GOOD: f64 = 1e-12;
 
 /// Rounding of an orientation and its rotation in doubles, radians.

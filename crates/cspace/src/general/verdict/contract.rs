@@ -5,10 +5,11 @@
 //! and end in it go away; those that end in it are continued by those that begin in it where both lie on one place of one curve and
 //! hang together by what went away. Shells stay as they are, so that regions keep their connections.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use crate::contact::Geometry;
 use crate::feature::tolerance::NARROWEST_BAND;
+use crate::parallel;
 use crate::union_find::UnionFind;
 
 use crate::general::cells::cell::{Cell, SideContact, VerticalContact};
@@ -16,6 +17,9 @@ use crate::general::cells::extent::{CellExtents, Extent, Side};
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
 use crate::general::verdict::shells::Shells;
+
+/// A thread is given so many runs at least.
+const RUNS: usize = 16;
 
 /// Curves nearer than this to each other are one where a run is contracted (length).
 const ONE_CURVE: f64 = 1e-9;
@@ -26,6 +30,9 @@ const SHARED: f64 = 1e-8;
 
 /// It is longer than this (length) in any case: what growth and perturbation leave within the narrowest band is shorter.
 const SHORTEST: f64 = 4.0 * NARROWEST_BAND;
+
+/// Ends are measured to this (length): well below what two cells must share.
+const MEASURED: f64 = SHORTEST / 64.0;
 
 /// In place of the number of a run: none.
 const NONE: u32 = u32::MAX;
@@ -126,56 +133,57 @@ struct Touched {
 impl Contraction<'_> {
     /// The contacts across all runs.
     fn continued(&self, shells: &Shells) -> Vec<VerticalContact> {
-        let mut touched: BTreeMap<u32, Touched> = BTreeMap::new();
+        let mut all: Vec<Touched> = Vec::new();
+        all.resize_with(self.runs.all.len(), Touched::default);
         for (i, c) in (0u32..).zip(self.cells) {
             let (from, to) = (self.runs.of(c.from), self.runs.of(c.to));
             if !shells.free[i as usize] || from == to {
                 continue;
             }
             if to != NONE {
-                touched.entry(to).or_default().ending.push(i);
+                all[to as usize].ending.push(i);
             }
             if from != NONE {
-                touched.entry(from).or_default().beginning.push(i);
+                all[from as usize].beginning.push(i);
             }
         }
         for v in &shells.vertical {
             let run = self.runs.of(v.at);
             if run != NONE {
-                let joined = &mut touched.entry(run).or_default().joined;
-                joined.push((v.lower, v.upper));
+                all[run as usize].joined.push((v.lower, v.upper));
             }
         }
         for s in &shells.side {
-            for run in self.runs_within(s) {
-                let joined = &mut touched.entry(run).or_default().joined;
-                joined.push((s.before, s.after));
+            for run in self.runs_within(s).into_iter().filter(|&run| run != NONE) {
+                all[run as usize].joined.push((s.before, s.after));
             }
         }
-        let mut all = Vec::new();
-        for (run, touched) in touched {
-            self.across(run, &touched, &mut all);
-        }
-        all
+        let all = parallel::chunks(&all, RUNS, |first, touched| {
+            let runs = (first as u32..).zip(touched);
+            runs.flat_map(|(run, touched)| self.across(run, touched))
+                .collect::<Vec<_>>()
+        });
+        all.into_iter().flatten().collect()
     }
 
-    /// The runs in which two cells follow each other for a while, and one of them begins or ends.
-    fn runs_within(&self, s: &SideContact) -> Vec<u32> {
-        let ends = [s.before, s.after].map(|c| &self.cells[c as usize]);
-        let mut runs: Vec<u32> = (ends.iter().flat_map(|c| [c.from, c.to]))
-            .map(|at| self.runs.of(at))
-            .filter(|&run| run != NONE)
-            .filter(|&run| {
+    /// The runs in which two cells follow each other for a while, and one of them begins or ends: each once, and none in place of others.
+    fn runs_within(&self, s: &SideContact) -> [u32; 4] {
+        let [a, b] = [s.before, s.after].map(|c| &self.cells[c as usize]);
+        let mut runs = [a.from, a.to, b.from, b.to].map(|at| self.runs.of(at));
+        for k in 0..runs.len() {
+            let lasts = |run: u32| {
                 let (first, last) = self.runs.all[run as usize];
                 s.from.max(first) < s.to.min(last)
-            })
-            .collect();
-        runs.sort_unstable();
-        runs.dedup();
+            };
+            if runs[k] != NONE && (runs[..k].contains(&runs[k]) || !lasts(runs[k])) {
+                runs[k] = NONE;
+            }
+        }
         runs
     }
 
-    fn across(&self, run: u32, touched: &Touched, out: &mut Vec<VerticalContact>) {
+    fn across(&self, run: u32, touched: &Touched) -> Vec<VerticalContact> {
+        let mut out = Vec::new();
         let mut local: HashMap<u32, u32> = HashMap::new();
         let mut index = |cell: u32| {
             let next = local.len() as u32;
@@ -191,16 +199,19 @@ impl Contraction<'_> {
         for (a, b) in joined {
             sets.union(a, b);
         }
-        let mut above: BTreeMap<u32, Vec<End>> = BTreeMap::new();
+        let mut above: HashMap<u32, Vec<u32>> = HashMap::new();
         for (i, c) in beginning {
-            let ends = above.entry(sets.find(i)).or_default();
-            ends.push(self.end(c, Side::Above));
+            above.entry(sets.find(i)).or_default().push(c);
         }
+        let mut ends = Ends::default();
         for (i, c) in ending {
             let Some(above) = above.get(&sets.find(i)) else {
                 continue;
             };
-            let below = self.end(c, Side::Below);
+            let above: Vec<End> = (above.iter())
+                .map(|&upper| ends.of(self, upper, Side::Above))
+                .collect();
+            let below = ends.of(self, c, Side::Below);
             let (first, _) = self.runs.all[run as usize];
             out.extend(above.iter().filter_map(|upper| {
                 let (lo, hi) = self.shared(&below, upper)?;
@@ -214,18 +225,7 @@ impl Contraction<'_> {
                 })
             }));
         }
-    }
-
-    fn end(&self, cell: u32, side: Side) -> End {
-        let c = &self.cells[cell as usize];
-        let at = if side == Side::Below { c.to } else { c.from };
-        let mut extents =
-            CellExtents::new(self.geometry, self.clusters, self.branches, c.sheet, at);
-        End {
-            cell,
-            at,
-            extent: extents.of(c, side),
-        }
+        out
     }
 
     /// The places that two ends share, along the curve of the first.
@@ -255,7 +255,38 @@ impl Contraction<'_> {
     }
 }
 
+/// Ends that were measured in a run: cells beside each other share bounds, and most are asked for again.
+#[derive(Default)]
+struct Ends<'a> {
+    extents: HashMap<(u32, u32), CellExtents<'a>>,
+    known: HashMap<(u32, Side), End>,
+}
+
+impl<'a> Ends<'a> {
+    fn of(&mut self, within: &Contraction<'a>, cell: u32, side: Side) -> End {
+        *self.known.entry((cell, side)).or_insert_with(|| {
+            let c = &within.cells[cell as usize];
+            let at = if side == Side::Below { c.to } else { c.from };
+            let extents = self.extents.entry((c.sheet, at)).or_insert_with(|| {
+                let Contraction {
+                    geometry,
+                    clusters,
+                    branches,
+                    ..
+                } = *within;
+                CellExtents::new(geometry, clusters, branches, c.sheet, at).to_within(MEASURED)
+            });
+            End {
+                cell,
+                at,
+                extent: extents.of(c, side),
+            }
+        })
+    }
+}
+
 /// Where a cell ends or begins in a run.
+#[derive(Clone, Copy)]
 struct End {
     cell: u32,
     at: u32,
