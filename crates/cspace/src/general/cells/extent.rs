@@ -85,6 +85,8 @@ pub(crate) struct CellExtents<'a> {
     known: Vec<((u32, Side), (f64, f64))>,
     /// The same as far as doubles tell.
     rough: Vec<(u32, (f64, f64))>,
+    /// The curve in double-double at the orientations asked for so far, with the places of its ends.
+    exact: Vec<(Dd, ExactPlacing<'a>, (Dd, Dd))>,
     /// What is known better than this is known well enough (length).
     good: f64,
 }
@@ -123,6 +125,7 @@ impl<'a> CellExtents<'a> {
             width: clusters.width(cluster),
             known: Vec::new(),
             rough: Vec::new(),
+            exact: Vec::new(),
             good: GOOD,
         }
     }
@@ -166,7 +169,8 @@ impl<'a> CellExtents<'a> {
         if let Some(known) = self.known.iter().find(|k| k.0 == key) {
             return known.1;
         }
-        let measured = self.approached(&self.branches[branch as usize], side);
+        let branches = self.branches;
+        let measured = self.approached(&branches[branch as usize], side);
         self.known.push((key, measured));
         measured
     }
@@ -197,7 +201,7 @@ impl<'a> CellExtents<'a> {
     ///
     /// Near to the cluster the place has hardly moved, but curves that become one cross at an angle so small that their rounding
     /// is much of it; farther aside it is the other way round. The best that is found counts.
-    fn approached(&self, b: &Branch, side: Side) -> (f64, f64) {
+    fn approached(&mut self, b: &Branch, side: Side) -> (f64, f64) {
         /// How far aside, radians: above the rounding of orientations, and far below what moves places.
         const ASIDE: [f64; 3] = [1e-20, 1e-17, 1e-14];
         let mut best = self.approached_to(b, side, ASIDE[0]);
@@ -213,39 +217,51 @@ impl<'a> CellExtents<'a> {
     }
 
     /// The same at most so far aside.
-    fn approached_to(&self, b: &Branch, side: Side, aside: f64) -> (f64, f64) {
+    fn approached_to(&mut self, b: &Branch, side: Side, aside: f64) -> (f64, f64) {
         let (lo, hi) = self.clusters.exact_ends(self.cluster);
         let (edge, slab) = match side {
             Side::Below => (lo, self.clusters.exact_below(self.cluster)),
             Side::Above => (hi, self.clusters.exact_above(self.cluster)),
         };
         let step = ((slab - edge).to_f64() * 0.5).clamp(-aside, aside);
-        let place = |theta: Dd| {
-            let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
-            let (from, to) = placing.ends();
-            let p = placing.place(b);
-            // From the same end as in doubles.
-            let p = if p < from { from } else { p };
-            let p = if p > to { to } else { p };
-            let half = self.half;
-            if p.to_f64() < 0.0 {
-                (p - from).to_f64() - half
-            } else {
-                half - (to - p).to_f64()
-            }
-        };
-        let (near, far) = (place(edge + step), place(edge + step * 2.0));
+        let [near, far] = [edge + step, edge + step * 2.0].map(|theta| self.exact_place(b, theta));
         // What ends or begins the cell may happen anywhere in the cluster.
         let other = if side == Side::Below {
             hi - step
         } else {
             lo - step
         };
-        let beyond = (place(other) - near).abs();
+        let beyond = (self.exact_place(b, other) - near).abs();
         // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
-        let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(edge + step));
-        let rounding = ROUNDING + placing.rounding(b);
+        let rounding = ROUNDING + self.exact_at(edge + step).0.rounding(b);
         (near, rounding + 3.0 * (far - near).abs() + beyond)
+    }
+
+    /// The curve in double-double at an orientation, with the places of its ends.
+    fn exact_at(&mut self, theta: Dd) -> (&ExactPlacing<'a>, (Dd, Dd)) {
+        let known = self.exact.iter().position(|e| e.0 == theta);
+        let index = known.unwrap_or_else(|| {
+            let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+            let ends = placing.ends();
+            self.exact.push((theta, placing, ends));
+            self.exact.len() - 1
+        });
+        let (_, placing, ends) = &self.exact[index];
+        (placing, *ends)
+    }
+
+    /// A place at an orientation, from the same end as in doubles.
+    fn exact_place(&mut self, b: &Branch, theta: Dd) -> f64 {
+        let half = self.half;
+        let (placing, (from, to)) = self.exact_at(theta);
+        let p = placing.place(b);
+        let p = if p < from { from } else { p };
+        let p = if p > to { to } else { p };
+        if p.to_f64() < 0.0 {
+            (p - from).to_f64() - half
+        } else {
+            half - (to - p).to_f64()
+        }
     }
 }
 
