@@ -108,10 +108,13 @@ impl Dd {
 
     /// Sine and cosine of an angle in radians.
     pub(crate) fn sin_cos(self) -> (Self, Self) {
-        // By the nearest multiple of π/32 and the series of what is left, which is at most 0.05.
-        const STEPS: f64 = 32.0;
+        // By the nearest multiple of π/128 and the series of what is left, which is at most 0.0123.
         let turns = (self.hi / core::f64::consts::TAU).round();
-        let angle = self - Self::TAU * turns;
+        let angle = if turns == 0.0 {
+            self
+        } else {
+            self - Self::TAU * turns
+        };
         let step = (angle.hi * (STEPS / core::f64::consts::PI)).round();
         let x = angle - Self::PI * (step / STEPS);
         let (s, c) = x.sin_cos_of_little();
@@ -119,14 +122,30 @@ impl Dd {
         (s0 * c + c0 * s, c0 * c - s0 * s)
     }
 
-    /// The same for |x| ≤ 0.05.
+    /// The same for |x| ≤ 0.0123.
     fn sin_cos_of_little(self) -> (Self, Self) {
+        /// 1/3! and 1/5!.
+        const SIXTH: Dd = Dd {
+            hi: 0.16666666666666666,
+            lo: 9.25185853854297e-18,
+        };
+        const OVER_120: Dd = Dd {
+            hi: 0.008333333333333333,
+            lo: 1.1564823173178714e-19,
+        };
+        /// 1/7!, 1/9! and 1/11!: of these terms, which are below 1e-15, doubles are enough.
+        const REST: [f64; 3] = [
+            0.0001984126984126984,
+            2.7557319223985893e-06,
+            2.505210838544172e-08,
+        ];
         let square = self * self;
-        // x (1 − x²/3! + x⁴/5! …): what is left out is below 1e-35.
-        let mut sum = INVERSE[0];
-        for &c in &INVERSE[1..] {
-            sum = c - sum * square;
-        }
+        let q = square.hi;
+        // x (1 − x²/3! + x⁴/5! …): what is left out is below 1e-32.
+        let rest = REST[0] - q * (REST[1] - q * REST[2]);
+        let sum = OVER_120 - square * rest;
+        let sum = SIXTH - sum * square;
+        let sum = Self::ONE - sum * square;
         let sin = sum * self;
         // 1 − 2 sin²(x/2) would need another series; the root is exact as |sin| is small.
         let cos = (Self::ONE - sin * sin).sqrt();
@@ -138,58 +157,25 @@ impl Dd {
         let rough = y.hi.atan2(x.hi);
         let first = Self::from(rough);
         let (s, c) = first.sin_cos();
-        // What is left is the angle of (x, y) turned back: so small that it is its tangent.
-        let (along, across) = (x * c + y * s, y * c - x * s);
-        let t = across / along;
-        first + t - t * t * t / 3.0
+        // What is left is the angle of (x, y) turned back: so small that it is its tangent, and a double.
+        let (along, across) = (x.hi * c.hi + y.hi * s.hi, y * c - x * s);
+        first + across.hi / along
     }
 }
 
-/// 1/n! of the odd n from 17 down to 1.
-const INVERSE: [Dd; 9] = [
-    Dd {
-        hi: 2.8114572543455206e-15,
-        lo: 1.6508842730861433e-31,
-    },
-    Dd {
-        hi: 7.647163731819816e-13,
-        lo: 7.03872877733453e-30,
-    },
-    Dd {
-        hi: 1.6059043836821613e-10,
-        lo: 1.2585294588752098e-26,
-    },
-    Dd {
-        hi: 2.505210838544172e-08,
-        lo: -1.448814070935912e-24,
-    },
-    Dd {
-        hi: 2.7557319223985893e-06,
-        lo: -1.858393274046472e-22,
-    },
-    Dd {
-        hi: 0.0001984126984126984,
-        lo: 1.7209558293420705e-22,
-    },
-    Dd {
-        hi: 0.008333333333333333,
-        lo: 1.1564823173178714e-19,
-    },
-    Dd {
-        hi: 0.16666666666666666,
-        lo: 9.25185853854297e-18,
-    },
-    Dd { hi: 1.0, lo: 0.0 },
-];
+/// Steps of half a turn of which sines and cosines are kept.
+const STEPS: f64 = 128.0;
 
-/// Sine and cosine of a multiple of π/32.
+/// Sine and cosine of a multiple of π/128.
 fn multiples(step: i32) -> (Dd, Dd) {
+    /// Steps of a quarter turn, and of a whole.
+    const QUARTER: i32 = STEPS as i32 / 2;
+    const WHOLE: i32 = 4 * QUARTER;
     static TABLE: std::sync::LazyLock<Vec<(Dd, Dd)>> = std::sync::LazyLock::new(|| {
-        (0..64)
+        (0..WHOLE)
             .map(|k| {
-                let quarter = k / 16;
-                let (s, c) = series(Dd::PI * (f64::from(k % 16) / 32.0));
-                match quarter {
+                let (s, c) = series(Dd::PI * (f64::from(k % QUARTER) / STEPS));
+                match k / QUARTER {
                     0 => (s, c),
                     1 => (c, -s),
                     2 => (-s, -c),
@@ -198,7 +184,7 @@ fn multiples(step: i32) -> (Dd, Dd) {
             })
             .collect()
     });
-    TABLE[step.rem_euclid(64) as usize]
+    TABLE[step.rem_euclid(WHOLE) as usize]
 }
 
 /// Sine and cosine by their series, for angles of at most a quarter turn.
