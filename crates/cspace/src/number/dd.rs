@@ -44,6 +44,10 @@ fn split(a: f64) -> (f64, f64) {
 #[inline(always)]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
+    // The same in two operations, where the processor that is compiled for has them.
+    if cfg!(any(target_feature = "fma", target_arch = "aarch64")) {
+        return (p, a.mul_add(b, -p));
+    }
     let ((ah, al), (bh, bl)) = (split(a), split(b));
     (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
 }

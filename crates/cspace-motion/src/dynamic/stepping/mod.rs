@@ -54,12 +54,17 @@ pub fn step_through<W: World + ?Sized>(
         open: 0.0,
         work: Work::default(),
     };
-    let first = start.clone();
+    let mut first = start.clone();
     let mut state = start;
     let mut taken = 0;
     let ended = match world.mass().clone().try_inverse() {
         Some(inverse) => {
             stepping.inverse = inverse;
+            // What is joined to what is driven moves with it from the start on.
+            if let Some(joined) = Joined::at(world, &stepping.inverse, state.t, &state.q) {
+                state.v = joined.allowed(&state.v);
+            }
+            first.v.clone_from(&state.v);
             (stepping.go(&mut state, steps, &mut taken, observer).err()).unwrap_or(Ended::Done)
         }
         None => stuck(Vec::new()),
