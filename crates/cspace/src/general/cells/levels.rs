@@ -6,6 +6,8 @@
 //! curve, just above it maybe another: these two continue each other there. A sheet that faces the other way and is
 //! passed leaves no room: nothing continues.
 
+use core::cell::LazyCell;
+use core::ops::Deref;
 use std::collections::BTreeMap;
 
 use crate::contact::{ExactTurn, Geometry, Seam};
@@ -190,7 +192,9 @@ impl Levels<'_> {
         marks.extend(track.cuts().into_iter().flatten());
         marks.sort_unstable_by(f64::total_cmp);
         let (just_below, just_above) = self.clusters.exactly_beside(at);
-        let (turn_below, turn_above) = (ExactTurn::by(just_below), ExactTurn::by(just_above));
+        // Most often one piece covers a place, and none is asked how high it is.
+        let turn_below = LazyCell::new(|| ExactTurn::by(just_below));
+        let turn_above = LazyCell::new(|| ExactTurn::by(just_above));
         let (mut near_below, mut near_above) = (track.covering(below), track.covering(above));
         stretches.iter_mut().for_each(Vec::clear);
         let start = first.start.at(turn);
@@ -298,11 +302,17 @@ impl Levels<'_> {
         pieces: impl Iterator<Item = &'p Piece>,
         track: &Track,
         place: &Place,
-        turn: &ExactTurn,
+        turn: &impl Deref<Target = ExactTurn>,
     ) -> [Option<&'p Piece>; 2] {
+        let mut covering = pieces.filter(|q| q.covers(track, place.coordinate));
+        let (first, second) = (covering.next(), covering.next());
+        if second.is_none() {
+            // One alone is outermost, however high it is.
+            return [true, false].map(|along| first.filter(|q| q.along == along));
+        }
         let mut highest: Option<(Dd, &Piece)> = None;
         let mut lowest: Option<(Dd, &Piece)> = None;
-        for q in pieces.filter(|q| q.covers(track, place.coordinate)) {
+        for q in first.into_iter().chain(second).chain(covering) {
             let h = self.height(q.cell, place.point, place.normal, turn);
             if q.along && highest.is_none_or(|b| h > b.0) {
                 highest = Some((h, q));
