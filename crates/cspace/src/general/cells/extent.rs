@@ -131,7 +131,7 @@ impl<'a> CellExtents<'a> {
     }
 
     /// The same, measured no better than to this (length), where doubles tell as much.
-    pub(crate) fn to_within(self, good: f64) -> Self {
+    pub(crate) fn measured_within(self, good: f64) -> Self {
         Self { good, ..self }
     }
 

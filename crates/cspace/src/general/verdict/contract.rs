@@ -274,7 +274,8 @@ impl<'a> Ends<'a> {
                     branches,
                     ..
                 } = *within;
-                CellExtents::new(geometry, clusters, branches, c.sheet, at).to_within(MEASURED)
+                CellExtents::new(geometry, clusters, branches, c.sheet, at)
+                    .measured_within(MEASURED)
             });
             End {
                 cell,
