@@ -46,8 +46,8 @@ pub(super) struct Meeting<'m> {
 impl Meeting<'_> {
     /// How far points of the two parts move at most.
     pub(super) fn travel(&self) -> f64 {
-        let [from, middle, to] = [0.0, 0.5, 1.0].map(|share| self.path.at(share));
-        self.way(&from, &middle) + self.way(&middle, &to)
+        let (from, middle, to) = (self.path.from(), self.path.middle(), self.path.to());
+        self.way(from, middle) + self.way(middle, to)
     }
 
     fn way(&self, from: &[f64], to: &[f64]) -> f64 {
@@ -199,14 +199,23 @@ fn straight_gap(touch: &Touch, ends: [Coordinates; 2], share: f64) -> f64 {
 
 /// The configuration at a share of the straight way between two.
 fn between([a, b]: [Coordinates; 2], share: f64) -> Option<Coordinates> {
-    let at = |a: f64, b: f64| a + share * (b - a);
+    combined(a, b, |a, b| a + share * (b - a))
+}
+
+/// The rates of a straight way that takes a second.
+fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> {
+    combined(a, b, |a, b| b - a)
+}
+
+/// What is made of each two coordinates; `None` of coordinates of different classes.
+fn combined(a: Coordinates, b: Coordinates, of: impl Fn(f64, f64) -> f64) -> Option<Coordinates> {
     match (a, b) {
         (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
-            Configuration::new(at(a.x, b.x), at(a.y, b.y), at(a.theta, b.theta)),
+            Configuration::new(of(a.x, b.x), of(a.y, b.y), of(a.theta, b.theta)),
         )),
         (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => Some(Coordinates::Axes {
-            u: at(u, s),
-            v: at(v, t),
+            u: of(u, s),
+            v: of(v, t),
         }),
         _ => None,
     }
@@ -222,17 +231,4 @@ fn middles(crossings: &[PairCrossing]) -> Vec<(PatchId, f64)> {
             (crossing.patch, 0.5 * (crossing.time + end))
         })
         .collect()
-}
-
-/// The rates of a straight way that takes a second.
-fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> {
-    match (a, b) {
-        (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
-            Configuration::new(b.x - a.x, b.y - a.y, b.theta - a.theta),
-        )),
-        (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => {
-            Some(Coordinates::Axes { u: s - u, v: t - v })
-        }
-        _ => None,
-    }
 }

@@ -1,5 +1,7 @@
 //! The way that a step of the motion goes.
 
+use core::cell::OnceCell;
+
 /// Configurations along a step: the cubics that have the coordinates and rates of its ends.
 #[derive(Debug, Clone)]
 pub(crate) struct Path<'a> {
@@ -7,6 +9,7 @@ pub(crate) struct Path<'a> {
     rates: [&'a [f64]; 2],
     /// How long it takes, s.
     duration: f64,
+    middle: OnceCell<Vec<f64>>,
 }
 
 impl<'a> Path<'a> {
@@ -20,6 +23,7 @@ impl<'a> Path<'a> {
             ends: [a, b],
             rates: [va, vb],
             duration,
+            middle: OnceCell::new(),
         }
     }
 
@@ -31,6 +35,11 @@ impl<'a> Path<'a> {
     /// Where it ends.
     pub(crate) fn to(&self) -> &'a [f64] {
         self.ends[1]
+    }
+
+    /// The coordinates after half of it.
+    pub(crate) fn middle(&self) -> &[f64] {
+        self.middle.get_or_init(|| self.at(0.5))
     }
 
     /// The coordinates after a share of it.

@@ -115,13 +115,10 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             .collect()
     }
 
-    /// Where joints and drives leave no freedom, the determinant of the joints' equations, of which each is made to have a length of 1 in the
+    /// Where joints leave no freedom beside drives, the determinant of the joints' equations, of which each is made to have a length of 1 in the
     /// metric of the masses: it is 0 where parts can go on in more than one way, or in none.
-    pub(super) fn fold(&self, state: &State) -> Option<f64> {
+    pub(super) fn fold(&self, state: &State) -> f64 {
         let mut rows = self.world.joints(state.t, &state.q).rows;
-        if rows.nrows() == 0 || rows.nrows() != rows.ncols() {
-            return None;
-        }
         for mut row in rows.row_iter_mut() {
             let mut scaled: Vec<f64> = row.iter().copied().collect();
             self.factor.forward(&mut scaled);
@@ -130,7 +127,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
                 *entry = value / long;
             }
         }
-        Some(rows.determinant())
+        rows.determinant()
     }
 
     /// The nearest state, in the metric of the masses, in which joints hold and the contacts that bear are closed; and how far they

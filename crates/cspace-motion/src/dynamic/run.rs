@@ -6,7 +6,7 @@ use super::STILL;
 use super::accumulate::Impacts;
 use super::flow::{Bearings, Flow};
 use super::motion::{Ended, Event, Motion, Observer, Options, Work};
-use super::step::{Looked, Span, Watched};
+use super::step::{Looked, Span};
 use super::world::{Acting, State, Step, World};
 
 /// Events within this share of the time that is simulated happen at one time.
@@ -116,7 +116,8 @@ pub fn run_through<W: World + ?Sized>(
         steps: 0,
         open: 0.0,
         work: Work::default(),
-        fold: (0.0, 0.0),
+        is_led: false,
+        fold: None,
     };
     let ended = run
         .go(options, corners, observer)
@@ -168,8 +169,10 @@ pub(super) struct Run<'a, W: World + ?Sized> {
     pub(super) steps: usize,
     pub(super) open: f64,
     pub(super) work: Work,
-    /// See [`Flow::fold`], and how it changes per second.
-    fold: (f64, f64),
+    /// Whether joints and drives leave no freedom.
+    is_led: bool,
+    /// If so, [`Flow::fold`] at the end of the last step, and how it changes per second.
+    fold: Option<(f64, f64)>,
 }
 
 impl<W: World + ?Sized> Run<'_, W> {
@@ -185,6 +188,8 @@ impl<W: World + ?Sized> Run<'_, W> {
             self.state = state;
         }
         self.first.clone_from(&self.state);
+        let joints = self.flow.world.joints(self.state.t, &self.state.q).rows;
+        self.is_led = joints.nrows() > 0 && joints.is_square();
         observer.step(&self.state);
         let closed = self.flow.world.closed(self.state.t, &self.state.q);
         let settled = self.settle(closed, &Reached::default());
@@ -271,11 +276,8 @@ impl<W: World + ?Sized> Run<'_, W> {
             let happened = self.happen(&stepped.events);
             self.announce(told, observer);
             happened?;
-            let of_forces =
-                |e: &(usize, Watched)| matches!(e.1, Watched::Force | Watched::Sticking);
-            if self.bearings != before {
-                self.looked.steady.clear();
-            } else if !stepped.met && stepped.events.iter().all(of_forces) {
+            let all_of_forces = stepped.events.iter().all(|e| e.1.is_of_force());
+            if self.bearings == before && !stepped.met && all_of_forces {
                 (self.looked.steady).extend(stepped.events.iter().map(|e| e.0));
             }
             observer.changed(&self.state);
@@ -286,8 +288,7 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// Half of the time after which joints that leave no freedom would fold, as it seems.
     fn to_fold(&self) -> f64 {
-        let (fold, rate) = self.fold;
-        let time = -fold / rate;
+        let time = self.fold.map_or(0.0, |(fold, rate)| -fold / rate);
         if time > 0.0 {
             0.5 * time
         } else {
@@ -297,13 +298,14 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// Whether they are folded at the end of a step.
     fn folds(&mut self, to: &State) -> bool {
-        let Some(after) = self.flow.fold(to) else {
+        if !self.is_led {
             return false;
-        };
-        let rate = (after - self.fold.0) / (to.t - self.state.t);
-        let before = self.fold.0;
-        self.fold = (after, if before == 0.0 { 0.0 } else { rate });
-        after.abs() <= FOLD || before * after < 0.0
+        }
+        let after = self.flow.fold(to);
+        let before = self.fold.map(|(before, _)| before);
+        let rate = before.map_or(0.0, |before| (after - before) / (to.t - self.state.t));
+        self.fold = Some((after, rate));
+        after.abs() <= FOLD || before.is_some_and(|before| before * after < 0.0)
     }
 
     /// Passes a time at which what is driven does not move smoothly.

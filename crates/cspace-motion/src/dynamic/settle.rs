@@ -70,6 +70,9 @@ impl<W: World + ?Sized> Run<'_, W> {
             back: of(Watched::Back),
         };
         self.settle(closed, &reached)?;
+        if self.bearings != before {
+            self.looked.steady.clear();
+        }
         for &(contact, mode) in &before {
             let now = self.bearings.iter().find(|b| b.0 == contact);
             // A contact that passes from one feature to the next goes on.

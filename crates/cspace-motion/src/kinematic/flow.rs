@@ -82,7 +82,6 @@ impl<'a> Flow<'a> {
     pub(crate) fn brought(&self, h: f64, mut q: Vec<f64>) -> Option<Arrived> {
         let room = CORRECTION * self.system.moved(&self.q, &q) + CLOSED * self.system.size();
         let time = self.time + h;
-        self.system.drive(time, &mut q);
         close(self.system, self.pairs, &self.held, time, &mut q, room)?;
         let velocity = velocity(self.system, self.pairs, &self.held, time, &q)?;
         let error = 0.0;
@@ -121,12 +120,8 @@ impl<'a> Flow<'a> {
             let beyond = difference.abs() - ROUNDING * fastest;
             error = error.max(h * beyond * lengths[i]);
         }
-        let moved = self.system.moved(&self.q, &q);
-        let room = CORRECTION * moved + CLOSED * self.system.size();
-        let time = self.time + h;
-        close(self.system, self.pairs, &self.held, time, &mut q, room)?;
-        let velocity = velocity(self.system, self.pairs, &self.held, time, &q)?;
-        Some(Arrived { q, velocity, error })
+        let arrived = self.brought(h, q)?;
+        Some(Arrived { error, ..arrived })
     }
 }
 

@@ -19,6 +19,13 @@ pub(in super::super) enum Watched {
     Sticking,
 }
 
+impl Watched {
+    /// Whether it tells of the forces of a contact that bears.
+    pub(in super::super) fn is_of_force(self) -> bool {
+        matches!(self, Self::Force | Self::Sticking)
+    }
+}
+
 /// What is looked at in steps between two events, beside the forces of what bears.
 #[derive(Debug, Clone, Default)]
 pub(in super::super) struct Looked {
@@ -78,9 +85,8 @@ impl<W: World + ?Sized> Flow<'_, W> {
                 _ => Some(Watched::Sliding),
             };
             let is_steady = looked.steady.contains(&contact);
-            let forces = |kind: &Watched| matches!(kind, Watched::Force | Watched::Sticking);
             let all = [Some(Watched::Force), kind].into_iter().flatten();
-            for kind in all.filter(|kind| !(is_steady && forces(kind))) {
+            for kind in all.filter(|kind| !(is_steady && kind.is_of_force())) {
                 found.push(Watch {
                     contact,
                     kind,
