@@ -66,7 +66,7 @@ pub(crate) use curve::{Curve, CurveShape};
 pub use drawn::{
     ContactValue, FeatureShape, Touching, TouchingPlace, contact_function, touching, touching_place,
 };
-pub(crate) use exact::{ExactCurve, ExactSheet, ExactTurn, Rough, exact_crossings};
+pub(crate) use exact::{ExactCarrier, ExactCurve, ExactSheet, ExactTurn, Rough, exact_crossings};
 pub(crate) use flat_arc::FlatArc;
 pub use function::ContactFunction;
 pub(crate) use overlap::{Body, overlap};

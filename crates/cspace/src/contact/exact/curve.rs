@@ -56,8 +56,9 @@ pub(crate) struct ExactCrossing {
 }
 
 impl ExactCurve {
-    /// Length of travel from about the middle of the curve to a point of it, given as `place_on` gives it.
-    fn length_of(&self, v: Xy<Dd>) -> Dd {
+    /// Length of travel from about the middle of the curve to a point of it, given as `place_on` gives it; where carriers do not cross,
+    /// the nearest place to that.
+    pub(crate) fn length_of(&self, v: Xy<Dd>) -> Dd {
         if let Some(chart) = &self.chart {
             return chart.of(self.carrier.point(v)) - chart.middle;
         }
@@ -158,11 +159,6 @@ impl ExactCurve {
         };
         let (place, (lo, hi)) = (self.position(p), self.ends());
         (lo < place && place < hi).then_some(!off.is_negative())
-    }
-
-    /// Where another carrier crosses its own, as a length of travel; where they do not, the nearest place to that.
-    pub(crate) fn place(&self, other: &ExactCarrier, root: u8, swapped: bool) -> Dd {
-        self.length_of(self.carrier.crossed_by(other, root, swapped))
     }
 
     /// The crossing with the given name, wherever it lies on the carriers.

@@ -11,6 +11,7 @@ mod curve;
 mod sheet;
 mod spiral;
 
+pub(crate) use carrier::ExactCarrier;
 pub(crate) use condition::Rough;
 pub(crate) use curve::ExactCurve;
 pub(crate) use sheet::{ExactSheet, exact_crossings};

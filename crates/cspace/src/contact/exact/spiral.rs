@@ -20,6 +20,23 @@ impl ExactTurn {
         Self { theta, cos, sin }
     }
 
+    /// The orientation at another angle: from this one if that is so near that sine and cosine of the difference are a few terms.
+    pub(crate) fn turned_to(&self, theta: Dd) -> Self {
+        /// The fourth power of what is nearer than this, by 24, is nothing beside one (radians).
+        const NEAR: f64 = 1e-8;
+        let by = theta - self.theta;
+        let d = by.to_f64();
+        if d.abs() > NEAR {
+            return Self::by(theta);
+        }
+        let (sine, versine) = (by - d * d * d / 6.0, 0.5 * d * d);
+        Self {
+            theta,
+            cos: self.cos - (self.sin * sine + self.cos * versine),
+            sin: self.sin + (self.cos * sine - self.sin * versine),
+        }
+    }
+
     /// By cosine and sine, where the angle itself is not asked for.
     pub(crate) fn of(cos: Dd, sin: Dd) -> Self {
         let theta = Dd::from(sin.to_f64().atan2(cos.to_f64()));

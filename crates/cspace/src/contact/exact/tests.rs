@@ -169,8 +169,9 @@ fn crossings_are_those_of_doubles() {
                     };
                     assert!(off < none, "{off} {f:?} {g:?}");
                 }
-                let place =
-                    |c: &ExactCurve, d: &ExactCurve, swapped| c.place(d.carrier(), root, swapped);
+                let place = |c: &ExactCurve, d: &ExactCurve, swapped| {
+                    c.length_of(c.carrier().crossed_by(d.carrier(), root, swapped))
+                };
                 let off = (place(&c, &d, false) - y.places.0).to_f64().abs();
                 assert!(off < 1e-24, "{off} {f:?} {g:?}");
                 let off = (place(&d, &c, true) - y.places.1).to_f64().abs();
@@ -417,4 +418,17 @@ fn carriers_are_one_within_little() {
     assert!(!is_one(first, circle(0.3 + 1e-13, 0.5)));
     assert!(!is_one(first, circle(0.3, 0.5 + 1e-13)));
     assert!(!is_one(first, line(0.0, (0.0, 0.0))));
+}
+
+/// A turn from another nearby is that by its angle.
+#[test]
+fn turns_to_what_is_near() {
+    let base = ExactTurn::by(Dd::from(0.7) + 1e-19);
+    for by in [0.0, 1e-30, -3e-20, 2e-14, -7e-11, 9.9e-9, -1e-8, 1.1e-8, 0.3] {
+        let theta = base.theta + by;
+        let (turn, expected) = (base.turned_to(theta), ExactTurn::by(theta));
+        for off in [turn.cos - expected.cos, turn.sin - expected.sin] {
+            assert!(off.to_f64().abs() < 4e-32, "{by}: {off:?}");
+        }
+    }
 }

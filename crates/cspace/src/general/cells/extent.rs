@@ -85,6 +85,8 @@ pub(crate) struct CellExtents<'a> {
     known: Vec<((u32, Side), (f64, f64))>,
     /// The same as far as doubles tell.
     rough: Vec<(u32, (f64, f64))>,
+    /// The cluster's orientation in double-double, once it is asked for.
+    turn: Option<ExactTurn>,
     /// The curve in double-double at the orientations asked for so far, with the places of its ends.
     exact: Vec<(Dd, ExactPlacing<'a>, (Dd, Dd))>,
     /// What is known better than this is known well enough (length).
@@ -125,6 +127,7 @@ impl<'a> CellExtents<'a> {
             width: clusters.width(cluster),
             known: Vec::new(),
             rough: Vec::new(),
+            turn: None,
             exact: Vec::new(),
             good: GOOD,
         }
@@ -200,48 +203,85 @@ impl<'a> CellExtents<'a> {
     /// The place in double-double, a little aside: where two lines become one, their crossing is undefined, yet it has a limit.
     ///
     /// Near to the cluster the place has hardly moved, but curves that become one cross at an angle so small that their rounding
-    /// is much of it; farther aside it is the other way round. The best that is found counts.
+    /// is much of it; farther aside it is the other way round. Where rounding is well enough known first counts, and what is nearer
+    /// if the place has moved too much there.
     fn approached(&mut self, b: &Branch, side: Side) -> (f64, f64) {
         /// How far aside, radians: above the rounding of orientations, and far below what moves places.
         const ASIDE: [f64; 3] = [1e-20, 1e-17, 1e-14];
-        let mut best = self.approached_to(b, side, ASIDE[0]);
-        for aside in ASIDE.into_iter().skip(1) {
-            if best.1 > self.good {
-                let found = self.approached_to(b, side, aside);
+        let mut near = [(0.0, f64::INFINITY); ASIDE.len()];
+        let mut tried = 0;
+        for (near, aside) in near.iter_mut().zip(ASIDE) {
+            *near = self.place_aside(b, side, aside);
+            tried += 1;
+            if near.1 <= self.good {
+                break;
+            }
+        }
+        let mut best = (0.0, f64::INFINITY);
+        for (near, aside) in near.into_iter().zip(ASIDE).take(tried).rev() {
+            if near.1 < best.1 {
+                let found = self.approached_to(b, side, aside, near);
                 if found.1 < best.1 {
                     best = found;
                 }
+            }
+            if best.1 <= self.good {
+                break;
             }
         }
         best
     }
 
-    /// The same at most so far aside.
-    fn approached_to(&mut self, b: &Branch, side: Side, aside: f64) -> (f64, f64) {
+    /// The edge of the cluster on a side, and how far from it one is that is at most so far aside and within the slab there.
+    fn step(&self, side: Side, aside: f64) -> (Dd, f64) {
         let (lo, hi) = self.clusters.exact_ends(self.cluster);
         let (edge, slab) = match side {
             Side::Below => (lo, self.clusters.exact_below(self.cluster)),
             Side::Above => (hi, self.clusters.exact_above(self.cluster)),
         };
-        let step = ((slab - edge).to_f64() * 0.5).clamp(-aside, aside);
-        let [near, far] = [edge + step, edge + step * 2.0].map(|theta| self.exact_place(b, theta));
+        (edge, ((slab - edge).to_f64() * 0.5).clamp(-aside, aside))
+    }
+
+    /// The place so far aside, and its rounding.
+    fn place_aside(&mut self, b: &Branch, side: Side, aside: f64) -> (f64, f64) {
+        let (edge, step) = self.step(side, aside);
+        let half = self.half;
+        let (placing, ends) = self.exact_at(edge + step);
+        let (place, rounding) = placing.place_and_rounding(b);
+        (from_nearer_end(place, ends, half), ROUNDING + rounding)
+    }
+
+    /// The place on a side of the cluster and its error, by that at most so far aside and its rounding.
+    fn approached_to(
+        &mut self,
+        b: &Branch,
+        side: Side,
+        aside: f64,
+        (near, rounding): (f64, f64),
+    ) -> (f64, f64) {
+        /// How much further than from near to far the place may move to the other edge of a cluster: towards a tangency, where
+        /// places move with the square root of the orientation, the worst there is, (1 + 2^½) times as far to this edge, and 2^½ times
+        /// that to the other edge of a cluster as wide as the step.
+        const FURTHER: f64 = 4.0;
+        let (edge, step) = self.step(side, aside);
+        let far = self.exact_place(b, edge + step * 2.0);
+        let mut moved = FURTHER * (far - near).abs();
         // What ends or begins the cell may happen anywhere in the cluster.
-        let other = if side == Side::Below {
-            hi - step
-        } else {
-            lo - step
-        };
-        let beyond = (self.exact_place(b, other) - near).abs();
-        // If places move with the square root of the orientation, the worst there is, the limit is 2.4 times further.
-        let rounding = ROUNDING + self.exact_at(edge + step).0.rounding(b);
-        (near, rounding + 3.0 * (far - near).abs() + beyond)
+        if self.width > step.abs() {
+            let (lo, hi) = self.clusters.exact_ends(self.cluster);
+            let other = if side == Side::Below { hi } else { lo };
+            moved += (self.exact_place(b, other - step) - near).abs();
+        }
+        (near, rounding + moved)
     }
 
     /// The curve in double-double at an orientation, with the places of its ends.
     fn exact_at(&mut self, theta: Dd) -> (&ExactPlacing<'a>, (Dd, Dd)) {
         let known = self.exact.iter().position(|e| e.0 == theta);
         let index = known.unwrap_or_else(|| {
-            let placing = ExactPlacing::new(self.geometry, self.sheet, ExactTurn::by(theta));
+            let (clusters, cluster) = (self.clusters, self.cluster);
+            let turn = (self.turn).get_or_insert_with(|| ExactTurn::by(clusters.exact_at(cluster)));
+            let placing = ExactPlacing::new(self.geometry, self.sheet, turn.turned_to(theta));
             let ends = placing.ends();
             self.exact.push((theta, placing, ends));
             self.exact.len() - 1
@@ -250,18 +290,22 @@ impl<'a> CellExtents<'a> {
         (placing, *ends)
     }
 
-    /// A place at an orientation, from the same end as in doubles.
+    /// A place at an orientation.
     fn exact_place(&mut self, b: &Branch, theta: Dd) -> f64 {
         let half = self.half;
-        let (placing, (from, to)) = self.exact_at(theta);
-        let p = placing.place(b);
-        let p = if p < from { from } else { p };
-        let p = if p > to { to } else { p };
-        if p.to_f64() < 0.0 {
-            (p - from).to_f64() - half
-        } else {
-            half - (to - p).to_f64()
-        }
+        let (placing, ends) = self.exact_at(theta);
+        from_nearer_end(placing.place(b), ends, half)
+    }
+}
+
+/// A place that is no further than the ends of its curve, from the nearer of these as in doubles, in which the curve has half a length.
+fn from_nearer_end(place: Dd, (from, to): (Dd, Dd), half: f64) -> f64 {
+    let place = if place < from { from } else { place };
+    let place = if place > to { to } else { place };
+    if place.to_f64() < 0.0 {
+        (place - from).to_f64() - half
+    } else {
+        half - (to - place).to_f64()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
-use crate::contact::{Carrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on};
+use crate::contact::{Carrier, ExactCarrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on};
 use crate::geometry::{Point, Rotation, Vector, wrap};
 use crate::number::Dd;
 use crate::number::Real;
@@ -48,23 +48,42 @@ impl<'a> ExactPlacing<'a> {
 
     /// The place of a branch: length of travel from about the middle of the curve.
     pub(crate) fn place(&self, b: &Branch) -> Dd {
+        self.curve.length_of(self.crossed_by(b).1)
+    }
+
+    /// The same, and how far rounding may have moved it (length): circles are told by their centres, and the larger they are and the
+    /// blunter they cross, the worse a place is known.
+    pub(crate) fn place_and_rounding(&self, b: &Branch) -> (Dd, f64) {
+        let (other, v) = self.crossed_by(b);
+        let sheets = &self.geometry.contacts.sheets;
+        let radius = |s: u32| sheets[s as usize].radius.abs();
+        let size = radius(self.index).max(radius(b.other(self.index))).max(1.0);
+        let sharpness = self.sharpness_at(&other, v).max(f64::MIN_POSITIVE);
+        (self.curve.length_of(v), Dd::EPSILON * size / sharpness)
+    }
+
+    /// What a branch crosses the curve with, and where, as [`place_on`] gives it.
+    fn crossed_by(&self, b: &Branch) -> (ExactCarrier, Xy<Dd>) {
         let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
-        self.curve.place(&other, b.root, b.second == self.index)
+        let v = (self.curve.carrier()).crossed_by(&other, b.root, b.second == self.index);
+        (other, v)
     }
 
     /// What orders branches by their places, as the places themselves would, at less cost: see [`Placing::ranking`].
     pub(crate) fn rank(&self, b: &Branch) -> Dd {
-        let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
-        let v = (self.curve.carrier()).crossed_by(&other, b.root, b.second == self.index);
-        self.curve.rank(v)
+        self.curve.rank(self.crossed_by(b).1)
     }
 
     /// The sine of the angle at which a branch crosses the curve, about.
     pub(crate) fn sharpness(&self, b: &Branch) -> f64 {
-        let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
-        let v = (self.curve.carrier()).crossed_by(&other, b.root, b.second == self.index);
+        let (other, v) = self.crossed_by(b);
+        self.sharpness_at(&other, v)
+    }
+
+    /// The same where another carrier crosses it.
+    fn sharpness_at(&self, other: &ExactCarrier, v: Xy<Dd>) -> f64 {
         let point = self.curve.carrier().point(v);
-        let normals = [self.curve.carrier(), &other].map(|c| c.normal(point));
+        let normals = [self.curve.carrier(), other].map(|c| c.normal(point));
         cross(normals[0], normals[1]).to_f64().abs()
     }
 
@@ -79,15 +98,6 @@ impl<'a> ExactPlacing<'a> {
         let other = exact_sheet(self.geometry, other).curve(&self.turn);
         let outward = (Dd::from(outward.x), Dd::from(outward.y));
         !other.height(self.curve.point(place), outward).is_negative()
-    }
-
-    /// How far rounding may have moved a place (length): circles are told by their centres, and the larger they are and the
-    /// blunter they cross, the worse a place is known.
-    pub(crate) fn rounding(&self, b: &Branch) -> f64 {
-        let sheets = &self.geometry.contacts.sheets;
-        let radius = |s: u32| sheets[s as usize].radius.abs();
-        let size = radius(self.index).max(radius(b.other(self.index))).max(1.0);
-        Dd::EPSILON * size / self.sharpness(b).max(f64::MIN_POSITIVE)
     }
 
     /// The places of the ends.
