@@ -1,7 +1,7 @@
 //! Everything about a pair of parts that does not depend on the orientation.
 
 use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION};
-use crate::feature::{Growths, Outline, PairFrame, Perturbation};
+use crate::feature::{Growths, Outline, PairFrame, Perturbation, inscribed_disc};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
@@ -16,6 +16,9 @@ pub(crate) struct Geometry {
     pub(crate) fixed: Outline,
     pub(crate) moving: Outline,
     pub(crate) contacts: Contacts,
+    /// A large disc inside each part, centre and radius, if one is found.
+    pub(crate) fixed_disc: Option<(Point, f64)>,
+    pub(crate) moving_disc: Option<(Point, f64)>,
     /// Folds of the parts about the origin, as far as they were made exactly symmetric.
     pub(crate) fixed_fold: u32,
     pub(crate) moving_fold: u32,
@@ -123,7 +126,7 @@ impl Geometry {
     /// Where the centre of the moving part's inscribed disc meets that of the fixed part, and how near is blocked, if both
     /// have one.
     pub(crate) fn core(&self, turn: Rotation) -> Option<(Point, f64)> {
-        let ((a, ra), (b, rb)) = (self.fixed.disc?, self.moving.disc?);
+        let ((a, ra), (b, rb)) = (self.fixed_disc?, self.moving_disc?);
         Some((a + (-(turn * b.to_vector())), ra + rb))
     }
 }
@@ -178,8 +181,12 @@ pub(crate) fn growths(fixed: &Part, moving: &Part) -> (f64, f64) {
 impl Outlines {
     fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
-        let drawn = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
-        let growths = Growths::new(&drawn(fixed, GROWTH), &drawn(moving, MOVING_GROWTH));
+        let growths = if [fixed, moving].iter().all(|p| p.part.loops().len() == 1) {
+            Growths::alike()
+        } else {
+            let drawn = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
+            Growths::new(&drawn(fixed, GROWTH), &drawn(moving, MOVING_GROWTH))
+        };
         let outline = |p: Placed<'_>, growths: &Growths, seed: u64, size: f64| {
             let perturbation = Perturbation {
                 size,
@@ -210,8 +217,12 @@ impl Outlines {
 
     fn sheets(self, span: Span, period: Period, most: usize) -> Geometry {
         let contacts = Contacts::new(&self.fixed, &self.moving, span, period, most);
+        let scale = self.frame.scale;
+        let disc = |body: &Body| inscribed_disc(body.part(), body.center(), scale);
         Geometry {
             frame: self.frame,
+            fixed_disc: disc(&self.fixed_body),
+            moving_disc: disc(&self.moving_body),
             fixed: self.fixed,
             moving: self.moving,
             contacts,

@@ -4,7 +4,6 @@ use core::f64::consts::TAU;
 
 use super::framed_edge::FramedEdge;
 use super::generic::{ExactVertex, made_generic};
-use super::inscribed::inscribed_disc;
 use super::joining::{Corner, corner, mitre, straightened, tangency};
 use super::perturbation::Perturbation;
 use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
@@ -43,7 +42,6 @@ impl Outline {
             exact_features: Vec::new(),
             exact_joints: Vec::new(),
             feature_count: 0,
-            disc: None,
         };
         let mut wishes = perturbation.map(|p| p.wishes(part)).unwrap_or_default();
         for (loop_index, boundary) in part.loops().iter().enumerate() {
@@ -59,7 +57,6 @@ impl Outline {
             let growth = growth(loop_index);
             outline.add_loop(loop_index, &pieces, boundary.is_reversed(), growth);
         }
-        outline.disc = inscribed_disc(part, center, scale);
         outline
     }
 

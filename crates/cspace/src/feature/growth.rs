@@ -19,6 +19,16 @@ pub(crate) struct Growths {
 }
 
 impl Growths {
+    /// Of parts of one loop each, which need no levels.
+    pub(crate) fn alike() -> (Self, Self) {
+        let least = |least| Self {
+            least,
+            step: 0.0,
+            levels: Vec::new(),
+        };
+        (least(GROWTH), least(MOVING_GROWTH))
+    }
+
     /// For the fixed and for the moving part, as they are grown evenly.
     ///
     /// All levels of the fixed part together are less than one of the moving part, so that they do not cancel out.

@@ -39,7 +39,7 @@ pub(crate) use as_drawn::as_drawn;
 pub(crate) use concentric::equal_sums;
 pub use frame::PairFrame;
 pub(crate) use growth::Growths;
-pub(crate) use inscribed::{Plenty, inscribed_discs};
+pub(crate) use inscribed::{Plenty, inscribed_disc, inscribed_discs};
 pub(crate) use material::Material;
 pub(crate) use perturbation::Perturbation;
 pub(crate) use types::{Feature, Near, Outline, Shape};

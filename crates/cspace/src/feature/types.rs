@@ -119,8 +119,6 @@ pub(crate) struct Outline {
     pub(crate) exact_joints: Vec<ExactJoint>,
     /// Number of lines, arcs and vertices that are not smooth joints.
     pub(crate) feature_count: usize,
-    /// A disc inside the material: centre and radius, if one was found.
-    pub(crate) disc: Option<(Point, f64)>,
 }
 
 impl Feature {

@@ -49,8 +49,8 @@ impl Chart {
 /// A crossing of two curves.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ExactCrossing {
-    /// Length of travel from about the middle of either curve.
-    pub(crate) places: (Dd, Dd),
+    /// Where it is on the first curve, as `place_on` gives it.
+    pub(crate) on: Xy<Dd>,
     pub(crate) point: Xy<Dd>,
     pub(crate) enters: bool,
 }
@@ -92,20 +92,25 @@ impl ExactCurve {
         }
     }
 
-    /// The length of travel to a point of the plane on the curve.
-    fn position(&self, p: Xy<Dd>) -> Dd {
+    /// Where a point of the plane is on the curve, as `place_on` gives it.
+    pub(super) fn on(&self, p: Xy<Dd>) -> Xy<Dd> {
         match self.carrier.carrier {
             Carrier::Line { normal, through } => {
-                self.length_of((dot(left(normal), minus(p, through)), Dd::ZERO))
+                (dot(left(normal), minus(p, through)), Dd::ZERO)
             }
-            Carrier::Circle { center, .. } => self.length_of(minus(p, center)),
-            Carrier::FlatArc(_) => Dd::ZERO,
+            Carrier::Circle { center, .. } => minus(p, center),
+            Carrier::FlatArc(_) => (Dd::ZERO, Dd::ZERO),
         }
     }
 
     /// The places of its ends.
     pub(crate) fn ends(&self) -> (Dd, Dd) {
-        let (start, end) = (self.position(self.start), self.position(self.end));
+        self.ends_by(|v| self.length_of(v))
+    }
+
+    /// The same by what grows with the length of travel, and is its negative as far before the middle.
+    fn ends_by(&self, place: impl Fn(Xy<Dd>) -> Dd) -> (Dd, Dd) {
+        let (start, end) = (place(self.on(self.start)), place(self.on(self.end)));
         match self.carrier.carrier {
             // All of a circle ends where it starts, half a turn from the middle.
             Carrier::Circle { .. } if start > end && self.chart.is_none() => {
@@ -116,6 +121,16 @@ impl ExactCurve {
                 }
             }
             _ => (start, end),
+        }
+    }
+
+    /// Whether a place of its carrier, as `place_on` gives it, is between its ends.
+    pub(super) fn holds(&self, v: Xy<Dd>) -> bool {
+        let between = |place: Dd, (lo, hi): (Dd, Dd)| lo < place && place < hi;
+        if self.chart.is_some() {
+            between(self.length_of(v), self.ends())
+        } else {
+            between(self.rank(v), self.ends_by(|v| self.rank(v)))
         }
     }
 
@@ -157,8 +172,7 @@ impl ExactCurve {
             Carrier::Circle { center, radius } => length(minus(p, center)) - radius.abs(),
             Carrier::FlatArc(_) => return None,
         };
-        let (place, (lo, hi)) = (self.position(p), self.ends());
-        (lo < place && place < hi).then_some(!off.is_negative())
+        self.holds(self.on(p)).then_some(!off.is_negative())
     }
 
     /// The crossing with the given name, wherever it lies on the carriers.
@@ -174,7 +188,7 @@ impl ExactCurve {
         let v = place_on(&self.carrier.carrier, &other.carrier.carrier, root, false);
         let point = self.carrier.point(v);
         Some(ExactCrossing {
-            places: (self.length_of(v), other.position(point)),
+            on: v,
             point,
             enters: self.carrier.enters(&other.carrier, root),
         })

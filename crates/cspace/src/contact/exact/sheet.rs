@@ -291,10 +291,8 @@ pub(crate) fn exact_crossings(
             found[nearest] = None;
         }
     }
-    let (of_f, of_g) = (c.ends(), d.ends());
-    let within = |place: Dd, (lo, hi): (Dd, Dd)| lo < place && place < hi;
     found.map(|x| {
-        x.filter(|x| within(x.places.0, of_f) && within(x.places.1, of_g))
+        x.filter(|x| c.holds(x.on) && d.holds(d.on(x.point)))
             .map(|x| x.enters)
     })
 }

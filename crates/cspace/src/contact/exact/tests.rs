@@ -160,7 +160,8 @@ fn crossings_are_those_of_doubles() {
                 assert!(point(y.point).distance(p) < 1e-9, "{f:?} {g:?}");
                 assert_eq!(x.enters, y.enters, "{f:?} {g:?}");
                 // It is on both carriers, and at both places.
-                for (curve, place) in [(&c, y.places.0), (&d, y.places.1)] {
+                let places = (c.length_of(y.on), d.length_of(d.on(y.point)));
+                for (curve, place) in [(&c, places.0), (&d, places.1)] {
                     let off = length_of(minus(curve.point(place), y.point));
                     let none = if f.is_flat() || g.is_flat() {
                         1e-15
@@ -172,9 +173,9 @@ fn crossings_are_those_of_doubles() {
                 let place = |c: &ExactCurve, d: &ExactCurve, swapped| {
                     c.length_of(c.carrier().crossed_by(d.carrier(), root, swapped))
                 };
-                let off = (place(&c, &d, false) - y.places.0).to_f64().abs();
+                let off = (place(&c, &d, false) - places.0).to_f64().abs();
                 assert!(off < 1e-24, "{off} {f:?} {g:?}");
-                let off = (place(&d, &c, true) - y.places.1).to_f64().abs();
+                let off = (place(&d, &c, true) - places.1).to_f64().abs();
                 assert!(off < 1e-24, "{off} {f:?} {g:?}");
             }
         }

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use crate::contact::Geometry;
 use crate::feature::{Plenty, inscribed_discs};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::part::Part;
 
 use crate::general::broad::disc::{Disc, LONG};
 use crate::general::broad::disc_table::Anchors;
@@ -27,27 +28,33 @@ pub(crate) struct DiscPair {
 
 impl Cores {
     pub(crate) fn new(geometry: &Geometry) -> Self {
-        let frame = &geometry.frame;
-        let plenty = if geometry.contacts.sheets.len() > MANY_SHEETS {
+        let contacts = &geometry.contacts;
+        let plenty = if contacts.sheets.len() > MANY_SHEETS {
             Plenty::Many
         } else {
             Plenty::Few
         };
-        let fixed = inscribed_discs(
+        let turns = (contacts.span.hi - contacts.span.lo) / TAU;
+        let in_turn = contacts.sheets.len() as f64 / turns;
+        let most = 1 + (in_turn / SHEETS_PER_DISC) as usize;
+        let all = |part: &Part, center: Point, disc: Option<(Point, f64)>, fold: u32| {
+            // Of small pairs one disc of each part is all that is kept.
+            if most == 1 && disc.is_some() {
+                return disc.into_iter().collect();
+            }
+            inscribed_discs(part, center, geometry.frame.scale, disc, fold, plenty)
+        };
+        let fixed = all(
             geometry.fixed_part(),
             geometry.fixed_center(),
-            frame.scale,
-            geometry.fixed.disc,
+            geometry.fixed_disc,
             geometry.fixed_fold,
-            plenty,
         );
-        let moving = inscribed_discs(
+        let moving = all(
             geometry.moving_part(),
             geometry.moving_center(),
-            frame.scale,
-            geometry.moving.disc,
+            geometry.moving_disc,
             geometry.moving_fold,
-            plenty,
         );
         let mut pairs = Vec::new();
         for a in &fixed {
@@ -60,10 +67,7 @@ impl Cores {
             }
         }
         pairs.sort_by(|a, b| b.reach.total_cmp(&a.reach));
-        let contacts = &geometry.contacts;
-        let turns = (contacts.span.hi - contacts.span.lo) / TAU;
-        let in_turn = contacts.sheets.len() as f64 / turns;
-        pairs.truncate(1 + (in_turn / SHEETS_PER_DISC) as usize);
+        pairs.truncate(most);
         let many = plenty == Plenty::Many;
         Self {
             pairs,

@@ -58,7 +58,7 @@ impl Extent {
 }
 
 /// On which side of a cluster a cell lies that ends or begins there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Side {
     Below,
     Above,
@@ -203,30 +203,38 @@ impl<'a> CellExtents<'a> {
     /// The place in double-double, a little aside: where two lines become one, their crossing is undefined, yet it has a limit.
     ///
     /// Near to the cluster the place has hardly moved, but curves that become one cross at an angle so small that their rounding
-    /// is much of it; farther aside it is the other way round. Where rounding is well enough known first counts, and what is nearer
-    /// if the place has moved too much there.
+    /// is much of it; farther aside it is the other way round. The best that is found counts.
     fn approached(&mut self, b: &Branch, side: Side) -> (f64, f64) {
         /// How far aside, radians: above the rounding of orientations, and far below what moves places.
         const ASIDE: [f64; 3] = [1e-20, 1e-17, 1e-14];
-        let mut near = [(0.0, f64::INFINITY); ASIDE.len()];
-        let mut tried = 0;
+        /// Rounding is told to this factor: where a place moves by more than that times its rounding, it does move.
+        const TOLD: f64 = 1e3;
+        let mut best = (0.0, f64::INFINITY);
+        let mut near = [None; ASIDE.len()];
         for (near, aside) in near.iter_mut().zip(ASIDE) {
-            *near = self.place_aside(b, side, aside);
-            tried += 1;
-            if near.1 <= self.good {
+            let found = self.place_aside(b, side, aside);
+            // Where rounding alone is too much, it may be less farther aside.
+            if found.1 > self.good && aside < ASIDE[ASIDE.len() - 1] {
+                *near = Some(found);
+                continue;
+            }
+            let measured = self.approached_to(b, side, aside, found);
+            if measured.1 < best.1 {
+                best = measured;
+            }
+            if best.1 <= self.good {
+                return best;
+            }
+            if measured.1 > TOLD * found.1 {
                 break;
             }
         }
-        let mut best = (0.0, f64::INFINITY);
-        for (near, aside) in near.into_iter().zip(ASIDE).take(tried).rev() {
-            if near.1 < best.1 {
-                let found = self.approached_to(b, side, aside, near);
-                if found.1 < best.1 {
-                    best = found;
+        for (near, aside) in near.into_iter().zip(ASIDE) {
+            if let Some(near) = near.filter(|near| near.1 < best.1) {
+                let measured = self.approached_to(b, side, aside, near);
+                if measured.1 < best.1 {
+                    best = measured;
                 }
-            }
-            if best.1 <= self.good {
-                break;
             }
         }
         best

@@ -4,7 +4,7 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Carrier, ExactTurn, Geometry, Sheet, place_on};
+use crate::contact::{Carrier, ExactSheet, ExactTurn, Geometry, Sheet, place_on};
 use crate::number::plane::{Xy, cross, dot, minus, times};
 use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
 
@@ -285,16 +285,17 @@ impl Passing<'_> {
         count
     }
 
-    /// The difference of the places of the two branches in double-double; see [`between`].
-    fn apart(&self, theta: Dd) -> Dd {
-        let turn = ExactTurn::by(theta);
-        let carrier = |s| exact_sheet(self.geometry, s).carrier(&turn);
-        let f = carrier(self.sheet);
-        let place = |b: &Branch| {
-            let g = carrier(b.other(self.sheet));
-            f.crossed_by(&g, b.root, b.second == self.sheet)
-        };
-        between(&f.carrier, place(self.x), place(self.y))
+    /// The difference of the places of the two branches in double-double as a function of the orientation; see [`between`].
+    fn exactly_apart(&self) -> impl Fn(Dd) -> Dd {
+        let [f, g, h] = self.sheets().map(|s| exact_sheet(self.geometry, s));
+        move |theta| {
+            let turn = ExactTurn::by(theta);
+            let f = f.carrier(&turn);
+            let place = |b: &Branch, other: &ExactSheet<'_>| {
+                f.crossed_by(&other.carrier(&turn), b.root, b.second == self.sheet)
+            };
+            between(&f.carrier, place(self.x, &g), place(self.y, &h))
+        }
     }
 
     /// The same in doubles, if its sign is certain.
@@ -318,9 +319,10 @@ impl Passing<'_> {
     fn change_of_order(&self, lo: Dd, hi: Dd, near: Option<f64>) -> Option<Moment> {
         /// Smaller ones are rounding (length): where three carriers always share a point.
         const NONE: f64 = 1e-29;
+        let apart = self.exactly_apart();
         let at = |theta: Dd| {
             let rough = self.roughly_apart(theta.to_f64()).map(Dd::from);
-            let apart = rough.unwrap_or_else(|| self.apart(theta));
+            let apart = rough.unwrap_or_else(|| apart(theta));
             (apart.to_f64().abs() >= NONE).then_some(apart)
         };
         let ((mut a, at_a), (mut b, at_b)) = ((lo, at(lo)?), (hi, at(hi)?));
@@ -340,7 +342,7 @@ impl Passing<'_> {
             if !(a < c && c < b) {
                 c = (a + b).scaled(0.5);
             }
-            let at_c = self.apart(c);
+            let at_c = apart(c);
             if at_c.is_negative() == at_a.is_negative() {
                 a = c;
             } else {

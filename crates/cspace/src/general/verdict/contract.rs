@@ -5,7 +5,7 @@
 //! and end in it go away; those that end in it are continued by those that begin in it where both lie on one place of one curve and
 //! hang together by what went away. Shells stay as they are, so that regions keep their connections.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use crate::contact::Geometry;
 use crate::feature::tolerance::NARROWEST_BAND;
@@ -184,33 +184,33 @@ impl Contraction<'_> {
 
     fn across(&self, run: u32, touched: &Touched) -> Vec<VerticalContact> {
         let mut out = Vec::new();
-        let mut local: HashMap<u32, u32> = HashMap::new();
-        let mut index = |cell: u32| {
-            let next = local.len() as u32;
-            *local.entry(cell).or_insert(next)
-        };
-        let joined: Vec<(u32, u32)> = (touched.joined.iter())
-            .map(|&(a, b)| (index(a), index(b)))
+        let mut local: Vec<u32> = (touched.joined.iter())
+            .flat_map(|&(a, b)| [a, b])
+            .chain(touched.ending.iter().copied())
+            .chain(touched.beginning.iter().copied())
             .collect();
-        let ends = [&touched.ending, &touched.beginning];
-        let [ending, beginning] =
-            ends.map(|cells| -> Vec<(u32, u32)> { cells.iter().map(|&c| (index(c), c)).collect() });
+        local.sort_unstable();
+        local.dedup();
+        let index = |cell: u32| local.partition_point(|&c| c < cell) as u32;
         let mut sets = UnionFind::new(local.len());
-        for (a, b) in joined {
-            sets.union(a, b);
+        for &(a, b) in &touched.joined {
+            sets.union(index(a), index(b));
         }
-        let mut above: HashMap<u32, Vec<u32>> = HashMap::new();
-        for (i, c) in beginning {
-            above.entry(sets.find(i)).or_default().push(c);
-        }
+        let mut beginning: Vec<(u32, u32)> = (touched.beginning.iter())
+            .map(|&c| (sets.find(index(c)), c))
+            .collect();
+        beginning.sort_unstable();
         let mut ends = Ends::default();
-        for (i, c) in ending {
-            let Some(above) = above.get(&sets.find(i)) else {
-                continue;
-            };
-            let above: Vec<End> = (above.iter())
-                .map(|&upper| ends.of(self, upper, Side::Above))
+        for &c in &touched.ending {
+            let set = sets.find(index(c));
+            let first = beginning.partition_point(|b| b.0 < set);
+            let above: Vec<End> = (beginning[first..].iter())
+                .take_while(|b| b.0 == set)
+                .map(|&(_, upper)| ends.of(self, upper, Side::Above))
                 .collect();
+            if above.is_empty() {
+                continue;
+            }
             let below = ends.of(self, c, Side::Below);
             let (first, _) = self.runs.all[run as usize];
             out.extend(above.iter().filter_map(|upper| {
@@ -258,8 +258,8 @@ impl Contraction<'_> {
 /// Ends that were measured in a run: cells beside each other share bounds, and most are asked for again.
 #[derive(Default)]
 struct Ends<'a> {
-    extents: HashMap<(u32, u32), CellExtents<'a>>,
-    known: HashMap<(u32, Side), End>,
+    extents: BTreeMap<(u32, u32), CellExtents<'a>>,
+    known: BTreeMap<(u32, Side), End>,
 }
 
 impl<'a> Ends<'a> {
