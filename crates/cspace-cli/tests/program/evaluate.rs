@@ -44,6 +44,17 @@ fn json_has_the_fields_of_the_contract() {
         ] {
             assert!(pair[field].as_f64().unwrap() > 0.0, "{field}");
         }
+        // The search examines fewer where it skips what is known, and finds the same.
+        let [skipped, examined] = &pair["criticality_search"].as_array().unwrap()[..] else {
+            panic!("two searches");
+        };
+        let of = |search: &Value, field: &str| search[field].as_u64().unwrap();
+        assert!(of(skipped, "examined") < of(examined, "examined"));
+        assert_eq!(of(examined, "examined"), of(examined, "solutions"));
+        assert!(of(examined, "overlap_tests") > 0);
+        assert_eq!(skipped["orientations"], examined["orientations"]);
+        let with = pair["ratio_with_criticalities"].as_f64().unwrap();
+        assert!(with > pair["ratio"].as_f64().unwrap());
         // Each critical orientation of the slices computed has a kind.
         let critical = &pair["critical"];
         let count = |field: &str| critical[field].as_u64().unwrap();
@@ -115,6 +126,10 @@ fn a_search_that_does_not_end_in_time_has_no_seconds() {
     ] {
         assert!(pair[field].is_null(), "{field}");
     }
+    // What is known of the ratio counts the limit.
+    let [with, old, new] = ["ratio_with_criticalities", "old_seconds", "new_seconds"]
+        .map(|f| pair[f].as_f64().unwrap());
+    assert!((with * new / (old + 0.01) - 1.0).abs() < 1e-9);
     // Of one tooth, as many as slices are computed.
     assert_eq!(pair["critical"]["orientations"], pair["new_slices"]);
     let text = cspace(&limited).output().unwrap();

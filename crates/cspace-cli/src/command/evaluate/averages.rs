@@ -20,6 +20,10 @@ pub(super) struct Average {
     /// The same of the same pairs' numbers in Figure 5.
     pub(super) paper_slices: Ratios,
     pub(super) seconds: Ratios,
+    /// Geometric mean of the time ratios with the general algorithm's search of critical orientations.
+    pub(super) seconds_with_criticalities: f64,
+    /// How many pairs' searches did not end, so that it is more than that.
+    pub(super) criticalities_unfinished: usize,
     /// Geometric mean of the time ratios without symmetry.
     pub(super) seconds_without_symmetry: f64,
     /// The factor that the paper's text gives.
@@ -62,6 +66,11 @@ impl Averages {
                     (f64::from(m.paper.old_slices), f64::from(m.paper.new_slices))
                 }),
                 seconds: ratios(|m| (m.old_seconds, m.new_seconds)),
+                seconds_with_criticalities: ratios(|m| (m.ratio_with_criticalities, 1.0))
+                    .geometric_mean,
+                criticalities_unfinished: (members.iter())
+                    .filter(|m| m.criticality_seconds_without_skipping.is_none())
+                    .count(),
                 seconds_without_symmetry: ratios(|m| {
                     (m.old_seconds, m.new_seconds_without_symmetry)
                 })

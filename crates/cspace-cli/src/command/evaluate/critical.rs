@@ -40,21 +40,43 @@ impl Kinds {
     }
 }
 
-/// The seconds that the search takes: the median of so many runs, or of as many as fit in the limit; `None` if none does.
-pub(super) fn criticality_seconds(
+/// What the general algorithm's search did, and how long it took.
+#[derive(Serialize, Clone, Copy)]
+pub(super) struct Searched {
+    /// The median of so many runs, or of as many as fit in the limit.
+    pub(super) seconds: f64,
+    /// Solutions of the equations of all combinations of features.
+    pub(super) solutions: u64,
+    /// Those that were examined one by one: the others are at an orientation that was known.
+    pub(super) examined: u64,
+    /// Configurations at which the parts were tested for overlap.
+    pub(super) overlap_tests: u64,
+    /// Critical orientations that are left.
+    pub(super) orientations: usize,
+}
+
+/// Searches so often, or as often as fits in the limit; `None` if that is not once.
+pub(super) fn searched(
     fixed: &Part,
     moving: &Part,
     known: Known,
     (limit, repeat): (f64, u16),
-) -> Option<f64> {
+) -> Option<Searched> {
     let until = Instant::now() + Duration::from_secs_f64(limit);
-    let mut runs = Vec::new();
+    let (mut runs, mut last) = (Vec::new(), None);
     for _ in 0..repeat {
         let (seconds, found) = timed(|| search(fixed, moving, known, &|| Instant::now() < until));
-        if found.is_none() {
+        let Some(found) = found else {
             break;
-        }
+        };
         runs.push(seconds);
+        last = Some(found);
     }
-    (!runs.is_empty()).then(|| median(runs))
+    last.map(|found| Searched {
+        seconds: median(runs),
+        solutions: found.candidates,
+        examined: found.candidates - found.skipped,
+        overlap_tests: found.overlap_tests,
+        orientations: found.orientations.len(),
+    })
 }

@@ -12,7 +12,7 @@ use serde::Serialize;
 use crate::args::EvaluateArgs;
 use crate::failure::Failure;
 
-use super::critical::{Kinds, criticality_seconds};
+use super::critical::{Kinds, Searched, searched};
 use super::embedded::embedded;
 use super::timing::{median, timed};
 
@@ -47,8 +47,13 @@ pub(super) struct Measured {
     /// The general algorithm's search of critical orientations over all combinations of features, those known skipped; `None`
     /// if it did not end within the limit.
     pub(super) criticality_seconds: Option<f64>,
-    /// The same with every criticality examined.
+    /// The same with every criticality examined, as the general algorithm does.
     pub(super) criticality_seconds_without_skipping: Option<f64>,
+    /// What both of them did.
+    pub(super) criticality_search: [Option<Searched>; 2],
+    /// Old seconds with that search, every criticality examined, by new ones; where the search did not end, with the limit in its
+    /// place, and so less than it is.
+    pub(super) ratio_with_criticalities: f64,
     /// What makes the critical orientations of the slices computed.
     pub(super) critical: Kinds,
     pub(super) patches: usize,
@@ -162,8 +167,10 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
         &general,
     );
     let features = exact.features();
-    let [skipped, examined] = [Known::Skipped, Known::Examined]
-        .map(|known| criticality_seconds(fixed, moving, known, (args.criticality_limit, repeat)));
+    let criticality_search = [Known::Skipped, Known::Examined]
+        .map(|known| searched(fixed, moving, known, (args.criticality_limit, repeat)));
+    let [skipped, examined] = criticality_search.map(|s| s.map(|s| s.seconds));
+    let criticalities = examined.unwrap_or(args.criticality_limit);
     Ok(Measured {
         pair: pair.name,
         group: pair.group,
@@ -188,6 +195,8 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
         ratio: old_seconds / new_seconds,
         criticality_seconds: skipped,
         criticality_seconds_without_skipping: examined,
+        criticality_search,
+        ratio_with_criticalities: (old_seconds + criticalities) / new_seconds,
         critical: Kinds::new(&general, exact.symmetry().slabs),
         patches: exact.patches().len(),
         links: Links {

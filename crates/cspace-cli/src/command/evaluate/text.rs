@@ -97,15 +97,18 @@ fn times(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
 fn criticalities(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
     writeln!(
         text,
-        "\nCritical orientations: the general algorithm's search over all combinations of features, milliseconds; and\n\
-         the product's in the slices computed, by what happens there (several can at once)\n"
+        "\nCritical orientations: the general algorithm's search over all combinations of features, milliseconds and\n\
+         solutions examined one by one, and the ratio of times with that; and the product's in the slices computed, by\n\
+         what happens there (several can at once)\n"
     )?;
     writeln!(
         text,
-        "{:14}{:>14}{:>14}{:>14}{:>10}{:>10}{:>10}{:>10}",
+        "{:14}{:>14}{:>14}{:>10}{:>8}{:>14}{:>9}{:>6}{:>9}{:>8}",
         "pair",
         "known skipped",
         "all examined",
+        "examined",
+        "ratio",
         "orientations",
         "aligned",
         "end",
@@ -122,10 +125,12 @@ fn criticalities(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
         let k = &m.critical;
         writeln!(
             text,
-            "{:14}{:>14}{:>14}{:>14}{:>10}{:>10}{:>10}{:>10}",
+            "{:14}{:>14}{:>14}{:>10}{:>8}{:>14}{:>9}{:>6}{:>9}{:>8}",
             m.pair,
             seconds(m.criticality_seconds),
             seconds(m.criticality_seconds_without_skipping),
+            m.criticality_search[1].map_or("-".into(), |s| s.examined.to_string()),
+            with_criticalities(m, limit),
             k.orientations,
             k.aligned,
             k.end,
@@ -134,6 +139,15 @@ fn criticalities(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
         )?;
     }
     Ok(())
+}
+
+/// The ratio of times with the search of critical orientations, or what it is more than.
+fn with_criticalities(m: &Measured, limit: f64) -> String {
+    match m.criticality_seconds_without_skipping {
+        Some(_) => format!("{:.0}", m.ratio_with_criticalities),
+        None if limit == 0.0 => "-".into(),
+        None => format!("> {:.0}", m.ratio_with_criticalities),
+    }
 }
 
 fn errors(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
@@ -191,10 +205,16 @@ fn average(text: &mut String, what: &str, average: Option<&Average>) -> fmt::Res
             r.mean, r.geometric_mean, r.of_totals
         )?;
     }
+    let more = if a.criticalities_unfinished > 0 {
+        "more than "
+    } else {
+        ""
+    };
     writeln!(
         text,
-        "  seconds without symmetry: {:.1} geometric mean",
-        a.seconds_without_symmetry
+        "  seconds with the general algorithm's search of critical orientations: {more}{:.1} geometric mean\n  \
+         seconds without symmetry: {:.1} geometric mean",
+        a.seconds_with_criticalities, a.seconds_without_symmetry
     )
 }
 

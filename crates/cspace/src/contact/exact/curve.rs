@@ -95,9 +95,7 @@ impl ExactCurve {
     /// Where a point of the plane is on the curve, as `place_on` gives it.
     pub(super) fn on(&self, p: Xy<Dd>) -> Xy<Dd> {
         match self.carrier.carrier {
-            Carrier::Line { normal, through } => {
-                (dot(left(normal), minus(p, through)), Dd::ZERO)
-            }
+            Carrier::Line { normal, through } => (dot(left(normal), minus(p, through)), Dd::ZERO),
             Carrier::Circle { center, .. } => minus(p, center),
             Carrier::FlatArc(_) => (Dd::ZERO, Dd::ZERO),
         }

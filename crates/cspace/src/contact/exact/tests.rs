@@ -425,7 +425,9 @@ fn carriers_are_one_within_little() {
 #[test]
 fn turns_to_what_is_near() {
     let base = ExactTurn::by(Dd::from(0.7) + 1e-19);
-    for by in [0.0, 1e-30, -3e-20, 2e-14, -7e-11, 9.9e-9, -1e-8, 1.1e-8, 0.3] {
+    for by in [
+        0.0, 1e-30, -3e-20, 2e-14, -7e-11, 9.9e-9, -1e-8, 1.1e-8, 0.3,
+    ] {
         let theta = base.theta + by;
         let (turn, expected) = (base.turned_to(theta), ExactTurn::by(theta));
         for off in [turn.cos - expected.cos, turn.sin - expected.sin] {

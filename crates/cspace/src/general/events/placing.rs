@@ -1,6 +1,8 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
-use crate::contact::{Carrier, ExactCarrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on};
+use crate::contact::{
+    Carrier, ExactCarrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on,
+};
 use crate::geometry::{Point, Rotation, Vector, wrap};
 use crate::number::Dd;
 use crate::number::Real;
