@@ -2,21 +2,24 @@
 
 use core::ops::Range;
 
-use crate::parallel::prelude::*;
-
 use crate::geometry::{Configuration, Point, Rotation};
+use crate::parallel;
 use crate::space::ContactSpace;
 
 use super::cells::CellStore;
 use super::classify::Classification;
 use super::grid::{Grid, MARGIN};
 use super::ray::{Direction, off_carrier};
-use super::slot::{self, presences};
+use super::slab::{Home, Slab};
+use super::slot;
 use super::walk::{self, Content};
 
 /// Orientations farther from zero than this (radians, some hundred turns) are classified the slow way: brought home by
 /// turns, their rounding is no longer small beside the margin of cells.
 const FARTHEST_ORIENTATION: f64 = 1024.0;
+
+/// So many slots are found by one thread in a row.
+const SLOTS_TOGETHER: usize = 8;
 
 /// A [`ContactSpace`] prepared for classifying millions of configurations: 0.1 to 0.2 µs each on one core.
 ///
@@ -34,6 +37,7 @@ const FARTHEST_ORIENTATION: f64 = 1024.0;
 #[derive(Debug, Clone)]
 pub struct Classifier<'a> {
     space: &'a ContactSpace,
+    slab: Slab,
     grid: Grid,
     /// Beyond this distance from the centre of the fixed part all is free (model length, squared).
     far: f64,
@@ -74,14 +78,14 @@ impl<'a> Classifier<'a> {
             .reach(&space.data.fixed, &space.data.moving)
             + MARGIN
             + 2.0 * space.data.frame.rounding();
-        let grid = Grid::new(space, reach);
+        let slab = Slab::new(space);
+        let grid = Grid::new(space, &slab, reach);
         let drawn = space.data.frame.moving_center.to_vector().length();
         let far = space.data.frame.outer_length(2.0 * reach) + drawn * (1.0 + 1e-12);
-        let stores: Vec<CellStore> = presences(space, &grid)
-            .par_iter()
-            .enumerate()
-            .map(|(slot, presences)| slot::cells(space, &grid, slot, presences))
-            .collect();
+        let presences = slot::presences(space, &grid);
+        let stores = parallel::chunks(&presences, SLOTS_TOGETHER, |first, some| {
+            slot::cells(space, &grid, first, some)
+        });
         let mut cells = CellStore::default();
         for store in &stores {
             cells.append(store);
@@ -89,7 +93,8 @@ impl<'a> Classifier<'a> {
         cells.finish(grid.side);
         Self {
             space,
-            doubts: grid.doubts(&space.doubts()),
+            doubts: slot::doubts(space, &grid, &slab),
+            slab,
             grid,
             far: far * far,
             rounding: space.data.frame.rounding(),
@@ -101,7 +106,8 @@ impl<'a> Classifier<'a> {
     /// is not finite.
     #[inline]
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
-        let slot = self.grid.slot(c.theta)?;
+        let home = self.slab.home(c.theta)?;
+        let slot = self.grid.slot(home.from_lo);
         let from = c.position() - self.space.data.frame.fixed_center;
         let square = from.length_squared();
         // Not "at least", so that NaN comes here too.
@@ -112,22 +118,27 @@ impl<'a> Classifier<'a> {
         if !doubts.is_empty() && self.space.doubts().hold_among(c.theta, doubts.clone()) {
             return self.space.classify(c);
         }
-        let turn = Rotation::by(c.theta);
         let frame = &self.space.data.frame;
-        let p = Point::ORIGIN + (from + turn * frame.moving_center.to_vector()) * frame.scale;
+        let drawn = Rotation::by(c.theta) * frame.moving_center.to_vector();
+        let p = self
+            .slab
+            .position(Point::ORIGIN + (from + drawn) * frame.scale, home);
         let (Some(column), Some(row)) = (self.grid.index(p.x), self.grid.index(p.y)) else {
             return Some(Classification::Free);
         };
         match self.content(slot, column, row) {
             Content::Pure { free: true } => Some(Classification::Free),
             Content::Pure { free: false } => Some(Classification::Blocked),
-            Content::Mixed(patches) => self.classify_among(c, turn, p, slot, patches),
+            Content::Mixed(patches) => self.classify_among(c, home, p, slot, patches),
         }
     }
 
     /// Number of bytes in memory, without the space itself.
     pub fn bytes(&self) -> usize {
-        size_of::<Self>() + size_of_val(self.doubts.as_slice()) + self.cells.bytes()
+        size_of::<Self>()
+            + self.slab.bytes()
+            + size_of_val(self.doubts.as_slice())
+            + self.cells.bytes()
     }
 
     #[inline]
@@ -146,27 +157,27 @@ impl<'a> Classifier<'a> {
         }
     }
 
-    /// Classifies a configuration of a cell that contact may pass.
+    /// Classifies a configuration that is, brought home, in a cell that contact may pass.
     #[inline(never)]
     fn classify_among(
         &self,
         c: Configuration,
-        turn: Rotation,
+        home: Home,
         p: Point,
         slot: usize,
         patches: &[u32],
     ) -> Option<Classification> {
-        let near = self.space.contact_distance();
-        let settled = self.space.settled(c.theta);
+        if self.slab.is_unsure(self.space, home.theta) {
+            return self.space.classify(c);
+        }
+        let turn = Rotation::by(home.theta);
         let mut unclear = false;
         for &i in patches {
-            let patch = &self.space.data.patches[i as usize];
-            let off = off_carrier(patch, turn, p);
+            let off = off_carrier(&self.space.data.patches[i as usize], turn, p);
             if off <= self.grid.margin
-                && let Some(alive) = self.space.alive(patch, settled)
+                && let Some(distance) = self.distance(c, self.slab.image(i, home))
             {
-                let curve = self.space.curve_as_at(patch, alive, c.theta);
-                if curve.nearest(c.position()).distance(c.position()) <= near {
+                if distance <= self.space.contact_distance() {
                     return Some(Classification::Contact);
                 }
                 unclear |= off <= self.rounding;
@@ -175,7 +186,7 @@ impl<'a> Classifier<'a> {
         if unclear {
             return self.space.classify(c);
         }
-        let place = (p, settled, turn);
+        let place = (p, self.space.settled(home.theta), turn);
         for direction in Direction::ALL {
             let content = |column, row| self.content(slot, column, row);
             if let Some(free) = walk::is_free(self.space, &self.grid, place, direction, content) {
@@ -187,5 +198,14 @@ impl<'a> Classifier<'a> {
             }
         }
         self.space.classify(c)
+    }
+
+    /// How far a configuration is from the curve of a patch (model length); `None` if the patch is not there.
+    #[cold]
+    fn distance(&self, c: Configuration, patch: u32) -> Option<f64> {
+        let patch = &self.space.data.patches[patch as usize];
+        let alive = self.space.alive(patch, self.space.settled(c.theta))?;
+        let curve = self.space.curve_as_at(patch, alive, c.theta);
+        Some(curve.nearest(c.position()).distance(c.position()))
     }
 }

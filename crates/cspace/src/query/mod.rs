@@ -1,6 +1,7 @@
 //! Questions about configurations and motions, answered from the patches; and by the parts themselves where patches are in
 //! doubt.
 
+mod board;
 mod cells;
 mod classifier;
 mod classify;
@@ -12,6 +13,7 @@ mod path;
 mod project;
 mod raster;
 mod ray;
+mod slab;
 mod slot;
 mod swept;
 mod touch;

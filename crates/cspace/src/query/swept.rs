@@ -14,6 +14,45 @@ const FAR: f64 = 8.0;
 /// More than the rounding errors of a position in the pair's frame (length).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
+/// An interval of orientation, and what is needed of it to enclose crossings.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Orientations {
+    /// Its middle, radians.
+    pub(super) mid: f64,
+    /// Half its length.
+    pub(super) half: f64,
+    turn: Rotation,
+    /// Cosine and sine of the middle.
+    at: (Ball, Ball),
+}
+
+impl Orientations {
+    pub(super) fn between(lo: f64, hi: f64) -> Self {
+        Self::about(0.5 * (lo + hi), 0.5 * (hi - lo))
+    }
+
+    pub(super) fn about(mid: f64, half: f64) -> Self {
+        let at = Ball::constant(mid).cos_sin();
+        let turn = Rotation {
+            cos: at.0.mid,
+            sin: at.1.mid,
+        };
+        Self {
+            mid,
+            half,
+            turn,
+            at,
+        }
+    }
+
+    /// One of so many equal pieces.
+    pub(super) fn piece(&self, index: u32, pieces: u32) -> Self {
+        let length = 2.0 * self.half / f64::from(pieces);
+        let lo = self.mid - self.half + length * f64::from(index);
+        Self::between(lo, lo + length)
+    }
+}
+
 /// A curve and a distance: the curves of a patch at all orientations of an interval are within `spread` of `shape`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Swept {
@@ -21,25 +60,54 @@ pub(super) struct Swept {
     pub(super) spread: f64,
     /// By how much the shape was made longer at its ends.
     pub(super) slack: f64,
+    /// How fast the curve moves at most, of an arc without its ends, and how fast its two ends (length per radian).
+    speed: f64,
+    ends: [f64; 2],
+}
+
+/// The end of a curve in the middle of an interval; of a circle relative to the centre.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    at: Vector,
+    /// How far it is from there at other orientations of the interval, at most.
+    error: f64,
+    /// How fast it moves at most (length per radian).
+    speed: f64,
 }
 
 impl Swept {
-    /// Encloses the curves of a patch at the orientations from `mid − half` to `mid + half`, which must be the patch's.
+    /// Encloses the curves of a patch at all orientations of an interval, which must be the patch's.
     ///
     /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do. An arc moves with its
     /// centre by |w| · half, and is longer than in the middle by no more than its ends go astray on the circle.
-    pub(super) fn new(patch: &Patch, mid: f64, half: f64) -> Self {
-        let turn = Rotation::by(mid);
-        let left = end(&patch.left, &patch.function, mid, half);
-        let right = end(&patch.right, &patch.function, mid, half);
+    pub(super) fn new(patch: &Patch, over: &Orientations) -> Self {
+        Self::of_ends(patch, over, [None; 2])
+    }
+
+    /// The same of an interval within one that is enclosed already: how fast things move there is known.
+    pub(super) fn within(&self, patch: &Patch, over: &Orientations) -> Self {
+        Self::of_ends(patch, over, self.ends.map(Some))
+    }
+
+    /// Into how many equal pieces the interval is to be divided, so that in each the curve moves from its middle by no
+    /// more than a distance, and is longer by no more than another. Infinite if that is not known.
+    pub(super) fn pieces(&self, over: &Orientations, distance: f64, longer: f64) -> f64 {
+        let ends = self.ends[0].max(self.ends[1]);
+        over.half * (self.speed / distance).max(ends / longer)
+    }
+
+    fn of_ends(patch: &Patch, over: &Orientations, speeds: [Option<f64>; 2]) -> Self {
+        let &Orientations { half, turn, .. } = over;
+        let left = end(&patch.left, &patch.function, over, speeds[0]);
+        let right = end(&patch.right, &patch.function, over, speeds[1]);
         match patch.function {
             ContactFunction::Circle { center, radius } => {
                 let r = radius.abs();
-                let spread = center.w.length() * half + ROUNDING;
-                let sweep = sweep(left.0, right.0, radius);
+                let speed = center.w.length();
+                let sweep = sweep(left.at, right.at, radius);
                 // A chord of length e spans an arc of π/2 e at most.
                 let angle = |e: f64| FRAC_PI_2 * e / r;
-                let (before, after) = (angle(left.1), angle(right.1));
+                let (before, after) = (angle(left.error), angle(right.error));
                 let length = sweep.abs() + before + after;
                 let whole = length.is_nan() || length >= TAU;
                 let direction = radius.signum();
@@ -47,7 +115,7 @@ impl Swept {
                 let (start_angle, sweep) = if whole {
                     (0.0, TAU)
                 } else {
-                    (left.0.angle() - direction * before, length)
+                    (left.at.angle() - direction * before, length)
                 };
                 let shape = CurveGeometry::Arc {
                     center: center.at(turn),
@@ -55,11 +123,16 @@ impl Swept {
                     start_angle,
                     sweep: direction * sweep,
                 };
-                let slack = if whole { TAU * r } else { left.1.max(right.1) };
                 Self {
                     shape,
-                    spread,
-                    slack,
+                    spread: speed * half + ROUNDING,
+                    slack: if whole {
+                        TAU * r
+                    } else {
+                        left.error.max(right.error)
+                    },
+                    speed,
+                    ends: [left.speed, right.speed],
                 }
             }
             ContactFunction::FixedLine { normal, through } => {
@@ -94,22 +167,20 @@ impl Swept {
 }
 
 /// The segments whose ends are known to the given errors; of the whole carrier, if an end is not known at all.
-fn segment(
-    left: (Vector, f64),
-    right: (Vector, f64),
-    normal: Vector,
-    through: Point,
-    moves: f64,
-) -> Swept {
-    let spread = left.1.max(right.1) + ROUNDING;
+fn segment(left: End, right: End, normal: Vector, through: Point, moves: f64) -> Swept {
+    let spread = left.error.max(right.error) + ROUNDING;
+    let speed = left.speed.max(right.speed);
+    let ends = [left.speed, right.speed];
     if spread < FAR {
         return Swept {
             shape: CurveGeometry::Segment {
-                start: Point::ORIGIN + left.0,
-                end: Point::ORIGIN + right.0,
+                start: Point::ORIGIN + left.at,
+                end: Point::ORIGIN + right.at,
             },
             spread,
             slack: 0.0,
+            speed,
+            ends,
         };
     }
     let foot = Point::ORIGIN + normal * normal.dot(through.to_vector());
@@ -120,44 +191,54 @@ fn segment(
         },
         spread: moves + ROUNDING,
         slack: FAR,
+        speed,
+        ends,
     }
 }
 
-/// The end of a curve in the middle of the interval, and how far it is from there at other orientations of it, at most.
-/// Of a circle it is relative to the centre.
-fn end(boundary: &Boundary, own: &ContactFunction, mid: f64, half: f64) -> (Vector, f64) {
+/// The end of a curve over an interval; its speed there, if that is known.
+fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: Option<f64>) -> End {
+    let half = over.half;
     match *boundary {
         Boundary::End { spiral } => {
-            if !spiral.swing.is_none() {
-                let at = spiral.at(Rotation::by(mid)).to_vector();
-                return (at, speed(&spiral) * half + ROUNDING);
-            }
-            let base = match *own {
-                ContactFunction::Circle { center, .. } => (center.u.to_vector(), center.w),
-                _ => (Vector::ZERO, Vector::ZERO),
+            let (at, speed) = if spiral.swing.is_none() {
+                let (u, w) = match *own {
+                    ContactFunction::Circle { center, .. } => (center.u.to_vector(), center.w),
+                    _ => (Vector::ZERO, Vector::ZERO),
+                };
+                let w = spiral.w - w;
+                ((spiral.u.to_vector() - u) + over.turn * w, w.length())
+            } else {
+                (spiral.at(over.turn).to_vector(), speed(&spiral))
             };
-            let w = spiral.w - base.1;
-            let at = (spiral.u.to_vector() - base.0) + Rotation::by(mid) * w;
-            (at, w.length() * half + ROUNDING)
+            End {
+                at,
+                error: speed * half + ROUNDING,
+                speed,
+            }
         }
         Boundary::Crossing { ref with, root } => {
-            let at = place(own, boundary, with, root, Ball::constant(mid).cos_sin());
-            let over = place(
-                own,
-                boundary,
-                with,
-                root,
-                Jet::cos_sin(Ball::new(mid, half)),
+            let at = place(own, boundary, with, root, over.at);
+            let rounding = at.0.radius.hypot(at.1.radius);
+            let (error, speed) = known.map_or_else(
+                || {
+                    let jets = Jet::cos_sin(Ball::new(over.mid, half));
+                    let jets = place(own, boundary, with, root, jets);
+                    let most = |b: Ball| b.mid.abs() + b.radius;
+                    let speed = most(jets.0.slope).hypot(most(jets.1.slope));
+                    // The enclosure itself, or what the mean value theorem says, whichever is narrower.
+                    let direct = |at: Ball, over: Ball| (over.mid - at.mid).abs() + over.radius;
+                    let direct = direct(at.0, jets.0.value).hypot(direct(at.1, jets.1.value));
+                    (direct.min(rounding + speed * half), speed)
+                },
+                |speed| (rounding + speed * half, speed),
             );
-            // The enclosure itself, or what the mean value theorem says, whichever is narrower.
-            let error = |at: Ball, over: Jet| {
-                let direct = (over.value.mid - at.mid).abs() + over.value.radius;
-                let mean = at.radius + (over.slope.mid.abs() + over.slope.radius) * half;
-                let least = direct.min(mean);
-                if least.is_nan() { f64::INFINITY } else { least }
-            };
-            let mid = Vector::new(at.0.mid, at.1.mid);
-            (mid, error(at.0, over.0).hypot(error(at.1, over.1)))
+            let known = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+            End {
+                at: Vector::new(at.0.mid, at.1.mid),
+                error: known(error),
+                speed: known(speed),
+            }
         }
     }
 }
@@ -217,7 +298,8 @@ mod tests {
                 for i in 0..9 {
                     let mid = patch.lo + (patch.hi - patch.lo) * f64::from(i) / 8.0;
                     let (lo, hi) = ((mid - half).max(patch.lo), (mid + half).min(patch.hi));
-                    let swept = Swept::new(patch, 0.5 * (lo + hi), 0.5 * (hi - lo));
+                    let whole = Orientations::between(lo, hi);
+                    let swept = Swept::new(patch, &whole);
                     narrow += usize::from(swept.spread + swept.slack < 8.0 * half + 1e-9);
                     for j in 1..8 {
                         let theta = lo + (hi - lo) * f64::from(j) / 8.0;
@@ -227,6 +309,11 @@ mod tests {
                             let c = crate::Configuration::new(q.x, q.y, theta);
                             let p = space.data.frame.inner_from_outer(c);
                             assert!(!swept.is_away(p, 1e-13), "{patch:?} at {theta}");
+                            // In the first, the second, or the third third.
+                            let third = ((3 * j) / 8) as u32;
+                            let piece = whole.piece(third, 3);
+                            let piece = swept.within(patch, &piece);
+                            assert!(!piece.is_away(p, 1e-13), "{patch:?} at {theta}");
                             asked += 1;
                         }
                     }

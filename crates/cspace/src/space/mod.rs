@@ -19,7 +19,7 @@ pub use check::DataError;
 pub(crate) use check::check_head;
 pub(crate) use data::FORMAT;
 pub use data::{FeatureCounts, FreeRegion, SAVED_VERSION, SideLink, SpaceData, VerticalLink};
-pub(crate) use doubts::{Doubts, in_window, union};
+pub(crate) use doubts::{in_window, union};
 pub use graph::ContactSpace;
 pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage, Window};
 pub(crate) use options::{Silent, WINDOW_SLACK};
