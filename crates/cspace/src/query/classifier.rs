@@ -1,14 +1,14 @@
 //! Classifying many configurations.
 
-use core::ops::Range;
-
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::parallel;
 use crate::space::ContactSpace;
 
 use super::cells::CellStore;
 use super::classify::Classification;
+use super::drawn::Drawn;
 use super::grid::{Grid, MARGIN};
+use super::nearby::Nearby;
 use super::ray::{Direction, off_carrier};
 use super::slab::{Home, Slab};
 use super::slot;
@@ -44,8 +44,8 @@ pub struct Classifier<'a> {
     /// The rounding error of positions (length of the pair's frame). Parts may be drawn so far from their origins that it
     /// exceeds the resolution.
     rounding: f64,
-    /// For every slot the intervals of doubtful orientations that come to it.
-    doubts: Vec<Range<usize>>,
+    nearby: Nearby,
+    drawn: Drawn,
     cells: CellStore,
 }
 
@@ -93,7 +93,8 @@ impl<'a> Classifier<'a> {
         cells.finish(grid.side);
         Self {
             space,
-            doubts: slot::doubts(space, &grid, &slab),
+            nearby: Nearby::new(space, &grid, &slab),
+            drawn: Drawn::new(space, &grid, &slab),
             slab,
             grid,
             far: far * far,
@@ -114,22 +115,21 @@ impl<'a> Classifier<'a> {
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
             return self.classify_far(c, square);
         }
-        let doubts = &self.doubts[slot];
-        if !doubts.is_empty() && self.space.doubts().hold_among(c.theta, doubts.clone()) {
+        if self.nearby.is_doubtful(self.space, slot, c.theta) {
             return self.space.classify(c);
         }
-        let frame = &self.space.data.frame;
-        let drawn = Rotation::by(c.theta) * frame.moving_center.to_vector();
-        let p = self
-            .slab
-            .position(Point::ORIGIN + (from + drawn) * frame.scale, home);
+        let center = self
+            .drawn
+            .center(self.space, &self.grid, (c.theta, home, slot));
+        let p = Point::ORIGIN + (from + center) * self.space.data.frame.scale;
+        let p = self.slab.position(p, home);
         let (Some(column), Some(row)) = (self.grid.index(p.x), self.grid.index(p.y)) else {
             return Some(Classification::Free);
         };
         match self.content(slot, column, row) {
             Content::Pure { free: true } => Some(Classification::Free),
             Content::Pure { free: false } => Some(Classification::Blocked),
-            Content::Mixed(patches) => self.classify_among(c, home, p, slot, patches),
+            Content::Mixed(patches) => self.classify_among(c, home, slot, patches),
         }
     }
 
@@ -137,7 +137,8 @@ impl<'a> Classifier<'a> {
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + self.slab.bytes()
-            + size_of_val(self.doubts.as_slice())
+            + self.nearby.bytes()
+            + self.drawn.bytes()
             + self.cells.bytes()
     }
 
@@ -163,14 +164,24 @@ impl<'a> Classifier<'a> {
         &self,
         c: Configuration,
         home: Home,
-        p: Point,
         slot: usize,
         patches: &[u32],
     ) -> Option<Classification> {
-        if self.slab.is_unsure(self.space, home.theta) {
+        let critical = (self.nearby).is_critical(self.space, slot, home, self.slab.lo);
+        let (turn, p) = if self.slab.count == 1 {
+            let turn = Rotation::by(c.theta);
+            (turn, self.inner(c, turn))
+        } else if critical {
             return self.space.classify(c);
-        }
-        let turn = Rotation::by(home.theta);
+        } else {
+            let p = self.inner(c, Rotation::by(c.theta));
+            (Rotation::by(home.theta), self.slab.position(p, home))
+        };
+        let settled = if critical {
+            self.space.settled(home.theta)
+        } else {
+            home.theta
+        };
         let mut unclear = false;
         for &i in patches {
             let off = off_carrier(&self.space.data.patches[i as usize], turn, p);
@@ -186,7 +197,7 @@ impl<'a> Classifier<'a> {
         if unclear {
             return self.space.classify(c);
         }
-        let place = (p, self.space.settled(home.theta), turn);
+        let place = (p, settled, turn);
         for direction in Direction::ALL {
             let content = |column, row| self.content(slot, column, row);
             if let Some(free) = walk::is_free(self.space, &self.grid, place, direction, content) {
@@ -198,6 +209,14 @@ impl<'a> Classifier<'a> {
             }
         }
         self.space.classify(c)
+    }
+
+    /// The position of a configuration in the pair's frame, given the rotation by its orientation.
+    #[inline]
+    fn inner(&self, c: Configuration, turn: Rotation) -> Point {
+        let frame = &self.space.data.frame;
+        let drawn = turn * frame.moving_center.to_vector();
+        Point::ORIGIN + ((c.position() - frame.fixed_center) + drawn) * frame.scale
     }
 
     /// How far a configuration is from the curve of a patch (model length); `None` if the patch is not there.

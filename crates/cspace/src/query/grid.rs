@@ -101,6 +101,18 @@ impl Grid {
         (at(slot), at(slot + 1))
     }
 
+    /// The orientations of a slot, and a little more.
+    pub(super) fn wider(&self, slot: usize) -> (f64, f64) {
+        let (lo, hi) = self.orientations(slot);
+        (lo - MARGIN, hi + MARGIN)
+    }
+
+    /// The middle of a slot: so far from the beginning of the slab, radians.
+    #[inline]
+    pub(super) fn middle(&self, slot: usize) -> f64 {
+        (slot as f64 + 0.5) / self.slot_density
+    }
+
     /// A coordinate in cells from the edge of the square.
     #[inline]
     pub(super) fn in_cells(&self, coordinate: f64) -> f64 {

@@ -12,6 +12,8 @@ use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::space::{Boundary, ContactSpace, Patch, Window};
 
+use super::grid::Grid;
+
 /// Numbers of a patch and of its image may differ by so much, or so large a share of them (radians, or length of the
 /// pair's frame): copies are made by one motion each, and differ by some roundings.
 const SAME: f64 = 1e-12;
@@ -21,7 +23,7 @@ const SAME_ORIENTATION: f64 = NARROWEST_BAND;
 
 /// Orientations of the slab nearer to a critical one than this (radians) are told by the space itself: turned home, they
 /// may be on the other side of it. More than the rounding of some hundred turns, and than images are apart.
-const ASIDE: f64 = 2.0 * SAME_ORIENTATION;
+pub(super) const ASIDE: f64 = 2.0 * SAME_ORIENTATION;
 
 /// Some slab of a space that repeats, or all orientations of one that does not.
 #[derive(Debug, Clone)]
@@ -128,14 +130,24 @@ impl Slab {
         patch - place + (place + home.slabs) % self.count
     }
 
-    /// Whether rounding may have brought an orientation to the other side of a critical one.
-    pub(super) fn is_unsure(&self, space: &ContactSpace, theta: f64) -> bool {
-        if self.count == 1 {
-            return false;
-        }
-        let critical = space.critical_orientations();
-        let next = critical.partition_point(|&c| c < theta - ASIDE);
-        critical.get(next).is_some_and(|&c| c <= theta + ASIDE)
+    /// The slots that have orientations between two, in any slab.
+    pub(super) fn slots_between(
+        &self,
+        grid: &Grid,
+        lo: f64,
+        hi: f64,
+    ) -> impl Iterator<Item = usize> {
+        let period = self.hi - self.lo;
+        let slab = |theta: f64| ((theta - self.lo) / period).floor();
+        let (first, last) = (slab(lo), slab(hi));
+        // What is longer than a slab comes to all slots of the second.
+        let second = (last > first).then(|| {
+            let by = period * (first + 1.0);
+            grid.slots_between(self.lo, hi - by)
+        });
+        let by = period * first;
+        let first = grid.slots_between(lo - by, hi - by);
+        first.chain(second.into_iter().flatten())
     }
 
     /// Number of bytes in memory, beside itself.

@@ -1,7 +1,6 @@
 //! What is in the cells of the slots of orientation.
 
 use core::f64::consts::TAU;
-use core::ops::Range;
 
 use crate::geometry::{Point, Rotation};
 use crate::space::ContactSpace;
@@ -11,7 +10,6 @@ use super::cells::CellStore;
 use super::grid::{Grid, MARGIN};
 use super::raster::cells_of;
 use super::ray::Direction;
-use super::slab::Slab;
 use super::swept::Orientations;
 use super::walk;
 
@@ -36,7 +34,7 @@ pub(super) fn presences(space: &ContactSpace, grid: &Grid) -> Vec<Vec<Presence>>
     for (i, patch) in (0u32..).zip(&space.data.patches) {
         for &turn in turns {
             for slot in grid.slots_between(patch.lo + turn - MARGIN, patch.hi + turn + MARGIN) {
-                let (lo, hi) = wider(grid, slot);
+                let (lo, hi) = grid.wider(slot);
                 let (lo, hi) = (lo - turn, hi - turn);
                 let presence = Presence {
                     patch: i,
@@ -53,12 +51,6 @@ pub(super) fn presences(space: &ContactSpace, grid: &Grid) -> Vec<Vec<Presence>>
     all
 }
 
-/// The orientations of a slot, and a little more.
-fn wider(grid: &Grid, slot: usize) -> (f64, f64) {
-    let (lo, hi) = grid.orientations(slot);
-    (lo - MARGIN, hi + MARGIN)
-}
-
 /// Finds what is in the cells of some slots in a row, given the number of the first of them.
 pub(super) fn cells(
     space: &ContactSpace,
@@ -69,7 +61,7 @@ pub(super) fn cells(
     let mut board = Board::new(grid.side);
     let mut store = CellStore::default();
     for (slot, presences) in (first..).zip(slots) {
-        let (lo, hi) = wider(grid, slot);
+        let (lo, hi) = grid.wider(slot);
         let whole = Orientations::between(lo, hi);
         for p in presences {
             let patch = &space.data.patches[p.patch as usize];
@@ -120,38 +112,4 @@ fn is_free(
         .outer_from_inner(place.0, place.1)
         .position();
     space.slice(place.1).is_free(at)
-}
-
-/// For every slot which of the doubtful orientations come to it, in any slab.
-pub(super) fn doubts(space: &ContactSpace, grid: &Grid, slab: &Slab) -> Vec<Range<usize>> {
-    let doubts = space.doubts();
-    if slab.count == 1 {
-        // The slots of a turn begin where the intervals do.
-        let near = |slot| {
-            let (lo, hi) = wider(grid, slot);
-            doubts.between(lo, hi)
-        };
-        return (0..grid.slots).map(near).collect();
-    }
-    let all = 0..space.doubtful_orientations().len();
-    let mut slots = vec![0..0; grid.slots];
-    for &(lo, hi) in space.doubtful_orientations() {
-        let (lo, hi) = (lo - MARGIN, hi + MARGIN);
-        let period = slab.hi - slab.lo;
-        let slabs = |theta: f64| ((theta - slab.lo) / period).floor();
-        let (first, last) = (slabs(lo) as i64, slabs(hi) as i64);
-        // Beyond a whole period all slots are among the first.
-        for slabs in first..=last.min(first + 1) {
-            let by = period * slabs as f64;
-            let hi = if last > first + 1 {
-                hi.max(slab.hi + by)
-            } else {
-                hi
-            };
-            for slot in grid.slots_between(lo - by, hi - by) {
-                slots[slot] = all.clone();
-            }
-        }
-    }
-    slots
 }

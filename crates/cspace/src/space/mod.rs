@@ -1,5 +1,6 @@
 //! The contact space of a pair of parts: what was computed, as data, and what is read off it.
 
+mod alive;
 mod band;
 mod check;
 mod data;
