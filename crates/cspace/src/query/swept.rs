@@ -11,6 +11,8 @@ use crate::space::{Boundary, Patch, sweep};
 
 /// Longer than anything in the pair's frame, where all contact is within 2 of the origin (length).
 const FAR: f64 = 8.0;
+/// A strip is taken if it is narrower by this factor: at its ends it is longer.
+const NARROWER: f64 = 0.5;
 /// More than the rounding errors of a position in the pair's frame (length).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -78,8 +80,9 @@ struct End {
 impl Swept {
     /// Encloses the curves of a patch at all orientations of an interval, which must be the patch's.
     ///
-    /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do. An arc moves with its
-    /// centre by |w| · half, and is longer than in the middle by no more than its ends go astray on the circle.
+    /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do, nor sideways more than its
+    /// line; an arc moves with its centre by |w| · half. Both are longer than in the middle by no more than their ends go
+    /// astray.
     pub(super) fn new(patch: &Patch, over: &Orientations) -> Self {
         Self::of_ends(patch, over, [None; 2])
     }
@@ -137,12 +140,16 @@ impl Swept {
             }
             ContactFunction::FixedLine { normal, through } => {
                 let moves = speed(&through) * half;
-                segment(left, right, normal, through.at(turn), moves)
+                let line = Line::new(normal, &through, turn);
+                let swept = segment(left, right, normal, line.through, moves);
+                line.strip(swept, (left, right), half, false)
             }
             ContactFunction::MovingLine { normal, through } => {
                 // Anything within FAR is no farther than twice that from the point it turns about.
                 let moves = (speed(&through) + 2.0 * FAR) * half;
-                segment(left, right, turn * normal, through.at(turn), moves)
+                let line = Line::new(turn * normal, &through, turn);
+                let swept = segment(left, right, line.normal, line.through, moves);
+                line.strip(swept, (left, right), half, true)
             }
             ContactFunction::FlatCircle {
                 through,
@@ -196,6 +203,64 @@ fn segment(left: End, right: End, normal: Vector, through: Point, moves: f64) ->
     }
 }
 
+/// The line of a segment in the middle of an interval.
+struct Line {
+    normal: Vector,
+    through: Point,
+    /// How the point moves (length per radian).
+    velocity: Vector,
+}
+
+impl Line {
+    fn new(normal: Vector, through: &Spiral, turn: Rotation) -> Self {
+        Self {
+            normal,
+            through: through.at(turn),
+            velocity: (turn * through.turning()).left(),
+        }
+    }
+
+    /// The same segments enclosed by a strip, where that is much narrower: by the line in the middle, from the first place
+    /// along it to which an end may come to the last, and by how far the line moves sideways there.
+    ///
+    /// A position x is off the line by f = n·(x − t). With t the point it is through, and v its velocity, f changes by
+    /// left(n)·(x − t) − n·v per radian if the line turns, otherwise by −n·v; and that by no more than |x − t| + 3 |v|, or
+    /// |v|. No x is farther from t than ends may be along the line, and then half as much again, and t moves by |v| at most.
+    fn strip(&self, swept: Swept, (left, right): (End, End), half: f64, turns: bool) -> Swept {
+        let along = self.normal.left();
+        let place = |end: End| along.dot((Point::ORIGIN + end.at) - self.through);
+        let (a, b) = (place(left), place(right));
+        let first = (a - left.error).min(b - right.error);
+        let last = (a + left.error).max(b + right.error);
+        let sideways = self.normal.dot(self.velocity);
+        let speed = self.velocity.length();
+        let (rate, bend) = if turns {
+            let rate = (first - sideways).abs().max((last - sideways).abs());
+            (rate, 2.0 * first.abs().max(last.abs()) + 4.0 * speed)
+        } else {
+            (sideways.abs(), speed)
+        };
+        let rate = rate + bend * half;
+        let spread = rate * half + ROUNDING;
+        // Not of ends that are not known.
+        if !(half <= 1.0 && spread <= NARROWER * swept.spread && last - first <= FAR) {
+            return swept;
+        }
+        let (start, end) = if a <= b { (first, last) } else { (last, first) };
+        let at = |place: f64| self.through + along * place;
+        Swept {
+            shape: CurveGeometry::Segment {
+                start: at(start),
+                end: at(end),
+            },
+            spread,
+            slack: left.error.max(right.error),
+            speed: rate,
+            ..swept
+        }
+    }
+}
+
 /// The end of a curve over an interval; its speed there, if that is known.
 fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: Option<f64>) -> End {
     let half = over.half;
@@ -219,16 +284,17 @@ fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: O
         }
         Boundary::Crossing { ref with, root } => {
             let at = place(own, boundary, with, root, over.at);
-            let rounding = at.0.radius.hypot(at.1.radius);
+            let length = |(x, y)| Vector::new(x, y).length();
+            let rounding = length((at.0.radius, at.1.radius));
             let (error, speed) = known.map_or_else(
                 || {
                     let jets = Jet::cos_sin(Ball::new(over.mid, half));
                     let jets = place(own, boundary, with, root, jets);
                     let most = |b: Ball| b.mid.abs() + b.radius;
-                    let speed = most(jets.0.slope).hypot(most(jets.1.slope));
+                    let speed = length((most(jets.0.slope), most(jets.1.slope)));
                     // The enclosure itself, or what the mean value theorem says, whichever is narrower.
                     let direct = |at: Ball, over: Ball| (over.mid - at.mid).abs() + over.radius;
-                    let direct = direct(at.0, jets.0.value).hypot(direct(at.1, jets.1.value));
+                    let direct = length((direct(at.0, jets.0.value), direct(at.1, jets.1.value)));
                     (direct.min(rounding + speed * half), speed)
                 },
                 |speed| (rounding + speed * half, speed),
