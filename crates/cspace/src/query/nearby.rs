@@ -42,7 +42,7 @@ impl Nearby {
         if slab.count > 1 {
             let doubts = space.doubtful_orientations();
             for &(lo, hi) in doubts {
-                for slot in slab.slots_between(grid, lo - MARGIN, hi + MARGIN) {
+                for slot in slots_between(grid, slab, lo - MARGIN, hi + MARGIN) {
                     slots[slot].doubts = (0, doubts.len() as u32);
                 }
             }
@@ -82,4 +82,19 @@ impl Nearby {
     pub(super) fn bytes(&self) -> usize {
         size_of_val(self.slots.as_slice())
     }
+}
+
+/// The slots that have orientations between two, in any slab.
+fn slots_between(grid: &Grid, slab: &Slab, lo: f64, hi: f64) -> impl Iterator<Item = usize> {
+    let period = slab.hi - slab.lo;
+    let place = |theta: f64| ((theta - slab.lo) / period).floor();
+    let (first, last) = (place(lo), place(hi));
+    // What is longer than a slab comes to all slots of the second.
+    let second = (last > first).then(|| {
+        let by = period * (first + 1.0);
+        grid.slots_between(slab.lo, hi - by)
+    });
+    let by = period * first;
+    let first = grid.slots_between(lo - by, hi - by);
+    first.chain(second.into_iter().flatten())
 }

@@ -9,7 +9,7 @@ use super::swept::{Orientations, Swept};
 
 /// How far curves may move while they are taken for one, in cells, and by how much they may be too long.
 const LOOSE: f64 = 0.5;
-const LOOSE_ENDS: f64 = 2.0;
+const LOOSE_ENDS: f64 = 1.0;
 /// An interval is divided into pieces at most so many at a time: what is known of its speeds is too wide for more.
 const MOST_PIECES: f64 = 8.0;
 /// Slots are halved at most so often.

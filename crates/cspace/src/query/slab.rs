@@ -12,8 +12,6 @@ use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::space::{Boundary, ContactSpace, Patch, Window};
 
-use super::grid::Grid;
-
 /// Numbers of a patch and of its image may differ by so much, or so large a share of them (radians, or length of the
 /// pair's frame): copies are made by one motion each, and differ by some roundings.
 const SAME: f64 = 1e-12;
@@ -62,7 +60,12 @@ impl Slab {
             homewards: vec![Rotation::by(0.0)],
         };
         let symmetry = space.symmetry();
-        if !full_turn || symmetry.slabs <= 1 {
+        let folds = 1..=symmetry.slabs;
+        // Data that were read may claim anything.
+        let is_sound = symmetry.slabs as usize <= space.data.patches.len()
+            && folds.contains(&symmetry.fixed)
+            && folds.contains(&symmetry.moving);
+        if !full_turn || symmetry.slabs <= 1 || !is_sound {
             return whole;
         }
         let steps = Steps::new(symmetry.fixed, symmetry.moving);
@@ -128,26 +131,6 @@ impl Slab {
         }
         let place = patch % self.count;
         patch - place + (place + home.slabs) % self.count
-    }
-
-    /// The slots that have orientations between two, in any slab.
-    pub(super) fn slots_between(
-        &self,
-        grid: &Grid,
-        lo: f64,
-        hi: f64,
-    ) -> impl Iterator<Item = usize> {
-        let period = self.hi - self.lo;
-        let slab = |theta: f64| ((theta - self.lo) / period).floor();
-        let (first, last) = (slab(lo), slab(hi));
-        // What is longer than a slab comes to all slots of the second.
-        let second = (last > first).then(|| {
-            let by = period * (first + 1.0);
-            grid.slots_between(self.lo, hi - by)
-        });
-        let by = period * first;
-        let first = grid.slots_between(lo - by, hi - by);
-        first.chain(second.into_iter().flatten())
     }
 
     /// Number of bytes in memory, beside itself.
