@@ -35,8 +35,9 @@ const SLOTS_TOGETHER: usize = 8;
 /// a configuration is at contact is still told by the patch that is there, and beside critical orientations by the space.
 ///
 /// There are about 32 mixed cells for each patch, and some 16000 in a small space, or in the slab of a symmetric one: 300 to
-/// 600 bytes a patch with all indices, 0.1 to 0.3 MB in a small space. To prepare it takes MILLI
-/// Building uses all threads, and gives the same result with any number of them.
+/// 600 bytes a patch with all indices, 0.1 to 0.3 MB in a small space. It takes a
+/// millisecond or a few to prepare small and symmetric pairs, others about a third of the time that the space took, and small
+/// ones as long as that. Building uses all threads, and gives the same result with any number of them.
 #[derive(Debug, Clone)]
 pub struct Classifier<'a> {
     space: &'a ContactSpace,

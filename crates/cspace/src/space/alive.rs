@@ -114,11 +114,7 @@ mod tests {
         ] {
             for window in [None, Some((-0.4, 0.9)), Some((1002.0, 1007.0))] {
                 for symmetry in [Symmetry::Detect, Symmetry::Ignore] {
-                    let options = Options {
-                        window,
-                        symmetry,
-                        ..Options::default()
-                    };
+                    let options = Options { window, symmetry };
                     let space = ContactSpace::compute(&fixed, &moving, &options).unwrap();
                     let window = space.window();
                     let ends = space.patches().iter().flat_map(|p| [p.lo, p.hi]);
