@@ -71,7 +71,7 @@ impl ContactSpace {
     /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
     /// a [doubtful orientation](Self::doubtful_orientations) says so; that of [`Slice::compute`] may be certain there.
     ///
-    /// It takes time in proportion to the number of its curves: some 0.1 µs each. The first also sorts all patches by
+    /// It takes time in proportion to the number of its curves: 0.1 to 0.3 µs each. The first also sorts all patches by
     /// orientation, and the space keeps that, about ten bytes a patch.
     pub fn slice(&self, theta: f64) -> Slice {
         let alive = (self.alive).get_or_init(|| Alive::new(self.data.window, &self.data.patches));
