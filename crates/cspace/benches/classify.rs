@@ -1,4 +1,5 @@
-//! Configurations classified in a second on one core, what it takes to be prepared for that, and first contacts.
+//! Configurations classified in a second on one core, what it takes to be prepared for that, slices read off spaces, and first
+//! contacts.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -6,57 +7,98 @@ use core::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::{Classification, Configuration, ContactSpace, Options};
-use cspace_oracle::shapes::gear;
+use cspace::{Classification, Configuration, ContactSpace, Options, Part, Symmetry};
+use cspace_oracle::shapes::{gear, pawl, random_part, ratchet};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 fn main() {
     for (n, m) in [(10, 9), (26, 24)] {
-        report(n, m);
+        let (fixed, moving) = (gear(n, 1.0), gear(m, 1.0));
+        // Where the tips' circles touch.
+        let reach = 0.5 * (n + m) as f64 + 2.0;
+        for symmetry in [Symmetry::Detect, Symmetry::Ignore] {
+            let options = Options {
+                symmetry,
+                ..Options::default()
+            };
+            let space = ContactSpace::compute(&fixed, &moving, &options).unwrap();
+            println!("gears {n} and {m}, {symmetry:?} symmetry");
+            report(&space, reach);
+            if symmetry == Symmetry::Detect {
+                motions(&space, reach);
+            }
+        }
+    }
+    for (name, fixed, moving) in small() {
+        let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+        println!("{name}");
+        report(&space, fixed.size() + moving.size());
     }
 }
 
-fn report(n: usize, m: usize) {
-    let (fixed, moving) = (gear(n, 1.0), gear(m, 1.0));
-    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+/// Pairs with few patches.
+fn small() -> Vec<(String, Part, Part)> {
+    let mut all = vec![("ratchet 8 and pawl".to_owned(), ratchet(8), pawl())];
+    for k in 0..3 {
+        let part = |seed| random_part(seed, 5, 0.4);
+        let name = format!("outlines of 5 edges, {k}");
+        all.push((name, part(2 * k), part(2 * k + 1)));
+    }
+    all
+}
+
+fn report(space: &ContactSpace, reach: f64) {
     let build = || {
         let begin = Instant::now();
         black_box(space.classifier());
         begin.elapsed().as_secs_f64()
     };
-    let seconds = (0..3).map(|_| build()).fold(f64::INFINITY, f64::min);
+    let seconds = (0..5).map(|_| build()).fold(f64::INFINITY, f64::min);
     let classifier = space.classifier();
     let computed = space.statistics().seconds.total;
     let patches = space.patches().len();
     println!(
-        "gears {n} and {m}: {patches} patches in {:.1} ms",
-        1e3 * computed
-    );
-    println!(
-        "  classifier in {:.1} ms, {:.2} times as long; {:.1} MB, {} bytes a patch",
+        "  {patches} patches in {:.1} ms; classifier in {:.2} ms, {:.2} times as long; {:.3} MB, {} bytes a patch",
+        1e3 * computed,
         1e3 * seconds,
         seconds / computed,
         classifier.bytes() as f64 / 1e6,
         classifier.bytes() / patches
     );
-    // Where the tips' circles touch.
-    let reach = 0.5 * (n + m) as f64 + 2.0;
     for factor in [1.0, 2.0] {
         let mut rng = ChaCha8Rng::seed_from_u64(7);
         let mut at = || rng.random_range(-1.0..1.0) * factor * reach;
-        let all: Vec<Configuration> = (0..4_000_000)
+        let all: Vec<Configuration> = (0..1_000_000)
             .map(|_| Configuration::new(at(), at(), at() * PI / (factor * reach)))
             .collect();
         let fast = per_second(&all, |c| black_box(classifier.classify(c)).is_some());
-        let slow = per_second(&all[..2000], |c| black_box(space.classify(c)).is_some());
+        let slow = per_second(&all[..500], |c| black_box(space.classify(c)).is_some());
         println!(
             "  box of {factor} times the reach: {:.2} million a second, {:.0} times as fast as from slices",
             fast / 1e6,
             fast / slow
         );
     }
-    motions(&space, reach);
+    let mut rng = ChaCha8Rng::seed_from_u64(8);
+    let orientations: Vec<f64> = (0..500).map(|_| rng.random_range(-PI..PI)).collect();
+    let curves: usize = (orientations.iter())
+        .map(|&t| space.slice(t).curves.len())
+        .sum();
+    let once = || {
+        let begin = Instant::now();
+        for &theta in &orientations {
+            black_box(space.slice(theta));
+        }
+        begin.elapsed().as_secs_f64() / orientations.len() as f64
+    };
+    let seconds = (0..5).map(|_| once()).fold(f64::INFINITY, f64::min);
+    let curves = curves as f64 / orientations.len() as f64;
+    println!(
+        "  a slice in {:.2} µs, of {curves:.0} curves: {:.3} µs each",
+        1e6 * seconds,
+        1e6 * seconds / curves
+    );
 }
 
 /// The best of five.

@@ -3,36 +3,27 @@
 use super::grid::TILE;
 use super::walk::Content;
 
-/// What is in a cell: nothing but free or blocked space, one patch, or a list of patches.
+/// What is in a cell that contact may pass: one patch, or a list of patches.
 ///
 /// A list is its place with the highest bit set; the first number there is its length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Entry(u32);
 
-pub(super) const PURE_FREE: Entry = Entry(u32::MAX);
-pub(super) const PURE_BLOCKED: Entry = Entry(u32::MAX - 1);
 const LIST: u32 = 1 << 31;
 
 impl Entry {
+    /// Of a cell that nothing is known of yet.
+    pub(super) const UNKNOWN: Self = Self(0);
+
     /// An entry for patches, of which more than one are appended to the lists.
-    pub(super) fn listed(
-        patches: impl ExactSizeIterator<Item = u32>,
-        lists: &mut Vec<u32>,
-    ) -> Self {
+    pub(super) fn listed(patches: &[u32], lists: &mut Vec<u32>) -> Self {
+        if let [patch] = *patches {
+            return Self(patch);
+        }
         let at = lists.len() as u32;
         lists.push(patches.len() as u32);
         lists.extend(patches);
-        match lists[at as usize..] {
-            [1, patch] => {
-                lists.truncate(at as usize);
-                Self(patch)
-            }
-            _ => Self(LIST | at),
-        }
-    }
-
-    pub(super) fn is_pure(self) -> bool {
-        self == PURE_FREE || self == PURE_BLOCKED
+        Self(LIST | at)
     }
 
     /// The patches of a cell that is not pure.
@@ -82,40 +73,28 @@ pub(super) struct CellStore {
 }
 
 impl CellStore {
-    /// Packs the cells of one slot, given by rows.
-    pub(super) fn packed(side: usize, cells: &[Entry], lists: Vec<u32>) -> Self {
-        let mut store = Self {
-            lists,
-            ..Self::default()
-        };
-        for ty in (0..side).step_by(TILE) {
-            for tx in (0..side).step_by(TILE) {
-                let first = store.entries.len() as u32;
-                let (mut mixed, mut free, mut bit) = (0, 0, 1u64);
-                for row in ty..ty + TILE {
-                    for &entry in &cells[row * side + tx..][..TILE] {
-                        match entry {
-                            PURE_FREE => free |= bit,
-                            PURE_BLOCKED => {}
-                            _ => {
-                                mixed |= bit;
-                                store.entries.push(entry);
-                            }
-                        }
-                        bit <<= 1;
-                    }
-                }
-                store.directory.push(match (mixed, free) {
-                    (0, u64::MAX) => FREE_TILE,
-                    (0, 0) => BLOCKED_TILE,
-                    _ => FIRST_TILE + store.tiles.len() as u32,
-                });
-                if mixed != 0 || (free != 0 && free != u64::MAX) {
-                    store.tiles.push(Tile { mixed, free, first });
-                }
+    /// Where the lists of the slots to come are put.
+    pub(super) fn lists(&mut self) -> &mut Vec<u32> {
+        &mut self.lists
+    }
+
+    pub(super) fn patches<'a>(&'a self, entry: &'a Entry) -> &'a [u32] {
+        entry.patches(&self.lists)
+    }
+
+    /// Adds a tile of the slot to come: which of its cells are mixed, which of the others are free, by rows, and what is in
+    /// the mixed ones. Tiles come by rows.
+    pub(super) fn add(&mut self, mixed: u64, free: u64, entries: impl Iterator<Item = Entry>) {
+        self.directory.push(match (mixed, free) {
+            (0, u64::MAX) => FREE_TILE,
+            (0, 0) => BLOCKED_TILE,
+            _ => {
+                let first = self.entries.len() as u32;
+                self.tiles.push(Tile { mixed, free, first });
+                self.entries.extend(entries);
+                FIRST_TILE + self.tiles.len() as u32 - 1
             }
-        }
-        store
+        });
     }
 
     /// Adds the slots of another store after those of this one.

@@ -1,24 +1,27 @@
 //! Classifying many configurations.
 
-use core::ops::Range;
-
-use crate::parallel::prelude::*;
-
 use crate::geometry::{Configuration, Point, Rotation};
+use crate::parallel;
 use crate::space::ContactSpace;
 
 use super::cells::CellStore;
 use super::classify::Classification;
+use super::drawn::Drawn;
 use super::grid::{Grid, MARGIN};
+use super::nearby::Nearby;
 use super::ray::{Direction, off_carrier};
-use super::slot::{self, presences};
+use super::slab::{Home, Slab};
+use super::slot;
 use super::walk::{self, Content};
 
 /// Orientations farther from zero than this (radians, some hundred turns) are classified the slow way: brought home by
 /// turns, their rounding is no longer small beside the margin of cells.
 const FARTHEST_ORIENTATION: f64 = 1024.0;
 
-/// A [`ContactSpace`] prepared for classifying millions of configurations: 0.1 to 0.2 µs each on one core.
+/// So many slots are found by one thread in a row.
+const SLOTS_TOGETHER: usize = 8;
+
+/// A [`ContactSpace`] prepared for classifying millions of configurations: 0.02 to 0.1 µs each on one core.
 ///
 /// Orientations are divided into slots, and positions, in the pair's frame, into square cells. A cell is *pure* if no patch
 /// comes to it at any orientation of its slot; then all of it is free, or all is blocked. That is certain, not sampled: the
@@ -28,20 +31,25 @@ const FARTHEST_ORIENTATION: f64 = 1024.0;
 /// the cell is pure. Where the axis passes too close to an end of a patch, another direction is tried, and at last the slice
 /// is made, so the answer is always that of [`ContactSpace::classify`].
 ///
-/// There are about 32 mixed cells for each patch, and some 16000 in a small space: 300 to 600 bytes a patch with all
-/// indices. It is built in about half the time that the space took. Building uses all threads, and gives the same result with any
-/// number of them.
+/// Of a space that was computed by symmetry, for a full turn, one slab is prepared, and configurations are turned to it; whether
+/// a configuration is at contact is still told by the patch that is there, and beside critical orientations by the space.
+///
+/// There are about 32 mixed cells for each patch, and some 16000 in a small space, or in the slab of a symmetric one: 300 to
+/// 600 bytes a patch with all indices, 0.1 to 0.3 MB in a small space. It takes a
+/// millisecond or a few to prepare small and symmetric pairs, others about a third of the time that the space took, and small
+/// ones as long as that. Building uses all threads, and gives the same result with any number of them.
 #[derive(Debug, Clone)]
 pub struct Classifier<'a> {
     space: &'a ContactSpace,
+    slab: Slab,
     grid: Grid,
     /// Beyond this distance from the centre of the fixed part all is free (model length, squared).
     far: f64,
     /// The rounding error of positions (length of the pair's frame). Parts may be drawn so far from their origins that it
     /// exceeds the resolution.
     rounding: f64,
-    /// For every slot the intervals of doubtful orientations that come to it.
-    doubts: Vec<Range<usize>>,
+    nearby: Nearby,
+    drawn: Drawn,
     cells: CellStore,
 }
 
@@ -74,14 +82,14 @@ impl<'a> Classifier<'a> {
             .reach(&space.data.fixed, &space.data.moving)
             + MARGIN
             + 2.0 * space.data.frame.rounding();
-        let grid = Grid::new(space, reach);
+        let slab = Slab::new(space);
+        let grid = Grid::new(space, &slab, reach);
         let drawn = space.data.frame.moving_center.to_vector().length();
         let far = space.data.frame.outer_length(2.0 * reach) + drawn * (1.0 + 1e-12);
-        let stores: Vec<CellStore> = presences(space, &grid)
-            .par_iter()
-            .enumerate()
-            .map(|(slot, presences)| slot::cells(space, &grid, slot, presences))
-            .collect();
+        let presences = slot::presences(space, &grid);
+        let stores = parallel::chunks(&presences, SLOTS_TOGETHER, |first, some| {
+            slot::cells(space, &grid, first, some)
+        });
         let mut cells = CellStore::default();
         for store in &stores {
             cells.append(store);
@@ -89,7 +97,9 @@ impl<'a> Classifier<'a> {
         cells.finish(grid.side);
         Self {
             space,
-            doubts: grid.doubts(&space.doubts()),
+            nearby: Nearby::new(space, &grid, &slab),
+            drawn: Drawn::new(space, &grid, &slab),
+            slab,
             grid,
             far: far * far,
             rounding: space.data.frame.rounding(),
@@ -101,33 +111,39 @@ impl<'a> Classifier<'a> {
     /// is not finite.
     #[inline]
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
-        let slot = self.grid.slot(c.theta)?;
+        let home = self.slab.home(c.theta)?;
+        let slot = self.grid.slot(home.from_lo);
         let from = c.position() - self.space.data.frame.fixed_center;
         let square = from.length_squared();
         // Not "at least", so that NaN comes here too.
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
             return self.classify_far(c, square);
         }
-        let doubts = &self.doubts[slot];
-        if !doubts.is_empty() && self.space.doubts().hold_among(c.theta, doubts.clone()) {
+        if self.nearby.is_doubtful(self.space, slot, c.theta) {
             return self.space.classify(c);
         }
-        let turn = Rotation::by(c.theta);
-        let frame = &self.space.data.frame;
-        let p = Point::ORIGIN + (from + turn * frame.moving_center.to_vector()) * frame.scale;
+        let center = self
+            .drawn
+            .center(self.space, &self.grid, (c.theta, home, slot));
+        let p = Point::ORIGIN + (from + center) * self.space.data.frame.scale;
+        let p = self.slab.position(p, home);
         let (Some(column), Some(row)) = (self.grid.index(p.x), self.grid.index(p.y)) else {
             return Some(Classification::Free);
         };
         match self.content(slot, column, row) {
             Content::Pure { free: true } => Some(Classification::Free),
             Content::Pure { free: false } => Some(Classification::Blocked),
-            Content::Mixed(patches) => self.classify_among(c, turn, p, slot, patches),
+            Content::Mixed(patches) => self.classify_among(c, home, slot, patches),
         }
     }
 
     /// Number of bytes in memory, without the space itself.
     pub fn bytes(&self) -> usize {
-        size_of::<Self>() + size_of_val(self.doubts.as_slice()) + self.cells.bytes()
+        size_of::<Self>()
+            + self.slab.bytes()
+            + self.nearby.bytes()
+            + self.drawn.bytes()
+            + self.cells.bytes()
     }
 
     #[inline]
@@ -146,27 +162,37 @@ impl<'a> Classifier<'a> {
         }
     }
 
-    /// Classifies a configuration of a cell that contact may pass.
+    /// Classifies a configuration that is, brought home, in a cell that contact may pass.
     #[inline(never)]
     fn classify_among(
         &self,
         c: Configuration,
-        turn: Rotation,
-        p: Point,
+        home: Home,
         slot: usize,
         patches: &[u32],
     ) -> Option<Classification> {
-        let near = self.space.contact_distance();
-        let settled = self.space.settled(c.theta);
+        let critical = (self.nearby).is_critical(self.space, slot, home, self.slab.lo);
+        let (turn, p) = if self.slab.count == 1 {
+            let turn = Rotation::by(c.theta);
+            (turn, self.inner(c, turn))
+        } else if critical {
+            return self.space.classify(c);
+        } else {
+            let p = self.inner(c, Rotation::by(c.theta));
+            (Rotation::by(home.theta), self.slab.position(p, home))
+        };
+        let settled = if critical {
+            self.space.settled(home.theta)
+        } else {
+            home.theta
+        };
         let mut unclear = false;
         for &i in patches {
-            let patch = &self.space.data.patches[i as usize];
-            let off = off_carrier(patch, turn, p);
+            let off = off_carrier(&self.space.data.patches[i as usize], turn, p);
             if off <= self.grid.margin
-                && let Some(alive) = self.space.alive(patch, settled)
+                && let Some(distance) = self.distance(c, self.slab.image(i, home))
             {
-                let curve = self.space.curve_as_at(patch, alive, c.theta);
-                if curve.nearest(c.position()).distance(c.position()) <= near {
+                if distance <= self.space.contact_distance() {
                     return Some(Classification::Contact);
                 }
                 unclear |= off <= self.rounding;
@@ -187,5 +213,22 @@ impl<'a> Classifier<'a> {
             }
         }
         self.space.classify(c)
+    }
+
+    /// The position of a configuration in the pair's frame, given the rotation by its orientation.
+    #[inline]
+    fn inner(&self, c: Configuration, turn: Rotation) -> Point {
+        let frame = &self.space.data.frame;
+        let drawn = turn * frame.moving_center.to_vector();
+        Point::ORIGIN + ((c.position() - frame.fixed_center) + drawn) * frame.scale
+    }
+
+    /// How far a configuration is from the curve of a patch (model length); `None` if the patch is not there.
+    #[cold]
+    fn distance(&self, c: Configuration, patch: u32) -> Option<f64> {
+        let patch = &self.space.data.patches[patch as usize];
+        let alive = self.space.alive(patch, self.space.settled(c.theta))?;
+        let curve = self.space.curve_as_at(patch, alive, c.theta);
+        Some(curve.nearest(c.position()).distance(c.position()))
     }
 }

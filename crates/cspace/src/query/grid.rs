@@ -1,16 +1,17 @@
 //! A grid over orientations and positions.
 
-use core::f64::consts::{PI, TAU};
 use core::ops::Range;
 
-use crate::space::{ContactSpace, Doubts, Window};
+use crate::space::ContactSpace;
+
+use super::slab::Slab;
 
 /// Side of a tile of cells.
 pub(super) const TILE: usize = 8;
 
 /// Cells which contact passes, for each patch: about so many, of some ten bytes each.
 const CELLS_PER_PATCH: f64 = 32.0;
-/// The same for a whole space, at least: small spaces shall be fast as well.
+/// The same for a whole space, or the slab of a symmetric one, at least: small spaces shall be fast as well.
 const LEAST_CELLS: f64 = 16384.0;
 /// All cells, as a multiple of those which contact passes: one bit of a tile's masks each, so bounded as well.
 const ALL_CELLS: f64 = 32.0;
@@ -27,9 +28,6 @@ pub(super) const MARGIN: f64 = 1.0 / (1u64 << 30) as f64;
 pub(super) struct Grid {
     /// First orientation, radians.
     lo: f64,
-    /// Last orientation, radians.
-    hi: f64,
-    full_turn: bool,
     pub(super) slots: usize,
     /// Slots per radian.
     slot_density: f64,
@@ -45,24 +43,20 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// A grid for a space; `reach` is how far from the origin there may be contact.
+    /// A grid for a slab; `reach` is how far from the origin there may be contact.
     ///
     /// In a slice, curves of length A pass about 2 A / h cells of side h and of as many radians, as a radian moves
-    /// them by about one. So cells of h = √(2 ∫ A dθ / M) are M in number.
-    pub(super) fn new(space: &ContactSpace, reach: f64) -> Self {
-        let Window { lo, hi, full_turn } = space.window();
-        let (lo, hi) = if full_turn { (-PI, PI) } else { (lo, hi) };
-        let span = hi - lo;
-        let area: f64 = space
-            .data
-            .patches
-            .iter()
+    /// them by about one. So cells of h = √(2 ∫ A dθ / M) are M in number. Each orbit of patches passes the slab once.
+    pub(super) fn new(space: &ContactSpace, slab: &Slab, reach: f64) -> Self {
+        let (lo, span) = (slab.lo, slab.hi - slab.lo);
+        let area: f64 = (slab.representatives(space))
             .map(|p| {
                 let curve = space.curve(p, 0.5 * (p.lo + p.hi));
                 curve.length() * space.data.frame.scale * (p.hi - p.lo)
             })
             .sum();
-        let wanted = (CELLS_PER_PATCH * space.data.patches.len() as f64).max(LEAST_CELLS);
+        let patches = space.data.patches.len() as f64 / f64::from(slab.count);
+        let wanted = (CELLS_PER_PATCH * patches).max(LEAST_CELLS);
         let by_contact = (2.0 * area / wanted).sqrt();
         let by_volume = (span * 4.0 * reach * reach / (ALL_CELLS * wanted)).cbrt();
         let cell = by_contact.max(by_volume);
@@ -73,8 +67,6 @@ impl Grid {
         let cell = 2.0 * reach / side as f64;
         Self {
             lo,
-            hi,
-            full_turn,
             slots: slots as usize,
             slot_density: slots / span,
             side,
@@ -85,27 +77,10 @@ impl Grid {
         }
     }
 
-    /// The slot of an orientation; `None` outside the window.
+    /// The slot of an orientation so far from the beginning of the slab.
     #[inline]
-    pub(super) fn slot(&self, theta: f64) -> Option<usize> {
-        let mut t = theta - self.lo;
-        if !(self.lo..=self.hi).contains(&theta) {
-            if !self.full_turn {
-                return None;
-            }
-            t -= TAU * (t / TAU).floor();
-        }
-        Some(((t * self.slot_density) as usize).min(self.slots - 1))
-    }
-
-    /// For every slot which of the doubtful orientations it has.
-    pub(super) fn doubts(&self, doubts: &Doubts) -> Vec<Range<usize>> {
-        // The slots of a turn begin where the intervals do.
-        let near = |slot: usize| {
-            let (lo, hi) = self.orientations(slot);
-            doubts.between(lo - MARGIN, hi + MARGIN)
-        };
-        (0..self.slots).map(near).collect()
+    pub(super) fn slot(&self, from_lo: f64) -> usize {
+        ((from_lo * self.slot_density) as usize).min(self.slots - 1)
     }
 
     /// The slots that have orientations between two.
@@ -124,6 +99,18 @@ impl Grid {
     pub(super) fn orientations(&self, slot: usize) -> (f64, f64) {
         let at = |i: usize| self.lo + i as f64 / self.slot_density;
         (at(slot), at(slot + 1))
+    }
+
+    /// The orientations of a slot, and a little more.
+    pub(super) fn wider(&self, slot: usize) -> (f64, f64) {
+        let (lo, hi) = self.orientations(slot);
+        (lo - MARGIN, hi + MARGIN)
+    }
+
+    /// The middle of a slot: so far from the beginning of the slab, radians.
+    #[inline]
+    pub(super) fn middle(&self, slot: usize) -> f64 {
+        (slot as f64 + 0.5) / self.slot_density
     }
 
     /// A coordinate in cells from the edge of the square.

@@ -16,7 +16,7 @@ use crate::part::Bounds;
 use crate::space::{ContactSpace, Patch};
 
 use super::ray::END_ERROR;
-use super::swept::Swept;
+use super::swept::{Orientations, Swept};
 
 /// Curves may move so far from the middle of an interval, and be so much longer (length of the pair's frame).
 const LOOSE: f64 = 4.0 * WIDEST_SAGITTA;
@@ -104,7 +104,7 @@ fn swaths(patch: &Patch) -> Vec<Swath> {
 /// Adds the boxes of a patch between two of its orientations.
 fn halve(patch: &Patch, lo: f64, hi: f64, left: u32, swaths: &mut Vec<Swath>) {
     let mid = 0.5 * (lo + hi);
-    let swept = Swept::new(patch, mid, 0.5 * (hi - lo));
+    let swept = Swept::new(patch, &Orientations::between(lo, hi));
     if left > 0 && swept.spread.max(swept.slack) > LOOSE {
         halve(patch, lo, mid, left - 1, swaths);
         halve(patch, mid, hi, left - 1, swaths);

@@ -1,17 +1,21 @@
 //! Questions about configurations and motions, answered from the patches; and by the parts themselves where patches are in
 //! doubt.
 
+mod board;
 mod cells;
 mod classifier;
 mod classify;
 mod contacts;
+mod drawn;
 mod first_contact;
 mod grid;
 mod index;
+mod nearby;
 mod path;
 mod project;
 mod raster;
 mod ray;
+mod slab;
 mod slot;
 mod swept;
 mod touch;

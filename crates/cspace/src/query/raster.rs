@@ -1,38 +1,59 @@
 //! Which cells of a slot a patch may pass.
 
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::slice::CurveGeometry;
 use crate::space::Patch;
 
 use super::grid::Grid;
-use super::swept::Swept;
+use super::swept::{Orientations, Swept};
 
 /// How far curves may move while they are taken for one, in cells, and by how much they may be too long.
 const LOOSE: f64 = 0.5;
 const LOOSE_ENDS: f64 = 1.0;
+/// An interval is divided into pieces at most so many at a time: what is known of its speeds is too wide for more.
+const MOST_PIECES: f64 = 8.0;
 /// Slots are halved at most so often.
 const HALVINGS: u32 = 6;
 
-/// Calls `pass` with every cell, as row · side + column, that the curves of a patch may come to between two orientations
-/// of the patch. A cell may be told several times.
+/// Calls `pass` with rows of cells, as first cell and number, that the curves of a patch may come to in an interval of its
+/// orientations. A cell is row · side + column, and may be told several times.
 pub(super) fn cells_of(
     grid: &Grid,
     patch: &Patch,
-    (lo, hi): (f64, f64),
-    pass: &mut impl FnMut(usize),
+    over: &Orientations,
+    pass: &mut impl FnMut(usize, usize),
 ) {
-    halve(grid, patch, lo, hi, HALVINGS, pass);
+    halve(grid, patch, over, HALVINGS, pass);
 }
 
-fn halve(grid: &Grid, patch: &Patch, lo: f64, hi: f64, left: u32, pass: &mut impl FnMut(usize)) {
-    let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-    let swept = Swept::new(patch, mid, half);
-    let loose = swept.spread > LOOSE * grid.cell || swept.slack > LOOSE_ENDS * grid.cell;
-    if left > 0 && loose {
-        halve(grid, patch, lo, mid, left - 1, pass);
-        halve(grid, patch, mid, hi, left - 1, pass);
+fn halve(
+    grid: &Grid,
+    patch: &Patch,
+    over: &Orientations,
+    left: u32,
+    pass: &mut impl FnMut(usize, usize),
+) {
+    let swept = Swept::new(patch, over);
+    let (distance, longer) = (LOOSE * grid.cell, LOOSE_ENDS * grid.cell);
+    if left == 0 || (swept.spread <= distance && swept.slack <= longer) {
+        stamp(grid, &swept, pass);
         return;
     }
+    let pieces = swept.pieces(over, distance, longer);
+    if pieces <= MOST_PIECES {
+        let pieces = pieces.ceil().max(1.0) as u32;
+        for i in 0..pieces {
+            stamp(grid, &swept.within(patch, &over.piece(i, pieces)), pass);
+        }
+    } else {
+        for i in 0..2 {
+            halve(grid, patch, &over.piece(i, 2), left - 1, pass);
+        }
+    }
+}
+
+/// The cells that come near a shape.
+fn stamp(grid: &Grid, swept: &Swept, pass: &mut impl FnMut(usize, usize)) {
     let spread = swept.spread + grid.margin;
     match swept.shape {
         CurveGeometry::Segment { start, end } => near_segment(grid, start, end, spread, pass),
@@ -51,47 +72,62 @@ fn halve(grid: &Grid, patch: &Patch, lo: f64, hi: f64, left: u32, pass: &mut imp
             let pieces = (sweep.abs() / step).ceil().clamp(1.0, 4096.0);
             let angle = sweep / pieces;
             let sagitta = radius * angle * angle / 8.0;
-            let at = |i: f64| center + Vector::from_angle(start_angle + angle * i) * radius;
-            let mut from = at(0.0);
-            for i in 1..=pieces as u32 {
-                let to = at(f64::from(i));
-                near_segment(grid, from, to, spread + sagitta, pass);
-                from = to;
+            let turn = Rotation::by(angle);
+            let mut arm = Vector::from_angle(start_angle) * radius;
+            for _ in 0..pieces as u32 {
+                let next = turn * arm;
+                near_segment(grid, center + arm, center + next, spread + sagitta, pass);
+                arm = next;
             }
         }
     }
 }
 
+/// A segment that rises by less than this, in cells, is taken for level.
+const FLAT: f64 = 1e-3;
+/// More than the rounding error of where a segment crosses the edge of a row, in cells: numbers of cells are below 2048, their
+/// rounding is multiplied by the slope.
+const CROSSING: f64 = 1e-5;
+
 /// The cells within a distance of a segment, and maybe a few more.
-fn near_segment(grid: &Grid, a: Point, b: Point, distance: f64, pass: &mut impl FnMut(usize)) {
-    let clamp = |x: f64| (x.clamp(0.0, grid.side as f64 - 1.0)) as usize;
-    let outside =
-        |lo: f64, hi: f64| grid.in_cells(hi) < 0.0 || grid.in_cells(lo) >= grid.side as f64;
-    let (low, high) = (a.y.min(b.y) - distance, a.y.max(b.y) + distance);
-    if outside(low, high) {
+fn near_segment(
+    grid: &Grid,
+    a: Point,
+    b: Point,
+    distance: f64,
+    pass: &mut impl FnMut(usize, usize),
+) {
+    // All in cells from the edge of the square, and upwards.
+    let [a, b] = if a.y <= b.y { [a, b] } else { [b, a] };
+    let [(ax, ay), (bx, by)] = [a, b].map(|p| (grid.in_cells(p.x), grid.in_cells(p.y)));
+    let distance = distance / grid.cell + CROSSING;
+    let side = grid.side as f64;
+    let cell = |x: f64| x.clamp(0.0, side - 1.0) as usize;
+    let (low, high) = (ay - distance, by + distance);
+    let (left, right) = (ax.min(bx), ax.max(bx));
+    if !(high >= 0.0 && low < side && right + distance >= 0.0 && left - distance < side) {
         return;
     }
-    let (first, last) = (clamp(grid.in_cells(low)), clamp(grid.in_cells(high)));
-    let rise = b.y - a.y;
-    for row in first..=last {
-        // The share of the segment that is near the row.
-        let (mut s, mut t) = (0.0, 1.0);
-        if rise != 0.0 {
-            let p = (grid.line(row) - distance - a.y) / rise;
-            let q = (grid.line(row + 1) + distance - a.y) / rise;
-            s = f64::max(s, p.min(q));
-            t = f64::min(t, p.max(q));
+    // Level enough, and the whole of it is near every row.
+    let slope = if by - ay > FLAT {
+        (bx - ax) / (by - ay)
+    } else {
+        0.0
+    };
+    for row in cell(low)..=cell(high) {
+        // Where the segment is near the row.
+        let (mut from, mut to) = (left, right);
+        if slope != 0.0 {
+            let y = row as f64;
+            let p = ax + slope * (y - distance - ay);
+            let q = ax + slope * (y + 1.0 + distance - ay);
+            from = from.max(p.min(q));
+            to = to.min(p.max(q));
         }
-        if s > t {
-            continue;
-        }
-        let (x, y) = (a.x + (b.x - a.x) * s, a.x + (b.x - a.x) * t);
-        let (x, y) = (x.min(y) - distance, x.max(y) + distance);
-        if outside(x, y) {
-            continue;
-        }
-        for column in clamp(grid.in_cells(x))..=clamp(grid.in_cells(y)) {
-            pass(row * grid.side + column);
+        let (from, to) = (from - distance, to + distance);
+        if from <= to && to >= 0.0 && from < side {
+            let first = cell(from);
+            pass(row * grid.side + first, cell(to) + 1 - first);
         }
     }
 }

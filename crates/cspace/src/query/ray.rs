@@ -194,6 +194,39 @@ impl Span {
     }
 }
 
+/// Whether the carrier of a patch comes to the first stretch of the way from a position, or nearly: by less than
+/// [`END_ERROR`], and so much before and beyond it. The patch's curve is on its carrier, wherever it ends.
+#[inline]
+pub(super) fn may_meet(
+    patch: &Patch,
+    turn: Rotation,
+    p: Point,
+    direction: Direction,
+    stretch: f64,
+) -> bool {
+    let (from, to) = (-END_ERROR, stretch + END_ERROR);
+    let (normal, through) = match patch.function {
+        ContactFunction::Circle { center, radius } => {
+            let c = direction.ahead(center.at(turn) - p);
+            // Whether a point of the way is outside of a circle about the same centre.
+            let outside = |x: f64, r: f64| (x - c.x) * (x - c.x) > (r - c.y) * (r + c.y);
+            let [inner, outer] = [-END_ERROR, END_ERROR].map(|by| radius.abs() + by);
+            let apart = c.y.abs() > outer
+                || to < c.x && outside(to, outer)
+                || from > c.x && outside(from, outer);
+            let within = inner > 0.0 && !outside(from, inner) && !outside(to, inner);
+            return !(apart || within);
+        }
+        ContactFunction::FixedLine { normal, through } => (normal, through),
+        ContactFunction::MovingLine { normal, through } => (turn * normal, through),
+        ContactFunction::FlatCircle { .. } => return true,
+    };
+    let off = normal.dot(p - through.at(turn));
+    let slope = direction.ahead(normal).x;
+    let (a, b) = (off + slope * from, off + slope * to);
+    !(a.min(b) > END_ERROR || a.max(b) < -END_ERROR)
+}
+
 /// How far a position is from the carrier of a patch, at most by rounding less.
 #[inline]
 pub(super) fn off_carrier(patch: &Patch, turn: Rotation, p: Point) -> f64 {

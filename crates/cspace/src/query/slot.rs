@@ -1,22 +1,26 @@
-//! The cells of one slot of orientations, found and packed.
+//! What is in the cells of the slots of orientation.
 
 use core::f64::consts::TAU;
 
 use crate::geometry::{Point, Rotation};
 use crate::space::ContactSpace;
 
-use super::cells::{CellStore, Entry, PURE_BLOCKED, PURE_FREE};
+use super::board::Board;
+use super::cells::CellStore;
 use super::grid::{Grid, MARGIN};
 use super::raster::cells_of;
 use super::ray::Direction;
-use super::walk::{self, Content};
+use super::swept::Orientations;
+use super::walk;
 
 /// A patch and the orientations, by its own count of turns, at which it may be met in a slot.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Presence {
-    pub(super) patch: u32,
+    patch: u32,
     lo: f64,
     hi: f64,
+    /// Whether these are all of the slot's.
+    all: bool,
 }
 
 /// For every slot the patches that exist in it, or nearly.
@@ -30,103 +34,63 @@ pub(super) fn presences(space: &ContactSpace, grid: &Grid) -> Vec<Vec<Presence>>
     for (i, patch) in (0u32..).zip(&space.data.patches) {
         for &turn in turns {
             for slot in grid.slots_between(patch.lo + turn - MARGIN, patch.hi + turn + MARGIN) {
-                let (lo, hi) = grid.orientations(slot);
-                all[slot].push(Presence {
+                let (lo, hi) = grid.wider(slot);
+                let (lo, hi) = (lo - turn, hi - turn);
+                let presence = Presence {
                     patch: i,
-                    lo: patch.lo.max(lo - turn - MARGIN),
-                    hi: patch.hi.min(hi - turn + MARGIN),
-                });
+                    lo: patch.lo.max(lo),
+                    hi: patch.hi.min(hi),
+                    all: patch.lo <= lo && hi <= patch.hi,
+                };
+                if presence.lo <= presence.hi {
+                    all[slot].push(presence);
+                }
             }
         }
     }
     all
 }
 
-/// Finds what is in the cells of a slot.
+/// Finds what is in the cells of some slots in a row, given the number of the first of them.
 pub(super) fn cells(
     space: &ContactSpace,
     grid: &Grid,
-    slot: usize,
-    presences: &[Presence],
+    first: usize,
+    slots: &[Vec<Presence>],
 ) -> CellStore {
-    let mut passed: Vec<(u32, u32)> = Vec::new();
-    for p in presences.iter().filter(|p| p.lo <= p.hi) {
-        let patch = &space.data.patches[p.patch as usize];
-        cells_of(grid, patch, (p.lo, p.hi), &mut |cell| {
-            passed.push((cell as u32, p.patch));
-        });
-    }
-    passed.sort_unstable();
-    passed.dedup();
-    let mut lists = Vec::new();
-    let mut cells = vec![PURE_FREE; grid.side * grid.side];
-    let mut last: Option<(Entry, &[(u32, u32)])> = None;
-    for chunk in passed.chunk_by(|a, b| a.0 == b.0) {
-        let same = |other: &[(u32, u32)]| other.iter().map(|c| c.1).eq(chunk.iter().map(|c| c.1));
-        let entry = match last {
-            Some((entry, other)) if same(other) => entry,
-            _ => Entry::listed(chunk.iter().map(|c| c.1), &mut lists),
-        };
-        last = Some((entry, chunk));
-        cells[chunk[0].0 as usize] = entry;
-    }
-    sort_pure(space, grid, slot, &mut cells, &lists, &passed);
-    CellStore::packed(grid.side, &cells, lists)
-}
-
-/// Tells the pure cells that are blocked from those that are free, from right to left: what is right of the square is
-/// free, and beyond mixed cells one position tells.
-fn sort_pure(
-    space: &ContactSpace,
-    grid: &Grid,
-    slot: usize,
-    cells: &mut [Entry],
-    lists: &[u32],
-    passed: &[(u32, u32)],
-) {
-    let side = grid.side;
-    let rows = passed.iter().map(|c| c.0 as usize / side);
-    let mut done = usize::MAX;
-    for row in rows {
-        if row == done {
-            continue;
-        }
-        done = row;
-        for column in (0..side - 1).rev() {
-            let at = row * side + column;
-            if !cells[at].is_pure() {
-                continue;
-            }
-            let right = cells[at + 1];
-            cells[at] = if right.is_pure() {
-                right
-            } else if is_free(space, grid, slot, (column, row), cells, lists) {
-                PURE_FREE
+    let mut board = Board::new(grid.side);
+    let mut store = CellStore::default();
+    for (slot, presences) in (first..).zip(slots) {
+        let (lo, hi) = grid.wider(slot);
+        let whole = Orientations::between(lo, hi);
+        for p in presences {
+            let patch = &space.data.patches[p.patch as usize];
+            let part = if p.all {
+                whole
             } else {
-                PURE_BLOCKED
+                Orientations::between(p.lo, p.hi)
             };
+            cells_of(grid, patch, &part, &mut |cell, number| {
+                (cell..cell + number).for_each(|cell| board.mark(cell, p.patch));
+            });
         }
+        board.list(store.lists());
+        board.fill(|board, column, row| is_free(space, grid, slot, (column, row), (board, &store)));
+        board.pack(&mut store);
     }
+    store
 }
 
-/// Whether a pure cell is free, when all to the right of it is known.
+/// Whether a cell without patches is free, when all to the right of it is known.
 fn is_free(
     space: &ContactSpace,
     grid: &Grid,
     slot: usize,
     (column, row): (usize, usize),
-    cells: &[Entry],
-    lists: &[u32],
+    (board, store): (&Board, &CellStore),
 ) -> bool {
     let (lo, hi) = grid.orientations(slot);
-    let content = |column: usize, row: usize| {
-        let entry = &cells[row * grid.side + column];
-        match *entry {
-            PURE_FREE => Content::Pure { free: true },
-            PURE_BLOCKED => Content::Pure { free: false },
-            _ => Content::Mixed(entry.patches(lists)),
-        }
-    };
+    let content = |column, row| board.content(store, column, row);
     // The cell's own content is not known yet: the way begins at its right edge. Any height and orientation does.
     const SHARES: [(f64, f64); 4] = [(0.53, 0.51), (0.27, 0.73), (0.81, 0.34), (0.13, 0.17)];
     let mut place = (Point::ORIGIN, lo);
@@ -136,14 +100,8 @@ fn is_free(
         place = (p, theta);
         let turn = Rotation::by(theta);
         let start = (column + 1, row);
-        let found = walk::from_cell(
-            space,
-            grid,
-            start,
-            (p, theta, turn),
-            Direction::Right,
-            content,
-        );
+        let place = (p, theta, turn);
+        let found = walk::from_cell(space, grid, start, place, Direction::Right, content);
         if let Some(free) = found {
             return free;
         }

@@ -11,8 +11,49 @@ use crate::space::{Boundary, Patch, sweep};
 
 /// Longer than anything in the pair's frame, where all contact is within 2 of the origin (length).
 const FAR: f64 = 8.0;
+/// A strip is taken if it is narrower by this factor: at its ends it is longer.
+const NARROWER: f64 = 0.5;
 /// More than the rounding errors of a position in the pair's frame (length).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// An interval of orientation, and what is needed of it to enclose crossings.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Orientations {
+    /// Its middle, radians.
+    pub(super) mid: f64,
+    /// Half its length.
+    pub(super) half: f64,
+    turn: Rotation,
+    /// Cosine and sine of the middle.
+    at: (Ball, Ball),
+}
+
+impl Orientations {
+    pub(super) fn between(lo: f64, hi: f64) -> Self {
+        Self::about(0.5 * (lo + hi), 0.5 * (hi - lo))
+    }
+
+    pub(super) fn about(mid: f64, half: f64) -> Self {
+        let at = Ball::constant(mid).cos_sin();
+        let turn = Rotation {
+            cos: at.0.mid,
+            sin: at.1.mid,
+        };
+        Self {
+            mid,
+            half,
+            turn,
+            at,
+        }
+    }
+
+    /// One of so many equal pieces.
+    pub(super) fn piece(&self, index: u32, pieces: u32) -> Self {
+        let length = 2.0 * self.half / f64::from(pieces);
+        let lo = self.mid - self.half + length * f64::from(index);
+        Self::between(lo, lo + length)
+    }
+}
 
 /// A curve and a distance: the curves of a patch at all orientations of an interval are within `spread` of `shape`.
 #[derive(Debug, Clone, Copy)]
@@ -21,25 +62,55 @@ pub(super) struct Swept {
     pub(super) spread: f64,
     /// By how much the shape was made longer at its ends.
     pub(super) slack: f64,
+    /// How fast the curve moves at most, of an arc without its ends, and how fast its two ends (length per radian).
+    speed: f64,
+    ends: [f64; 2],
+}
+
+/// The end of a curve in the middle of an interval; of a circle relative to the centre.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    at: Vector,
+    /// How far it is from there at other orientations of the interval, at most.
+    error: f64,
+    /// How fast it moves at most (length per radian).
+    speed: f64,
 }
 
 impl Swept {
-    /// Encloses the curves of a patch at the orientations from `mid − half` to `mid + half`, which must be the patch's.
+    /// Encloses the curves of a patch at all orientations of an interval, which must be the patch's.
     ///
-    /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do. An arc moves with its
-    /// centre by |w| · half, and is longer than in the middle by no more than its ends go astray on the circle.
-    pub(super) fn new(patch: &Patch, mid: f64, half: f64) -> Self {
-        let turn = Rotation::by(mid);
-        let left = end(&patch.left, &patch.function, mid, half);
-        let right = end(&patch.right, &patch.function, mid, half);
+    /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do, nor sideways more than its
+    /// line; an arc moves with its centre by |w| · half. Both are longer than in the middle by no more than their ends go
+    /// astray.
+    pub(super) fn new(patch: &Patch, over: &Orientations) -> Self {
+        Self::of_ends(patch, over, [None; 2])
+    }
+
+    /// The same of an interval within one that is enclosed already: how fast things move there is known.
+    pub(super) fn within(&self, patch: &Patch, over: &Orientations) -> Self {
+        Self::of_ends(patch, over, self.ends.map(Some))
+    }
+
+    /// Into how many equal pieces the interval is to be divided, so that in each the curve moves from its middle by no
+    /// more than a distance, and is longer by no more than another. Infinite if that is not known.
+    pub(super) fn pieces(&self, over: &Orientations, distance: f64, longer: f64) -> f64 {
+        let ends = self.ends[0].max(self.ends[1]);
+        over.half * (self.speed / distance).max(ends / longer)
+    }
+
+    fn of_ends(patch: &Patch, over: &Orientations, speeds: [Option<f64>; 2]) -> Self {
+        let &Orientations { half, turn, .. } = over;
+        let left = end(&patch.left, &patch.function, over, speeds[0]);
+        let right = end(&patch.right, &patch.function, over, speeds[1]);
         match patch.function {
             ContactFunction::Circle { center, radius } => {
                 let r = radius.abs();
-                let spread = center.w.length() * half + ROUNDING;
-                let sweep = sweep(left.0, right.0, radius);
+                let speed = center.w.length();
+                let sweep = sweep(left.at, right.at, radius);
                 // A chord of length e spans an arc of π/2 e at most.
                 let angle = |e: f64| FRAC_PI_2 * e / r;
-                let (before, after) = (angle(left.1), angle(right.1));
+                let (before, after) = (angle(left.error), angle(right.error));
                 let length = sweep.abs() + before + after;
                 let whole = length.is_nan() || length >= TAU;
                 let direction = radius.signum();
@@ -47,7 +118,7 @@ impl Swept {
                 let (start_angle, sweep) = if whole {
                     (0.0, TAU)
                 } else {
-                    (left.0.angle() - direction * before, length)
+                    (left.at.angle() - direction * before, length)
                 };
                 let shape = CurveGeometry::Arc {
                     center: center.at(turn),
@@ -55,21 +126,30 @@ impl Swept {
                     start_angle,
                     sweep: direction * sweep,
                 };
-                let slack = if whole { TAU * r } else { left.1.max(right.1) };
                 Self {
                     shape,
-                    spread,
-                    slack,
+                    spread: speed * half + ROUNDING,
+                    slack: if whole {
+                        TAU * r
+                    } else {
+                        left.error.max(right.error)
+                    },
+                    speed,
+                    ends: [left.speed, right.speed],
                 }
             }
             ContactFunction::FixedLine { normal, through } => {
                 let moves = speed(&through) * half;
-                segment(left, right, normal, through.at(turn), moves)
+                let line = Line::new(normal, &through, turn);
+                let swept = segment(left, right, normal, line.through, moves);
+                line.strip(swept, (left, right), half, false)
             }
             ContactFunction::MovingLine { normal, through } => {
                 // Anything within FAR is no farther than twice that from the point it turns about.
                 let moves = (speed(&through) + 2.0 * FAR) * half;
-                segment(left, right, turn * normal, through.at(turn), moves)
+                let line = Line::new(turn * normal, &through, turn);
+                let swept = segment(left, right, line.normal, line.through, moves);
+                line.strip(swept, (left, right), half, true)
             }
             ContactFunction::FlatCircle {
                 through,
@@ -94,22 +174,20 @@ impl Swept {
 }
 
 /// The segments whose ends are known to the given errors; of the whole carrier, if an end is not known at all.
-fn segment(
-    left: (Vector, f64),
-    right: (Vector, f64),
-    normal: Vector,
-    through: Point,
-    moves: f64,
-) -> Swept {
-    let spread = left.1.max(right.1) + ROUNDING;
+fn segment(left: End, right: End, normal: Vector, through: Point, moves: f64) -> Swept {
+    let spread = left.error.max(right.error) + ROUNDING;
+    let speed = left.speed.max(right.speed);
+    let ends = [left.speed, right.speed];
     if spread < FAR {
         return Swept {
             shape: CurveGeometry::Segment {
-                start: Point::ORIGIN + left.0,
-                end: Point::ORIGIN + right.0,
+                start: Point::ORIGIN + left.at,
+                end: Point::ORIGIN + right.at,
             },
             spread,
             slack: 0.0,
+            speed,
+            ends,
         };
     }
     let foot = Point::ORIGIN + normal * normal.dot(through.to_vector());
@@ -120,44 +198,113 @@ fn segment(
         },
         spread: moves + ROUNDING,
         slack: FAR,
+        speed,
+        ends,
     }
 }
 
-/// The end of a curve in the middle of the interval, and how far it is from there at other orientations of it, at most.
-/// Of a circle it is relative to the centre.
-fn end(boundary: &Boundary, own: &ContactFunction, mid: f64, half: f64) -> (Vector, f64) {
+/// The line of a segment in the middle of an interval.
+struct Line {
+    normal: Vector,
+    through: Point,
+    /// How the point moves (length per radian).
+    velocity: Vector,
+}
+
+impl Line {
+    fn new(normal: Vector, through: &Spiral, turn: Rotation) -> Self {
+        Self {
+            normal,
+            through: through.at(turn),
+            velocity: (turn * through.turning()).left(),
+        }
+    }
+
+    /// The same segments enclosed by a strip, where that is much narrower: by the line in the middle, from the first place
+    /// along it to which an end may come to the last, and by how far the line moves sideways there.
+    ///
+    /// A position x is off the line by f = n·(x − t). With t the point it is through, and v its velocity, f changes by
+    /// left(n)·(x − t) − n·v per radian if the line turns, otherwise by −n·v; and that by no more than |x − t| + 3 |v|, or
+    /// |v|. No x is farther from t than ends may be along the line, and then half as much again, and t moves by |v| at most.
+    fn strip(&self, swept: Swept, (left, right): (End, End), half: f64, turns: bool) -> Swept {
+        let along = self.normal.left();
+        let place = |end: End| along.dot((Point::ORIGIN + end.at) - self.through);
+        let (a, b) = (place(left), place(right));
+        let first = (a - left.error).min(b - right.error);
+        let last = (a + left.error).max(b + right.error);
+        let sideways = self.normal.dot(self.velocity);
+        let speed = self.velocity.length();
+        let (rate, bend) = if turns {
+            let rate = (first - sideways).abs().max((last - sideways).abs());
+            (rate, 2.0 * first.abs().max(last.abs()) + 4.0 * speed)
+        } else {
+            (sideways.abs(), speed)
+        };
+        let rate = rate + bend * half;
+        let spread = rate * half + ROUNDING;
+        // Not of ends that are not known.
+        if !(half <= 1.0 && spread <= NARROWER * swept.spread && last - first <= FAR) {
+            return swept;
+        }
+        let (start, end) = if a <= b { (first, last) } else { (last, first) };
+        let at = |place: f64| self.through + along * place;
+        Swept {
+            shape: CurveGeometry::Segment {
+                start: at(start),
+                end: at(end),
+            },
+            spread,
+            slack: left.error.max(right.error),
+            speed: rate,
+            ..swept
+        }
+    }
+}
+
+/// The end of a curve over an interval; its speed there, if that is known.
+fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: Option<f64>) -> End {
+    let half = over.half;
     match *boundary {
         Boundary::End { spiral } => {
-            if !spiral.swing.is_none() {
-                let at = spiral.at(Rotation::by(mid)).to_vector();
-                return (at, speed(&spiral) * half + ROUNDING);
-            }
-            let base = match *own {
-                ContactFunction::Circle { center, .. } => (center.u.to_vector(), center.w),
-                _ => (Vector::ZERO, Vector::ZERO),
+            let (at, speed) = if spiral.swing.is_none() {
+                let (u, w) = match *own {
+                    ContactFunction::Circle { center, .. } => (center.u.to_vector(), center.w),
+                    _ => (Vector::ZERO, Vector::ZERO),
+                };
+                let w = spiral.w - w;
+                ((spiral.u.to_vector() - u) + over.turn * w, w.length())
+            } else {
+                (spiral.at(over.turn).to_vector(), speed(&spiral))
             };
-            let w = spiral.w - base.1;
-            let at = (spiral.u.to_vector() - base.0) + Rotation::by(mid) * w;
-            (at, w.length() * half + ROUNDING)
+            End {
+                at,
+                error: speed * half + ROUNDING,
+                speed,
+            }
         }
         Boundary::Crossing { ref with, root } => {
-            let at = place(own, boundary, with, root, Ball::constant(mid).cos_sin());
-            let over = place(
-                own,
-                boundary,
-                with,
-                root,
-                Jet::cos_sin(Ball::new(mid, half)),
+            let at = place(own, boundary, with, root, over.at);
+            let length = |(x, y)| Vector::new(x, y).length();
+            let rounding = length((at.0.radius, at.1.radius));
+            let (error, speed) = known.map_or_else(
+                || {
+                    let jets = Jet::cos_sin(Ball::new(over.mid, half));
+                    let jets = place(own, boundary, with, root, jets);
+                    let most = |b: Ball| b.mid.abs() + b.radius;
+                    let speed = length((most(jets.0.slope), most(jets.1.slope)));
+                    // The enclosure itself, or what the mean value theorem says, whichever is narrower.
+                    let direct = |at: Ball, over: Ball| (over.mid - at.mid).abs() + over.radius;
+                    let direct = length((direct(at.0, jets.0.value), direct(at.1, jets.1.value)));
+                    (direct.min(rounding + speed * half), speed)
+                },
+                |speed| (rounding + speed * half, speed),
             );
-            // The enclosure itself, or what the mean value theorem says, whichever is narrower.
-            let error = |at: Ball, over: Jet| {
-                let direct = (over.value.mid - at.mid).abs() + over.value.radius;
-                let mean = at.radius + (over.slope.mid.abs() + over.slope.radius) * half;
-                let least = direct.min(mean);
-                if least.is_nan() { f64::INFINITY } else { least }
-            };
-            let mid = Vector::new(at.0.mid, at.1.mid);
-            (mid, error(at.0, over.0).hypot(error(at.1, over.1)))
+            let known = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+            End {
+                at: Vector::new(at.0.mid, at.1.mid),
+                error: known(error),
+                speed: known(speed),
+            }
         }
     }
 }
@@ -217,7 +364,8 @@ mod tests {
                 for i in 0..9 {
                     let mid = patch.lo + (patch.hi - patch.lo) * f64::from(i) / 8.0;
                     let (lo, hi) = ((mid - half).max(patch.lo), (mid + half).min(patch.hi));
-                    let swept = Swept::new(patch, 0.5 * (lo + hi), 0.5 * (hi - lo));
+                    let whole = Orientations::between(lo, hi);
+                    let swept = Swept::new(patch, &whole);
                     narrow += usize::from(swept.spread + swept.slack < 8.0 * half + 1e-9);
                     for j in 1..8 {
                         let theta = lo + (hi - lo) * f64::from(j) / 8.0;
@@ -227,6 +375,11 @@ mod tests {
                             let c = crate::Configuration::new(q.x, q.y, theta);
                             let p = space.data.frame.inner_from_outer(c);
                             assert!(!swept.is_away(p, 1e-13), "{patch:?} at {theta}");
+                            // In the first, the second, or the third third.
+                            let third = ((3 * j) / 8) as u32;
+                            let piece = whole.piece(third, 3);
+                            let piece = swept.within(patch, &piece);
+                            assert!(!piece.is_away(p, 1e-13), "{patch:?} at {theta}");
                             asked += 1;
                         }
                     }

@@ -9,7 +9,7 @@ use crate::space::{ContactSpace, Patch};
 
 use super::classify::Classification;
 use super::path::Path;
-use super::swept::Swept;
+use super::swept::{Orientations, Swept};
 
 /// Positions nearer than this to a curve are on it (length of the pair's frame): the resolution of a space.
 const ON_CURVE: f64 = 8.0 * GROWTH;
@@ -245,7 +245,7 @@ impl<'a> Search<'a> {
     /// Whether the position is off the curves of the patch at all times mid − half to mid + half.
     fn is_away(&self, along: &Along<'_>, mid: f64, half: f64) -> bool {
         let (theta, wide, beyond) = self.within(along, mid, half);
-        let swept = Swept::new(along.patch, theta, wide);
+        let swept = Swept::new(along.patch, &Orientations::about(theta, wide));
         let moves = self.path.speed() * half + SPEED * beyond;
         swept.is_away(self.path.inner_at(mid), moves + self.near())
     }
@@ -333,7 +333,7 @@ impl<'a> Search<'a> {
         let p = frame.outer_from_inner(self.path.inner_at(time), theta);
         let off = curve.nearest(p.position()).distance(p.position()) * frame.scale;
         // How the position, and the curve with its ends, move within the uncertainty of time and orientation.
-        let swept = Swept::new(along.patch, theta, wide);
+        let swept = Swept::new(along.patch, &Orientations::about(theta, wide));
         let moved = self.path.speed() * half + SPEED * beyond;
         let uncertain = moved + swept.spread + swept.slack;
         if off > self.near() + uncertain {

@@ -4,7 +4,7 @@ use crate::geometry::{Point, Rotation};
 use crate::space::ContactSpace;
 
 use super::grid::Grid;
-use super::ray::{Direction, END_ERROR, Local, Meeting};
+use super::ray::{Direction, END_ERROR, Local, Meeting, may_meet};
 
 /// What is in a cell over the orientations of its slot.
 #[derive(Debug, Clone, Copy)]
@@ -44,12 +44,18 @@ pub(super) fn from_cell<'a>(
             Content::Pure { free } => return Some(free),
             Content::Mixed(patches) => patches,
         };
+        let wall = match direction {
+            Direction::Right => grid.line(column + 1) - p.x,
+            Direction::Up => grid.line(row + 1) - p.y,
+            Direction::Left => p.x - grid.line(column),
+            Direction::Down => p.y - grid.line(row),
+        };
         let mut first: Option<(f64, bool)> = None;
         // The nearest contact from the other side.
         let mut other = f64::INFINITY;
         for &i in patches {
             let patch = &space.data.patches[i as usize];
-            if space.alive(patch, theta).is_none() {
+            if space.alive(patch, theta).is_none() || !may_meet(patch, turn, p, direction, wall) {
                 continue;
             }
             match Local::new(patch, turn, p).meet(direction) {
@@ -75,12 +81,6 @@ pub(super) fn from_cell<'a>(
                 },
             }
         }
-        let wall = match direction {
-            Direction::Right => grid.line(column + 1) - p.x,
-            Direction::Up => grid.line(row + 1) - p.y,
-            Direction::Left => p.x - grid.line(column),
-            Direction::Down => p.y - grid.line(row),
-        };
         if let Some((distance, from_free)) = first
             && distance <= wall
         {

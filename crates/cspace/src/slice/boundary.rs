@@ -78,7 +78,20 @@ impl Slice {
     /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
     pub(crate) fn from_curves(
         theta: f64,
+        curves: Vec<SliceCurve>,
+        doubtful: bool,
+        frame: &PairFrame,
+    ) -> Self {
+        let ends = |c: &SliceCurve| (c.geometry.point(0.0), c.geometry.point(1.0));
+        let ends: Vec<(Point, Point)> = curves.iter().map(ends).collect();
+        Self::from_curves_and_ends(theta, curves, &ends, doubtful, frame)
+    }
+
+    /// The same, if it is known where every curve begins and ends.
+    pub(crate) fn from_curves_and_ends(
+        theta: f64,
         mut curves: Vec<SliceCurve>,
+        ends: &[(Point, Point)],
         doubtful: bool,
         frame: &PairFrame,
     ) -> Self {
@@ -98,13 +111,13 @@ impl Slice {
                 loops.push(walk);
             }
         }
-        let is_open = |c: &SliceCurve| {
-            let next = curves.get(c.next as usize);
-            next.is_none_or(|n| c.geometry.point(1.0).distance(n.geometry.point(0.0)) > torn)
+        let is_open = |(c, end): (&SliceCurve, &(Point, Point))| {
+            let next = ends.get(c.next as usize);
+            next.is_none_or(|n| end.1.distance(n.0) > torn)
         };
         Self {
             theta,
-            doubtful: doubtful || curves.iter().any(is_open),
+            doubtful: doubtful || curves.iter().zip(ends).any(is_open),
             curves,
             loops,
         }

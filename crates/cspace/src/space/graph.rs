@@ -9,6 +9,7 @@ use crate::geometry::Configuration;
 use crate::part::Part;
 use crate::slice::{CurveGeometry, Slice};
 
+use super::alive::Alive;
 use super::band::{Band, bands};
 use super::check::{DataError, check};
 use super::data::{FeatureCounts, FreeRegion, SideLink, SpaceData, VerticalLink};
@@ -29,6 +30,8 @@ pub struct ContactSpace {
     grown: f64,
     /// The parts as they are tested for overlap, once a question needs them.
     bodies: Arc<OnceLock<Bodies>>,
+    /// Which patches there are at an orientation, once a slice is asked for.
+    alive: Arc<OnceLock<Alive>>,
     /// Where the patches are, once it is asked often what is near.
     pub(crate) places: Arc<Places>,
 }
@@ -52,6 +55,7 @@ impl ContactSpace {
             walk,
             grown,
             bodies: Arc::default(),
+            alive: Arc::default(),
             places: Arc::default(),
             data,
         }
@@ -66,8 +70,15 @@ impl ContactSpace {
     ///
     /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
     /// a [doubtful orientation](Self::doubtful_orientations) says so; that of [`Slice::compute`] may be certain there.
+    ///
+    /// It takes time in proportion to the number of its curves: 0.1 to 0.3 µs each. The first also sorts all patches by
+    /// orientation, and the space keeps that, about ten bytes a patch.
     pub fn slice(&self, theta: f64) -> Slice {
-        self.surface().slice(theta)
+        let alive = (self.alive).get_or_init(|| Alive::new(self.data.window, &self.data.patches));
+        match alive.at(theta) {
+            Some(patches) => self.surface().slice_of(theta, patches.iter().copied()),
+            None => self.surface().slice(theta),
+        }
     }
 
     /// What slices are read off.

@@ -1,5 +1,6 @@
 //! The contact space of a pair of parts: what was computed, as data, and what is read off it.
 
+mod alive;
 mod band;
 mod check;
 mod data;
@@ -19,7 +20,7 @@ pub use check::DataError;
 pub(crate) use check::check_head;
 pub(crate) use data::FORMAT;
 pub use data::{FeatureCounts, FreeRegion, SAVED_VERSION, SideLink, SpaceData, VerticalLink};
-pub(crate) use doubts::{Doubts, in_window, union};
+pub(crate) use doubts::{in_window, union};
 pub use graph::ContactSpace;
 pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage, Window};
 pub(crate) use options::{Silent, WINDOW_SLACK};

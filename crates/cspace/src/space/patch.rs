@@ -146,15 +146,20 @@ impl Patch {
     }
 
     /// The position of one of its boundaries in the pair's frame.
+    pub(crate) fn inner_at(&self, boundary: &Boundary, theta: f64) -> Point {
+        self.inner_at_turned(boundary, theta, Rotation::by(theta))
+    }
+
+    /// The same, given the rotation by the orientation.
     ///
     /// Where the two carriers almost become one, their crossing is hardly known, or not at all, yet has a limit. It is
     /// found from nearby slices, as section 3.1 of Sacks 1999 has it: along the patch's own curve, on the patch's side.
-    pub(crate) fn inner_at(&self, boundary: &Boundary, theta: f64) -> Point {
+    pub(crate) fn inner_at_turned(&self, boundary: &Boundary, theta: f64, turn: Rotation) -> Point {
         /// A rounding error up to this is accepted, in the pair's frame.
         const GOOD: f64 = 1e-7;
         /// How far away the nearest slice is taken, radians: the square of it is below what their rounding makes.
         const ASIDE: f64 = 1e-5;
-        let (p, error) = boundary.inner_and_error(&self.function, Rotation::by(theta));
+        let (p, error) = boundary.inner_and_error(&self.function, turn);
         if error <= GOOD {
             return p;
         }

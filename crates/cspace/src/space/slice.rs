@@ -37,18 +37,28 @@ impl<'a> Surface<'a> {
 
     /// The slice at an orientation; see [`ContactSpace::slice`](crate::ContactSpace::slice).
     pub(crate) fn slice(&self, theta: f64) -> Slice {
-        let mut curves = Vec::new();
-        let mut number = vec![u32::MAX; self.patches.len()];
-        let mut at = Vec::new();
+        self.slice_of(theta, 0..self.patches.len() as u32)
+    }
+
+    /// The same, given patches in ascending order among which are all that exist there.
+    pub(crate) fn slice_of(&self, theta: f64, among: impl Iterator<Item = u32>) -> Slice {
         let settled = self.settled(theta);
-        for (i, patch) in (0u32..).zip(self.patches) {
+        let asked = Turned::by(theta);
+        let mut turned = Turned::by(settled);
+        let (mut curves, mut ends, mut at) = (Vec::new(), Vec::new(), Vec::new());
+        for i in among {
+            let patch = &self.patches[i as usize];
             if let Some(t) = self.alive(patch, settled) {
-                number[i as usize] = curves.len() as u32;
+                if t != turned.theta {
+                    turned = Turned::by(t);
+                }
                 at.push((i, t));
+                let (geometry, both) = self.curve_with_ends(patch, turned, asked);
+                ends.push(both);
                 curves.push(SliceCurve {
                     fixed: patch.fixed,
                     moving: patch.moving,
-                    geometry: self.curve_as_at(patch, t, theta),
+                    geometry,
                     patch: Some(i),
                     next: u32::MAX,
                 });
@@ -59,11 +69,13 @@ impl<'a> Surface<'a> {
             let mut links = (self.walk.after(i).iter()).map(|&l| &self.side_links[l as usize]);
             let link = links.find(|l| l.lo <= t && (t < l.hi || (last && t <= l.hi)));
             // The link's orientations are those of the patch before it.
-            if let Some(link) = link {
-                curve.next = number[link.after as usize];
+            if let Some(link) = link
+                && let Ok(next) = at.binary_search_by_key(&link.after, |a| a.0)
+            {
+                curve.next = next as u32;
             }
         }
-        Slice::from_curves(theta, curves, self.doubts().hold(theta), self.frame)
+        Slice::from_curves_and_ends(theta, curves, &ends, self.doubts().hold(theta), self.frame)
     }
 
     /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.
@@ -115,34 +127,71 @@ impl<'a> Surface<'a> {
     /// The curve of a patch at an orientation of its interval, as positions at another that differs from it by turns and
     /// roundings: of parts drawn far from their origins these are more than the curve changes.
     pub(crate) fn curve_as_at(&self, patch: &Patch, theta: f64, asked: f64) -> CurveGeometry {
-        let outer = |p: Point| self.frame.outer_from_inner(p, asked).position();
-        let start = patch.inner_at(&patch.left, theta);
-        let end = patch.inner_at(&patch.right, theta);
+        (self.curve_with_ends(patch, Turned::by(theta), Turned::by(asked))).0
+    }
+
+    /// The same, and where the curve begins and ends.
+    fn curve_with_ends(
+        &self,
+        patch: &Patch,
+        at: Turned,
+        asked: Turned,
+    ) -> (CurveGeometry, (Point, Point)) {
+        let moved = asked.turn * self.frame.moving_center.to_vector();
+        let outer =
+            |p: Point| self.frame.fixed_center + (p.to_vector() * (1.0 / self.frame.scale) - moved);
+        let [start, end] =
+            [&patch.left, &patch.right].map(|b| patch.inner_at_turned(b, at.theta, at.turn));
+        let ends = (outer(start), outer(end));
         match patch.function {
             ContactFunction::Circle { center, radius } => {
-                let c = center.at(Rotation::by(theta));
-                let start_angle = (start - c).angle();
+                let c = center.at(at.turn);
                 let sweep = sweep(start - c, end - c, radius);
-                CurveGeometry::Arc {
+                let arc = CurveGeometry::Arc {
                     center: outer(c),
                     radius: self.frame.outer_length(radius.abs()),
-                    start_angle,
+                    start_angle: (start - c).angle(),
                     sweep,
-                }
+                };
+                let on_circle = |p: Point, s: f64| {
+                    let arm = p - c;
+                    let p = c + arm * (radius.abs() / arm.length());
+                    if p.is_finite() {
+                        outer(p)
+                    } else {
+                        arc.point(s)
+                    }
+                };
+                // An arc that has just ended is one point.
+                let end = if sweep == 0.0 { start } else { end };
+                (arc, (on_circle(start, 0.0), on_circle(end, 1.0)))
             }
             ContactFunction::FlatCircle { .. } => {
-                let arc = patch.function.flat_arc(Rotation::by(theta));
+                let arc = patch.function.flat_arc(at.turn);
                 let bulge = arc.map_or(0.0, |b| b.bulge(b.place(start), b.place(end)));
-                CurveGeometry::FlatArc {
-                    start: outer(start),
-                    end: outer(end),
-                    bulge,
-                }
+                let (start, end) = ends;
+                (CurveGeometry::FlatArc { start, end, bulge }, ends)
             }
-            _ => CurveGeometry::Segment {
-                start: outer(start),
-                end: outer(end),
-            },
+            _ => {
+                let (start, end) = ends;
+                (CurveGeometry::Segment { start, end }, ends)
+            }
+        }
+    }
+}
+
+/// An orientation and its rotation.
+#[derive(Debug, Clone, Copy)]
+struct Turned {
+    theta: f64,
+    turn: Rotation,
+}
+
+impl Turned {
+    fn by(theta: f64) -> Self {
+        Self {
+            theta,
+            turn: Rotation::by(theta),
         }
     }
 }

@@ -2,7 +2,11 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::{Classification, Classifier, Configuration, ContactSpace, Options, Vector};
+use cspace::{
+    Classification, Classifier, Configuration, ContactSpace, Options, Part, Symmetry, Vector,
+    Vertex,
+};
+use cspace_oracle::shapes::{gear, pawl, ratchet};
 use cspace_oracle::{Oracle, Pair, near_contact_about, pair, pairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -330,6 +334,134 @@ fn saved_spaces_and_what_is_no_configuration() {
         }
         for classifier in [&classifier, &again] {
             assert_eq!(classifier.classify(c), expected, "{c:?}");
+        }
+    }
+}
+
+/// A part drawn elsewhere: it moves, and its symmetry is about another point.
+fn moved(part: &Part, by: Vector) -> Part {
+    let place = |v: &Vertex| Vertex {
+        x: v.x + by.x,
+        y: v.y + by.y,
+        ..*v
+    };
+    let loops = part.loops().iter();
+    let loops = loops.map(|l| l.vertices().iter().map(place).collect());
+    Part::new(part.name(), loops.collect()).unwrap()
+}
+
+/// Symmetric pairs are looked up in one slab: everywhere else, either part symmetric or both, drawn anywhere, with
+/// configurations at contact, just beside it, at the ends of slabs and anywhere, the answers are those of the space, and of
+/// brute force.
+#[test]
+fn slabs_of_symmetric_pairs() {
+    let (away, far) = (Vector::new(3.0, -2.0), Vector::new(-40.0, 7.0));
+    let pawl = pawl();
+    let pairs = [
+        (gear(10, 1.0), gear(9, 1.0)),
+        (moved(&gear(8, 1.0), away), moved(&gear(6, 1.0), far)),
+        (moved(&ratchet(12), far), pawl.clone()),
+        (moved(&pawl, away), moved(&ratchet(9), away)),
+    ];
+    let mut asked = [0; 3];
+    for (fixed, moving) in pairs {
+        let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+        let slabs = space.symmetry().slabs;
+        assert!(slabs > 8, "{slabs}");
+        let classifier = space.classifier();
+        let general = Options {
+            symmetry: Symmetry::Ignore,
+            ..Options::default()
+        };
+        let general = ContactSpace::compute(&fixed, &moving, &general).unwrap();
+        // One slab is prepared, not all.
+        let bytes = general.classifier().bytes();
+        assert!(
+            10 * classifier.bytes() < 9 * bytes,
+            "{} of {bytes}",
+            classifier.bytes()
+        );
+        let oracle = Oracle::new(&fixed, &moving);
+        let size = oracle.size();
+        let mut rng = ChaCha8Rng::seed_from_u64(21);
+        let period = TAU / f64::from(slabs);
+        let mut configurations = Vec::new();
+        for i in 0..slabs {
+            // Somewhere in the slab, next to its ends, and where patches begin, turned anyhow.
+            let begin = period * f64::from(i) - PI;
+            let critical = space.critical_orientations();
+            let critical = critical[rng.random_range(0..critical.len())];
+            let turns = TAU * f64::from(rng.random_range(-2..=2));
+            let thetas = [
+                begin + period * rng.random_range(0.0..1.0),
+                begin,
+                begin + 1e-13,
+                begin - 1e-13,
+                critical + 1e-9,
+                critical - 1e-12,
+            ];
+            for theta in thetas.map(|t| t + turns) {
+                let slice = space.slice(theta);
+                for _ in 0..12 {
+                    let curve = &slice.curves[rng.random_range(0..slice.curves.len())].geometry;
+                    let s = rng.random_range(0.0..1.0);
+                    let off = [0.0, 1e-9, 1e-8, 1e-6, 1e-3][rng.random_range(0..5)] * size;
+                    let off = if rng.random() { off } else { -off };
+                    let p = curve.point(s) + curve.free_normal(s) * off;
+                    configurations.push(Configuration::new(p.x, p.y, theta));
+                }
+                let c = anywhere(&oracle, &mut rng);
+                configurations.push(Configuration::new(c.x, c.y, theta));
+            }
+        }
+        for (i, &c) in configurations.iter().enumerate() {
+            let verdict = (i % 8 == 0).then(|| oracle.judge(c));
+            let sure = verdict.filter(|v| v.margin > 1e-10 * size);
+            let mistake = wrong(&space, &classifier, c, sure.map(|v| v.overlap));
+            assert_eq!(mistake, None, "{slabs} slabs");
+            match classifier.classify(c).unwrap() {
+                Classification::Free => asked[0] += 1,
+                Classification::Blocked => asked[1] += 1,
+                Classification::Contact => asked[2] += 1,
+            }
+        }
+    }
+    assert!(asked.iter().all(|&n| n > 500), "{asked:?}");
+}
+
+/// A space that says it repeats is looked at: where its patches are not images of each other, all of them are prepared.
+#[test]
+fn slabs_that_are_none() {
+    let (fixed, moving) = (ratchet(8), pawl());
+    let general = Options {
+        symmetry: Symmetry::Ignore,
+        ..Options::default()
+    };
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let mut claimed = ContactSpace::compute(&fixed, &moving, &general)
+        .unwrap()
+        .data()
+        .clone();
+    claimed.symmetry = space.symmetry();
+    let mut shuffled = space.data().clone();
+    // Patches numbered otherwise: links and all.
+    let n = shuffled.patches.len() as u32;
+    let number = |i: u32| (i + 3) % n;
+    shuffled.patches.rotate_right(3);
+    for link in &mut shuffled.side_links {
+        (link.before, link.after) = (number(link.before), number(link.after));
+    }
+    for link in &mut shuffled.vertical_links {
+        (link.lower, link.upper) = (number(link.lower), number(link.upper));
+    }
+    let oracle = Oracle::new(&fixed, &moving);
+    for data in [claimed, shuffled] {
+        let space = ContactSpace::from_data(data).unwrap();
+        let classifier = space.classifier();
+        let mut rng = ChaCha8Rng::seed_from_u64(22);
+        for _ in 0..4000 {
+            let c = anywhere(&oracle, &mut rng);
+            assert_eq!(wrong(&space, &classifier, c, None), None);
         }
     }
 }

@@ -1,0 +1,100 @@
+//! Which orientations that need care lie near each slot: those in doubt, and critical ones.
+
+use crate::space::ContactSpace;
+
+use super::grid::{Grid, MARGIN};
+use super::slab::{ASIDE, Home, Slab};
+
+/// For every slot the intervals of doubtful orientations, and the critical orientations, that come to it, by number: the
+/// first, and the one after the last.
+#[derive(Debug, Clone)]
+pub(super) struct Nearby {
+    slots: Vec<Near>,
+    /// So far from the beginning of the slab orientations are next to the end of a turn (radians).
+    seam: f64,
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct Near {
+    doubts: (u32, u32),
+    critical: (u32, u32),
+}
+
+impl Nearby {
+    pub(super) fn new(space: &ContactSpace, grid: &Grid, slab: &Slab) -> Self {
+        let critical = space.critical_orientations();
+        let count = |within: core::ops::Range<usize>| (within.start as u32, within.end as u32);
+        let mut slots: Vec<Near> = (0..grid.slots)
+            .map(|slot| {
+                let (lo, hi) = grid.wider(slot);
+                let before = |theta: f64| critical.partition_point(|&c| c < theta);
+                Near {
+                    // The slots of a turn begin where the intervals do.
+                    doubts: if slab.count == 1 {
+                        count(space.doubts().between(lo, hi))
+                    } else {
+                        (0, 0)
+                    },
+                    critical: count(before(lo)..before(hi)),
+                }
+            })
+            .collect();
+        if slab.count > 1 {
+            let doubts = space.doubtful_orientations();
+            for &(lo, hi) in doubts {
+                for slot in slots_between(grid, slab, lo - MARGIN, hi + MARGIN) {
+                    slots[slot].doubts = (0, doubts.len() as u32);
+                }
+            }
+        }
+        Self {
+            slots,
+            seam: slab.hi - slab.lo - ASIDE,
+        }
+    }
+
+    /// Whether patches are not relied upon at an orientation, which comes home to a slot.
+    #[inline]
+    pub(super) fn is_doubtful(&self, space: &ContactSpace, slot: usize, theta: f64) -> bool {
+        let (first, end) = self.slots[slot].doubts;
+        first < end
+            && space
+                .doubts()
+                .hold_among(theta, first as usize..end as usize)
+    }
+
+    /// Whether an orientation may be, but for rounding, a critical one.
+    #[inline]
+    pub(super) fn is_critical(
+        &self,
+        space: &ContactSpace,
+        slot: usize,
+        home: Home,
+        lo: f64,
+    ) -> bool {
+        let (first, end) = self.slots[slot].critical;
+        let near = &space.critical_orientations()[first as usize..end as usize];
+        let theta = lo + home.from_lo;
+        home.from_lo >= self.seam || near.iter().any(|c| (c - theta).abs() <= ASIDE)
+    }
+
+    /// Number of bytes in memory, beside itself.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(self.slots.as_slice())
+    }
+}
+
+/// The slots that have orientations between two, in any slab.
+fn slots_between(grid: &Grid, slab: &Slab, lo: f64, hi: f64) -> impl Iterator<Item = usize> {
+    let period = slab.hi - slab.lo;
+    let place = |theta: f64| ((theta - slab.lo) / period).floor();
+    let (first, last) = (place(lo), place(hi));
+    // What is longer than a slab comes to all slots of the second.
+    let second = (last > first).then(|| {
+        let by = period * (first + 1.0);
+        grid.slots_between(slab.lo, hi - by)
+    });
+    let by = period * first;
+    let first = grid.slots_between(lo - by, hi - by);
+    first.chain(second.into_iter().flatten())
+}

@@ -1,0 +1,250 @@
+//! The slab of a symmetric pair's space in which all configurations are looked up.
+//!
+//! The space of a symmetric pair consists of so many images of one slab of orientations (see `contact/symmetry.rs`). What
+//! is known of the first slab is known of all: the motion that takes a configuration's slab back to the first takes the
+//! configuration with it. Whether a space is such is not believed but seen, patch by patch: its patches come in orbits, so
+//! many in a row as there are slabs, each of which is the image of the one before.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::contact::{ContactFunction, SlabMotion, Spiral, Steps};
+use crate::feature::tolerance::NARROWEST_BAND;
+use crate::geometry::{Point, Rotation, Vector};
+use crate::space::{Boundary, ContactSpace, Patch, Window};
+
+/// Numbers of a patch and of its image may differ by so much, or so large a share of them (radians, or length of the
+/// pair's frame): copies are made by one motion each, and differ by some roundings.
+const SAME: f64 = 1e-12;
+
+/// Orientations at which a patch and its image begin or end may differ by so much (radians): half a turn is rounded.
+const SAME_ORIENTATION: f64 = NARROWEST_BAND;
+
+/// Orientations of the slab nearer to a critical one than this (radians) are told by the space itself: turned home, they
+/// may be on the other side of it. More than the rounding of some hundred turns, and than images are apart.
+pub(super) const ASIDE: f64 = 2.0 * SAME_ORIENTATION;
+
+/// Some slab of a space that repeats, or all orientations of one that does not.
+#[derive(Debug, Clone)]
+pub(super) struct Slab {
+    /// First orientation of the slab, radians.
+    pub(super) lo: f64,
+    /// Last orientation.
+    pub(super) hi: f64,
+    /// How many slabs there are; 1 without symmetry.
+    pub(super) count: u32,
+    full_turn: bool,
+    /// How positions turn on the way home from the first slab, the second, and so on, until it is the same again.
+    homewards: Vec<Rotation>,
+}
+
+/// An orientation in the slab.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Home {
+    /// The orientation, but for rounding; as it is, where there is one slab only.
+    pub(super) theta: f64,
+    /// How far it is from the beginning of the slab (radians).
+    pub(super) from_lo: f64,
+    /// So many slabs it was away from there.
+    pub(super) slabs: u32,
+}
+
+impl Slab {
+    pub(super) fn new(space: &ContactSpace) -> Self {
+        let Window { lo, hi, full_turn } = space.window();
+        let (lo, hi) = if full_turn { (-PI, PI) } else { (lo, hi) };
+        let whole = Self {
+            lo,
+            hi,
+            count: 1,
+            full_turn,
+            homewards: vec![Rotation::by(0.0)],
+        };
+        let symmetry = space.symmetry();
+        let folds = 1..=symmetry.slabs;
+        // Data that were read may claim anything.
+        let is_sound = symmetry.slabs as usize <= space.data.patches.len()
+            && folds.contains(&symmetry.fixed)
+            && folds.contains(&symmetry.moving);
+        if !full_turn || symmetry.slabs <= 1 || !is_sound {
+            return whole;
+        }
+        let steps = Steps::new(symmetry.fixed, symmetry.moving);
+        match steps.filter(|s| s.slabs == symmetry.slabs && repeats(&space.data.patches, s)) {
+            Some(steps) => Self {
+                hi: lo + steps.period(1),
+                count: steps.slabs,
+                homewards: (0..i64::from(steps.fixed_fold))
+                    .map(|slabs| steps.motion(slabs).fixed.inverse())
+                    .collect(),
+                ..whole
+            },
+            None => whole,
+        }
+    }
+
+    /// Brings an orientation home; `None` outside the window.
+    #[inline]
+    pub(super) fn home(&self, theta: f64) -> Option<Home> {
+        let mut t = theta - self.lo;
+        let inside = if self.full_turn {
+            (0.0..=TAU).contains(&t)
+        } else {
+            (self.lo..=self.hi).contains(&theta)
+        };
+        if !inside {
+            if !self.full_turn {
+                return None;
+            }
+            t -= TAU * (t / TAU).floor();
+        }
+        if self.count == 1 {
+            return Some(Home {
+                theta,
+                from_lo: t,
+                slabs: 0,
+            });
+        }
+        let period = self.hi - self.lo;
+        let slabs = ((t / period) as u32).min(self.count - 1);
+        let from_lo = t - TAU * (f64::from(slabs) / f64::from(self.count));
+        Some(Home {
+            theta: self.lo + from_lo,
+            from_lo,
+            slabs,
+        })
+    }
+
+    /// A position of the pair's frame, brought home.
+    #[inline]
+    pub(super) fn position(&self, p: Point, home: Home) -> Point {
+        if self.count == 1 {
+            return p;
+        }
+        self.homewards[home.slabs as usize % self.homewards.len()] * p
+    }
+
+    /// The patch of the space that a patch is where configurations come home from so many slabs.
+    #[inline]
+    pub(super) fn image(&self, patch: u32, home: Home) -> u32 {
+        if self.count == 1 {
+            return patch;
+        }
+        let place = patch % self.count;
+        patch - place + (place + home.slabs) % self.count
+    }
+
+    /// Number of bytes in memory, beside itself.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(self.homewards.as_slice())
+    }
+
+    /// One patch of every orbit.
+    pub(super) fn representatives<'a>(
+        &self,
+        space: &'a ContactSpace,
+    ) -> impl Iterator<Item = &'a Patch> + use<'a> {
+        space.data.patches.iter().step_by(self.count as usize)
+    }
+}
+
+/// Whether patches come in orbits, in each of which every patch is the image of the one before.
+fn repeats(patches: &[Patch], steps: &Steps) -> bool {
+    let motion = steps.motion(1);
+    let period = steps.period(1);
+    let orbit = steps.slabs as usize;
+    patches.len().is_multiple_of(orbit)
+        && patches.chunks(orbit).all(|orbit| {
+            let pairs = orbit.windows(2);
+            pairs
+                .into_iter()
+                .all(|p| is_image(&motion, period, &p[0], &p[1]))
+        })
+}
+
+fn is_image(motion: &SlabMotion, period: f64, from: &Patch, to: &Patch) -> bool {
+    let boundary = |from: &Boundary, to: &Boundary| match (*from, *to) {
+        (Boundary::End { spiral: a }, Boundary::End { spiral: b }) => {
+            is_same_spiral(&motion.spiral(a), &b)
+        }
+        (Boundary::Crossing { with: a, root: i }, Boundary::Crossing { with: b, root: j }) => {
+            i == j && is_same_function(motion, &a, &b)
+        }
+        _ => false,
+    };
+    is_turned(to.lo - from.lo - period, SAME_ORIENTATION)
+        && ((to.hi - to.lo) - (from.hi - from.lo)).abs() <= SAME_ORIENTATION
+        && is_same_function(motion, &from.function, &to.function)
+        && boundary(&from.left, &to.left)
+        && boundary(&from.right, &to.right)
+}
+
+/// Whether an angle is none, or some whole turns.
+fn is_turned(by: f64, within: f64) -> bool {
+    (by - TAU * (by / TAU).round()).abs() <= within
+}
+
+fn is_near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME * a.abs().max(1.0)
+}
+
+fn is_same_vector(a: Vector, b: Vector) -> bool {
+    is_near(a.x, b.x) && is_near(a.y, b.y)
+}
+
+fn is_same_spiral(a: &Spiral, b: &Spiral) -> bool {
+    is_same_vector(a.u.to_vector(), b.u.to_vector())
+        && is_same_vector(a.w, b.w)
+        && is_same_vector(a.swing.arm, b.swing.arm)
+        && (a.swing.is_none() || is_turned(a.swing.rest - b.swing.rest, SAME))
+}
+
+fn is_same_function(motion: &SlabMotion, from: &ContactFunction, to: &ContactFunction) -> bool {
+    use ContactFunction::{Circle, FixedLine, FlatCircle, MovingLine};
+    match (motion.function(*from), *to) {
+        (
+            FixedLine {
+                normal: m,
+                through: p,
+            },
+            FixedLine {
+                normal: n,
+                through: q,
+            },
+        )
+        | (
+            MovingLine {
+                normal: m,
+                through: p,
+            },
+            MovingLine {
+                normal: n,
+                through: q,
+            },
+        ) => is_same_vector(m, n) && is_same_spiral(&p, &q),
+        (
+            Circle {
+                center: p,
+                radius: r,
+            },
+            Circle {
+                center: q,
+                radius: s,
+            },
+        ) => is_near(r, s) && is_same_spiral(&p, &q),
+        (
+            FlatCircle {
+                through: p,
+                normal: m,
+                turns: i,
+                radius: r,
+            },
+            FlatCircle {
+                through: q,
+                normal: n,
+                turns: j,
+                radius: s,
+            },
+        ) => i == j && is_near(r, s) && is_same_vector(m, n) && is_same_spiral(&p, &q),
+        _ => false,
+    }
+}
