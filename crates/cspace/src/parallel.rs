@@ -61,6 +61,21 @@ pub(crate) fn chunks<T: Sync, R: Send>(
     items.chunks(size).enumerate().map(work).collect()
 }
 
+/// What `work` makes of the numbers below `count`, in their order, written where it stays; no thread is given fewer than `least`.
+#[cfg_attr(not(feature = "rayon"), allow(unused_variables))]
+pub(crate) fn numbered<R: Send>(
+    count: usize,
+    least: usize,
+    work: impl Fn(usize) -> R + Sync + Send,
+) -> Vec<R> {
+    #[cfg(feature = "rayon")]
+    if count >= 2 * least && !is_alone() {
+        let numbers = (0..count).into_par_iter().with_min_len(least);
+        return numbers.map(work).collect();
+    }
+    (0..count).map(work).collect()
+}
+
 /// What both make.
 pub(crate) fn join<A: Send, B: Send>(
     first: impl FnOnce() -> A + Send,

@@ -25,7 +25,6 @@ use crate::general::limits::{
     MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS,
 };
 use crate::general::links::assemble::Assembler;
-use crate::general::links::chains::Linker;
 use crate::general::plan::{Method, Plan};
 use crate::general::verdict::contract::contract;
 use crate::general::verdict::doubt::doubtful;
@@ -139,7 +138,7 @@ impl Computation<'_> {
 
         self.progress.stage(Stage::Sheets)?;
         let Plan {
-            geometry,
+            mut geometry,
             symmetry,
             names,
         } = Plan::new(fixed, moving, self.window, method);
@@ -226,7 +225,7 @@ impl Computation<'_> {
             triple_events: triples.events.len() as u64,
             clusters: clusters.len() as u64,
             branches: branches.len() as u64,
-            cells: cells.cells.len() as u64,
+            cells: cells.cells.len() as u64 + cells.dropped,
             overlap_tests: shells.tests as u64,
             conflicts: shells.conflicts as u64,
             decisions: Decisions {
@@ -254,29 +253,28 @@ impl Computation<'_> {
             &mut cells.cells,
             &mut shells,
         );
-        let clusters = contracted.unwrap_or(clusters);
         let assembler = Assembler {
-            linker: Linker {
-                geometry: &geometry,
-                clusters: &clusters,
-                branches: &branches,
-                cells: &cells.cells,
-            },
-            shells: &shells,
-            doubtful: &doubtful,
+            geometry: &geometry,
+            clusters: contracted.unwrap_or(clusters),
+            branches,
+            cells: cells.cells,
+            shells,
+            doubtful,
             window,
             names: &names,
         };
         if assembler.divides_contacts() {
             return Ok(None);
         }
-        let Some(graph) = assembler.assemble() else {
+        let Some(linked) = assembler.link() else {
             return Err(ComputeError::TooManyPatches {
                 fixed: n,
                 moving: m,
                 limit: MOST_PATCHES,
             });
         };
+        geometry.contacts.sheets = Vec::new();
+        let graph = linked.graph(&geometry.frame);
         lap(&mut seconds.graph);
         seconds.total = self.begin.elapsed().as_secs_f64();
         let (more_fixed, more_moving) = names.added();

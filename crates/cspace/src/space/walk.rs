@@ -1,6 +1,7 @@
 //! From patch to patch: the links of every patch, found in constant time.
 
 use crate::grouped::Grouped;
+use crate::parallel;
 
 use super::data::{SideLink, VerticalLink};
 
@@ -17,11 +18,25 @@ impl Walk {
     pub(crate) fn new(patches: usize, side: &[SideLink], vertical: &[VerticalLink]) -> Self {
         let side = || (0u32..).zip(side);
         let vertical = || (0u32..).zip(vertical);
+        let ((after, before), (above, below)) = parallel::join(
+            || {
+                parallel::join(
+                    || Grouped::new(patches, side().map(|(i, l)| (l.before, i))),
+                    || Grouped::new(patches, side().map(|(i, l)| (l.after, i))),
+                )
+            },
+            || {
+                parallel::join(
+                    || Grouped::new(patches, vertical().map(|(i, l)| (l.lower, i))),
+                    || Grouped::new(patches, vertical().map(|(i, l)| (l.upper, i))),
+                )
+            },
+        );
         Self {
-            after: Grouped::new(patches, side().map(|(i, l)| (l.before, i))),
-            before: Grouped::new(patches, side().map(|(i, l)| (l.after, i))),
-            above: Grouped::new(patches, vertical().map(|(i, l)| (l.lower, i))),
-            below: Grouped::new(patches, vertical().map(|(i, l)| (l.upper, i))),
+            after,
+            before,
+            above,
+            below,
         }
     }
 

@@ -23,11 +23,19 @@ use crate::general::limits::{MOST_CROSSING, MOST_MEETINGS, MOST_SHEETS};
 const SLOTS_SCALE: f64 = 0.35;
 const SLOTS_POWER: f64 = 0.75;
 
-/// The fewest and the most slots of a turn.
+/// The fewest and the most slots of a turn by that.
 const SLOTS: (f64, f64) = (8.0, 300.0);
+
+/// There are more where sheets are many and do not last: so many to what a sheet lasts in the mean, for then each is looked at
+/// in few of them, and the narrower they are the fewer boxes meet. The keys have room for no more than the most.
+const SLOTS_IN_A_LIFE: f64 = 2.0;
+const MOST_SLOTS: f64 = ((1 << SLOT_BITS) - 2) as f64;
 
 /// Slots looked at together first, for the sheets that are blocked in all of them.
 const TOGETHER: usize = 4;
+
+/// So many of these are looked at before, for the sheets that the largest disc alone covers: most of what is covered at all.
+const LARGE: usize = 4;
 
 /// Two sheets that may cross at orientations from `lo` to `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,8 +73,23 @@ pub(crate) struct Candidates {
 #[derive(Debug, Clone, Copy)]
 struct Boxed {
     sheet: u32,
-    lo: Point,
-    hi: Point,
+    /// Its corners, rounded outwards.
+    lo: [f32; 2],
+    hi: [f32; 2],
+}
+
+impl Boxed {
+    fn new(sheet: u32, (lo, hi): (Point, Point)) -> Self {
+        Self {
+            sheet,
+            lo: [lo.x, lo.y].map(|v| (v as f32).next_down()),
+            hi: [hi.x, hi.y].map(|v| (v as f32).next_up()),
+        }
+    }
+
+    fn meets(&self, lo: [f32; 2], hi: [f32; 2]) -> bool {
+        (0..2).all(|k| self.lo[k] <= hi[k] && lo[k] <= self.hi[k])
+    }
 }
 
 impl Candidates {
@@ -76,33 +99,52 @@ impl Candidates {
         let sheets = &geometry.contacts.sheets;
         let turns = (span.hi - span.lo) / TAU;
         let in_turn = SLOTS_SCALE * (sheets.len() as f64 / turns).powf(SLOTS_POWER);
-        let count = (turns * in_turn.clamp(SLOTS.0, SLOTS.1)).ceil().max(1.0) as usize;
+        let lives: f64 = sheets.iter().map(|s| s.hi - s.lo).sum();
+        let short_lived = SLOTS_IN_A_LIFE * TAU * sheets.len() as f64 / lives;
+        let in_turn = (in_turn.clamp(SLOTS.0, SLOTS.1)).max(in_turn.min(short_lived));
+        let count = (turns * in_turn).ceil().clamp(1.0, MOST_SLOTS) as usize;
         let width = (span.hi - span.lo) / count as f64;
         let mut slots: Vec<f64> = (0..count).map(|i| span.lo + width * i as f64).collect();
         slots.push(span.hi);
         let slot_of = |theta: f64| slots.partition_point(|&s| s <= theta).clamp(1, count) - 1;
 
         // Some slots, by the first of them, with the sheets that exist there.
-        let mut in_slot: Vec<(usize, Vec<u32>)> = ((0..count)
-            .step_by(TOGETHER)
-            .map(|first| (first, Vec::new())))
-        .collect();
+        let large = LARGE * TOGETHER;
+        let mut in_slots: Vec<(usize, Vec<u32>)> =
+            ((0..count).step_by(large).map(|first| (first, Vec::new()))).collect();
         for (i, sheet) in (0..).zip(sheets) {
-            let (first, last) = (slot_of(sheet.lo) / TOGETHER, slot_of(sheet.hi) / TOGETHER);
-            for (_, list) in &mut in_slot[first..=last] {
+            let (first, last) = (slot_of(sheet.lo) / large, slot_of(sheet.hi) / large);
+            for (_, list) in &mut in_slots[first..=last] {
                 list.push(i);
             }
         }
+        let in_slots = parallel::map(&in_slots, 1, |(first, list)| {
+            let (lo, hi) = (slots[*first], slots[(first + large).min(count)]);
+            let mut list = list.clone();
+            drop_covered(sheets, &cores.largest(), &mut list, (lo, hi));
+            (*first, list)
+        });
+        let together: Vec<(usize, &[u32])> = (in_slots.iter())
+            .flat_map(|(first, list)| {
+                let firsts = (*first..(first + large).min(count)).step_by(TOGETHER);
+                firsts.map(|slot| (slot, &list[..]))
+            })
+            .collect();
         let meetings = AtomicUsize::new(0);
-        let found = parallel::map(&in_slot, 1, |(first, list)| {
+        let found = parallel::map(&together, 1, |(first, list)| {
             let last = (first + TOGETHER).min(count);
             let (lo, hi) = (slots[*first], slots[last]);
-            let mut list = list.clone();
+            let mut list: Vec<u32> = (list.iter().copied())
+                .filter(|&i| {
+                    let sheet = &sheets[i as usize];
+                    slot_of(sheet.lo) < last && *first <= slot_of(sheet.hi)
+                })
+                .collect();
             if meetings.load(Ordering::Relaxed) > MOST_MEETINGS {
                 list.clear();
             }
             let layout = cores.about(0.5 * (lo + hi));
-            drop_covered(sheets, &layout, &mut list, lo, hi);
+            drop_covered(sheets, &layout, &mut list, (lo, hi));
             let look = |slot| {
                 let found =
                     look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1]);
@@ -178,12 +220,12 @@ impl Candidates {
     /// may not exist there.
     pub(crate) fn around(&self, theta: f64, p: Point, reach: f64) -> impl Iterator<Item = u32> {
         let slot = self.slots.partition_point(|&s| s <= theta);
+        let corner = Vector::new(reach, reach);
+        let near = Boxed::new(0, (p + -corner, p + corner));
         self.by_slot[slot.clamp(1, self.by_slot.len()) - 1]
             .iter()
-            .take_while(move |b| b.lo.x <= p.x + reach)
-            .filter(move |b| {
-                b.hi.x >= p.x - reach && b.hi.y >= p.y - reach && b.lo.y <= p.y + reach
-            })
+            .take_while(move |b| b.lo[0] <= near.hi[0])
+            .filter(move |b| near.meets(b.lo, b.hi))
             .map(|b| b.sheet)
     }
 }
@@ -214,13 +256,20 @@ fn runs(sorted: &[u64]) -> impl Iterator<Item = (u64, usize, usize)> + '_ {
     })
 }
 
-/// Drops the sheets that are blocked for certain wherever they exist between two orientations.
-fn drop_covered(sheets: &[Sheet], layout: &Layout, list: &mut Vec<u32>, from: f64, to: f64) {
+/// Drops the sheets that are blocked for certain wherever they exist between two orientations, but for those that do not last:
+/// they are looked at once or twice more, and that is all.
+fn drop_covered(sheets: &[Sheet], layout: &Layout, list: &mut Vec<u32>, (from, to): (f64, f64)) {
+    /// This share of the interval is not long.
+    const SHORT: f64 = 0.25;
     let discs = BlockedDiscs::new(layout, 0.5 * (from + to), 0.5 * (to - from));
     let mut work = Uncovered::default();
     list.retain(|&i| {
         let sheet = &sheets[i as usize];
-        discs.uncovered(sheet, from.max(sheet.lo), to.min(sheet.hi), &mut work);
+        let (lo, hi) = (from.max(sheet.lo), to.min(sheet.hi));
+        if hi - lo <= SHORT * (to - from) {
+            return true;
+        }
+        discs.uncovered(sheet, lo, hi, &mut work);
         !work.open.is_empty()
     });
 }
@@ -250,22 +299,23 @@ fn look_at_slot(
         let whole = sheet.lo <= slot_lo && slot_hi <= sheet.hi;
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let turn = if whole { discs.turn } else { Rotation::by(mid) };
-        boxes.extend(work.open.iter().map(|&(from, to)| {
-            let (lo, hi) = piece_box(sheet, turn, half, from, to);
-            Boxed { sheet: i, lo, hi }
-        }));
+        boxes.extend(
+            work.open
+                .iter()
+                .map(|&(from, to)| Boxed::new(i, piece_box(sheet, turn, half, from, to))),
+        );
     }
-    boxes.sort_unstable_by(|a, b| a.lo.x.total_cmp(&b.lo.x).then(a.sheet.cmp(&b.sheet)));
+    boxes.sort_unstable_by(|a, b| a.lo[0].total_cmp(&b.lo[0]).then(a.sheet.cmp(&b.sheet)));
     let mut pairs = Vec::new();
     for (n, b) in boxes.iter().enumerate() {
         if pairs.len() > MOST_MEETINGS {
             break;
         }
         for c in &boxes[n + 1..] {
-            if c.lo.x > b.hi.x {
+            if c.lo[0] > b.hi[0] {
                 break;
             }
-            if c.lo.y <= b.hi.y && b.lo.y <= c.hi.y {
+            if c.lo[1] <= b.hi[1] && b.lo[1] <= c.hi[1] {
                 let (f, g) = (b.sheet.min(c.sheet), b.sheet.max(c.sheet));
                 let (fs, gs) = (&contacts.sheets[f as usize], &contacts.sheets[g as usize]);
                 if f != g && fs.from < gs.to && gs.from < fs.to {

@@ -77,6 +77,16 @@ impl Cores {
         }
     }
 
+    /// The largest of them alone, which costs little to ask.
+    pub(crate) fn largest(&self) -> Layout<'_> {
+        Layout {
+            largest: self.pairs.first().copied(),
+            others: Vec::new(),
+            grid: None,
+            anchors: None,
+        }
+    }
+
     /// Where they are about an orientation.
     pub(crate) fn about(&self, theta: f64) -> Layout<'_> {
         let turn = Rotation::by(theta);

@@ -106,13 +106,25 @@ impl Gaps {
 
     /// Whether the gap before branch `gap` in order (or after the last) may bound free space by what bounds it.
     pub(crate) fn is_open(&self, gap: usize) -> bool {
+        let (left, right) = self.open_sides(gap);
+        left && right
+    }
+
+    /// Whether what bounds it on both sides blocks it, so that nothing follows it on either.
+    pub(crate) fn is_shut(&self, gap: usize) -> bool {
+        let (left, right) = self.open_sides(gap);
+        !left && !right
+    }
+
+    /// Whether what bounds a gap leaves it open, on the left and on the right.
+    fn open_sides(&self, gap: usize) -> (bool, bool) {
         let left = if gap == 0 {
             !self.dead.0
         } else {
             !self.enters[gap - 1]
         };
         let right = self.enters.get(gap).map_or(!self.dead.1, |&enters| enters);
-        left && right
+        (left, right)
     }
 
     /// Whether two branches, by their place in the order, may pass each other and change an open gap: one of them

@@ -52,15 +52,24 @@ struct Work {
     keys: Vec<(u32, u32)>,
     /// Cells that end where the interval begins.
     closing: Vec<u32>,
+    /// Of each cell of the sheet whether it is shut: what bounds it on both sides blocks it.
+    shut: Vec<bool>,
+    /// The number of each cell once those that nothing asks for are dropped.
+    moved: Vec<u32>,
 }
 
-/// The cells of all sheets, sorted by sheet, and which continue each other within a sheet.
+/// In place of a number: none.
+const NONE: u32 = u32::MAX;
+
+/// The cells of all sheets, sorted by sheet, and which continue each other within a sheet; without shut cells that none continues.
 #[derive(Debug, Default)]
 pub(crate) struct Cells {
     pub(crate) cells: Vec<Cell>,
     pub(crate) vertical: Vec<VerticalContact>,
     /// The cells of sheet i are `cells[first[i]..first[i + 1]]`.
     pub(crate) first: Vec<u32>,
+    /// How many were dropped.
+    pub(crate) dropped: u64,
 }
 
 impl Cells {
@@ -83,6 +92,7 @@ impl Sweep<'_> {
         let mut all = Cells::default();
         for part in parts {
             let offset = all.cells.len() as u32;
+            all.dropped += part.dropped;
             all.cells.extend(part.cells);
             all.vertical
                 .extend(part.vertical.into_iter().map(|v| VerticalContact {
@@ -104,9 +114,13 @@ impl Sweep<'_> {
             open,
             keys,
             closing,
+            shut,
+            moved,
         } = work;
         let clusters = self.clusters;
         let (first, last) = (clusters.index(run.lo), clusters.index(run.hi));
+        let (first_cell, first_contact) = (out.cells.len(), out.vertical.len());
+        shut.clear();
         let mine = self.on_sheet.of(run.sheet);
         times.clear();
         times.extend([first, last]);
@@ -173,6 +187,7 @@ impl Sweep<'_> {
             closing.extend(&open[kept_before..kept_to]);
             let new_first = out.cells.len() as u32;
             for (gap, &(left, right)) in (kept_before..).zip(&keys[kept_before..opened_to]) {
+                shut.push(gaps.is_shut(gap));
                 out.cells.push(Cell {
                     sheet: run.sheet,
                     from: t0,
@@ -198,6 +213,8 @@ impl Sweep<'_> {
             cell.blocked |= run.hi_blocked;
             cell.at_top = !run.hi_blocked;
         }
+        let on_level = |t: u32| t == first || t == last || splits.binary_search(&t).is_ok();
+        drop_shut(out, (first_cell, first_contact), shut, moved, on_level);
     }
 
     fn extents(&self, sheet: u32, at: u32) -> CellExtents<'_> {
@@ -246,5 +263,43 @@ impl Sweep<'_> {
                 }
             }
         }
+    }
+}
+
+/// Drops shut cells of a sheet, those from a first one, with the first of its contacts.
+///
+/// Nothing follows a shut cell. Unless it continues another, or begins or ends on a level, where the sheet lies on others,
+/// nothing asks for it: of parts with many teeth most cells are deep in blocked space.
+fn drop_shut(
+    out: &mut Cells,
+    (first_cell, first_contact): (usize, usize),
+    shut: &[bool],
+    moved: &mut Vec<u32>,
+    on_level: impl Fn(u32) -> bool,
+) {
+    let new = &out.cells[first_cell..];
+    moved.clear();
+    moved.extend((new.iter().zip(shut)).map(|(c, &shut)| {
+        let dropped = shut && !on_level(c.from) && !on_level(c.to);
+        if dropped { NONE } else { 0 }
+    }));
+    let contacts = &mut out.vertical[first_contact..];
+    for v in &*contacts {
+        moved[v.lower as usize - first_cell] = 0;
+        moved[v.upper as usize - first_cell] = 0;
+    }
+    let mut kept = first_cell;
+    for (i, m) in (first_cell..).zip(&mut *moved) {
+        if *m != NONE {
+            *m = kept as u32;
+            out.cells[kept] = out.cells[i];
+            kept += 1;
+        }
+    }
+    out.dropped += (out.cells.len() - kept) as u64;
+    out.cells.truncate(kept);
+    for v in contacts {
+        v.lower = moved[v.lower as usize - first_cell];
+        v.upper = moved[v.upper as usize - first_cell];
     }
 }

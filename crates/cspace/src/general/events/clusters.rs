@@ -52,23 +52,22 @@ const BETWEEN: f64 = 1.0;
 
 impl Clusters {
     pub(crate) fn new(events: impl IntoIterator<Item = Moment>) -> Self {
-        Self::gather(
-            events
-                .into_iter()
-                .map(|e| (e.theta - e.error, e.theta + e.error, e))
-                .collect(),
-        )
+        let events = events.into_iter().collect();
+        Self::gather(events, |e: &Moment| {
+            (e.theta - e.error, e.theta + e.error, *e)
+        })
     }
 
-    /// From intervals with the best-known event in each.
-    fn gather(mut intervals: Vec<(Dd, Dd, Moment)>) -> Self {
-        parallel::sort_unstable_by(&mut intervals, |a, b| {
+    /// From what has intervals with the best-known event in each: they are many, and events alone are small.
+    fn gather<T: Send>(mut all: Vec<T>, interval: impl Fn(&T) -> (Dd, Dd, Moment) + Sync) -> Self {
+        parallel::sort_unstable_by(&mut all, |a, b| {
+            let (a, b) = (interval(a), interval(b));
             a.0.total_cmp(&b.0)
                 .then(a.2.error.total_cmp(&b.2.error))
                 .then(a.2.theta.total_cmp(&b.2.theta))
         });
         let mut this = Self::default();
-        for (lo, hi, e) in intervals {
+        for (lo, hi, e) in all.iter().map(interval) {
             match (this.hi.last_mut(), this.best.last_mut()) {
                 (Some(last), Some(best)) if lo <= *last + SAME => {
                     if hi > *last {
@@ -107,7 +106,7 @@ impl Clusters {
             })
             .collect();
         intervals.extend((0..self.lo.len()).map(|i| (self.lo[i], self.hi[i], self.best[i])));
-        let merged = Self::gather(intervals);
+        let merged = Self::gather(intervals, |i| *i);
         let moved = self.best.iter().map(|e| merged.index(e.theta)).collect();
         (merged, moved)
     }

@@ -2,13 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use crate::contact::{ContactFunction, SlabMotion};
-use crate::feature::{FeatureName, Outline};
+use crate::contact::{ContactFunction, Geometry, SlabMotion};
+use crate::feature::{FeatureName, Outline, PairFrame};
 use crate::parallel;
 
-use crate::general::cells::cell::END;
+use crate::general::cells::cell::{Cell, END};
+use crate::general::events::branch::Branch;
+use crate::general::events::clusters::Clusters;
 use crate::general::limits::MOST_PATCHES;
-use crate::general::links::chains::{Chain, Chains, Linker};
+use crate::general::links::chains::{Chain, Chains, Linker, Members};
 use crate::general::links::copies::Lifts;
 use crate::general::links::neighbours::Links;
 use crate::general::links::regions::{Copying, find_regions};
@@ -19,14 +21,29 @@ use crate::space::{
     Boundary, FreeRegion, Patch, SideLink, Surface, VerticalLink, Walk, Window, bands,
 };
 
-/// Everything the graph is made from.
+/// Everything the graph is made from. It is large, and each part of it goes when it is not needed any more.
 pub(crate) struct Assembler<'a> {
-    pub(crate) linker: Linker<'a>,
-    pub(crate) shells: &'a Shells,
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) clusters: Clusters,
+    pub(crate) branches: Vec<Branch>,
+    pub(crate) cells: Vec<Cell>,
+    pub(crate) shells: Shells,
     /// Orientations that are in doubt in the slab that was computed.
-    pub(crate) doubtful: &'a [(f64, f64)],
+    pub(crate) doubtful: Vec<(f64, f64)>,
     pub(crate) window: Window,
     pub(crate) names: &'a Names,
+}
+
+/// Patches and links, which do not know their regions yet.
+pub(crate) struct Linked {
+    window: Window,
+    critical_orientations: Vec<f64>,
+    patches: Vec<Patch>,
+    side_links: Vec<SideLink>,
+    vertical_links: Vec<VerticalLink>,
+    computed_bands: u32,
+    doubtful_orientations: Vec<(f64, f64)>,
+    copying: Copying,
 }
 
 /// The contact graph: all of a contact space that is found by computing.
@@ -42,16 +59,23 @@ pub(crate) struct Graph {
 }
 
 impl Assembler<'_> {
+    fn linker(&self) -> Linker<'_> {
+        Linker {
+            geometry: self.geometry,
+            clusters: &self.clusters,
+            branches: &self.branches,
+            cells: &self.cells,
+        }
+    }
+
     /// Whether a patch would lie on a circle that was divided to make the part symmetric.
     pub(crate) fn divides_contacts(&self) -> bool {
-        let Linker {
-            geometry, cells, ..
-        } = self.linker;
+        let (geometry, linker) = (self.geometry, self.linker());
         (0u32..)
-            .zip(cells)
+            .zip(&self.cells)
             .filter(|&(i, _)| self.shells.free[i as usize])
             .any(|(i, _)| {
-                let sheet = self.linker.sheet(i);
+                let sheet = linker.sheet(i);
                 let fixed = geometry.fixed.features[sheet.fixed as usize].name;
                 let moving = geometry.moving.features[sheet.moving as usize].name;
                 self.names.divides(fixed, moving)
@@ -59,130 +83,127 @@ impl Assembler<'_> {
     }
 
     /// `None` if there are more patches than a contact space has room for.
-    pub(crate) fn assemble(&self) -> Option<Graph> {
-        let Linker {
-            geometry, clusters, ..
-        } = self.linker;
-        let chains = self.linker.chains(self.shells);
-        let steps = geometry.contacts.period.steps;
-        let repeats = geometry.contacts.span.full;
-        let lifts = Lifts::new(&chains.chains, self.window, steps, repeats, clusters);
+    pub(crate) fn link(mut self) -> Option<Linked> {
+        self.drop_blocked();
+        let mut chains = self.linker().chains(&self.shells);
+        // Chains are made of contacts in the order in which they were found; links come in that of orientations.
+        parallel::sort_by(&mut self.shells.vertical, |a, b| a.at.cmp(&b.at));
+        let steps = self.geometry.contacts.period.steps;
+        let repeats = self.geometry.contacts.span.full;
+        let clusters = core::mem::take(&mut self.clusters);
+        let lifts = Lifts::new(&chains.chains, self.window, steps, repeats, &clusters);
         if lifts.len() > MOST_PATCHES {
             return None;
         }
-        let mut patches = self.patches(&chains, &lifts);
-        let links = Links {
-            linker: self.linker,
-            shells: self.shells,
-            chains: &chains,
-            lifts: &lifts,
-        };
-        let (side_links, vertical_links) =
-            parallel::join(|| links.side(&patches), || links.vertical());
-        let critical_orientations = lifts.critical_orientations(&chains.chains);
-        let bands = bands(self.window, &critical_orientations).len();
-        let doubtful_orientations = doubts(
-            self.doubtful,
-            &lifts,
-            (&patches, &side_links),
-            &critical_orientations,
-            self.window,
-        );
-        let walk = Walk::new(patches.len(), &side_links, &vertical_links);
         let copying = if steps.slabs == 1 {
             Copying::None {
-                shells: self.shells_of_patches(&chains, &lifts),
+                shells: shells_of_patches(&self.shells, &chains, &lifts),
             }
         } else if self.window.full_turn {
             Copying::Slabs(steps)
         } else {
             Copying::Some
         };
-        let surface = Surface {
-            window: self.window,
-            frame: &geometry.frame,
-            critical_orientations: &critical_orientations,
-            patches: &patches,
-            side_links: &side_links,
-            walk: &walk,
-            doubtful: &doubtful_orientations,
+        let linker = Linker {
+            clusters: &clusters,
+            ..self.linker()
         };
-        let regions = find_regions(&surface, &vertical_links, &copying);
-        for (patch, region) in patches.iter_mut().zip(regions.of_patches) {
-            patch.region = region;
-        }
-        Some(Graph {
+        let links = Links {
+            linker,
+            shells: &self.shells,
+            chains: &chains,
+            lifts: &lifts,
+        };
+        let (side_links, vertical_links) = parallel::join(|| links.side(), || links.vertical());
+        self.shells = Shells::default();
+        chains.members = Members::default();
+        let patches = self.patches(&chains, &lifts);
+        (self.cells, self.branches) = (Vec::new(), Vec::new());
+        let critical_orientations = lifts.critical_orientations(&chains.chains);
+        let bands = bands(self.window, &critical_orientations).len();
+        let doubtful_orientations = doubts(
+            &self.doubtful,
+            &lifts,
+            (&patches, &side_links),
+            &critical_orientations,
+            self.window,
+        );
+        Some(Linked {
+            window: self.window,
             computed_bands: lifts.computed_bands(&chains.chains, bands) as u32,
             critical_orientations,
             patches,
             side_links,
             vertical_links,
-            free_regions: regions.regions,
             doubtful_orientations,
-            walk,
+            copying,
         })
     }
 
-    /// The shell of each patch, unless an end of the window cuts it: what hangs together beyond does not count.
-    fn shells_of_patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Option<u32>> {
-        let shell = |c: &Chain| self.shells.shell[c.first as usize];
-        let cut: BTreeSet<u32> = ((0u32..).zip(&chains.chains))
-            .filter(|&(i, c)| {
-                let mut copies = lifts.patches(i).peekable();
-                copies.peek().is_none() || copies.any(|(slabs, _)| !lifts.is_whole(c, slabs))
+    /// Patches are made of free cells: others, most of all, and what they touch are not asked for any more.
+    fn drop_blocked(&mut self) {
+        let shells = &mut self.shells;
+        let free = core::mem::take(&mut shells.free);
+        let mut kept = 0;
+        let moved: Vec<u32> = (free.iter())
+            .map(|&free| {
+                kept += u32::from(free);
+                kept - u32::from(free)
             })
-            .map(|(_, c)| shell(c))
             .collect();
-        let mut shells = vec![None; lifts.len()];
-        for (i, c) in (0u32..).zip(&chains.chains) {
-            for (_, number) in lifts.patches(i) {
-                shells[number as usize] = Some(shell(c)).filter(|s| !cut.contains(s));
-            }
-        }
-        shells
+        let is_free = |cell: u32| free[cell as usize];
+        let mut number = 0;
+        self.cells.retain(|_| {
+            number += 1;
+            is_free(number - 1)
+        });
+        self.cells.shrink_to_fit();
+        let mut shell = free.iter();
+        shells.shell.retain(|_| shell.next() == Some(&true));
+        shells.free = vec![true; kept as usize];
+        shells.in_conflict = Vec::new();
+        shells.vertical.retain_mut(|v| {
+            let kept = is_free(v.lower) && is_free(v.upper);
+            (v.lower, v.upper) = (moved[v.lower as usize], moved[v.upper as usize]);
+            kept
+        });
+        shells.vertical.shrink_to_fit();
+        shells.side.retain_mut(|s| {
+            let kept = is_free(s.before) && is_free(s.after);
+            (s.before, s.after) = (moved[s.before as usize], moved[s.after as usize]);
+            kept
+        });
+        shells.side.shrink_to_fit();
     }
 
-    /// Every copy of every chain, those of a block of chains after those of the one before.
+    /// Every copy of every chain.
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
-        let geometry = self.linker.geometry;
-        let period = &geometry.contacts.period;
-        /// Chains whose first copies are held at a time, beside all patches.
-        const BLOCK: usize = 1 << 14;
-        let mut patches = Vec::with_capacity(lifts.len());
-        let mut before = 0;
-        for block in chains.chains.chunks(BLOCK) {
-            let firsts = parallel::map(block, 256, |c| self.patch(c));
-            let copies = (before..).take(block.len());
-            let count: usize = copies.map(|c| lifts.patches(c).count()).sum();
-            patches.resize(patches.len() + count, firsts[0]);
-            // Slab by slab, so that features are carried on step by step.
-            let mut fixed = Images::new(&geometry.fixed);
-            let mut moving = Images::new(&geometry.moving);
-            for slab in 0..i64::from(lifts.steps.slabs) {
-                if slab > 0 {
-                    fixed.carry(&period.fixed.features);
-                    moving.carry(&period.moving.features);
-                }
-                let motion = lifts.steps.motion(slab);
-                for (c, (chain, first)) in (before..).zip(block.iter().zip(&firsts)) {
-                    let sheet = self.linker.sheet(chain.first);
-                    for (slabs, number) in lifts.patches_in(c, slab) {
-                        let mut patch = copied(first, &motion);
-                        (patch.lo, patch.hi) = lifts.interval(chain, slabs);
-                        patch.fixed = self.names.fixed(fixed.name(sheet.fixed));
-                        patch.moving = self.names.moving(moving.name(sheet.moving));
-                        patches[number as usize] = patch;
-                    }
-                }
+        /// A thread is given so many patches at least.
+        const PATCHES: usize = 256;
+        let period = &self.geometry.contacts.period;
+        let fixed = Images::new(&self.geometry.fixed, &period.fixed.features);
+        let moving = Images::new(&self.geometry.moving, &period.moving.features);
+        let turn = i64::from(lifts.steps.slabs);
+        let motions: Vec<SlabMotion> = (0..turn).map(|slab| lifts.steps.motion(slab)).collect();
+        let linker = self.linker();
+        parallel::numbered(lifts.len(), PATCHES, |number| {
+            let (chain, slabs) = lifts.chain_of(number as u32);
+            let chain = &chains.chains[chain as usize];
+            let slab = slabs.rem_euclid(turn) as usize;
+            let mut patch = self.patch(&linker, chain);
+            if slab > 0 {
+                patch = copied(&patch, &motions[slab]);
             }
-            before += block.len() as u32;
-        }
-        patches
+            (patch.lo, patch.hi) = lifts.interval(chain, slabs);
+            let sheet = linker.sheet(chain.first);
+            patch.fixed = self.names.fixed(fixed.name(sheet.fixed, slab));
+            patch.moving = self.names.moving(moving.name(sheet.moving, slab));
+            patch
+        })
     }
 
     /// The patch of a chain in the slab of its first cell.
-    fn patch(&self, chain: &Chain) -> Patch {
-        let linker = &self.linker;
+    fn patch(&self, linker: &Linker<'_>, chain: &Chain) -> Patch {
         let cell = &linker.cells[chain.first as usize];
         let sheet = linker.sheet(chain.first);
         let geometry = linker.geometry;
@@ -211,6 +232,65 @@ impl Assembler<'_> {
     }
 }
 
+impl Linked {
+    /// The graph: what follows from the links, and the regions.
+    pub(crate) fn graph(self, frame: &PairFrame) -> Graph {
+        let Self {
+            window,
+            critical_orientations,
+            mut patches,
+            side_links,
+            vertical_links,
+            computed_bands,
+            doubtful_orientations,
+            copying,
+        } = self;
+        let walk = Walk::new(patches.len(), &side_links, &vertical_links);
+        let surface = Surface {
+            window,
+            frame,
+            critical_orientations: &critical_orientations,
+            patches: &patches,
+            side_links: &side_links,
+            walk: &walk,
+            doubtful: &doubtful_orientations,
+        };
+        let regions = find_regions(&surface, &vertical_links, &copying);
+        for (patch, region) in patches.iter_mut().zip(regions.of_patches) {
+            patch.region = region;
+        }
+        Graph {
+            critical_orientations,
+            patches,
+            side_links,
+            vertical_links,
+            free_regions: regions.regions,
+            computed_bands,
+            doubtful_orientations,
+            walk,
+        }
+    }
+}
+
+/// The shell of each patch, unless an end of the window cuts it: what hangs together beyond does not count.
+fn shells_of_patches(all: &Shells, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Option<u32>> {
+    let shell = |c: &Chain| all.shell[c.first as usize];
+    let cut: BTreeSet<u32> = ((0u32..).zip(&chains.chains))
+        .filter(|&(i, c)| {
+            let mut copies = lifts.patches(i).peekable();
+            copies.peek().is_none() || copies.any(|(slabs, _)| !lifts.is_whole(c, slabs))
+        })
+        .map(|(_, c)| shell(c))
+        .collect();
+    let mut shells = vec![None; lifts.len()];
+    for (i, c) in (0u32..).zip(&chains.chains) {
+        for (_, number) in lifts.patches(i) {
+            shells[number as usize] = Some(shell(c)).filter(|s| !cut.contains(s));
+        }
+    }
+    shells
+}
+
 /// A patch's surface and bounds some slabs further.
 fn copied(patch: &Patch, motion: &SlabMotion) -> Patch {
     let boundary = |b: Boundary| match b {
@@ -230,27 +310,43 @@ fn copied(patch: &Patch, motion: &SlabMotion) -> Patch {
     }
 }
 
-/// Where the features of a part are after some slabs.
+/// Where the features of a part are after some slabs: going around, each comes back to where it was.
 struct Images<'a> {
     outline: &'a Outline,
-    at: Vec<u32>,
+    /// Rounds of features, one after the other.
+    rounds: Vec<u32>,
+    /// For each feature where its round begins, how long it is, and where in it the feature is.
+    places: Vec<[u32; 3]>,
 }
 
 impl<'a> Images<'a> {
-    fn new(outline: &'a Outline) -> Self {
+    /// From where one slab takes each feature.
+    fn new(outline: &'a Outline, one_slab: &[u32]) -> Self {
+        const NONE: [u32; 3] = [u32::MAX; 3];
+        let mut rounds = Vec::with_capacity(one_slab.len());
+        let mut places = vec![NONE; one_slab.len()];
+        for feature in 0..one_slab.len() as u32 {
+            let first = rounds.len() as u32;
+            let mut at = feature;
+            while places[at as usize] == NONE {
+                places[at as usize] = [first, 0, rounds.len() as u32 - first];
+                rounds.push(at);
+                at = one_slab[at as usize];
+            }
+            for member in &rounds[first as usize..] {
+                places[*member as usize][1] = rounds.len() as u32 - first;
+            }
+        }
         Self {
             outline,
-            at: (0..outline.features.len() as u32).collect(),
+            rounds,
+            places,
         }
     }
 
-    fn carry(&mut self, one_slab: &[u32]) {
-        for i in &mut self.at {
-            *i = one_slab[*i as usize];
-        }
-    }
-
-    fn name(&self, feature: u32) -> FeatureName {
-        self.outline.features[self.at[feature as usize] as usize].name
+    fn name(&self, feature: u32, slabs: usize) -> FeatureName {
+        let [first, length, at] = self.places[feature as usize].map(|v| v as usize);
+        let image = self.rounds[first + (at + slabs) % length];
+        self.outline.features[image as usize].name
     }
 }

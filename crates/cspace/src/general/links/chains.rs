@@ -26,7 +26,7 @@ enum BoundKey {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Place {
     pub(crate) cluster: u32,
-    pub(crate) slabs: i64,
+    pub(crate) slabs: i32,
 }
 
 /// A chain of cells that make one patch.
@@ -49,7 +49,24 @@ pub(crate) struct Chain {
 pub(crate) struct Member {
     pub(crate) chain: u32,
     /// How many slabs above the chain's first cell.
-    pub(crate) slabs: i64,
+    pub(crate) slabs: i32,
+}
+
+impl Member {
+    /// In place of a member: the cell is in no chain.
+    const NONE: Self = Self {
+        chain: NONE,
+        slabs: 0,
+    };
+
+    fn is_some(self) -> bool {
+        self.chain != NONE
+    }
+
+    /// How many slabs above the chain's first cell.
+    pub(crate) fn slabs(self) -> i64 {
+        i64::from(self.slabs)
+    }
 }
 
 /// All chains, in the order of their smallest cells.
@@ -57,7 +74,18 @@ pub(crate) struct Member {
 pub(crate) struct Chains {
     pub(crate) chains: Vec<Chain>,
     /// For every cell its chain, if it is free.
-    pub(crate) members: Vec<Option<Member>>,
+    pub(crate) members: Members,
+}
+
+/// The chains of cells.
+#[derive(Debug, Default)]
+pub(crate) struct Members(Vec<Member>);
+
+impl Members {
+    /// The chain of a cell, if it is free.
+    pub(crate) fn of(&self, cell: u32) -> Option<Member> {
+        Some(self.0[cell as usize]).filter(|m| m.is_some())
+    }
 }
 
 /// What chains are made of.
@@ -142,13 +170,13 @@ impl<'a> Linker<'a> {
                 down[u] = v.lower;
             }
         }
-        let mut members: Vec<Option<Member>> = vec![None; n];
+        let mut members = vec![Member::NONE; n];
         // Chains with the smallest cell of each.
         let mut found: Vec<(u32, Chain)> = Vec::new();
         // First the chains with a first cell; what is left goes around.
         for first in [true, false] {
             for i in 0..n as u32 {
-                let free = shells.free[i as usize] && members[i as usize].is_none();
+                let free = shells.free[i as usize] && !members[i as usize].is_some();
                 if free && (!first || down[i as usize] == NONE) {
                     let number = found.len() as u32;
                     found.push(self.follow(i, number, &up, &mut members));
@@ -162,24 +190,18 @@ impl<'a> Linker<'a> {
         for (r, &c) in (0..).zip(&order) {
             rank[c as usize] = r;
         }
-        for m in members.iter_mut().flatten() {
+        for m in members.iter_mut().filter(|m| m.is_some()) {
             m.chain = rank[m.chain as usize];
         }
         found.sort_by_key(|f| f.0);
         Chains {
             chains: found.into_iter().map(|f| f.1).collect(),
-            members,
+            members: Members(members),
         }
     }
 
     /// Follows cells upwards as long as they are new, and for no more than a turn.
-    fn follow(
-        &self,
-        first: u32,
-        chain: u32,
-        up: &[u32],
-        members: &mut [Option<Member>],
-    ) -> (u32, Chain) {
+    fn follow(&self, first: u32, chain: u32, up: &[u32], members: &mut [Member]) -> (u32, Chain) {
         let steps = &self.geometry.contacts.period.steps;
         let from = Place {
             cluster: self.cells[first as usize].from,
@@ -187,7 +209,11 @@ impl<'a> Linker<'a> {
         };
         let lo = self.clusters.at(from.cluster);
         let (mut last, mut slabs, mut smallest) = (first, 0, first);
-        members[first as usize] = Some(Member { chain, slabs });
+        let member = |slabs: i64| Member {
+            chain,
+            slabs: slabs as i32,
+        };
+        members[first as usize] = member(slabs);
         let top = |cell: u32, slabs: i64| {
             self.clusters.at(self.cells[cell as usize].to) + steps.period(slabs)
         };
@@ -208,11 +234,11 @@ impl<'a> Linker<'a> {
             }
             (last, slabs) = (next, beyond);
             smallest = smallest.min(next);
-            members[last as usize] = Some(Member { chain, slabs });
+            members[last as usize] = member(slabs);
         }
         let to = Place {
             cluster: self.cells[last as usize].to,
-            slabs,
+            slabs: slabs as i32,
         };
         let hi = top(last, slabs);
         let chain = Chain {

@@ -1,9 +1,11 @@
 //! From one slab to all orientations: which copies of every patch there are, and where.
 
 use core::f64::consts::{PI, TAU};
+use core::ops::Range;
 
 use crate::contact::Steps;
 use crate::feature::tolerance::NARROWEST_BAND;
+use crate::parallel;
 
 use crate::general::events::clusters::Clusters;
 use crate::general::links::chains::{Chain, Place};
@@ -83,7 +85,7 @@ impl<'a> Lifts<'a> {
     }
 
     /// The shifts with which an interval of the slab is to be looked at.
-    pub(crate) fn shifts(&self, lo: f64, hi: f64) -> impl Iterator<Item = i64> + use<> {
+    pub(crate) fn shifts(&self, lo: f64, hi: f64) -> Range<i64> {
         let (first, count) = if self.window.full_turn {
             (0, self.steps.slabs)
         } else {
@@ -92,24 +94,23 @@ impl<'a> Lifts<'a> {
         first..first + i64::from(count)
     }
 
+    /// All shifts, if every interval has the same.
+    pub(crate) fn all_slabs(&self) -> Option<Range<i64>> {
+        (self.window.full_turn).then(|| 0..i64::from(self.steps.slabs))
+    }
+
     /// The shifts of the patches of a chain, with their numbers.
     pub(crate) fn patches(&self, chain: u32) -> impl Iterator<Item = (i64, u32)> + use<> {
         let c = self.copies[chain as usize];
         (c.first..).zip(c.base..c.base + c.count)
     }
 
-    /// The same, only shifts that differ from the given by whole turns.
-    pub(crate) fn patches_in(
-        &self,
-        chain: u32,
-        slab: i64,
-    ) -> impl Iterator<Item = (i64, u32)> + use<> {
-        let c = self.copies[chain as usize];
-        let turn = i64::from(self.steps.slabs);
-        let skip = (slab - c.first).rem_euclid(turn);
-        (skip..i64::from(c.count))
-            .step_by(turn as usize)
-            .map(move |i| (c.first + i, c.base + i as u32))
+    /// The chain of a patch, and by how many slabs it is shifted.
+    pub(crate) fn chain_of(&self, patch: u32) -> (u32, i64) {
+        // A chain without patches has the number of the next one's first.
+        let chain = self.copies.partition_point(|c| c.base <= patch) - 1;
+        let c = self.copies[chain];
+        (chain as u32, c.first + i64::from(patch - c.base))
     }
 
     /// The patch that a chain shifted by some slabs is, if the window has it.
@@ -136,7 +137,7 @@ impl<'a> Lifts<'a> {
         if !self.repeats {
             return self.clusters.at(place.cluster);
         }
-        let mut slabs = slabs + place.slabs;
+        let mut slabs = slabs + i64::from(place.slabs);
         let mut cluster = place.cluster;
         // The end of the slab is the beginning of the next.
         if cluster as usize + 1 == self.clusters.len() {
@@ -212,14 +213,33 @@ impl<'a> Lifts<'a> {
 
     /// Orientations, other than the window's own ends, at which a patch begins or ends.
     pub(crate) fn critical_orientations(&self, chains: &[Chain]) -> Vec<f64> {
-        let mut all: Vec<f64> = Vec::new();
+        // Each place once: of a full turn they are the same in all slabs.
+        let mut places: Vec<(u32, i64)> = Vec::new();
         for (i, chain) in (0u32..).zip(chains).filter(|(_, c)| !c.closed) {
-            for (slabs, _) in self.patches(i) {
-                all.extend([chain.from, chain.to].map(|p| self.orientation(p, slabs)));
+            let ends = [chain.from, chain.to];
+            if self.around(false) {
+                places.extend(ends.map(|p| (p.cluster, 0)));
+            } else {
+                let shifts = self.patches(i).map(|(slabs, _)| slabs);
+                places
+                    .extend(shifts.flat_map(|s| ends.map(|p| (p.cluster, s + i64::from(p.slabs)))));
             }
         }
+        parallel::sort_unstable_by(&mut places, Ord::cmp);
+        places.dedup();
+        let shifts = if self.around(false) {
+            self.steps.slabs
+        } else {
+            1
+        };
+        let mut all: Vec<f64> = (places.into_iter())
+            .flat_map(|(cluster, slabs)| {
+                let place = Place { cluster, slabs: 0 };
+                (0..i64::from(shifts)).map(move |s| self.orientation(place, slabs + s))
+            })
+            .collect();
         all.retain(|&t| self.is_inside(t));
-        all.sort_by(f64::total_cmp);
+        parallel::sort_unstable_by(&mut all, f64::total_cmp);
         all.dedup_by(|b, a| *b - *a <= SAME_ORIENTATION);
         all
     }

@@ -8,7 +8,6 @@ use crate::general::cells::cell::VerticalContact;
 use crate::general::links::chains::{Chains, Linker, Member, Place};
 use crate::general::links::copies::Lifts;
 use crate::general::verdict::shells::Shells;
-use crate::space::Patch;
 use crate::space::{SideLink, VerticalLink};
 
 /// Contacts copied at a time by one thread.
@@ -26,12 +25,9 @@ pub(crate) struct Links<'a> {
 struct Following {
     before: u32,
     after: u32,
-    shift: i64,
+    shift: i32,
     from: Place,
     to: Place,
-    /// The same in radians.
-    lo: f64,
-    hi: f64,
 }
 
 /// Clusters are at least the narrowest band apart; brought home by turns they differ by rounding, in radians.
@@ -39,62 +35,45 @@ const SAME: f64 = crate::feature::tolerance::NARROWEST_BAND / 4.0;
 
 impl Links<'_> {
     fn member(&self, cell: u32) -> Option<Member> {
-        self.chains.members[cell as usize]
+        self.chains.members.of(cell)
     }
 
     /// Neighbours along the boundary, in order of the patch before and of orientation.
-    pub(crate) fn side(&self, patches: &[Patch]) -> Vec<SideLink> {
-        let mut links: Vec<SideLink> = Vec::new();
+    pub(crate) fn side(&self) -> Vec<SideLink> {
         // The copies of a chain are numbered on, so that what is made chain by chain is in order.
-        for group in self.following().chunk_by(|a, b| a.before == b.before) {
-            let first = links.len();
-            for f in group {
-                self.copies(f, patches, &mut links);
-            }
-            if links.len() < first + 2 {
-                continue;
-            }
-            let mut own = links.split_off(first);
-            own.sort_by(|a, b| {
-                (a.before, a.after)
-                    .cmp(&(b.before, b.after))
-                    .then(a.lo.total_cmp(&b.lo))
-            });
-            // Where a patch goes around the turn, what a window cuts from several copies hangs together.
-            own.dedup_by(|next, last| {
-                let joined = (last.before, last.after) == (next.before, next.after)
-                    && next.lo - last.hi <= SAME;
-                if joined {
-                    last.hi = last.hi.max(next.hi);
+        let following = self.following();
+        let groups: Vec<&[Following]> = following.chunk_by(|a, b| a.before == b.before).collect();
+        let parts = parallel::chunks(&groups, CHUNK, |_, groups| {
+            let (mut links, mut own) = (Vec::new(), Vec::new());
+            for group in groups {
+                own.clear();
+                for f in *group {
+                    self.copies(f, &mut own);
                 }
-                joined
-            });
-            own.sort_by(|a, b| {
-                a.before
-                    .cmp(&b.before)
-                    .then(a.lo.total_cmp(&b.lo))
-                    .then(a.after.cmp(&b.after))
-            });
-            links.append(&mut own);
-        }
-        links
+                joined(&mut own);
+                links.extend_from_slice(&own);
+            }
+            links
+        });
+        one_list(parts)
     }
 
-    fn copies(&self, f: &Following, patches: &[Patch], links: &mut Vec<SideLink>) {
+    fn copies(&self, f: &Following, links: &mut Vec<SideLink>) {
         let chain = &self.chains.chains[f.before as usize];
-        for slabs in self.lifts.shifts(f.lo, f.hi) {
+        let (first, last) = (self.radians(f.from), self.radians(f.to));
+        for slabs in self.lifts.shifts(first, last) {
             let before = self.lifts.patch(f.before, slabs);
-            let after = self.lifts.patch(f.after, slabs + f.shift);
+            let after = self.lifts.patch(f.after, slabs + i64::from(f.shift));
             let (Some(before), Some(after)) = (before, after) else {
                 continue;
             };
             // Into the interval of the patch before.
-            let start = patches[before as usize].lo;
+            let (start, _) = self.lifts.interval(chain, slabs);
             let bring = |place: Place, theta: f64| {
                 let at = self.lifts.orientation(place, slabs);
                 self.lifts.near(at, start + (theta - chain.lo))
             };
-            let (lo, hi) = self.lifts.clipped(bring(f.from, f.lo), bring(f.to, f.hi));
+            let (lo, hi) = self.lifts.clipped(bring(f.from, first), bring(f.to, last));
             links.push(SideLink {
                 before,
                 after,
@@ -104,10 +83,13 @@ impl Links<'_> {
         }
     }
 
+    /// A place in radians.
+    fn radians(&self, place: Place) -> f64 {
+        self.linker.clusters.at(place.cluster) + self.lifts.steps.period(i64::from(place.slabs))
+    }
+
     /// Side contacts of free cells, those that hang together as one.
     fn following(&self) -> Vec<Following> {
-        let clusters = self.linker.clusters;
-        let steps = &self.lifts.steps;
         let mut pieces: Vec<Following> = (self.shells.side.iter())
             .filter_map(|s| {
                 let (before, after) = (self.member(s.before)?, self.member(s.after)?);
@@ -115,55 +97,55 @@ impl Links<'_> {
                     cluster,
                     slabs: before.slabs,
                 };
-                let up = steps.period(before.slabs);
                 Some(Following {
                     before: before.chain,
                     after: after.chain,
                     shift: before.slabs - after.slabs,
                     from: place(s.from),
                     to: place(s.to),
-                    lo: clusters.at(s.from) + up,
-                    hi: clusters.at(s.to) + up,
                 })
             })
             .collect();
-        pieces.sort_by(|a, b| {
+        parallel::sort_by(&mut pieces, |a, b| {
             (a.before, a.after, a.shift)
                 .cmp(&(b.before, b.after, b.shift))
-                .then(a.lo.total_cmp(&b.lo))
+                .then_with(|| self.radians(a.from).total_cmp(&self.radians(b.from)))
         });
         pieces.dedup_by(|next, last| {
             let joined = (last.before, last.after, last.shift)
                 == (next.before, next.after, next.shift)
-                && next.lo - last.hi <= SAME;
+                && self.radians(next.from) - self.radians(last.to) <= SAME;
             if joined {
-                (last.to, last.hi) = (next.to, next.hi);
+                last.to = next.to;
             }
             joined
         });
         pieces
     }
 
-    /// Neighbours across critical orientations.
+    /// Neighbours across critical orientations. Contacts are in order of their clusters: copied slab by slab, links are in order of
+    /// orientation but for few.
     pub(crate) fn vertical(&self) -> Vec<VerticalLink> {
-        let lifted = parallel::chunks(&self.shells.vertical, CHUNK, |_, contacts| {
+        let contacts = &self.shells.vertical;
+        let pieces = |slabs: Option<i64>| contacts.chunks(CHUNK).map(move |c| (slabs, c));
+        let pieces: Vec<_> = match self.lifts.all_slabs() {
+            Some(slabs) => slabs.flat_map(|s| pieces(Some(s))).collect(),
+            None => pieces(None).collect(),
+        };
+        let lifted = parallel::map(&pieces, 1, |(slabs, contacts)| {
             let mut links = Vec::new();
-            for v in contacts {
-                self.lifted(v, &mut links);
+            for v in *contacts {
+                self.lifted(v, *slabs, &mut links);
             }
             links
         });
-        let mut links = lifted.concat();
-        parallel::sort_by(&mut links, |a, b| {
-            a.theta
-                .total_cmp(&b.theta)
-                .then((a.lower, a.upper).cmp(&(b.lower, b.upper)))
-        });
+        let mut links = one_list(lifted);
+        sort_vertical(&mut links);
         links
     }
 
-    /// The links that a contact of two cells makes in all slabs.
-    fn lifted(&self, v: &VerticalContact, links: &mut Vec<VerticalLink>) {
+    /// The links that a contact of two cells makes, in one slab or in all.
+    fn lifted(&self, v: &VerticalContact, one: Option<i64>, links: &mut Vec<VerticalLink>) {
         let (Some(lower), Some(upper)) = (self.member(v.lower), self.member(v.upper)) else {
             return;
         };
@@ -178,13 +160,14 @@ impl Links<'_> {
         // Within one chain nothing happens, so that most contacts need no curve.
         let mut curve = None;
         // A little more than there are: rounding is not to lose one.
-        for slabs in self.lifts.shifts(theta - 0.1, theta + 0.1) {
+        let all = || self.lifts.shifts(theta - 0.1, theta + 0.1);
+        for slabs in one.map_or_else(all, |slabs| slabs..slabs + 1) {
             let at = self.lifts.orientation(place, slabs);
             if !self.lifts.is_inside(at) {
                 continue;
             }
-            let below = self.lifts.patch(lower.chain, slabs - lower.slabs);
-            let above = self.lifts.patch(upper.chain, slabs + shift - upper.slabs);
+            let below = self.lifts.patch(lower.chain, slabs - lower.slabs());
+            let above = self.lifts.patch(upper.chain, slabs + shift - upper.slabs());
             let (Some(below), Some(above)) = (below, above) else {
                 continue;
             };
@@ -209,5 +192,80 @@ impl Links<'_> {
         let steps = &self.lifts.steps;
         let curve = steps.motion(slabs).curve(curve, steps.angle(slabs));
         CurveGeometry::from_inner(&curve, v.lo, v.hi, &self.linker.geometry.frame, at)
+    }
+}
+
+/// The links of one chain in order of the patch before, of orientation, and of the patch after; those that hang together are one.
+fn joined(own: &mut Vec<SideLink>) {
+    if own.len() < 2 {
+        return;
+    }
+    own.sort_by(|a, b| {
+        (a.before, a.after)
+            .cmp(&(b.before, b.after))
+            .then(a.lo.total_cmp(&b.lo))
+    });
+    // Where a patch goes around the turn, what a window cuts from several copies hangs together.
+    own.dedup_by(|next, last| {
+        let joined =
+            (last.before, last.after) == (next.before, next.after) && next.lo - last.hi <= SAME;
+        if joined {
+            last.hi = last.hi.max(next.hi);
+        }
+        joined
+    });
+    own.sort_by(|a, b| {
+        a.before
+            .cmp(&b.before)
+            .then(a.lo.total_cmp(&b.lo))
+            .then(a.after.cmp(&b.after))
+    });
+}
+
+/// All parts in one list. Each is dropped when it is in it, so that not all of them are held twice.
+fn one_list<T>(parts: Vec<Vec<T>>) -> Vec<T> {
+    let mut all = Vec::with_capacity(parts.iter().map(Vec::len).sum());
+    for part in parts {
+        all.extend(part);
+    }
+    all
+}
+
+/// What vertical links are sorted by, and their number, by which equal ones keep their order.
+#[derive(Clone, Copy)]
+struct Key {
+    theta: f64,
+    lower: u32,
+    upper: u32,
+    number: u32,
+}
+
+/// Sorts by orientation and patches. Links are large, so that what they are sorted by is sorted, and the links put in that order
+/// in place.
+fn sort_vertical(links: &mut [VerticalLink]) {
+    let mut keys: Vec<Key> = ((0u32..).zip(&*links))
+        .map(|(number, l)| Key {
+            theta: l.theta,
+            lower: l.lower,
+            upper: l.upper,
+            number,
+        })
+        .collect();
+    parallel::sort_unstable_by(&mut keys, |a, b| {
+        (a.theta.total_cmp(&b.theta))
+            .then((a.lower, a.upper, a.number).cmp(&(b.lower, b.upper, b.number)))
+    });
+    // Round by round; a number that is its own place is done.
+    for start in 0..links.len() {
+        let (first, mut place) = (links[start], start);
+        loop {
+            let from = core::mem::replace(&mut keys[place].number, place as u32) as usize;
+            if from == start || from == place {
+                links[place] = first;
+                break;
+            }
+            links[place] = links[from];
+            place = from;
+        }
     }
 }

@@ -7,9 +7,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::contact::Geometry;
+use crate::boxes::Boxes;
+use crate::contact::{Curve, Geometry};
 use crate::feature::tolerance::NARROWEST_BAND;
+use crate::geometry::Vector;
 use crate::parallel;
+use crate::part::Bounds;
 use crate::union_find::UnionFind;
 
 use crate::general::cells::cell::{Cell, SideContact, VerticalContact};
@@ -33,6 +36,12 @@ const SHORTEST: f64 = 4.0 * NARROWEST_BAND;
 
 /// Ends are measured to this (length): well below what two cells must share.
 const MEASURED: f64 = SHORTEST / 64.0;
+
+/// Ends of cells that share some of a curve come nearer to each other than this (length): far above [`ONE_CURVE`].
+const NEAR: f64 = 1e-6;
+
+/// So many ends are compared one by one faster than they are looked for by their places.
+const FEW: usize = 8;
 
 /// In place of the number of a run: none.
 const NONE: u32 = u32::MAX;
@@ -201,19 +210,22 @@ impl Contraction<'_> {
             .collect();
         beginning.sort_unstable();
         let mut ends = Ends::default();
+        let mut measured: BTreeMap<u32, Above> = BTreeMap::new();
         for &c in &touched.ending {
             let set = sets.find(index(c));
             let first = beginning.partition_point(|b| b.0 < set);
-            let above: Vec<End> = (beginning[first..].iter())
+            let cells = (beginning[first..].iter())
                 .take_while(|b| b.0 == set)
-                .map(|&(_, upper)| ends.of(self, upper, Side::Above))
-                .collect();
-            if above.is_empty() {
+                .map(|b| b.1);
+            if cells.clone().next().is_none() {
                 continue;
             }
+            let above = measured
+                .entry(set)
+                .or_insert_with(|| Above::new(self, cells, &mut ends));
             let below = ends.of(self, c, Side::Below);
             let (first, _) = self.runs.all[run as usize];
-            out.extend(above.iter().filter_map(|upper| {
+            out.extend(above.near(self, &below).filter_map(|upper| {
                 let (lo, hi) = self.shared(&below, upper)?;
                 Some(VerticalContact {
                     lower: c,
@@ -228,6 +240,22 @@ impl Contraction<'_> {
         out
     }
 
+    /// The curve that a cell's end lies on.
+    fn curve(&self, end: &End) -> Curve {
+        let sheet = self.cells[end.cell as usize].sheet;
+        self.geometry.contacts.sheets[sheet as usize]
+            .curve(self.clusters.at(end.at), self.clusters.turn(end.at))
+    }
+
+    /// A box that holds a cell's end: places on it are no further from its middle than along the curve.
+    fn bounds(&self, end: &End) -> Bounds {
+        let Extent { lo, hi, .. } = end.extent;
+        let middle = self.curve(end).point(0.5 * (lo + hi));
+        let reach = 0.5 * (hi - lo).abs() + NEAR;
+        let corner = Vector::new(reach, reach);
+        Bounds::of(middle + -corner, middle + corner)
+    }
+
     /// The places that two ends share, along the curve of the first.
     fn shared(&self, below: &End, above: &End) -> Option<(f64, f64)> {
         let (c, d) = (
@@ -236,11 +264,7 @@ impl Contraction<'_> {
         );
         let mut other = (above.extent.lo, above.extent.hi);
         if c.sheet != d.sheet {
-            let curve = |sheet: u32, at: u32| {
-                self.geometry.contacts.sheets[sheet as usize]
-                    .curve(self.clusters.at(at), self.clusters.turn(at))
-            };
-            let (f, g) = (curve(c.sheet, below.at), curve(d.sheet, above.at));
+            let (f, g) = (self.curve(below), self.curve(above));
             let points = [other.0, 0.5 * (other.0 + other.1), other.1].map(|place| g.point(place));
             let on_it = |p| f.carrier().off(p) <= ONE_CURVE && f.normal(p).dot(g.normal(p)) > 0.0;
             if !points.into_iter().all(on_it) {
@@ -253,6 +277,54 @@ impl Contraction<'_> {
         let shorter = (below.extent.hi - below.extent.lo).min(other.1 - other.0);
         (hi - lo > SHARED.min(0.25 * shorter).max(SHORTEST)).then_some((lo, hi))
     }
+}
+
+/// The ends of cells that begin in a run and hang together: of a symmetric drawing whose symmetry is not used there may be
+/// thousands, and each shares its curve with few.
+struct Above {
+    ends: Vec<End>,
+    /// Where they are, unless they are few.
+    places: Option<Boxes>,
+}
+
+impl Above {
+    fn new<'a>(
+        within: &Contraction<'a>,
+        cells: impl Iterator<Item = u32>,
+        ends: &mut Ends<'a>,
+    ) -> Self {
+        let ends: Vec<End> = cells.map(|c| ends.of(within, c, Side::Above)).collect();
+        let many = ends.len() > FEW;
+        Self {
+            places: many.then(|| Boxes::new(ends.iter().map(|e| within.bounds(e)))),
+            ends,
+        }
+    }
+
+    /// Those that may share some of a curve with an end below, in their order.
+    fn near(&self, within: &Contraction<'_>, below: &End) -> impl Iterator<Item = &End> {
+        let mut near: Vec<u32> = Vec::new();
+        match &self.places {
+            None => near.extend(0..self.ends.len() as u32),
+            Some(places) => {
+                let own = within.bounds(below);
+                places.any(
+                    |b| meet(b, &own),
+                    |i| {
+                        near.push(i);
+                        false
+                    },
+                );
+                near.sort_unstable();
+            }
+        }
+        near.into_iter().map(|i| &self.ends[i as usize])
+    }
+}
+
+/// Whether two boxes have a place in common.
+fn meet(a: &Bounds, b: &Bounds) -> bool {
+    a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
 }
 
 /// Ends that were measured in a run: cells beside each other share bounds, and most are asked for again.

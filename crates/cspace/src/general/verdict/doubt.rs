@@ -55,12 +55,9 @@ pub(crate) fn doubts(
     in_window(copies.chain(narrow).chain(open), window)
 }
 
-/// The orientations at which a patch is followed by none.
+/// The orientations at which a patch is followed by none. Side links are in order of the patch before and of orientation.
 fn unlinked(patches: &[Patch], side_links: &[SideLink]) -> Vec<(f64, f64)> {
-    let mut links: Vec<(u32, f64, f64)> =
-        side_links.iter().map(|l| (l.before, l.lo, l.hi)).collect();
-    links.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut links = links.into_iter().peekable();
+    let mut links = side_links.iter().peekable();
     let mut open = Vec::new();
     for (i, patch) in (0u32..).zip(patches) {
         let mut known = patch.lo;
@@ -69,9 +66,9 @@ fn unlinked(patches: &[Patch], side_links: &[SideLink]) -> Vec<(f64, f64)> {
                 open.push((known, to));
             }
         };
-        while let Some((_, lo, hi)) = links.next_if(|l| l.0 == i) {
-            until(lo, known);
-            known = known.max(hi);
+        while let Some(link) = links.next_if(|l| l.before == i) {
+            until(link.lo, known);
+            known = known.max(link.hi);
         }
         until(patch.hi, known);
     }

@@ -17,7 +17,7 @@ use crate::general::events::placing::{ExactPlacing, Placing};
 use crate::general::events::trace::Coincidence;
 
 /// Contacts between cells, and the verdict on each cell.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Shells {
     pub(crate) side: Vec<SideContact>,
     pub(crate) vertical: Vec<VerticalContact>,
