@@ -1,0 +1,159 @@
+/** The scene: all that a page shows, as JSON. `docs/page.md` describes every field. Angles are radians, lengths in the model's unit. */
+
+/** The version of the format that this page reads. */
+export const SCENE_VERSION = 1;
+
+export interface Scene {
+  format: "cspace-scene";
+  version: typeof SCENE_VERSION;
+  /** What the model is called. */
+  name: string;
+  /** The label of the unit of length. */
+  unit: string | null;
+  parts: ScenePart[];
+  joints: SceneJoint[];
+  pairs: ScenePair[];
+  /** What `cspace plan` and `cspace simulate` print with `--format json`, to be played. */
+  records: SceneRecord[];
+}
+
+export interface SceneVertex {
+  x: number;
+  y: number;
+  /** Of the edge that leaves it: tan(sweep / 4), positive counter-clockwise; 0 a line. */
+  bulge: number;
+}
+
+export interface ScenePart {
+  name: string;
+  /** As the model gives them; a loop is closed. */
+  loops: SceneVertex[][];
+  /** The names the model gives to features, by what they are called without: `line 3 of loop 0`. */
+  feature_names: Record<string, string>;
+  motion: SceneMotion;
+}
+
+export type SceneMotion =
+  | { type: "planar" }
+  | { type: "fixed" }
+  | { type: "revolute"; center: Place; range: [number, number] | null }
+  | { type: "prismatic"; direction: Place; range: [number, number] | null };
+
+/** A point or a vector, as the saved spaces have them. */
+export interface Place {
+  x: number;
+  y: number;
+}
+
+export interface SceneJoint {
+  type: "revolute" | "prismatic" | "rigid";
+  /** Indices of the two parts. */
+  parts: [number, number];
+  /** Where it is, in the assembly's frame at zero motion; null where that has no meaning. */
+  at: Place | null;
+  direction: Place | null;
+}
+
+export type PairClass = "lower" | "fixed-axes" | "symmetric" | "general";
+
+export interface ScenePair {
+  /** Index of the part in whose frame configurations are expressed. */
+  fixed: number;
+  /** Index of the part that moves in that frame. */
+  moving: number;
+  class: PairClass;
+  /** The configuration space as `cspace export -o OUT.json` writes it; null until it is asked of the server. */
+  space: PlanarSpace | AxesSpace | LowerSpace | null;
+  /** Why there is none, if it cannot be computed. */
+  error: string | null;
+  /** Lines, arcs and vertices that are not smooth joints, of both parts; and how often each repeats in a turn. */
+  features: { fixed: number; moving: number };
+  symmetry: { fixed: number; moving: number };
+  /** Configurations nearer to a contact than this are in contact (model unit). */
+  contact_distance: number;
+  /** Contacts are known to this (model unit). */
+  resolution: number;
+  /** Bands of a planar pair [lo, hi], in ascending order. */
+  bands: [number, number][];
+  /** Free regions in the order of their numbers. */
+  regions: SceneRegion[];
+  /** What the server needed to compute it (s). */
+  seconds: number;
+}
+
+export interface SceneRegion {
+  unbounded: boolean;
+  /** A configuration in it: [x, y, θ] or [u, v]. */
+  sample: number[];
+}
+
+export interface SceneRecord {
+  /** What it is called: a file's name. */
+  name: string;
+  /** A `plan` or `simulate` answer, as it was printed. */
+  record: unknown;
+}
+
+// The saved spaces. `docs/*.schema.json` describe them; here is what the page uses.
+
+export interface FeatureNameData {
+  kind: "line" | "arc" | "vertex";
+  loop_index: number;
+  index: number;
+}
+
+/** p(θ) = u + R_θ w + (1 − R_{θ−rest}) arm. */
+export interface SpiralData {
+  u: Place;
+  w: Place;
+  swing?: { arm: Place; rest: number };
+}
+
+export type ContactFunctionData =
+  | { kind: "fixed-line"; normal: Place; through: SpiralData }
+  | { kind: "moving-line"; normal: Place; through: SpiralData }
+  | { kind: "circle"; center: SpiralData; radius: number }
+  | { kind: "flat-circle"; through: SpiralData; normal: Place; turns: boolean; radius: number };
+
+export type BoundaryData =
+  | { kind: "end"; spiral: SpiralData }
+  | { kind: "crossing"; with: ContactFunctionData; root: number };
+
+export interface PatchData {
+  fixed: FeatureNameData;
+  moving: FeatureNameData;
+  function: ContactFunctionData;
+  lo: number;
+  hi: number;
+  left: BoundaryData;
+  right: BoundaryData;
+  region: number;
+}
+
+export interface PlanarSpace {
+  format: "contact-space";
+  version: number;
+  window: { lo: number; hi: number; full_turn: boolean };
+  frame: { fixed_center: Place; moving_center: Place; scale: number };
+  critical_orientations: number[];
+  patches: PatchData[];
+  side_links: { before: number; after: number; lo: number; hi: number }[];
+  vertical_links: { lower: number; upper: number; theta: number }[];
+  free_regions: { unbounded: boolean; sample: { x: number; y: number; theta: number }; patches: number }[];
+  doubtful_orientations: [number, number][];
+}
+
+/** See `docs/fixed-axes-space.schema.json`; the kernel names the fields it reads. */
+export interface AxesSpace {
+  format: "fixed-axes-space";
+  version: number;
+  [key: string]: unknown;
+}
+
+export interface LowerSpace {
+  format: "lower-pair";
+  version: number;
+  joint: { kind: string; at?: Place; direction?: Place };
+  limits: [number, number] | null;
+  [key: string]: unknown;
+}

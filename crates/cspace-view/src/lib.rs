@@ -1,0 +1,1 @@
+//! A page that shows parts and their configuration spaces, served on loopback or written as one file.
