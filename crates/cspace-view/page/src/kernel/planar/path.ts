@@ -40,11 +40,10 @@ export class Path {
     const { normal, byTheta } = gradientOf(f, p, turn);
     const value = valueOf(f, p, turn);
     const slope = dot(normal, this.rate(t)) + this.omega * byTheta;
-    const { bend, speed } = this.bounds(f, t, until, value);
-    return { value, slope, bend, speed };
+    return { value, slope, ...this.bounds(f, t, until) };
   }
 
-  private bounds(f: ContactFunctionData, t: number, until: number, value: number): { bend: number; speed: number } {
+  private bounds(f: ContactFunctionData, t: number, until: number): Omit<Sample, "value" | "slope"> {
     const w = Math.abs(this.omega);
     const v = length(this.v);
     const spiral = f.kind === "circle" ? f.center : f.through;
@@ -53,23 +52,26 @@ export class Path {
     // Of the way from the point that turns with the part to the one that stays: so fast it is at most, and so fast it is bent.
     const speed = v + w * arm;
     const curl = w * w * arm;
-    if (f.kind === "fixed-line") return { bend: curl, speed };
+    if (f.kind === "fixed-line") return both(curl, speed);
     const swing = spiral.swing?.arm ?? { x: 0, y: 0 };
     const from = add(spiral.u, swing);
     const far = length(sub(this.base(t), from)) + v * (until - t);
-    if (f.kind === "moving-line") return { bend: w * w * far + 2 * w * v, speed: v + w * far };
+    if (f.kind === "moving-line") return both(w * w * far + 2 * w * v, v + w * far);
     if (f.kind === "circle") {
-      const outside = f.radius > 0 && value > 0;
-      if (outside) return { bend: curl, speed };
       const way = sub(this.base(t), from);
       const now = length(add(way, turned(turnBy(this.theta(t)), sub(this.m, turning))));
       const least = now - speed * (until - t);
-      // Near the centre the distance has an edge.
-      return { bend: least > 0 ? curl + (speed * speed) / least : Infinity, speed };
+      // The distance from a centre bends up only, but for what bends the way; near the centre it has an edge.
+      const bent = least > 0 ? curl + (speed * speed) / least : Infinity;
+      return f.radius > 0 ? { sinking: curl, rising: bent, speed } : { sinking: bent, rising: curl, speed };
     }
     const moved = f.turns ? v + w * far : speed;
     const straight = f.turns ? w * w * far + 2 * w * v : curl;
     const bent = (2 * moved * moved) / Math.abs(f.radius);
-    return { bend: straight + bent, speed: 2 * moved };
+    return both(straight + bent, 2 * moved);
   }
+}
+
+function both(bend: number, speed: number): Omit<Sample, "value" | "slope"> {
+  return { sinking: bend, rising: bend, speed };
 }
