@@ -39,7 +39,7 @@ export class AxesMotion {
     if (start === null || !Number.isFinite(goal.u + goal.v)) return { at: from, stopped: null };
     // Out of blocked space any way leads.
     if (start === "blocked") return { at: goal, stopped: null };
-    const found = this.straight(this.inner(from), this.inner(goal));
+    const found = this.checked(this.inner(from), this.inner(goal));
     return { at: found.stopped === null ? goal : this.outer(found.at), stopped: found.stopped };
   }
 
@@ -103,16 +103,20 @@ export class AxesMotion {
       const found = firstTime(this.track(branch.cell, path), start, time, this.contact, DEPTH * this.contact);
       if (found !== null && found < time) [time, patch] = [found, branch.patch];
     }
-    const at = (t: number): Vec => (t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x)));
-    const checked = this.lastNotBlocked(at, time);
-    if (checked >= 1) return { at: to, stopped: null };
-    const stopped = patch ?? this.touching(at(checked), Infinity)[0] ?? 0;
-    return { at: at(checked), stopped };
+    return { at: pointAt(from, to, time), stopped: patch };
   }
 
-  private lastNotBlocked(at: (t: number) => Vec, time: number): number {
-    if (!this.isBlocked(at(time))) return time;
-    let [lo, hi] = [0, time];
+  /** The same, and not blocked where it ends. */
+  private checked(from: Vec, to: Vec): { at: Vec; stopped: number | null } {
+    const found = this.straight(from, to);
+    if (!this.isBlocked(found.at)) return found;
+    const at = (t: number) => pointAt(from, found.at, t);
+    const last = at(this.lastNotBlocked(at));
+    return { at: last, stopped: found.stopped ?? this.touching(last, Infinity)[0] ?? 0 };
+  }
+
+  private lastNotBlocked(at: (t: number) => Vec): number {
+    let [lo, hi] = [0, 1];
     for (let k = 0; k < HALVINGS; k++) {
       const mid = 0.5 * (lo + hi);
       if (this.isBlocked(at(mid))) hi = mid;
@@ -173,6 +177,10 @@ export class AxesMotion {
       isBlocked: (v) => this.isBlocked(v),
     };
   }
+}
+
+function pointAt(from: Vec, to: Vec, t: number): Vec {
+  return t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x));
 }
 
 /** How long a coordinate takes to come into a range; 0 if it is there, infinite if it does not come. */

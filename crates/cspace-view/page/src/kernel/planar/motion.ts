@@ -165,9 +165,7 @@ export class PlanarMotion {
         const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
         const { time, patch } = this.first(path);
         const at = (t: number): Vec => (t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x)));
-        const checked = this.lastNotBlocked((t) => this.unweighted(at(t)), time);
-        const stopped = checked >= 1 ? null : (patch ?? this.nearestPatch(this.unweighted(at(checked))));
-        return { at: at(checked), stopped };
+        return { at: at(time), stopped: time >= 1 ? null : patch };
       },
       touching: (v) => {
         const c = this.unweighted(v);
