@@ -37,7 +37,8 @@ function atContact(kernel: PlanarKernel, size: number, next: () => number): Plan
   const [x, y] = [curve.points[2 * k]!, curve.points[2 * k + 1]!];
   const touch = kernel.touching({ x, y, theta }, size * 1e-6)[0];
   if (!touch) return null;
-  const by = [0, 1e-6, -1e-6, 1e-9, -1e-9][Math.floor(5 * next())]! * size;
+  // From a millionth of the size down to below what counts as contact, on either side; and none.
+  const by = size * [0, 1, -1][Math.floor(3 * next())]! * 10 ** (-6 - 8 * next());
   return { x: x + touch.normal[0] * by, y: y + touch.normal[1] * by, theta };
 }
 

@@ -4,12 +4,11 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use axum::Router;
-use axum::body::Bytes;
-use axum::extract::rejection::BytesRejection;
-use axum::extract::{DefaultBodyLimit, Path, State};
-use axum::http::{HeaderName, HeaderValue, StatusCode};
+use axum::body::to_bytes;
+use axum::extract::{Path, Request, State};
+use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::from_fn_with_state;
-use axum::response::{IntoResponse, Response};
+use axum::response::Response;
 use axum::routing::{get, post};
 use axum::serve::{Listener, ListenerExt};
 use serde::de::DeserializeOwned;
@@ -23,7 +22,6 @@ use super::work::{EditRequest, ModelRequest, Work};
 const LONGEST_BODY: usize = 8 << 20;
 
 type Shared = State<Arc<Work>>;
-type Body = Result<Bytes, BytesRejection>;
 
 pub(super) fn router(token: &str, port: u16, work: Work) -> Router {
     let at = |path: &str| format!("/{token}/{path}");
@@ -39,7 +37,6 @@ pub(super) fn router(token: &str, port: u16, work: Work) -> Router {
             )
         })
         .fallback(async || nothing_here())
-        .layer(DefaultBodyLimit::max(LONGEST_BODY))
         .layer(from_fn_with_state(Names::of(port), guard))
         .with_state(Arc::new(work))
 }
@@ -74,9 +71,9 @@ async fn pair(State(work): Shared, Path(index): Path<String>) -> Result<Response
     found.map(json).ok_or_else(nothing_here)
 }
 
-async fn edit(State(work): Shared, body: Body) -> Result<Response, Fault> {
+async fn edit(State(work): Shared, request: Request) -> Result<Response, Fault> {
     let begin = Instant::now();
-    let edit: EditRequest = parsed(body)?;
+    let edit: EditRequest = parsed(request).await?;
     let ticket = work.newest.begin(&edit.session, edit.sequence);
     let ticket = ticket.ok_or_else(Fault::superseded)?;
     apart(move || work.edit(&edit, &ticket, begin))
@@ -84,9 +81,9 @@ async fn edit(State(work): Shared, body: Body) -> Result<Response, Fault> {
         .map(json)
 }
 
-async fn model(State(work): Shared, body: Body) -> Result<Response, Fault> {
-    let request: ModelRequest = parsed(body)?;
-    let text = apart(move || work.model(&request)).await?;
+async fn model(State(work): Shared, request: Request) -> Result<Response, Fault> {
+    let wanted: ModelRequest = parsed(request).await?;
+    let text = apart(move || work.model(&wanted)).await?;
     Ok(of_type("application/toml; charset=utf-8", text))
 }
 
@@ -97,19 +94,23 @@ async fn apart<T: Send + 'static>(
     spawn_blocking(work).await.map_err(Fault::internal)?
 }
 
-fn parsed<T: DeserializeOwned>(body: Body) -> Result<T, Fault> {
-    let bytes = body.map_err(|rejection| {
-        let status = rejection.into_response().status();
-        if status == StatusCode::PAYLOAD_TOO_LARGE {
-            Fault::new(
-                status,
-                format!("the body has more than {LONGEST_BODY} bytes"),
-            )
-            .help("give parts with fewer vertices")
-        } else {
-            Fault::bad("the body cannot be read")
-        }
-    })?;
+/// What the body of a request says. One that is too long is not read, whether it says its length or not.
+async fn parsed<T: DeserializeOwned>(request: Request) -> Result<T, Fault> {
+    let too_long = || {
+        Fault::new(
+            StatusCode::PAYLOAD_TOO_LARGE,
+            format!("the body has more than {LONGEST_BODY} bytes"),
+        )
+        .help("give parts with fewer vertices")
+    };
+    let length = request.headers().get(header::CONTENT_LENGTH);
+    let length = length.and_then(|l| l.to_str().ok()?.parse::<usize>().ok());
+    if length.is_some_and(|l| l > LONGEST_BODY) {
+        return Err(too_long());
+    }
+    let body = to_bytes(request.into_body(), LONGEST_BODY).await;
+    // If it is the connection that fails, nobody gets the answer.
+    let bytes = body.map_err(|_| too_long())?;
     serde_json::from_slice(&bytes).map_err(|e| {
         Fault::bad(format!("the body is not what is expected: {e}"))
             .help("docs/page.md describes what is sent")

@@ -30,6 +30,7 @@ export class PlanarPair implements PlanarKernel {
   private readonly moving: Features;
   private readonly regionCount: number;
   private overlapTest: Overlap | null = null;
+  private reach: { lo: [number, number]; hi: [number, number] } | null = null;
 
   constructor(
     private readonly pair: ScenePair,
@@ -147,7 +148,7 @@ export class PlanarPair implements PlanarKernel {
   }
 
   bounds(): { lo: [number, number]; hi: [number, number] } {
-    return boundsOf(this.surfaces);
+    return (this.reach ??= boundsOf(this.surfaces));
   }
 
   surface(patch: number, deviation: number, perRadian: number) {
