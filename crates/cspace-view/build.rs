@@ -111,7 +111,10 @@ fn install(work: &Path) -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     // The tools are used as they were published: no script of theirs runs.
-    npm(work, &["ci", "--ignore-scripts", "--fetch-retries=1"])?;
+    npm(
+        work,
+        &["ci", "--omit=dev", "--ignore-scripts", "--fetch-retries=1"],
+    )?;
     fs::write(stamp, wanted)?;
     Ok(())
 }
