@@ -523,7 +523,12 @@ pub(crate) struct ViewArgs {
     pub(crate) with: Vec<PathBuf>,
 
     /// The port of this machine that is listened to; 0 for any that is free
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        allow_negative_numbers = true
+    )]
     pub(crate) port: u16,
 
     /// Print the address, and open no browser
