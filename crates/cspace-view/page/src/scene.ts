@@ -97,7 +97,8 @@ export interface SceneRecord {
 // The saved spaces. `docs/*.schema.json` describe them; here is what the page uses.
 
 export interface FeatureNameData {
-  kind: "line" | "arc" | "vertex";
+  /** Printed as `line`, `convex arc`, `concave arc` and `vertex`: `convex arc 3 of loop 0`. */
+  kind: "line" | "convexarc" | "concavearc" | "vertex";
   loop_index: number;
   index: number;
 }
@@ -153,7 +154,7 @@ export interface AxesSpace {
 export interface LowerSpace {
   format: "lower-pair";
   version: number;
-  joint: { kind: string; at?: Place; direction?: Place };
+  joint: { type: "revolute" | "prismatic" | "rigid"; at?: Place; direction?: Place };
   limits: [number, number] | null;
   [key: string]: unknown;
 }
