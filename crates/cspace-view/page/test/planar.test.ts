@@ -5,7 +5,7 @@ import { test } from "node:test";
 import type { PlanarConfiguration, PlanarKernel } from "../src/kernel/api.js";
 import { openPair } from "../src/kernel/index.js";
 import { binary, models, NO_COMMAND } from "./support/command.js";
-import { classified } from "./support/rows.js";
+import { compare } from "./support/compare.js";
 import { random } from "./support/random.js";
 import { sceneOf } from "./support/scene.js";
 
@@ -62,25 +62,8 @@ test("planar pairs are classified as by the command", { skip: binary() ? false :
             k++;
           }
         }
-        const told = classified(model, names, all.map((c) => [c.x, c.y, c.theta]), "x,y,theta");
-        const counts: Record<string, number> = {};
-        let seconds = -performance.now();
-        const mine = all.map((c) => ({
-          class: planar.classify(c),
-          region: planar.region(c),
-          touching: planar.touching(c).map((x) => `${x.fixed}|${x.moving}`),
-        }));
-        seconds += performance.now();
-        const wrong = all.filter((c, i) => {
-          const [a, b] = [mine[i]!, told[i]!];
-          counts[b.class] = (counts[b.class] ?? 0) + 1;
-          const same =
-            a.class === b.class && a.region === b.region && [...a.touching].sort().join(";") === [...b.touching].sort().join(";");
-          if (!same) t.diagnostic(`${JSON.stringify(c)}: ${JSON.stringify(a)}, but the command says ${JSON.stringify(b)}`);
-          return !same;
-        });
-        t.diagnostic(`${JSON.stringify(counts)}, ${wrong.length} wrong, ${((seconds / all.length) * 1000).toFixed(0)} µs each`);
-        assert.equal(wrong.length, 0);
+        const wrong = compare(t, { model, names, kernel: planar, header: "x,y,theta" }, all, (c) => [c.x, c.y, c.theta]);
+        assert.equal(wrong, 0);
       });
     }
   }
