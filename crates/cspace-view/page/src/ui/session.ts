@@ -21,7 +21,7 @@ export class Session {
   readonly store: Store;
   /** Of the pair that was selected last: settles when its space is there or it is known that there is none. */
   loaded: Promise<void> = Promise.resolve();
-  readonly #fetch: Fetcher | null;
+  #fetch: Fetcher | null;
   readonly #kernels = new Map<number, Kernel | null>();
   #selections = 0;
   /** What is dragged to, until the next frame. */
@@ -54,6 +54,11 @@ export class Session {
     });
   }
 
+  /** Pairs are had from elsewhere from now on. */
+  set fetcher(fetch: Fetcher) {
+    this.#fetch = fetch;
+  }
+
   get state(): Readonly<State> {
     return this.store.state;
   }
@@ -73,7 +78,8 @@ export class Session {
 
   get planar(): PlanarKernel | null {
     const kernel = this.kernel;
-    return kernel?.coordinates === "planar" ? (kernel as unknown as PlanarKernel) : null;
+    // Lower pairs have configurations in the plane, and no slices.
+    return kernel?.coordinates === "planar" && kernel.class !== "lower" ? (kernel as unknown as PlanarKernel) : null;
   }
 
   get axes(): AxesKernel | null {
@@ -114,14 +120,14 @@ export class Session {
   }
 
   /** The parts have been edited: spaces of before are no longer theirs, but for that of a pair that is given. */
-  replaceParts(parts: Scene["parts"], index: number, pair: ScenePair | null, touched: ReadonlySet<number>): void {
+  replaceParts(parts: Scene["parts"], index: number, pair: ScenePair, touched: ReadonlySet<number>): void {
     const pairs = this.scene.pairs.map((p, i) => {
-      if (i === index) return pair ?? p;
+      if (i === index) return pair;
       return touched.has(p.fixed) || touched.has(p.moving) ? { ...p, space: null, error: null } : p;
     });
     this.#kernels.clear();
     this.store.change({ scene: { ...this.scene, parts, pairs }, parts });
-    if (pair && index === this.state.pair) this.#reopen(index);
+    if (index === this.state.pair) this.#reopen(index);
   }
 
   #kernelOf(index: number): Kernel | null {
@@ -145,7 +151,7 @@ export class Session {
     }
     if (kernel) this.store.change({ space: { state: "ready", kernel } });
     else if (failure) this.store.change({ space: { state: "none", reason: failure, error: true } });
-    else this.store.change({ space: { state: "none", reason: lowerText(pair), error: !lowerPair(pair) } });
+    else this.store.change({ space: { state: "none", reason: this.lowerText(pair), error: !lowerPair(pair) } });
     this.#look();
   }
 
@@ -320,6 +326,14 @@ export class Session {
     if (pair && this.state.where.classification === "blocked") this.#comeIn(pair);
   }
 
+  /** What there is to say where there is nothing to draw. */
+  lowerText(pair: ScenePair): string {
+    const lower = lowerPair(pair);
+    if (!lower) return "There is no configuration space of this pair to show.";
+    const text = { revolute: "turn about a pivot", prismatic: "slide along a line", rigid: "are joined rigidly" }[lower.type];
+    return `The two parts ${text}: a lower pair, whose joint is its whole configuration space.`;
+  }
+
   /** Where parts with one degree of freedom are by their own coordinates, others by placements. */
   placementsBy(parts: ReadonlyMap<string, Placement | number>): Placement[] {
     return this.scene.parts.map((part, i) => {
@@ -339,11 +353,3 @@ function turned(c: PlanarConfiguration, by: number, about: { x: number; y: numbe
 function isAtRest(placements: readonly Placement[]): boolean {
   return placements.every((p) => p.x === 0 && p.y === 0 && p.theta === 0);
 }
-
-function lowerText(pair: ScenePair): string {
-  const lower = lowerPair(pair);
-  if (!lower) return "There is no configuration space of this pair to show.";
-  const text = { revolute: "turn about a pivot", prismatic: "slide along a line", rigid: "are joined rigidly" }[lower.type];
-  return `The two parts ${text}: a lower pair, whose joint is its whole configuration space.`;
-}
-
