@@ -1,0 +1,55 @@
+/**
+ * The first contact along a motion, by the contact functions themselves.
+ *
+ * Along a motion the function of a pair of features is f(t), with its slope and a bound of its curvature known in closed form. So a step is
+ * known over which f cannot vanish, however short-lived a contact is; steps shrink towards a root as Newton's do. At a root it is asked
+ * whether the patch is there.
+ */
+
+/** A contact function along a motion: f and f′ at t, and bounds of |f″| and |f′| from there to `until`. */
+export interface Sample {
+  value: number;
+  slope: number;
+  bend: number;
+  speed: number;
+}
+
+export interface Track {
+  /** f from t on; bounds hold up to `until`. */
+  at(t: number, until: number): Sample;
+  /** Whether the patch is at the place that the motion has at t, to within what counts as contact. */
+  isOn(t: number): boolean;
+  /** How long the patch is not come to for certain, if f vanishes and it is not there; 0 if that is not known. */
+  away(t: number): number;
+}
+
+/** A function this near to the depth allowed is at it; a share of the distance that counts as contact. */
+const AT_DEPTH = 0.1;
+/** More steps than any motion takes; where so many do not do, it ends there, on the safe side. */
+const MOST_STEPS = 2000;
+
+/**
+ * The first time in [lo, hi] at which f sinks to −depth with the patch there; null if it does not. `depth` and the nearness at which that is
+ * taken for reached are shares of `contact`, within which configurations are in contact whichever side they are on.
+ */
+export function firstTime(track: Track, lo: number, hi: number, contact: number, depth: number): number | null {
+  const near = AT_DEPTH * contact;
+  let t = lo;
+  for (let k = 0; k < MOST_STEPS; k++) {
+    const { value, slope, bend, speed } = track.at(t, hi);
+    const f = value + depth;
+    if (!Number.isFinite(f)) return null;
+    const within = Math.abs(f) <= near || (f < 0 && value >= -contact);
+    if (within && slope < 0 && track.isOn(t)) return t;
+    const rate = f < 0 ? -slope : slope;
+    const size = Math.abs(f);
+    // size + rate h − bend h²/2 is positive up to there; so is size − speed h.
+    const ofBend = bend > 0 ? (rate + Math.sqrt(rate * rate + 2 * bend * size)) / bend : rate < 0 ? -size / rate : Infinity;
+    let step = Math.max(ofBend, size / speed);
+    // Past a root that is no contact: as far as what is near reaches, or as the patch is known to be away.
+    if (within) step = Math.max(step, near / speed, track.away(t));
+    if (!(t + step < hi)) return null;
+    t = t + step > t ? t + step : t + Math.abs(t) * Number.EPSILON + Number.MIN_VALUE;
+  }
+  return t;
+}

@@ -1,0 +1,177 @@
+/** The configuration space of two parts in the plane, as the page asks it. */
+
+import type { Classification, DrawnCurve, Motion, PatchInfo, PlanarConfiguration, PlanarKernel, Touch } from "../api.js";
+import type { PairClass, PlanarSpace, ScenePair } from "../../scene.js";
+import { nearestOn } from "../curve.js";
+import { Features, patchKind, touchingAt, type SavedPart } from "../features.js";
+import { Overlap } from "../overlap.js";
+import { distance, TAU, turnBy } from "../plane.js";
+import { GROWTH, MOVING_GROWTH } from "../tolerance.js";
+import { Classifier } from "./classify.js";
+import { boundsOf, drawSlice } from "./draw.js";
+import { PlanarMotion } from "./motion.js";
+import { Surface } from "./surface.js";
+import { patchSurface } from "./mesh.js";
+
+/** How far beside an orientation it is also asked what touches (radians): a critical one is known to a tenth of it. */
+const BESIDE = 1e-9;
+
+export class PlanarPair implements PlanarKernel {
+  readonly coordinates = "planar";
+  readonly class: PairClass;
+  readonly patchCount: number;
+  readonly window: { lo: number; hi: number; fullTurn: boolean };
+  readonly criticalOrientations: readonly number[];
+  readonly bands: readonly [number, number][];
+  private readonly surfaces: Surface;
+  private readonly classifier: Classifier;
+  private readonly motions: PlanarMotion;
+  private readonly fixed: Features;
+  private readonly moving: Features;
+  private readonly regionCount: number;
+  private overlapTest: Overlap | null = null;
+  private reach: { lo: [number, number]; hi: [number, number] } | null = null;
+
+  constructor(
+    private readonly pair: ScenePair,
+    space: PlanarSpace,
+    names: { fixed: Record<string, string>; moving: Record<string, string> },
+  ) {
+    const parts = space as unknown as { fixed: SavedPart; moving: SavedPart };
+    this.class = pair.class;
+    this.patchCount = space.patches.length;
+    this.regionCount = space.free_regions.length;
+    this.window = { lo: space.window.lo, hi: space.window.hi, fullTurn: space.window.full_turn };
+    this.criticalOrientations = space.critical_orientations;
+    this.bands = pair.bands.length > 0 ? pair.bands : bandsOf(space);
+    this.surfaces = new Surface(space);
+    this.fixed = new Features(parts.fixed, names.fixed);
+    this.moving = new Features(parts.moving, names.moving);
+    const grown = this.surfaces.outerLength(GROWTH + MOVING_GROWTH);
+    const overlap = () => (this.overlapTest ??= new Overlap(parts.fixed, parts.moving, grown));
+    this.classifier = new Classifier(this.surfaces, overlap, pair.contact_distance);
+    this.motions = new PlanarMotion(this.surfaces, this.classifier, pair.contact_distance, parts.moving);
+  }
+
+  patch(index: number): PatchInfo {
+    const p = this.patchAt(index);
+    return {
+      fixed: this.fixed.text(p.fixed),
+      moving: this.moving.text(p.moving),
+      kind: patchKind(p.fixed, p.moving),
+      region: p.region,
+      orientations: [p.lo, p.hi],
+    };
+  }
+
+  private patchAt(index: number) {
+    const p = this.surfaces.patches[index];
+    if (!p) throw new RangeError(`there is no patch ${index}: the last is ${this.patchCount - 1}`);
+    return p;
+  }
+
+  classify(c: PlanarConfiguration): Classification | null {
+    return this.classifier.located(c)?.class ?? null;
+  }
+
+  region(c: PlanarConfiguration): number | null {
+    const found = this.classifier.located(c);
+    if (found?.class !== "free") return null;
+    return this.regionCount === 1 ? 0 : found.region;
+  }
+
+  /** One patch of each pair of features. At a critical orientation both of its sides are asked. */
+  touching(c: PlanarConfiguration, within = this.pair.resolution): Touch[] {
+    if (!this.classifier.covers(c)) return [];
+    const found = new Map<string, Touch>();
+    const add = (patch: number, by: number) => {
+      const touch = this.touch(patch, c);
+      const key = `${touch.fixed}|${touch.moving}`;
+      if (Math.abs(touch.distance) > by || found.has(key)) return;
+      found.set(key, touch);
+    };
+    for (const [patch] of this.near(c, within)) add(patch, Infinity);
+    const arm = this.moving.arm + this.fixed.size + this.moving.size;
+    for (const by of [BESIDE, -BESIDE]) {
+      const beside = { ...c, theta: c.theta + by };
+      if (!this.classifier.covers(beside)) continue;
+      for (const [patch] of this.near(beside, within + arm * BESIDE)) add(patch, within);
+    }
+    return [...found.values()].sort((a, b) => Math.abs(a.distance) - Math.abs(b.distance));
+  }
+
+  /** Patches of the slice within a distance, the nearest first. */
+  private near(c: PlanarConfiguration, within: number): [number, number][] {
+    const found: [number, number][] = [];
+    for (const { patch, curve } of this.surfaces.slice(c.theta).curves) {
+      const away = distance(nearestOn(curve, c), c);
+      if (away <= within) found.push([patch, away]);
+    }
+    return found.sort((a, b) => a[1] - b[1] || a[0] - b[0]);
+  }
+
+  nearest(c: PlanarConfiguration): Touch | null {
+    if (!this.classifier.covers(c)) return null;
+    const first = this.near(c, Infinity)[0];
+    return first ? this.touch(first[0], c) : null;
+  }
+
+  private touch(patch: number, c: PlanarConfiguration): Touch {
+    const p = this.patchAt(patch);
+    const placed = { at: { x: c.x, y: c.y }, turn: turnBy(c.theta) };
+    const t = touchingAt(this.fixed.circle(p.fixed), this.moving.circle(p.moving), placed);
+    return {
+      patch,
+      fixed: this.fixed.text(p.fixed),
+      moving: this.moving.text(p.moving),
+      distance: t.gap,
+      at: [t.onFixed.x, t.onFixed.y],
+      normal: [t.normal.x, t.normal.y],
+    };
+  }
+
+  bandAt(theta: number): number {
+    const { lo, hi, fullTurn } = this.window;
+    if (!Number.isFinite(theta) || (!fullTurn && (theta < lo || theta > hi))) return -1;
+    const first = this.bands[0];
+    if (!first) return -1;
+    const t = fullTurn ? theta - TAU * Math.floor((theta - first[0]) / TAU) : theta;
+    let k = 0;
+    for (let step = this.bands.length; step > 0; step >>= 1) {
+      while (k + step < this.bands.length && this.bands[k + step]![0] <= t) k += step;
+    }
+    return k;
+  }
+
+  slice(theta: number, deviation: number): DrawnCurve[] {
+    return drawSlice(this.surfaces, theta, deviation);
+  }
+
+  bounds(): { lo: [number, number]; hi: [number, number] } {
+    return (this.reach ??= boundsOf(this.surfaces));
+  }
+
+  surface(patch: number, deviation: number, perRadian: number) {
+    return patchSurface(this.surfaces, this.patchAt(patch), deviation, perRadian);
+  }
+
+  advance(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
+    return this.motions.advance(from, to);
+  }
+
+  slide(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
+    return this.motions.slide(from, to);
+  }
+}
+
+function bandsOf(space: PlanarSpace): [number, number][] {
+  const { window, critical_orientations: critical } = space;
+  let ends = [...critical];
+  if (!window.full_turn || critical.length === 0) ends = [window.lo, ...ends, window.hi];
+  else ends.push(critical[0]! + TAU);
+  const bands: [number, number][] = [];
+  for (let k = 0; k + 1 < ends.length; k++) {
+    if (window.full_turn || ends[k]! < ends[k + 1]!) bands.push([ends[k]!, ends[k + 1]!]);
+  }
+  return bands;
+}

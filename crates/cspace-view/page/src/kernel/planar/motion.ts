@@ -1,0 +1,209 @@
+/** Motions of a planar pair up to contact, and along it. */
+
+import type { Motion, PlanarConfiguration } from "../api.js";
+import type { PatchData } from "../../scene.js";
+import { gradientOf, valueOf } from "../contact-function.js";
+import { nearestOn } from "../curve.js";
+import { firstTime, type Track } from "../march.js";
+import { clamp, distance, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
+import { slideOn, type Constraint, type Ground, type Vec } from "../slide.js";
+import type { Classifier } from "./classify.js";
+import { turnedInto } from "./patch.js";
+import { Path } from "./path.js";
+import type { Surface } from "./surface.js";
+
+/** Motions may sink by this share of the distance that counts as contact, so that one along a contact is not stopped by rounding. */
+const DEPTH = 0.5;
+/** What is as near as this to a curve, in distances of contact, is on it: twice, for curves meet where both are known to one. */
+const ON_CURVE = 2;
+/** Ends of contact curves move by no more than this per radian but where curves become tangent (length of the pair's frame). */
+const END_SPEED = 4;
+/** A patch is looked for so far before its first and beyond its last orientation (radians): that is how well critical ones are known. */
+const SEAM = 2 ** -33;
+/** Halvings of a motion that went too far. */
+const HALVINGS = 60;
+
+export class PlanarMotion {
+  /** Radius of the moving part about its centre (length of the pair's frame): so much an orientation counts. */
+  private readonly radius: number;
+  /** Distance that counts as contact, in the pair's frame. */
+  private readonly contact: number;
+
+  constructor(
+    private readonly surface: Surface,
+    private readonly classifier: Classifier,
+    private readonly contactDistance: number,
+    moving: { loops: readonly (readonly { x: number; y: number; bulge?: number }[])[] },
+  ) {
+    const { moving_center: center, scale } = surface.space.frame;
+    this.contact = contactDistance * scale;
+    const far = moving.loops.flat().map((p) => distance(p, center) * scale);
+    this.radius = Math.max(...far, 1e-3);
+  }
+
+  advance(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
+    const goal = this.within(to);
+    const start = this.classifier.located(from);
+    if (!start || !Number.isFinite(goal.x + goal.y + goal.theta)) return { at: from, stopped: null };
+    // Out of blocked space any way leads.
+    if (start.class === "blocked") return { at: goal, stopped: null };
+    const { fixed_center, moving_center, scale } = this.surface.space.frame;
+    const path = new Path(
+      times(sub(from, fixed_center), scale),
+      times(sub(goal, from), scale),
+      times(moving_center, scale),
+      from.theta,
+      goal.theta - from.theta,
+    );
+    const { time, patch } = this.first(path);
+    const at = (t: number): PlanarConfiguration =>
+      t >= 1
+        ? goal
+        : { x: from.x + t * (goal.x - from.x), y: from.y + t * (goal.y - from.y), theta: from.theta + t * (goal.theta - from.theta) };
+    const checked = this.lastNotBlocked(at, time);
+    return { at: at(checked), stopped: checked >= 1 ? null : (patch ?? this.nearestPatch(at(checked))) };
+  }
+
+  slide(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
+    const first = this.advance(from, to);
+    if (first.stopped === null) return first;
+    const goal = this.within(to);
+    const found = slideOn(this.ground, this.weighted(first.at), this.weighted(goal));
+    const at = found.stopped === null ? goal : this.unweighted(found.at);
+    return this.classifier.located(at)?.class === "blocked" ? first : { at, stopped: found.stopped };
+  }
+
+  private within(c: PlanarConfiguration): PlanarConfiguration {
+    const { lo, hi, full_turn } = this.surface.space.window;
+    return full_turn ? c : { ...c, theta: clamp(c.theta, lo, hi) };
+  }
+
+  /** The first contact of a motion, 1 and none if there is none. */
+  private first(path: Path): { time: number; patch: number | null } {
+    let time = 1;
+    let patch: number | null = null;
+    const [a, b] = [path.theta(0), path.theta(1)];
+    for (const i of this.surface.alive.between(Math.min(a, b) - SEAM, Math.max(a, b) + SEAM)) {
+      const p = this.surface.patches[i]!;
+      for (const [lo, hi] of presences(p, path, this.surface.space.window.full_turn)) {
+        if (lo >= time) continue;
+        const found = firstTime(this.track(p, path), lo, Math.min(hi, time), this.contact, DEPTH * this.contact);
+        if (found !== null && found < time) [time, patch] = [found, i];
+      }
+    }
+    return { time, patch };
+  }
+
+  private track(patch: PatchData, path: Path): Track {
+    const off = (t: number): number => {
+      const theta = path.theta(t);
+      const c = this.outer(path.at(t), theta);
+      return distance(nearestOn(this.curveNear(patch, theta), c), c);
+    };
+    return {
+      at: (t, until) => path.sample(patch, t, until),
+      isOn: (t) => off(t) <= ON_CURVE * this.contactDistance,
+      away: (t) => {
+        const speed = Math.hypot(path.v.x, path.v.y) + Math.abs(path.omega) * (END_SPEED + Math.hypot(path.m.x, path.m.y));
+        return (0.5 * off(t) * this.surface.space.frame.scale) / speed;
+      },
+    };
+  }
+
+  /** The curve of a patch at an orientation, or at the nearest it has. */
+  private curveNear(patch: PatchData, theta: number) {
+    const before = theta + TAU * Math.round((0.5 * (patch.lo + patch.hi) - theta) / TAU);
+    const t = turnedInto(patch, theta) ?? clamp(before, patch.lo, patch.hi);
+    return this.surface.curve(patch, t, theta).curve;
+  }
+
+  private outer(p: Point, theta: number): PlanarConfiguration {
+    const { fixed_center, moving_center, scale } = this.surface.space.frame;
+    const moved = turned(turnBy(theta), moving_center);
+    return { x: fixed_center.x + (p.x / scale - moved.x), y: fixed_center.y + (p.y / scale - moved.y), theta };
+  }
+
+  private nearestPatch(c: PlanarConfiguration): number | null {
+    let [found, least]: [number | null, number] = [null, Infinity];
+    for (const { patch, curve } of this.surface.slice(c.theta).curves) {
+      const away = distance(nearestOn(curve, c), c);
+      if (away < least) [found, least] = [patch, away];
+    }
+    return found;
+  }
+
+  /** The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
+  private lastNotBlocked(at: (t: number) => PlanarConfiguration, time: number): number {
+    const isBlocked = (t: number) => this.classifier.located(at(t))?.class === "blocked";
+    if (!isBlocked(time)) return time;
+    let [lo, hi] = [0, time];
+    for (let k = 0; k < HALVINGS; k++) {
+      const mid = 0.5 * (lo + hi);
+      if (isBlocked(mid)) hi = mid;
+      else lo = mid;
+    }
+    return lo;
+  }
+
+  // Positions in the pair's frame, and the orientation by how far it moves the part.
+
+  private weighted(c: PlanarConfiguration): Vec {
+    const p = this.surface.inner(c, turnBy(c.theta));
+    return [p.x, p.y, c.theta * this.radius];
+  }
+
+  private unweighted(v: Vec): PlanarConfiguration {
+    return this.outer({ x: v[0]!, y: v[1]! }, v[2]! / this.radius);
+  }
+
+  private get ground(): Ground {
+    return {
+      contact: this.contact,
+      longest: 0.1,
+      advance: (from, to) => {
+        const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
+        const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
+        const { time, patch } = this.first(path);
+        const at = (t: number): Vec => (t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x)));
+        const checked = this.lastNotBlocked((t) => this.unweighted(at(t)), time);
+        const stopped = checked >= 1 ? null : (patch ?? this.nearestPatch(this.unweighted(at(checked))));
+        return { at: at(checked), stopped };
+      },
+      touching: (v) => {
+        const c = this.unweighted(v);
+        const within = 2 * ON_CURVE * this.contactDistance;
+        const curves = this.surface.slice(c.theta).curves;
+        return curves.filter(({ curve }) => distance(nearestOn(curve, c), c) <= within).map(({ patch }) => patch);
+      },
+      constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
+      isBlocked: (v) => this.classifier.located(this.unweighted(v))?.class === "blocked",
+    };
+  }
+
+  private constraint(patch: PatchData, v: Vec): Constraint {
+    const p = { x: v[0]!, y: v[1]! };
+    const turn = turnBy(v[2]! / this.radius);
+    const { normal, byTheta } = gradientOf(patch.function, p, turn);
+    return { value: valueOf(patch.function, p, turn), gradient: [normal.x, normal.y, byTheta / this.radius] };
+  }
+}
+
+/** The times of a motion at which a patch exists. */
+function presences(patch: PatchData, path: Path, fullTurn: boolean): [number, number][] {
+  const [a, b] = [path.theta(0), path.theta(1)];
+  const [least, most] = [Math.min(a, b), Math.max(a, b)];
+  const first = fullTurn ? Math.ceil((least - patch.hi - SEAM) / TAU) : 0;
+  const last = fullTurn ? Math.floor((most - patch.lo + SEAM) / TAU) : 0;
+  const found: [number, number][] = [];
+  for (let k = first; k <= last; k++) {
+    const [begin, end] = [patch.lo + k * TAU - SEAM, patch.hi + k * TAU + SEAM];
+    if (begin > most || end < least) continue;
+    if (path.omega === 0) {
+      found.push([0, 1]);
+      continue;
+    }
+    const [s, t] = [(begin - a) / path.omega, (end - a) / path.omega];
+    found.push([Math.max(Math.min(s, t), 0), Math.min(Math.max(s, t), 1)]);
+  }
+  return found;
+}

@@ -1,0 +1,40 @@
+/** The command that the kernel's answers are compared with. */
+
+import { spawnSync } from "node:child_process";
+import { existsSync, readdirSync } from "node:fs";
+import { join, resolve } from "node:path";
+
+/** The package's folder: the one with `package.json` from which tests are run. */
+const PACKAGE = resolve(process.cwd());
+
+export const MODELS = resolve(PACKAGE, "../../../models");
+
+/** The command's binary: what CSPACE names, or else what has been built; null if there is none. */
+export function binary(): string | null {
+  const named = process.env["CSPACE"];
+  const built = ["release", "debug"].map((profile) => resolve(PACKAGE, "../../../target", profile, "cspace"));
+  return (named ? [named] : built).find((path) => existsSync(path)) ?? null;
+}
+
+export const NO_COMMAND = "there is no cspace command: build it, or name it in CSPACE";
+
+/** What the command prints; an error if it fails. */
+export function run(args: string[], input = ""): string {
+  const path = binary();
+  if (!path) throw new Error(NO_COMMAND);
+  const done = spawnSync(path, args, { input, encoding: "utf8", maxBuffer: 1 << 30, timeout: 120_000 });
+  if (done.status !== 0) throw new Error(`cspace ${args.join(" ")}: ${done.stderr}`);
+  return done.stdout;
+}
+
+/** All models that come with the project. */
+export function models(): string[] {
+  const only = process.env["MODELS"]?.split(",");
+  const all = [MODELS, join(MODELS, "paper")].flatMap((folder) =>
+    readdirSync(folder)
+      .filter((name) => name.endsWith(".toml"))
+      .sort()
+      .map((name) => join(folder, name)),
+  );
+  return only ? all.filter((path) => only.some((part) => path.includes(part))) : all;
+}
