@@ -1,0 +1,70 @@
+/** The configuration in numbers, where it is, and what touches. */
+
+import type { AxisInfo, Touch } from "../kernel/api.js";
+import { html, say, set } from "./dom.js";
+import { isAxes } from "./mechanism.js";
+import { degrees, length, short } from "./numbers.js";
+import type { Session } from "./session.js";
+import type { Key } from "./state.js";
+
+/** As many touching features are listed. */
+const LISTED = 8;
+
+export class Readout {
+  readonly #session: Session;
+  readonly #configuration: HTMLElement;
+  readonly #class: HTMLElement;
+  readonly #region: HTMLElement;
+  readonly #nearest: HTMLElement;
+  readonly #touching: HTMLElement;
+
+  constructor(parent: HTMLElement, session: Session) {
+    this.#session = session;
+    const entry = (name: string, ...classes: string[]) => {
+      const value = html("dd", { class: classes.join(" ") });
+      parent.append(html("div", {}, html("dt", {}, name), value));
+      return value;
+    };
+    this.#configuration = entry("configuration", "number");
+    this.#class = entry("is", "class");
+    this.#region = entry("region");
+    this.#nearest = entry("nearest contact", "number");
+    this.#touching = entry("touching", "touching-list");
+    this.#class.setAttribute("aria-live", "polite");
+    session.store.subscribe((changed) => {
+      if ((["where", "configuration", "space"] as Key[]).some((k) => changed.has(k))) this.#draw();
+    });
+  }
+
+  #draw(): void {
+    const { state, scene, axes, kernel } = this.#session;
+    const { classification, region, nearest, touching } = state.where;
+    const c = state.configuration;
+    if (isAxes(c)) {
+      const text = (value: number, info: AxisInfo | undefined) => (info?.kind === "length" ? length(value, scene.unit) : info?.kind === "still" ? "still" : degrees(value));
+      say(this.#configuration, `u ${text(c.u, axes?.u)}, v ${text(c.v, axes?.v)}`);
+    } else {
+      say(this.#configuration, `x ${length(c.x, scene.unit)}, y ${length(c.y, scene.unit)}, θ ${degrees(c.theta)}`);
+    }
+    const outside = kernel && kernel.class !== "lower" ? "outside of the window" : "–";
+    say(this.#class, classification ?? outside);
+    set(this.#class, { "data-class": classification ?? "" });
+    say(this.#region, region === null ? "–" : String(region));
+    say(this.#nearest, nearest ? `${length(nearest.distance, scene.unit)}: ${nearest.fixed} | ${nearest.moving}` : "–");
+    if (touching.length === 0) say(this.#touching, "nothing");
+    else {
+      const lines = touching.slice(0, LISTED).map((t) => html("div", {}, touchText(t, scene.unit)));
+      if (touching.length > LISTED) lines.push(html("div", {}, `and ${touching.length - LISTED} more`));
+      this.#touching.replaceChildren(...lines);
+    }
+  }
+}
+
+export function touchText(touch: Touch, unit: string | null): string {
+  return `${touch.fixed} | ${touch.moving}, distance ${length(touch.distance, unit)}, normal (${short(round(touch.normal[0]))}, ${short(round(touch.normal[1]))})`;
+}
+
+/** Components of normals are shown to this many decimals. */
+function round(component: number): number {
+  return Math.round(component * 1e5) / 1e5;
+}
