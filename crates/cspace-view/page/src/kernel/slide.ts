@@ -30,7 +30,7 @@ const MOST_STEPS = 32;
 /** A step that leads nowhere is tried again half as long, so often. */
 const HALVINGS = 10;
 /** A goal nearer than this share of the way is reached. */
-const REACHED = 1e-7;
+const REACHED = 1e-4;
 
 export function slideOn(ground: Ground, from: Vec, to: Vec): { at: Vec; stopped: number | null } {
   const first = ground.advance(from, to);

@@ -3,7 +3,7 @@
 import type { Motion, PlanarConfiguration } from "../api.js";
 import type { PatchData } from "../../scene.js";
 import { gradientOf, valueOf } from "../contact-function.js";
-import { nearestOn } from "../curve.js";
+import { distanceBelow, nearestOn } from "../curve.js";
 import { firstTime, type Track } from "../march.js";
 import { clamp, distance, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
 import { slideOn, type Constraint, type Ground, type Vec } from "../slide.js";
@@ -70,7 +70,7 @@ export class PlanarMotion {
     const goal = this.within(to);
     const found = slideOn(this.ground, this.weighted(first.at), this.weighted(goal));
     const at = found.stopped === null ? goal : this.unweighted(found.at);
-    return this.classifier.located(at)?.class === "blocked" ? first : { at, stopped: found.stopped };
+    return this.isBlocked(at) ? first : { at, stopped: found.stopped };
   }
 
   private within(c: PlanarConfiguration): PlanarConfiguration {
@@ -83,9 +83,12 @@ export class PlanarMotion {
     let time = 1;
     let patch: number | null = null;
     const [a, b] = [path.theta(0), path.theta(1)];
+    const fullTurn = this.surface.space.window.full_turn;
+    const far = path.reach();
     for (const i of this.surface.alive.between(Math.min(a, b) - SEAM, Math.max(a, b) + SEAM)) {
       const p = this.surface.patches[i]!;
-      for (const [lo, hi] of presences(p, path, this.surface.space.window.full_turn)) {
+      if (far.isAway(p.function, 2 * this.contact)) continue;
+      for (const [lo, hi] of presences(p, path, fullTurn)) {
         if (lo >= time) continue;
         const found = firstTime(this.track(p, path), lo, Math.min(hi, time), this.contact, DEPTH * this.contact);
         if (found !== null && found < time) [time, patch] = [found, i];
@@ -126,15 +129,20 @@ export class PlanarMotion {
   private nearestPatch(c: PlanarConfiguration): number | null {
     let [found, least]: [number | null, number] = [null, Infinity];
     for (const { patch, curve } of this.surface.slice(c.theta).curves) {
-      const away = distance(nearestOn(curve, c), c);
+      const away = distanceBelow(curve, c, least);
       if (away < least) [found, least] = [patch, away];
     }
     return found;
   }
 
+  /** Outside of the window nothing is free. */
+  private isBlocked(c: PlanarConfiguration): boolean {
+    return (this.classifier.located(c)?.class ?? "blocked") === "blocked";
+  }
+
   /** The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
   private lastNotBlocked(at: (t: number) => PlanarConfiguration, time: number): number {
-    const isBlocked = (t: number) => this.classifier.located(at(t))?.class === "blocked";
+    const isBlocked = (t: number) => this.isBlocked(at(t));
     if (!isBlocked(time)) return time;
     let [lo, hi] = [0, time];
     for (let k = 0; k < HALVINGS; k++) {
@@ -153,14 +161,20 @@ export class PlanarMotion {
   }
 
   private unweighted(v: Vec): PlanarConfiguration {
-    return this.outer({ x: v[0]!, y: v[1]! }, v[2]! / this.radius);
+    const { lo, hi, full_turn } = this.surface.space.window;
+    const theta = v[2]! / this.radius;
+    // At the window's ends rounding may leave it just beyond.
+    const beyond = !full_turn && (Math.abs(theta - lo) <= SEAM || Math.abs(theta - hi) <= SEAM);
+    return this.outer({ x: v[0]!, y: v[1]! }, beyond ? clamp(theta, lo, hi) : theta);
   }
 
   private get ground(): Ground {
     return {
       contact: this.contact,
       longest: 0.1,
-      advance: (from, to) => {
+      advance: (from, goal) => {
+        const { lo, hi, full_turn } = this.surface.space.window;
+        const to = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
         const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
         const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
         const { time, patch } = this.first(path);
@@ -171,10 +185,10 @@ export class PlanarMotion {
         const c = this.unweighted(v);
         const within = 2 * ON_CURVE * this.contactDistance;
         const curves = this.surface.slice(c.theta).curves;
-        return curves.filter(({ curve }) => distance(nearestOn(curve, c), c) <= within).map(({ patch }) => patch);
+        return curves.filter(({ curve }) => distanceBelow(curve, c, within) <= within).map(({ patch }) => patch);
       },
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
-      isBlocked: (v) => this.classifier.located(this.unweighted(v))?.class === "blocked",
+      isBlocked: (v) => this.isBlocked(this.unweighted(v)),
     };
   }
 

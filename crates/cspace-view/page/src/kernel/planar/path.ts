@@ -32,6 +32,11 @@ export class Path {
     return add(this.v, times(left(turned(turnBy(this.theta(t)), this.m)), this.omega));
   }
 
+  /** What all of the motion may come to. */
+  reach(): Reach {
+    return new Reach(this);
+  }
+
   /** The function of a patch at t, with bounds from there to `until`; `turn` is what the patch's orientations are less. */
   sample(patch: PatchData, t: number, until: number): Sample {
     const f = patch.function;
@@ -74,4 +79,41 @@ export class Path {
 
 function both(bend: number, speed: number): Omit<Sample, "value" | "slope"> {
   return { sinking: bend, rising: bend, speed };
+}
+
+/** Which contact functions cannot vanish along a motion, by their values where it begins: without making anything, for there are many. */
+class Reach {
+  private readonly x: number;
+  private readonly y: number;
+  private readonly cos: number;
+  private readonly sin: number;
+  private readonly v: number;
+  private readonly w: number;
+  private readonly m: number;
+
+  constructor(path: Path) {
+    const p = path.at(0);
+    const turn = turnBy(path.theta0);
+    [this.x, this.y, this.cos, this.sin] = [p.x, p.y, turn.cos, turn.sin];
+    [this.v, this.w, this.m] = [length(path.v), Math.abs(path.omega), length(path.m)];
+  }
+
+  /** False if it is not known. */
+  isAway(f: ContactFunctionData, within: number): boolean {
+    if (f.kind === "flat-circle") return false;
+    const s = f.kind === "circle" ? f.center : f.through;
+    if (s.swing) return false;
+    const { cos, sin } = this;
+    const dx = this.x - (s.u.x + (cos * s.w.x - sin * s.w.y));
+    const dy = this.y - (s.u.y + (sin * s.w.x + cos * s.w.y));
+    const arm = this.m + Math.sqrt(s.w.x * s.w.x + s.w.y * s.w.y);
+    const moved = this.v + this.w * arm;
+    if (f.kind === "circle") return Math.abs(Math.sqrt(dx * dx + dy * dy) - Math.abs(f.radius)) > moved + within;
+    const n = f.normal;
+    if (f.kind === "fixed-line") return Math.abs(n.x * dx + n.y * dy) > moved + within;
+    const value = (cos * n.x - sin * n.y) * dx + (sin * n.x + cos * n.y) * dy;
+    // The line turns about what is seen from the moving part: as far as the way to its point, and that grows.
+    const far = Math.sqrt(dx * dx + dy * dy) + moved;
+    return Math.abs(value) > moved + this.w * far + within;
+  }
 }
