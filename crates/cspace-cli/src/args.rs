@@ -61,6 +61,9 @@ pub(crate) enum Command {
     /// Draw the parts of a model, or a pair at a configuration, as a picture
     #[command(after_long_help = DRAW)]
     Draw(DrawArgs),
+    /// Show the parts and their contact spaces in a browser, to look at, drag and edit
+    #[command(after_long_help = VIEW)]
+    View(ViewArgs),
     /// Write a contact space to a file, in the format its extension names
     #[command(after_long_help = EXPORT)]
     Export(ExportArgs),
@@ -173,7 +176,8 @@ impl ResultArgs {
         let written_by = match extension.as_deref() {
             Some("svg" | "png" | "pdf") => "`cspace draw`, `slice` and `export` write pictures",
             Some("ply" | "obj" | "stl" | "glb" | "gltf") => "`cspace export` writes meshes",
-            Some("jpg" | "jpeg" | "gif" | "html") => "nothing writes such files",
+            Some("html") => "`cspace export` writes pages",
+            Some("jpg" | "jpeg" | "gif") => "nothing writes such files",
             _ => return Ok(()),
         };
         Err(Failure::input(format_args!(
@@ -495,8 +499,72 @@ pub(crate) struct ExportArgs {
     /// Pictures: the number of slices, at even steps of orientation [default: 12]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
     pub(crate) slices: Option<u32>,
+    /// Pages: an answer of `cspace plan` or `cspace simulate` in JSON, to be played; may be given several times
+    #[arg(long, value_name = "RECORD.json")]
+    pub(crate) with: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ViewArgs {
+    /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`; - is standard input
+    pub(crate) file: PathBuf,
+
+    /// Show this pair alone: names of its fixed and its moving part
+    #[arg(long, value_name = "FIXED,MOVING")]
+    pub(crate) pair: Option<String>,
+
+    #[command(flatten)]
+    pub(crate) window: WindowArg,
+
+    /// An answer of `cspace plan` or `cspace simulate` in JSON, to be played; may be given several times
+    #[arg(long, value_name = "RECORD.json")]
+    pub(crate) with: Vec<PathBuf>,
+
+    /// The port of this machine that is listened to; 0 for any that is free
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        allow_negative_numbers = true
+    )]
+    pub(crate) port: u16,
+
+    /// Print the address, and open no browser
+    #[arg(long)]
+    pub(crate) no_open: bool,
+
+    /// Use the general method whatever the class of the pair
+    ///
+    /// The symmetry of parts is not used then.
+    #[arg(long)]
+    pub(crate) general: bool,
+
+    /// Make lines and arcs tangent that miss it by less than 0.001 rad; what was moved is told
+    #[arg(long)]
+    pub(crate) snap: bool,
+
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+impl ViewArgs {
+    /// What it has of what other commands that take a file have.
+    pub(crate) fn common(&self) -> Common {
+        Common {
+            file: self.file.clone(),
+            pair: self.pair.clone(),
+            general: self.general,
+            snap: self.snap,
+            result: ResultArgs {
+                format: None,
+                output: None,
+            },
+            threads: self.threads,
+        }
+    }
 }
 
 #[derive(Debug, Args)]
@@ -933,12 +1001,16 @@ Examples:
   cspace export models/ball_in_c.toml -o ball.stl
   cspace export models/knee.toml -o knee.glb
   cspace export pawl.json -o pawl.obj
+  cspace export models/gears.toml -o gears.html
 
 Formats, by the extension of OUT:
   .json   the whole configuration space; every command reads it in place of a
           model. The schemas are docs/contact-space.schema.json,
           docs/fixed-axes-space.schema.json and docs/lower-pair.schema.json.
           The model's `name` and `unit` are written with it
+  .html   one page to look at and drag, with all pairs or that of --pair, which
+          works without a network; --with adds what `cspace plan` or `cspace
+          simulate` printed as JSON, to be played
   .svg, .png, .pdf
           pictures of slices at even steps of orientation, free regions
           numbered, blocked space grey; of a pair with fixed axes of the plane
@@ -953,6 +1025,22 @@ Formats, by the extension of OUT:
   .glb    binary glTF 2.0: positions (x, y, theta) in single precision, which
           is all the format has; the attribute `_PATCH` of a triangle's
           vertices is its patch";
+
+const VIEW: &str = "\
+Examples:
+  cspace view latch.toml
+  cspace view models/ratchet_mechanism.toml --pair ratchet,pawl
+  cspace view models/geneva.toml --with run.json --port 8080 --no-open
+
+The page shows the parts to scale, and beside them the contact space in x, y
+and theta, or the plane of two motions; drag either, and the other follows. It
+is served on this machine alone, at an address that is printed first and that
+nobody can guess; whoever is told it may look. Pairs are computed when they are
+looked at. Parts can be edited: the space is computed again while they are
+dragged, and the edited model is saved by the browser; FILE stays as it is.
+
+--with has what `cspace plan` or `cspace simulate` printed with --format json.
+Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";
 
 const EVALUATE: &str = "\
 Examples:

@@ -58,6 +58,23 @@ impl Failure {
         self.code > other.code
     }
 
+    /// What is wrong.
+    pub(crate) fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// Says it on stderr as a warning: the rest of the work is done all the same.
+    pub(crate) fn warn(&self) {
+        if !is_quiet() {
+            say(
+                "warning",
+                AnsiColor::Yellow,
+                &self.message,
+                self.help.as_deref(),
+            );
+        }
+    }
+
     /// The same, once it has been printed.
     pub(crate) fn said(self) -> Self {
         Self {

@@ -70,6 +70,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Assembly(args) => command::assembly::run(&args),
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),
+        Command::View(args) => command::view::run(&args),
         Command::Export(args) => command::export::run(&args),
         Command::Evaluate(args) => command::evaluate::run(&args),
         Command::Import(args) => command::import::run(&args),

@@ -15,6 +15,8 @@ use crate::output;
 const PATIENCE: Duration = Duration::from_secs(1);
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Whether an interrupt is how the work comes to its end.
+static ENDLESS: AtomicBool = AtomicBool::new(false);
 /// Whether a computation is going on that looks at [`INTERRUPTED`].
 static WATCHED: AtomicBool = AtomicBool::new(false);
 
@@ -27,6 +29,9 @@ pub(crate) fn catch_interrupts() {
     ONCE.get_or_init(|| {
         // Without a handler an interrupt ends the process, which is good enough.
         let _ = ctrlc::set_handler(|| {
+            if ENDLESS.load(Ordering::Relaxed) {
+                std::process::exit(0);
+            }
             if !INTERRUPTED.swap(true, Ordering::Relaxed) && WATCHED.load(Ordering::Relaxed) {
                 std::thread::sleep(GRACE);
             }
@@ -38,6 +43,16 @@ pub(crate) fn catch_interrupts() {
             std::process::exit(1);
         });
     });
+}
+
+/// Whether the user wants no more of it.
+pub(crate) fn is_interrupted() -> bool {
+    INTERRUPTED.load(Ordering::Relaxed)
+}
+
+/// From here on the work has no end but an interrupt, which is none that failed.
+pub(crate) fn until_interrupted() {
+    ENDLESS.store(true, Ordering::Relaxed);
 }
 
 /// A bar on stderr with the stages, if stderr is a terminal and the work takes more than a second.

@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-use cspace::{ContactSpace, Options, Part, StageSeconds, Symmetry};
+use cspace::{ContactSpace, Options, PairSpace, Part, Relation, StageSeconds, Symmetry};
 use cspace_oracle::shapes::random_part;
 
 /// Pairs of each kind.
@@ -13,23 +13,65 @@ const PAIRS: u64 = 400;
 fn main() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
     pool.build().unwrap().install(|| {
-        for (name, vertices, arcs) in [
-            ("polygons of 10 sides", 10, 0.0),
-            ("outlines of 10 edges, 4 of 10 arcs", 10, 0.4),
-            ("outlines of 5 edges, 4 of 10 arcs", 5, 0.4),
-        ] {
+        for (name, vertices, arcs) in KINDS {
             report(name, vertices, arcs);
         }
     });
+    println!("on {} threads:", rayon::current_num_threads());
+    for (name, vertices, arcs) in KINDS {
+        batch(name, vertices, arcs);
+    }
 }
 
-fn report(name: &str, vertices: usize, arcs: f64) {
-    let parts: Vec<(Part, Part)> = (0..PAIRS)
+/// What both parts are: sides, and the share of them that are arcs. Five sides with their corners are ten features.
+const KINDS: [(&str, usize, f64); 4] = [
+    ("polygons of 5 sides", 5, 0.0),
+    ("outlines of 5 edges, 4 of 10 arcs", 5, 0.4),
+    ("polygons of 10 sides", 10, 0.0),
+    ("outlines of 10 edges, 4 of 10 arcs", 10, 0.4),
+];
+
+fn pairs(vertices: usize, arcs: f64) -> Vec<(Part, Part)> {
+    (0..PAIRS)
         .map(|k| {
             let part = |seed| random_part(seed, vertices, arcs);
             (part(2 * k), part(2 * k + 1))
         })
+        .collect()
+}
+
+/// Pairs a minute, each divided among all threads, and as a batch.
+fn batch(name: &str, vertices: usize, arcs: f64) {
+    let parts = pairs(vertices, arcs);
+    let pairs: Vec<_> = (parts.iter())
+        .map(|(fixed, moving)| (fixed, moving, Relation::Planar))
         .collect();
+    let options = Options {
+        symmetry: Symmetry::Ignore,
+        ..Options::default()
+    };
+    let a_minute = |seconds: f64| 60.0 * PAIRS as f64 / seconds;
+    let begin = Instant::now();
+    let each: Vec<usize> = (pairs.iter())
+        .map(|&(fixed, moving, relation)| {
+            let space = PairSpace::compute(fixed, moving, relation, &options);
+            space.unwrap().patch_count()
+        })
+        .collect();
+    let divided = begin.elapsed().as_secs_f64();
+    let begin = Instant::now();
+    let batch = PairSpace::compute_each(&pairs, &options, |_, space| space.unwrap().patch_count());
+    let batched = begin.elapsed().as_secs_f64();
+    assert_eq!(each, batch);
+    println!(
+        "{name}: {:.0} pairs a minute one by one, {:.0} as a batch",
+        a_minute(divided),
+        a_minute(batched)
+    );
+}
+
+fn report(name: &str, vertices: usize, arcs: f64) {
+    let parts = pairs(vertices, arcs);
     let options = Options {
         symmetry: Symmetry::Ignore,
         ..Options::default()

@@ -20,7 +20,38 @@ pub(crate) mod sequential;
 
 #[cfg(feature = "rayon")]
 fn is_alone() -> bool {
-    rayon::current_num_threads() == 1
+    UNDIVIDED.get() || rayon::current_num_threads() == 1
+}
+
+#[cfg(feature = "rayon")]
+std::thread_local! {
+    /// Whether this thread does one of many pieces of work, which it divides no further.
+    static UNDIVIDED: core::cell::Cell<bool> = const { core::cell::Cell::new(false) };
+}
+
+/// What `work` makes of every item and its number, in their order: items go to several threads, and each is done by one alone.
+pub(crate) fn each<T: Sync, R: Send>(
+    items: &[T],
+    work: impl Fn(usize, &T) -> R + Sync + Send,
+) -> Vec<R> {
+    #[cfg(feature = "rayon")]
+    if items.len() > 1 && !is_alone() {
+        /// Puts back what the thread was told, also if the work panics.
+        struct Before(bool);
+        impl Drop for Before {
+            fn drop(&mut self) {
+                UNDIVIDED.set(self.0);
+            }
+        }
+        let undivided = |(i, item)| {
+            let _before = Before(UNDIVIDED.replace(true));
+            work(i, item)
+        };
+        return items.par_iter().enumerate().map(undivided).collect();
+    }
+    (items.iter().enumerate())
+        .map(|(i, item)| work(i, item))
+        .collect()
 }
 
 /// Runs work of several stages within the pool, so that its doors are not passed again at every stage.

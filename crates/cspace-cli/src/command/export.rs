@@ -14,6 +14,7 @@ use cspace_io::write::obj::obj;
 use cspace_io::write::ply::{Encoding, ply};
 use cspace_io::write::stl::stl;
 
+use super::page;
 use crate::args::ExportArgs;
 use crate::failure::Failure;
 use crate::output;
@@ -25,6 +26,7 @@ use crate::wording::count;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Json,
+    Page,
     Picture(PictureFormat),
     Ply,
     Obj,
@@ -41,7 +43,7 @@ impl Kind {
 /// Slices of a picture, if the user does not say.
 const SLICES: u32 = 12;
 
-const EXTENSIONS: &str = ".json, .svg, .png, .pdf, .ply, .obj, .stl or .glb";
+const EXTENSIONS: &str = ".json, .html, .svg, .png, .pdf, .ply, .obj, .stl or .glb";
 
 pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -52,10 +54,15 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let kind = kind(path)?;
     common.result.refuse_format()?;
     refuse_unused(args, kind, path)?;
+    if kind == Kind::Page {
+        return output::write(Some(path), &page::file(args)?);
+    }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
     let mut said = None;
     let bytes = match kind {
+        // Written above: it is of all pairs.
+        Kind::Page => return Ok(()),
         Kind::Json => pair.as_file()?.into_bytes(),
         Kind::Picture(format) => {
             let scene = picture(args, &pair)?;
@@ -120,6 +127,11 @@ fn refuse_unused(args: &ExportArgs, kind: Kind, path: &Path) -> Result<(), Failu
             args.ascii && !matches!(kind, Kind::Ply | Kind::Stl),
             ".ply and .stl",
         ),
+        (
+            "--with",
+            !args.with.is_empty() && kind != Kind::Page,
+            "pages",
+        ),
         ("--slices", args.slices.is_some() && !is_picture, "pictures"),
         (
             args.picture.given().unwrap_or_default(),
@@ -152,6 +164,7 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         .map(|e| e.to_string_lossy().to_ascii_lowercase());
     match extension.as_deref() {
         Some("json") => Ok(Kind::Json),
+        Some("html") => Ok(Kind::Page),
         Some("ply") => Ok(Kind::Ply),
         Some("obj") => Ok(Kind::Obj),
         Some("stl") => Ok(Kind::Stl),

@@ -14,6 +14,7 @@ pub(crate) mod info;
 pub(crate) mod man;
 pub(crate) mod motion;
 pub(crate) mod new;
+mod page;
 pub(crate) mod plan;
 pub(crate) mod play;
 mod regions;
@@ -21,6 +22,7 @@ mod rows;
 mod several;
 pub(crate) mod simulate;
 pub(crate) mod slice;
+pub(crate) mod view;
 
 use serde::Serialize;
 

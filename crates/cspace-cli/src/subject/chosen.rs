@@ -44,6 +44,11 @@ impl Chosen<'_> {
         }
     }
 
+    /// The pair as its model has it, in the window that was asked for; none if the space was read.
+    pub(crate) fn entry(&self) -> Option<PairEntry> {
+        self.pair
+    }
+
     /// The label of the unit of length, with a space before it; empty if the model has none.
     pub(crate) fn unit(&self) -> String {
         let unit = self.subject.unit();

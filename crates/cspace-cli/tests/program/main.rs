@@ -17,6 +17,7 @@ mod import;
 mod info;
 mod meshes;
 mod new;
+mod page;
 mod plan;
 mod play;
 mod questions;

@@ -69,8 +69,8 @@ const OPTIONS: [(&str, &[&str]); 27] = [
     (
         "-o",
         &[
-            "a.svg", "a.png", "a.pdf", "a.json", "a.ply", "a.obj", "a.stl", "a.glb", "a.txt",
-            "a.toml", "-", "no/a.svg",
+            "a.svg", "a.png", "a.pdf", "a.json", "a.ply", "a.obj", "a.stl", "a.glb", "a.html",
+            "a.txt", "a.toml", "-", "no/a.svg",
         ],
     ),
 ];
@@ -87,6 +87,7 @@ fn is_true(path: &Path) -> bool {
         Some("ply") => bytes.starts_with(b"ply\n"),
         Some("obj") => text().lines().any(|l| l.starts_with("f ")),
         Some("stl") => bytes.starts_with(b"solid") || (bytes.len() - 84).is_multiple_of(50),
+        Some("html") => text().ends_with("</html>\n"),
         Some("glb") => bytes.starts_with(b"glTF"),
         // Answers as text or JSON.
         Some("txt" | "toml") => !text().is_empty(),

@@ -130,6 +130,12 @@ impl FixedAxesSpace {
         self.setting.contact_distance() + self.setting.grown
     }
 
+    /// Configurations at which a contact function of the boundary is less than this are in contact, in the model's unit of
+    /// length: the [`resolution`](Self::resolution), but for what sharp corners are grown by.
+    pub fn contact_distance(&self) -> f64 {
+        self.setting.contact_distance()
+    }
+
     /// Where the moving part is in the fixed part's frame at (u, v).
     pub fn configuration(&self, u: f64, v: f64) -> Configuration {
         let Setting { map, motions, .. } = &self.setting;

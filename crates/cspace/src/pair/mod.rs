@@ -9,6 +9,7 @@
 
 mod along;
 mod answers;
+mod batch;
 mod data;
 mod graph;
 mod ids;

@@ -158,6 +158,30 @@ impl PairSpace {
         }
     }
 
+    /// How near to a contact a configuration is in contact, in the model's unit of length: what
+    /// [`classify`](Self::classify) goes by. It is the [`resolution`](Self::resolution) or less: where a contact may be
+    /// off its place because a sharp corner is grown by more than its sides, only what is near to where it was found is.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Classification, Options, PairSpace, Part, Relation};
+    /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+    /// let coin = Part::circle("coin", (0.0, 0.0), 1.0)?;
+    /// let space = PairSpace::compute(&table, &coin, Relation::Planar, &Options::default())?;
+    /// let away = |d| space.classify(Coordinates::Planar(Configuration::new(3.0 + d, 0.0, 0.0)));
+    /// let near = space.contact_distance();
+    /// assert!(near <= space.resolution());
+    /// assert_eq!(away(0.5 * near)?, Classification::Contact);
+    /// assert_eq!(away(2.0 * near)?, Classification::Free);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn contact_distance(&self) -> f64 {
+        match self {
+            Self::Lower(pair) => pair.resolution(),
+            Self::FixedAxes(space) => space.contact_distance(),
+            Self::Planar(space) => space.contact_distance(),
+        }
+    }
+
     /// Number of contact patches; of a lower pair its permanent contacts.
     pub fn patch_count(&self) -> usize {
         match self {

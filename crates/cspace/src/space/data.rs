@@ -124,7 +124,7 @@ pub struct FeatureCounts {
 
 impl FeatureCounts {
     /// Of two parts.
-    pub(crate) fn of(fixed: &Part, moving: &Part) -> Self {
+    pub fn of(fixed: &Part, moving: &Part) -> Self {
         let frame = PairFrame::new(fixed, moving);
         let count =
             |part, center| Outline::new(part, center, frame.scale, 0.0).feature_count as u32;

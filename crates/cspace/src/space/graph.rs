@@ -268,7 +268,7 @@ impl ContactSpace {
 
     /// Positions nearer than this to a contact curve are in contact (model length): the resolution, but for what may be
     /// wrong with the curve.
-    pub(crate) fn contact_distance(&self) -> f64 {
+    pub fn contact_distance(&self) -> f64 {
         self.data.frame.outer_length(CONTACT)
     }
 

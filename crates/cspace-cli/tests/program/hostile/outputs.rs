@@ -287,6 +287,7 @@ fn options_without_use_are_refused() {
         ("a.json", "--theta-scale=2"),
         ("a.svg", "--ascii"),
         ("a.glb", "--ascii"),
+        ("a.html", "--ascii"),
     ] {
         let out = dir.path().join(name);
         let args = [

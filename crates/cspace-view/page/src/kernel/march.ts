@@ -6,11 +6,12 @@
  * whether the patch is there.
  */
 
-/** A contact function along a motion: f and f′ at t, and bounds of |f″| and |f′| from there to `until`. */
+/** A contact function along a motion: f and f′ at t, and bounds of −f″, f″ and |f′| from there to `until`. */
 export interface Sample {
   value: number;
   slope: number;
-  bend: number;
+  sinking: number;
+  rising: number;
   speed: number;
 }
 
@@ -36,20 +37,26 @@ export function firstTime(track: Track, lo: number, hi: number, contact: number,
   const near = AT_DEPTH * contact;
   let t = lo;
   for (let k = 0; k < MOST_STEPS; k++) {
-    const { value, slope, bend, speed } = track.at(t, hi);
+    const { value, slope, sinking, rising, speed } = track.at(t, hi);
     const f = value + depth;
     if (!Number.isFinite(f)) return null;
     const within = Math.abs(f) <= near || (f < 0 && value >= -contact);
     if (within && slope < 0 && track.isOn(t)) return t;
-    const rate = f < 0 ? -slope : slope;
-    const size = Math.abs(f);
-    // size + rate h − bend h²/2 is positive up to there; so is size − speed h.
-    const ofBend = bend > 0 ? (rate + Math.sqrt(rate * rate + 2 * bend * size)) / bend : rate < 0 ? -size / rate : Infinity;
-    let step = Math.max(ofBend, size / speed);
+    const [rate, bend] = f < 0 ? [-slope, rising] : [slope, sinking];
+    const step0 = Math.max(untilRoot(Math.abs(f), rate, bend), Math.abs(f) / speed);
     // Past a root that is no contact: as far as what is near reaches, or as the patch is known to be away.
-    if (within) step = Math.max(step, near / speed, track.away(t));
+    const step = within ? Math.max(step0, near / speed, track.away(t)) : step0;
     if (!(t + step < hi)) return null;
     t = t + step > t ? t + step : t + Math.abs(t) * Number.EPSILON + Number.MIN_VALUE;
   }
   return t;
+}
+
+/** Where size + rate h − bend h²/2 vanishes first: up to there a function is positive whose second derivative is no less than −bend. */
+function untilRoot(size: number, rate: number, bend: number): number {
+  if (bend === Infinity) return 0;
+  const root = Math.sqrt(rate * rate + 2 * bend * size);
+  // Of two forms that are equal the one in which nothing cancels.
+  if (rate < 0) return (2 * size) / (root - rate);
+  return bend > 0 ? (rate + root) / bend : Infinity;
 }

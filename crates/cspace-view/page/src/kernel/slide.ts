@@ -13,7 +13,7 @@ export interface Constraint {
 }
 
 export interface Ground {
-  /** The straight way from one position to another up to the first contact. */
+  /** The straight way from one position to another up to the first contact; not yet tested for whether it is blocked there. */
   advance(from: Vec, to: Vec): { at: Vec; stopped: number | null };
   /** The patches that touch at a position. */
   touching(at: Vec): number[];
@@ -30,7 +30,7 @@ const MOST_STEPS = 32;
 /** A step that leads nowhere is tried again half as long, so often. */
 const HALVINGS = 10;
 /** A goal nearer than this share of the way is reached. */
-const REACHED = 1e-7;
+const REACHED = 1e-4;
 
 export function slideOn(ground: Ground, from: Vec, to: Vec): { at: Vec; stopped: number | null } {
   const first = ground.advance(from, to);
@@ -51,6 +51,7 @@ export function slideOn(ground: Ground, from: Vec, to: Vec): { at: Vec; stopped:
     const next = along(ground, at, step, touching);
     if (!next || size(minus(to, next)) >= size(left) - 1e-3 * ground.contact) break;
     const on = ground.advance(next, to);
+    if (ground.isBlocked(on.at)) return { at: next, stopped };
     [at, stopped] = [on.at, on.stopped];
   }
   return { at, stopped };

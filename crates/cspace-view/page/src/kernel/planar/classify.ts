@@ -1,8 +1,8 @@
 /** Is a configuration free? */
 
 import type { Classification, PlanarConfiguration } from "../api.js";
-import { nearestOn } from "../curve.js";
-import { distance, fromAngle, TAU } from "../plane.js";
+import { distanceBelow } from "../curve.js";
+import { fromAngle, TAU } from "../plane.js";
 import type { Overlap } from "../overlap.js";
 import { firstMet } from "./ray.js";
 import type { Surface } from "./surface.js";
@@ -38,7 +38,7 @@ export class Classifier {
     let nearest = -1;
     let least = Infinity;
     slice.curves.forEach((curve, i) => {
-      const away = distance(nearestOn(curve.curve, c), c);
+      const away = distanceBelow(curve.curve, c, least);
       if (away < least || nearest < 0) [least, nearest] = [away, i];
     });
     const near = nearest >= 0 && least <= this.contactDistance && (!slice.doubtful || this.touches(c));

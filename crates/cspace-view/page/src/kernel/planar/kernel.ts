@@ -2,10 +2,10 @@
 
 import type { Classification, DrawnCurve, Motion, PatchInfo, PlanarConfiguration, PlanarKernel, Touch } from "../api.js";
 import type { PairClass, PlanarSpace, ScenePair } from "../../scene.js";
-import { nearestOn } from "../curve.js";
+import { distanceBelow } from "../curve.js";
 import { Features, patchKind, touchingAt, type SavedPart } from "../features.js";
 import { Overlap } from "../overlap.js";
-import { distance, TAU, turnBy } from "../plane.js";
+import { TAU, turnBy } from "../plane.js";
 import { GROWTH, MOVING_GROWTH } from "../tolerance.js";
 import { Classifier } from "./classify.js";
 import { boundsOf, drawSlice } from "./draw.js";
@@ -104,7 +104,7 @@ export class PlanarPair implements PlanarKernel {
   private near(c: PlanarConfiguration, within: number): [number, number][] {
     const found: [number, number][] = [];
     for (const { patch, curve } of this.surfaces.slice(c.theta).curves) {
-      const away = distance(nearestOn(curve, c), c);
+      const away = distanceBelow(curve, c, within);
       if (away <= within) found.push([patch, away]);
     }
     return found.sort((a, b) => a[1] - b[1] || a[0] - b[0]);

@@ -3,7 +3,7 @@
 import type { Motion, PlanarConfiguration } from "../api.js";
 import type { PatchData } from "../../scene.js";
 import { gradientOf, valueOf } from "../contact-function.js";
-import { nearestOn } from "../curve.js";
+import { distanceBelow, nearestOn } from "../curve.js";
 import { firstTime, type Track } from "../march.js";
 import { clamp, distance, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
 import { slideOn, type Constraint, type Ground, type Vec } from "../slide.js";
@@ -83,9 +83,12 @@ export class PlanarMotion {
     let time = 1;
     let patch: number | null = null;
     const [a, b] = [path.theta(0), path.theta(1)];
+    const fullTurn = this.surface.space.window.full_turn;
+    const far = path.reach();
     for (const i of this.surface.alive.between(Math.min(a, b) - SEAM, Math.max(a, b) + SEAM)) {
       const p = this.surface.patches[i]!;
-      for (const [lo, hi] of presences(p, path, this.surface.space.window.full_turn)) {
+      if (far.isAway(p.function, 2 * this.contact)) continue;
+      for (const [lo, hi] of presences(p, path, fullTurn)) {
         if (lo >= time) continue;
         const found = firstTime(this.track(p, path), lo, Math.min(hi, time), this.contact, DEPTH * this.contact);
         if (found !== null && found < time) [time, patch] = [found, i];
@@ -126,7 +129,7 @@ export class PlanarMotion {
   private nearestPatch(c: PlanarConfiguration): number | null {
     let [found, least]: [number | null, number] = [null, Infinity];
     for (const { patch, curve } of this.surface.slice(c.theta).curves) {
-      const away = distance(nearestOn(curve, c), c);
+      const away = distanceBelow(curve, c, least);
       if (away < least) [found, least] = [patch, away];
     }
     return found;
@@ -165,15 +168,13 @@ export class PlanarMotion {
         const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
         const { time, patch } = this.first(path);
         const at = (t: number): Vec => (t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x)));
-        const checked = this.lastNotBlocked((t) => this.unweighted(at(t)), time);
-        const stopped = checked >= 1 ? null : (patch ?? this.nearestPatch(this.unweighted(at(checked))));
-        return { at: at(checked), stopped };
+        return { at: at(time), stopped: time >= 1 ? null : patch };
       },
       touching: (v) => {
         const c = this.unweighted(v);
         const within = 2 * ON_CURVE * this.contactDistance;
         const curves = this.surface.slice(c.theta).curves;
-        return curves.filter(({ curve }) => distance(nearestOn(curve, c), c) <= within).map(({ patch }) => patch);
+        return curves.filter(({ curve }) => distanceBelow(curve, c, within) <= within).map(({ patch }) => patch);
       },
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
       isBlocked: (v) => this.classifier.located(this.unweighted(v))?.class === "blocked",

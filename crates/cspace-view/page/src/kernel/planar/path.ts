@@ -32,6 +32,11 @@ export class Path {
     return add(this.v, times(left(turned(turnBy(this.theta(t)), this.m)), this.omega));
   }
 
+  /** What all of the motion may come to. */
+  reach(): Reach {
+    return new Reach(this);
+  }
+
   /** The function of a patch at t, with bounds from there to `until`; `turn` is what the patch's orientations are less. */
   sample(patch: PatchData, t: number, until: number): Sample {
     const f = patch.function;
@@ -40,11 +45,10 @@ export class Path {
     const { normal, byTheta } = gradientOf(f, p, turn);
     const value = valueOf(f, p, turn);
     const slope = dot(normal, this.rate(t)) + this.omega * byTheta;
-    const { bend, speed } = this.bounds(f, t, until, value);
-    return { value, slope, bend, speed };
+    return { value, slope, ...this.bounds(f, t, until) };
   }
 
-  private bounds(f: ContactFunctionData, t: number, until: number, value: number): { bend: number; speed: number } {
+  private bounds(f: ContactFunctionData, t: number, until: number): Omit<Sample, "value" | "slope"> {
     const w = Math.abs(this.omega);
     const v = length(this.v);
     const spiral = f.kind === "circle" ? f.center : f.through;
@@ -53,23 +57,63 @@ export class Path {
     // Of the way from the point that turns with the part to the one that stays: so fast it is at most, and so fast it is bent.
     const speed = v + w * arm;
     const curl = w * w * arm;
-    if (f.kind === "fixed-line") return { bend: curl, speed };
+    if (f.kind === "fixed-line") return both(curl, speed);
     const swing = spiral.swing?.arm ?? { x: 0, y: 0 };
     const from = add(spiral.u, swing);
     const far = length(sub(this.base(t), from)) + v * (until - t);
-    if (f.kind === "moving-line") return { bend: w * w * far + 2 * w * v, speed: v + w * far };
+    if (f.kind === "moving-line") return both(w * w * far + 2 * w * v, v + w * far);
     if (f.kind === "circle") {
-      const outside = f.radius > 0 && value > 0;
-      if (outside) return { bend: curl, speed };
       const way = sub(this.base(t), from);
       const now = length(add(way, turned(turnBy(this.theta(t)), sub(this.m, turning))));
       const least = now - speed * (until - t);
-      // Near the centre the distance has an edge.
-      return { bend: least > 0 ? curl + (speed * speed) / least : Infinity, speed };
+      // The distance from a centre bends up only, but for what bends the way; near the centre it has an edge.
+      const bent = least > 0 ? curl + (speed * speed) / least : Infinity;
+      return f.radius > 0 ? { sinking: curl, rising: bent, speed } : { sinking: bent, rising: curl, speed };
     }
     const moved = f.turns ? v + w * far : speed;
     const straight = f.turns ? w * w * far + 2 * w * v : curl;
     const bent = (2 * moved * moved) / Math.abs(f.radius);
-    return { bend: straight + bent, speed: 2 * moved };
+    return both(straight + bent, 2 * moved);
+  }
+}
+
+function both(bend: number, speed: number): Omit<Sample, "value" | "slope"> {
+  return { sinking: bend, rising: bend, speed };
+}
+
+/** Which contact functions cannot vanish along a motion, by their values where it begins: without making anything, for there are many. */
+class Reach {
+  private readonly x: number;
+  private readonly y: number;
+  private readonly cos: number;
+  private readonly sin: number;
+  private readonly v: number;
+  private readonly w: number;
+  private readonly m: number;
+
+  constructor(path: Path) {
+    const p = path.at(0);
+    const turn = turnBy(path.theta0);
+    [this.x, this.y, this.cos, this.sin] = [p.x, p.y, turn.cos, turn.sin];
+    [this.v, this.w, this.m] = [length(path.v), Math.abs(path.omega), length(path.m)];
+  }
+
+  /** False if it is not known. */
+  isAway(f: ContactFunctionData, within: number): boolean {
+    if (f.kind === "flat-circle") return false;
+    const s = f.kind === "circle" ? f.center : f.through;
+    if (s.swing) return false;
+    const { cos, sin } = this;
+    const dx = this.x - (s.u.x + (cos * s.w.x - sin * s.w.y));
+    const dy = this.y - (s.u.y + (sin * s.w.x + cos * s.w.y));
+    const arm = this.m + Math.sqrt(s.w.x * s.w.x + s.w.y * s.w.y);
+    const moved = this.v + this.w * arm;
+    if (f.kind === "circle") return Math.abs(Math.sqrt(dx * dx + dy * dy) - Math.abs(f.radius)) > moved + within;
+    const n = f.normal;
+    if (f.kind === "fixed-line") return Math.abs(n.x * dx + n.y * dy) > moved + within;
+    const value = (cos * n.x - sin * n.y) * dx + (sin * n.x + cos * n.y) * dy;
+    // The line turns about what is seen from the moving part: as far as the way to its point, and that grows.
+    const far = Math.sqrt(dx * dx + dy * dy) + moved;
+    return Math.abs(value) > moved + this.w * far + within;
   }
 }

@@ -1,0 +1,67 @@
+//! `cspace view`.
+
+use cspace_view::{ServeError, Server};
+
+use super::page;
+use crate::args::ViewArgs;
+use crate::failure::{Failure, note};
+use crate::output;
+use crate::progress::until_interrupted;
+use crate::subject::Subject;
+
+pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
+    let page = page::bundled()?;
+    let common = args.common();
+    let subject = Subject::open(&common)?;
+    subject.warn();
+    let chosen = subject.pairs(&common, args.window.theta)?;
+    if args.pair.is_some() {
+        for pair in &chosen {
+            pair.check_window()?;
+        }
+    }
+    let entries = page::entries(&chosen);
+    let mut opened = page::opened(subject, entries, args.general);
+    opened.records = page::records(&args.with, &opened)?;
+    let server = Server::bind(opened, &page, args.port).map_err(failure)?;
+    let url = server.url();
+    output::write(None, format!("{url}\n").as_bytes())?;
+    until_interrupted();
+    if args.no_open {
+        note("Ctrl-C ends it");
+    } else if !has_display() {
+        note("there is no display to open a browser on; Ctrl-C ends it");
+    } else {
+        match open::that_detached(&url) {
+            Ok(()) => note("opened in the browser; Ctrl-C ends it"),
+            Err(error) => note(format_args!(
+                "no browser could be opened ({error}); Ctrl-C ends it"
+            )),
+        }
+    }
+    server.run().map_err(failure)
+}
+
+fn failure(error: ServeError) -> Failure {
+    let failure = Failure::work(&error);
+    match error {
+        ServeError::PortInUse { .. } | ServeError::Port { .. } => {
+            failure.help("give another --port, or leave it out for any that is free")
+        }
+        _ => failure,
+    }
+}
+
+/// Whether a browser has somewhere to show itself.
+#[cfg(all(unix, not(target_os = "macos")))]
+fn has_display() -> bool {
+    // Under WSL the browser is that of Windows.
+    ["DISPLAY", "WAYLAND_DISPLAY", "WSL_DISTRO_NAME"]
+        .iter()
+        .any(|name| std::env::var_os(name).is_some_and(|v| !v.is_empty()))
+}
+
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+fn has_display() -> bool {
+    true
+}

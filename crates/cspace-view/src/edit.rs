@@ -1,0 +1,169 @@
+//! A mechanism with some of its parts edited.
+
+use cspace::pair::Joint;
+use cspace::part::PartFeature;
+use cspace::{AxisMotion, Mechanism, MechanismError, Part, PartEntry, PartError, Vertex};
+use cspace_io::shown;
+use serde::Deserialize;
+
+use crate::scene::SceneMotion;
+
+/// A part that replaces one of the mechanism's.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct EditedPart {
+    /// Which one.
+    pub index: usize,
+    /// Its loops.
+    pub loops: Vec<Vec<Vertex>>,
+    /// How it moves relative to the ground.
+    pub motion: SceneMotion,
+    /// How much it is grown, or shrunk where this is negative, in the model's unit of length.
+    #[serde(default)]
+    pub offset: f64,
+}
+
+/// Why an edited mechanism is none.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EditError {
+    /// There is no such part.
+    #[error("there is no part {index}: there are {parts}, counted from 0")]
+    NoPart {
+        /// The index.
+        index: usize,
+        /// Number of parts.
+        parts: usize,
+    },
+    /// A part is edited twice.
+    #[error("part {index} is listed twice; list every part once")]
+    Twice {
+        /// The part.
+        index: usize,
+    },
+    /// Loops do not make a part.
+    #[error("part {index} {}: {error}", shown::quoted(name))]
+    Part {
+        /// The part.
+        index: usize,
+        /// Its name.
+        name: String,
+        /// What is wrong.
+        error: PartError,
+    },
+    /// A part is shrunk to nothing.
+    #[error("part {index} {}: nothing is left of it when it is shrunk by {}; shrink it by less", shown::quoted(name), shown::number(*by))]
+    Nothing {
+        /// The part.
+        index: usize,
+        /// Its name.
+        name: String,
+        /// By how much.
+        by: f64,
+    },
+    /// The mechanism makes no sense.
+    #[error(transparent)]
+    Mechanism(#[from] MechanismError),
+}
+
+/// The mechanism with these parts in place of its own.
+///
+/// Names of features stay where loops have as many vertices as before and the part is not grown. A declared symmetry that
+/// the part no longer has is left out. A joint with a part that does not move goes with the pivot or the direction of the edited part.
+///
+/// # Errors
+/// If an index is no part's or is there twice, loops make no part, or joints and motions contradict each other.
+pub fn edited(model: &Mechanism, parts: &[EditedPart]) -> Result<Mechanism, EditError> {
+    let mut model = model.clone();
+    let mut done = vec![false; model.parts.len()];
+    for part in parts {
+        let index = part.index;
+        match done.get_mut(index) {
+            None => {
+                return Err(EditError::NoPart {
+                    index,
+                    parts: model.parts.len(),
+                });
+            }
+            Some(true) => return Err(EditError::Twice { index }),
+            Some(done) => *done = true,
+        }
+        let entry = replaced(&model.parts[index], part)?;
+        model.parts[index] = entry;
+    }
+    for part in parts {
+        take_joints_along(&mut model, part.index);
+    }
+    model.check()?;
+    Ok(model)
+}
+
+fn replaced(old: &PartEntry, edit: &EditedPart) -> Result<PartEntry, EditError> {
+    let name = old.part.name();
+    let wrong = |error| EditError::Part {
+        index: edit.index,
+        name: name.to_owned(),
+        error,
+    };
+    let drawn = Part::new(name, edit.loops.clone()).map_err(wrong)?;
+    let part = if edit.offset > 0.0 {
+        cspace_plan::grown(&drawn, edit.offset).map_err(wrong)?
+    } else if edit.offset < 0.0 {
+        let left = cspace_plan::shrunk(&drawn, -edit.offset).map_err(wrong)?;
+        left.ok_or_else(|| EditError::Nothing {
+            index: edit.index,
+            name: name.to_owned(),
+            by: -edit.offset,
+        })?
+    } else {
+        with_names_of(drawn, &old.part).map_err(wrong)?
+    };
+    let symmetry = old.symmetry.filter(|&fold| part.is_symmetric(fold));
+    Ok(PartEntry {
+        part,
+        axis: edit.motion.axis(),
+        symmetry,
+    })
+}
+
+/// The part with the other's names of features in loops that have as many vertices.
+fn with_names_of(part: Part, other: &Part) -> Result<Part, PartError> {
+    let vertices = |part: &Part, i: u32| part.loops().get(i as usize).map(|l| l.vertices().len());
+    let mut named = part;
+    for (feature, name) in other.feature_names() {
+        let (PartFeature::Edge { loop_index, .. } | PartFeature::Vertex { loop_index, .. }) =
+            feature;
+        if vertices(&named, loop_index) == vertices(other, loop_index) {
+            named = named.with_feature_name(feature, name)?;
+        }
+    }
+    Ok(named)
+}
+
+/// A joint between a part and one that does not move is where the part's motion says.
+fn take_joints_along(model: &mut Mechanism, part: usize) {
+    let motion = |i: usize| model.parts[i].axis.map(|a| a.motion);
+    let own = motion(part);
+    let still: Vec<bool> = (0..model.parts.len())
+        .map(|i| motion(i) == Some(AxisMotion::Fixed))
+        .collect();
+    for entry in &mut model.joints {
+        let other = match entry.parts {
+            (a, b) if a == part => b,
+            (a, b) if b == part => a,
+            _ => continue,
+        };
+        if !still[other] {
+            continue;
+        }
+        match (&mut entry.joint, own) {
+            (Joint::Revolute { at }, Some(AxisMotion::Revolute { center })) => *at = center,
+            (
+                Joint::Prismatic { direction, .. },
+                Some(AxisMotion::Prismatic { direction: own }),
+            ) => {
+                *direction = own;
+            }
+            _ => {}
+        }
+    }
+}

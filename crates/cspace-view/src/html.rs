@@ -1,0 +1,72 @@
+//! A page with a scene in it, as HTML.
+
+use crate::page::Page;
+use crate::scene::Scene;
+
+/// Where a page is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// From a file: it may ask nobody.
+    File,
+    /// From the server, which it may ask.
+    Served,
+}
+
+impl Page {
+    /// One file with the scene in it, which asks no other: its policy forbids the network.
+    ///
+    /// # Errors
+    /// If the scene cannot be written as JSON, which plain data always can.
+    pub fn file(&self, scene: &Scene) -> Result<String, serde_json::Error> {
+        let policy = self.policy(Place::File);
+        // Nothing in the policy needs escaping.
+        let policy = format!(r#"<meta http-equiv="Content-Security-Policy" content="{policy}">"#);
+        self.with(&policy, scene)
+    }
+
+    /// The page as the server has it, which sends the policy itself.
+    pub(crate) fn served(&self, scene: &Scene) -> Result<String, serde_json::Error> {
+        self.with("", scene)
+    }
+
+    fn with(&self, policy: &str, scene: &Scene) -> Result<String, serde_json::Error> {
+        let scene = inline(&serde_json::to_string(scene)?);
+        let [head, middle, between, tail] = &self.around;
+        let (style, script) = (&self.style, &self.script);
+        Ok([
+            head,
+            policy,
+            "<style>",
+            style,
+            "</style>",
+            middle,
+            r#"<script type="application/json" id="scene">"#,
+            &scene,
+            "</script>",
+            between,
+            "<script>",
+            script,
+            "</script>",
+            tail,
+        ]
+        .concat())
+    }
+
+    /// What the page may load, as a Content-Security-Policy: its own script by its hash, and nothing from elsewhere.
+    pub(crate) fn policy(&self, place: Place) -> String {
+        let asks = match place {
+            Place::File => "",
+            Place::Served => "; connect-src 'self'; frame-ancestors 'none'",
+        };
+        format!(
+            "default-src 'none'; script-src 'sha256-{}'; style-src 'unsafe-inline'; img-src data: blob:; \
+             base-uri 'none'; form-action 'none'{asks}",
+            self.hash
+        )
+    }
+}
+
+/// JSON that can stand in a script element: `<` begins what could end it, and in JSON is nowhere but in texts.
+fn inline(json: &str) -> String {
+    json.replace('<', "\\u003c")
+}

@@ -1,0 +1,111 @@
+//! The page that was bundled when the crate was built.
+
+use sha2::{Digest, Sha256};
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+
+/// Why there is no page; empty if there is one.
+const REASON: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/reason.txt"));
+const INDEX: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/index.html"));
+const STYLE: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/style.css"));
+const SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/page.js"));
+
+/// Where a page's style, scene and script go.
+const PLACES: [&str; 3] = ["<!--style-->", "<!--scene-->", "<!--script-->"];
+
+/// The page without a scene.
+#[derive(Debug, Clone)]
+pub struct Page {
+    /// What is before, between and after the places.
+    pub(crate) around: [String; 4],
+    pub(crate) style: String,
+    pub(crate) script: String,
+    /// The hash of the script, by which a policy allows it and no other.
+    pub(crate) hash: String,
+}
+
+/// Why there is no page.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PageError {
+    /// It was not bundled when the crate was built.
+    #[error("this program was built without its page: {reason}")]
+    NotBundled {
+        /// Why.
+        reason: &'static str,
+    },
+    /// The template has not exactly one place for the style, then the scene, then the script.
+    #[error("the page's template does not have {place} once, in the order style, scene, script")]
+    Template {
+        /// The place.
+        place: &'static str,
+    },
+    /// Style or script would end early.
+    #[error("the page's {what} has {text:?} in it, where a browser takes it to end")]
+    Ends {
+        /// Which of the two.
+        what: &'static str,
+        /// What ends it.
+        text: &'static str,
+    },
+}
+
+impl PageError {
+    /// What to do about it.
+    pub const fn help(&self) -> &'static str {
+        match self {
+            Self::NotBundled { .. } => "install Node 20 or later with npm, then build again",
+            _ => "change the page's sources, then build again",
+        }
+    }
+}
+
+impl Page {
+    /// The page that was bundled.
+    ///
+    /// # Errors
+    /// If it was not, for want of Node.
+    pub fn bundled() -> Result<Self, PageError> {
+        if !REASON.is_empty() {
+            return Err(PageError::NotBundled { reason: REASON });
+        }
+        Self::new(INDEX, STYLE, SCRIPT)
+    }
+
+    /// A page of an HTML template, with one place each for style, scene and script, of a style and a script.
+    ///
+    /// # Errors
+    /// If the template has no such places, or style or script cannot stand in it.
+    pub fn new(template: &str, style: &str, script: &str) -> Result<Self, PageError> {
+        let ends = [
+            ("style", style, "</style"),
+            ("script", script, "</script"),
+            ("script", script, "<!--"),
+        ];
+        for (what, source, text) in ends {
+            if source.to_ascii_lowercase().contains(text) {
+                return Err(PageError::Ends { what, text });
+            }
+        }
+        let mut rest = template;
+        let mut around = [const { String::new() }; 4];
+        for (place, before) in PLACES.into_iter().zip(&mut around) {
+            let Some((head, tail)) = rest.split_once(place) else {
+                return Err(PageError::Template { place });
+            };
+            head.clone_into(before);
+            rest = tail;
+        }
+        if let Some(place) = PLACES.into_iter().find(|p| rest.contains(p)) {
+            return Err(PageError::Template { place });
+        }
+        rest.clone_into(&mut around[3]);
+        Ok(Self {
+            around,
+            style: style.to_owned(),
+            script: script.to_owned(),
+            hash: BASE64_STANDARD.encode(Sha256::digest(script)),
+        })
+    }
+}

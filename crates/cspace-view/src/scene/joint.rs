@@ -1,0 +1,48 @@
+//! Joints of a scene.
+
+use cspace::pair::Joint;
+use cspace::{JointEntry, Point, Vector};
+use serde::Serialize;
+
+/// A permanent connection of two parts.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SceneJoint {
+    /// What it leaves free.
+    #[serde(rename = "type")]
+    pub kind: JointKind,
+    /// Indices of the two parts.
+    pub parts: (usize, usize),
+    /// Where it is, in the assembly's frame at zero motion; none of a rigid one.
+    pub at: Option<Point>,
+    /// The direction of sliding.
+    pub direction: Option<Vector>,
+}
+
+/// What a joint leaves free.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum JointKind {
+    /// A turn.
+    Revolute,
+    /// Sliding.
+    Prismatic,
+    /// Nothing.
+    Rigid,
+}
+
+impl SceneJoint {
+    /// A joint as the scene has it.
+    pub fn of(entry: &JointEntry) -> Self {
+        let (kind, at, direction) = match entry.joint {
+            Joint::Revolute { at } => (JointKind::Revolute, Some(at), None),
+            Joint::Prismatic { direction, at } => (JointKind::Prismatic, Some(at), Some(direction)),
+            Joint::Rigid => (JointKind::Rigid, None, None),
+        };
+        Self {
+            kind,
+            parts: entry.parts,
+            at,
+            direction,
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Pairs of a scene.
+
+use cspace::{Coordinates, FeatureCounts, PairClass, PairEntry, PairSpace, Part};
+use serde::Serialize;
+use serde_json::value::{RawValue, to_raw_value};
+
+/// A pair, with its configuration space if that is known.
+#[derive(Debug, Clone, Serialize)]
+pub struct ScenePair {
+    /// Index of the part in whose frame configurations are expressed.
+    pub fixed: usize,
+    /// Index of the part that moves in that frame.
+    pub moving: usize,
+    /// The class. Before the space is known, symmetric pairs count as general.
+    pub class: PairClass,
+    /// The saved data, as compact JSON.
+    pub space: Option<Box<RawValue>>,
+    /// Why there is none, if it cannot be computed.
+    pub error: Option<String>,
+    /// Lines, arcs and vertices that are not smooth joints.
+    pub features: Counts,
+    /// How often each part repeats in a turn, as far as that was used; 1 before the space is known.
+    pub symmetry: Counts,
+    /// Configurations nearer to a contact than this are in contact; 0 before the space is known.
+    pub contact_distance: f64,
+    /// Contacts are known to this; 0 before the space is known.
+    pub resolution: f64,
+    /// Bands of a planar pair, in ascending order.
+    pub bands: Vec<(f64, f64)>,
+    /// Free regions in the order of their numbers.
+    pub regions: Vec<SceneRegion>,
+    /// How long it took to compute, in seconds; 0 of a space that was read.
+    pub seconds: f64,
+}
+
+/// A number for each part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// Of the fixed part.
+    pub fixed: u32,
+    /// Of the moving part.
+    pub moving: u32,
+}
+
+/// A connected component of free space.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneRegion {
+    /// Whether it goes on without limit.
+    pub unbounded: bool,
+    /// A configuration in it: [x, y, θ] or [u, v].
+    pub sample: Vec<f64>,
+}
+
+impl ScenePair {
+    /// A pair whose space is not known yet.
+    pub fn unknown(entry: &PairEntry, class: PairClass, fixed: &Part, moving: &Part) -> Self {
+        let features = FeatureCounts::of(fixed, moving);
+        Self {
+            fixed: entry.fixed,
+            moving: entry.moving,
+            class,
+            space: None,
+            error: None,
+            features: Counts {
+                fixed: features.fixed,
+                moving: features.moving,
+            },
+            symmetry: Counts {
+                fixed: 1,
+                moving: 1,
+            },
+            contact_distance: 0.0,
+            resolution: 0.0,
+            bands: Vec::new(),
+            regions: Vec::new(),
+            seconds: 0.0,
+        }
+    }
+
+    /// The same pair, whose space cannot be computed.
+    #[must_use]
+    pub fn failed(self, error: impl Into<String>) -> Self {
+        Self {
+            error: Some(error.into()),
+            ..self
+        }
+    }
+
+    /// A pair with its space, which took so many seconds.
+    ///
+    /// # Errors
+    /// If the space cannot be written as JSON, which plain data always can.
+    pub fn known(
+        entry: &PairEntry,
+        space: &PairSpace,
+        seconds: f64,
+    ) -> Result<Self, serde_json::Error> {
+        let symmetry = match space {
+            PairSpace::Planar(space) => {
+                let symmetry = space.symmetry();
+                [symmetry.fixed, symmetry.moving]
+            }
+            _ => [space.fixed(), space.moving()].map(|p| p.symmetry().fold()),
+        };
+        let bands = match space {
+            PairSpace::Planar(space) => space.bands().iter().map(|b| (b.lo, b.hi)).collect(),
+            _ => Vec::new(),
+        };
+        let region = |r: cspace::PairRegion| SceneRegion {
+            unbounded: r.unbounded,
+            sample: match r.sample {
+                Coordinates::Planar(c) => vec![c.x, c.y, c.theta],
+                Coordinates::Axes { u, v } => vec![u, v],
+            },
+        };
+        let features = space.features();
+        Ok(Self {
+            fixed: entry.fixed,
+            moving: entry.moving,
+            class: space.class(),
+            space: Some(to_raw_value(&space.data())?),
+            error: None,
+            features: Counts {
+                fixed: features.fixed,
+                moving: features.moving,
+            },
+            symmetry: Counts {
+                fixed: symmetry[0],
+                moving: symmetry[1],
+            },
+            contact_distance: space.contact_distance(),
+            resolution: space.resolution(),
+            bands,
+            regions: space.regions().into_iter().map(region).collect(),
+            seconds,
+        })
+    }
+}

@@ -1,0 +1,108 @@
+//! Parts of a scene.
+
+use std::collections::BTreeMap;
+
+use cspace::part::PartFeature;
+use cspace::{Axis, AxisMotion, FeatureKind, FeatureName, Part, PartEntry, Point, Vector, Vertex};
+use serde::{Deserialize, Serialize};
+
+/// A part and how it moves.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ScenePart {
+    /// Its name.
+    pub name: String,
+    /// As the model gives them; a loop is closed.
+    pub loops: Vec<Vec<Vertex>>,
+    /// The names the model gives to features, by what they are called without: `line 3 of loop 0`.
+    pub feature_names: BTreeMap<String, String>,
+    /// How it moves relative to the ground.
+    pub motion: SceneMotion,
+}
+
+/// How a part moves relative to the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", tag = "type")]
+pub enum SceneMotion {
+    /// Freely in the plane.
+    Planar,
+    /// Not at all.
+    Fixed,
+    /// It turns.
+    Revolute {
+        /// The point about which it turns.
+        center: Point,
+        /// Least and largest angle; none if it goes round.
+        range: Option<(f64, f64)>,
+    },
+    /// It slides.
+    Prismatic {
+        /// The direction; its length does not matter.
+        direction: Vector,
+        /// Least and largest motion.
+        range: Option<(f64, f64)>,
+    },
+}
+
+impl ScenePart {
+    /// A part as the scene has it.
+    pub fn of(entry: &PartEntry) -> Self {
+        let part = &entry.part;
+        Self {
+            name: part.name().to_owned(),
+            loops: part.loops().iter().map(|l| l.vertices().to_vec()).collect(),
+            feature_names: (part.feature_names())
+                .filter_map(|(feature, name)| Some((plain_name(part, feature)?, name.to_owned())))
+                .collect(),
+            motion: SceneMotion::of(entry.axis),
+        }
+    }
+}
+
+/// What a feature is called that the model gives no name.
+fn plain_name(part: &Part, feature: PartFeature) -> Option<String> {
+    let (loop_index, index, kind) = match feature {
+        PartFeature::Vertex { loop_index, index } => (loop_index, index, FeatureKind::Vertex),
+        PartFeature::Edge { loop_index, index } => {
+            let edge = (part.loops().get(loop_index as usize)?.edges())
+                .find(|e| e.index == index as usize)?;
+            // Edges are travelled with material on the left.
+            let kind = match edge.bulge {
+                b if b > 0.0 => FeatureKind::ConvexArc,
+                b if b < 0.0 => FeatureKind::ConcaveArc,
+                _ => FeatureKind::Line,
+            };
+            (loop_index, index, kind)
+        }
+    };
+    let name = FeatureName {
+        kind,
+        loop_index,
+        index,
+    };
+    Some(name.to_string())
+}
+
+impl SceneMotion {
+    /// How a part on an axis moves, or one without.
+    pub fn of(axis: Option<Axis>) -> Self {
+        let Some(Axis { motion, range }) = axis else {
+            return Self::Planar;
+        };
+        match motion {
+            AxisMotion::Fixed => Self::Fixed,
+            AxisMotion::Revolute { center } => Self::Revolute { center, range },
+            AxisMotion::Prismatic { direction } => Self::Prismatic { direction, range },
+        }
+    }
+
+    /// The axis; none of a part that moves freely.
+    pub fn axis(self) -> Option<Axis> {
+        let (axis, range) = match self {
+            Self::Planar => return None,
+            Self::Fixed => (Axis::FIXED, None),
+            Self::Revolute { center, range } => (Axis::revolute(center), range),
+            Self::Prismatic { direction, range } => (Axis::prismatic(direction), range),
+        };
+        Some(Axis { range, ..axis })
+    }
+}

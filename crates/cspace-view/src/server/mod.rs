@@ -1,0 +1,107 @@
+//! The server of the page, on this machine alone.
+//!
+//! It is reached at an address with a token in it that nobody can guess, by requests that name this machine as their host
+//! (`guard.rs`). It knows the routes in `routes.rs` and no others, reads and writes no files, and computes on threads of its
+//! own (`work.rs`).
+
+mod guard;
+mod newest;
+mod reply;
+mod routes;
+mod work;
+
+use std::io::ErrorKind;
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+
+use crate::opened::Opened;
+use crate::page::Page;
+use work::Work;
+
+/// A server that has an address and does not answer yet.
+#[derive(Debug)]
+pub struct Server {
+    listener: TcpListener,
+    address: SocketAddr,
+    token: String,
+    work: Work,
+}
+
+/// Why the page cannot be served.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ServeError {
+    /// The port is taken.
+    #[error("port {port} of this machine is in use")]
+    PortInUse {
+        /// The port.
+        port: u16,
+    },
+    /// The port cannot be had for another reason.
+    #[error("port {port} of this machine cannot be listened to: {error}")]
+    Port {
+        /// The port.
+        port: u16,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// The system gives no random numbers.
+    #[error("the system gives no random numbers: {0}")]
+    Random(getrandom::Error),
+    /// The server cannot go on.
+    #[error("the server cannot go on: {0}")]
+    Input(#[from] std::io::Error),
+    /// The scene is no JSON.
+    #[error("the scene cannot be written: {0}")]
+    Scene(#[from] serde_json::Error),
+}
+
+impl Server {
+    /// Takes a port of this machine, any that is free if it is 0, for a page that shows what was opened.
+    ///
+    /// # Errors
+    /// If the port cannot be had, or the system gives no random numbers.
+    pub fn bind(opened: Opened, page: &Page, port: u16) -> Result<Self, ServeError> {
+        let taken = TcpListener::bind((Ipv4Addr::LOCALHOST, port));
+        let listener = taken.map_err(|error| match error.kind() {
+            ErrorKind::AddrInUse => ServeError::PortInUse { port },
+            _ => ServeError::Port { port, error },
+        })?;
+        Ok(Self {
+            address: listener.local_addr()?,
+            listener,
+            token: token()?,
+            work: Work::new(opened, page)?,
+        })
+    }
+
+    /// The page's address. Whoever knows it may ask the server.
+    pub fn url(&self) -> String {
+        format!("http://{}/{}/", self.address, self.token)
+    }
+
+    /// Answers requests until the process ends.
+    ///
+    /// # Errors
+    /// If the system does not let it.
+    pub fn run(self) -> Result<(), ServeError> {
+        /// Requests are few, and what takes long is done by other threads.
+        const THREADS: usize = 2;
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(THREADS)
+            .enable_io()
+            .build()?;
+        runtime.block_on(async {
+            self.listener.set_nonblocking(true)?;
+            let listener = tokio::net::TcpListener::from_std(self.listener)?;
+            let router = routes::router(&self.token, self.address.port(), self.work);
+            Ok(axum::serve(routes::without_delay(listener), router).await?)
+        })
+    }
+}
+
+/// 128 random bits in hexadecimal digits.
+fn token() -> Result<String, ServeError> {
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes).map_err(ServeError::Random)?;
+    Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
+}

@@ -1,0 +1,70 @@
+//! What the server answers.
+
+use axum::body::Bytes;
+use axum::http::{HeaderValue, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use serde::Serialize;
+
+/// An error as JSON: what is wrong, and what to do.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Fault {
+    #[serde(skip)]
+    status: StatusCode,
+    error: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    help: Option<String>,
+}
+
+impl Fault {
+    pub(super) fn new(status: StatusCode, error: impl Into<String>) -> Self {
+        Self {
+            status,
+            error: error.into(),
+            help: None,
+        }
+    }
+
+    /// Says what to do.
+    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The request is not understood.
+    pub(super) fn bad(error: impl Into<String>) -> Self {
+        Self::new(StatusCode::BAD_REQUEST, error)
+    }
+
+    /// It is understood, and what it asks for makes no sense.
+    pub(super) fn senseless(error: impl Into<String>) -> Self {
+        Self::new(StatusCode::UNPROCESSABLE_ENTITY, error)
+    }
+
+    /// Nobody wants the answer any more.
+    pub(super) fn superseded() -> Self {
+        Self::new(StatusCode::CONFLICT, "a newer edit came")
+    }
+
+    /// The program is wrong.
+    pub(super) fn internal(error: impl core::fmt::Display) -> Self {
+        Self::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string())
+    }
+}
+
+impl IntoResponse for Fault {
+    fn into_response(self) -> Response {
+        let bytes = serde_json::to_vec(&self).unwrap_or_default();
+        (self.status, json(bytes.into())).into_response()
+    }
+}
+
+/// Bytes that are JSON.
+pub(super) fn json(bytes: Bytes) -> Response {
+    of_type("application/json", bytes)
+}
+
+/// Bytes of a type.
+pub(super) fn of_type(kind: &'static str, bytes: Bytes) -> Response {
+    let kind = HeaderValue::from_static(kind);
+    ([(header::CONTENT_TYPE, kind)], bytes).into_response()
+}

@@ -1,0 +1,118 @@
+//! The routes. All are below the token; nothing else is there.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use axum::Router;
+use axum::body::to_bytes;
+use axum::extract::{Path, Request, State};
+use axum::http::{HeaderName, HeaderValue, StatusCode, header};
+use axum::middleware::from_fn_with_state;
+use axum::response::Response;
+use axum::routing::{get, post};
+use axum::serve::{Listener, ListenerExt};
+use serde::de::DeserializeOwned;
+use tokio::task::spawn_blocking;
+
+use super::guard::{Names, guard};
+use super::reply::{Fault, json, of_type};
+use super::work::{EditRequest, ModelRequest, Work};
+
+/// The longest body read, in bytes: some hundred thousand vertices.
+const LONGEST_BODY: usize = 8 << 20;
+
+type Shared = State<Arc<Work>>;
+
+pub(super) fn router(token: &str, port: u16, work: Work) -> Router {
+    let at = |path: &str| format!("/{token}/{path}");
+    Router::new()
+        .route(&at(""), get(page))
+        .route(&at("pair/{index}"), get(pair))
+        .route(&at("edit"), post(edit))
+        .route(&at("model"), post(model))
+        .method_not_allowed_fallback(async || {
+            Fault::new(
+                StatusCode::METHOD_NOT_ALLOWED,
+                "this is not done by that method",
+            )
+        })
+        .fallback(async || nothing_here())
+        .layer(from_fn_with_state(Names::of(port), guard))
+        .with_state(Arc::new(work))
+}
+
+/// Small answers are sent at once, and not kept until there is more to send.
+pub(super) fn without_delay(
+    listener: tokio::net::TcpListener,
+) -> impl Listener<Addr = std::net::SocketAddr> {
+    listener.tap_io(|stream| {
+        // It would only be slower.
+        let _ = stream.set_nodelay(true);
+    })
+}
+
+fn nothing_here() -> Fault {
+    Fault::new(StatusCode::NOT_FOUND, "there is nothing here")
+}
+
+async fn page(State(work): Shared) -> Response {
+    work.newest.forget();
+    let mut response = of_type("text/html; charset=utf-8", work.page.clone());
+    if let Ok(policy) = HeaderValue::from_str(&work.policy) {
+        let name = HeaderName::from_static("content-security-policy");
+        response.headers_mut().insert(name, policy);
+    }
+    response
+}
+
+async fn pair(State(work): Shared, Path(index): Path<String>) -> Result<Response, Fault> {
+    let index = index.parse::<usize>().map_err(|_| nothing_here())?;
+    let found = apart(move || Ok(work.pair(index))).await?;
+    found.map(json).ok_or_else(nothing_here)
+}
+
+async fn edit(State(work): Shared, request: Request) -> Result<Response, Fault> {
+    let begin = Instant::now();
+    let edit: EditRequest = parsed(request).await?;
+    let ticket = work.newest.begin(&edit.session, edit.sequence);
+    let ticket = ticket.ok_or_else(Fault::superseded)?;
+    apart(move || work.edit(&edit, &ticket, begin))
+        .await
+        .map(json)
+}
+
+async fn model(State(work): Shared, request: Request) -> Result<Response, Fault> {
+    let wanted: ModelRequest = parsed(request).await?;
+    let text = apart(move || work.model(&wanted)).await?;
+    Ok(of_type("application/toml; charset=utf-8", text))
+}
+
+/// Does what may take long on a thread of its own.
+async fn apart<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, Fault> + Send + 'static,
+) -> Result<T, Fault> {
+    spawn_blocking(work).await.map_err(Fault::internal)?
+}
+
+/// What the body of a request says. One that is too long is not read, whether it says its length or not.
+async fn parsed<T: DeserializeOwned>(request: Request) -> Result<T, Fault> {
+    let too_long = || {
+        Fault::new(
+            StatusCode::PAYLOAD_TOO_LARGE,
+            format!("the body has more than {LONGEST_BODY} bytes"),
+        )
+        .help("give parts with fewer vertices")
+    };
+    let length = request.headers().get(header::CONTENT_LENGTH);
+    let length = length.and_then(|l| l.to_str().ok()?.parse::<usize>().ok());
+    if length.is_some_and(|l| l > LONGEST_BODY) {
+        return Err(too_long());
+    }
+    let body = to_bytes(request.into_body(), LONGEST_BODY).await;
+    // If it is the connection that fails, nobody gets the answer.
+    let bytes = body.map_err(|_| too_long())?;
+    serde_json::from_slice(&bytes).map_err(|e| {
+        Fault::bad(format!("the body is not what is expected: {e}"))
+            .help("docs/page.md describes what is sent")
+    })
+}

@@ -1,0 +1,7 @@
+//! The server, asked by requests written out byte by byte.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod client;
+mod edits;
+mod guard;
+mod routes;
