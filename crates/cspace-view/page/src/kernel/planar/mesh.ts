@@ -55,8 +55,8 @@ export function patchSurface(
     for (let j = 0; j < columns; j++) {
       const a = r * (columns + 1) + j;
       const c = a + columns + 1;
-      // Free space is on the right of travel: seen from there, travel goes to the left and orientations go up.
-      indices.set([a, c, a + 1, a + 1, c, c + 1], i);
+      // Free space is on the right of travel: seen from there, travel goes to the right of orientations that go up.
+      indices.set([a, a + 1, c, a + 1, c + 1, c], i);
       i += 6;
     }
   }
