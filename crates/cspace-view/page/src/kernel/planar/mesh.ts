@@ -55,7 +55,7 @@ export function patchSurface(
     for (let j = 0; j < columns; j++) {
       const a = r * (columns + 1) + j;
       const c = a + columns + 1;
-      // Free space is on the right of travel: seen from there, travel goes to the right of orientations that go up.
+      // Travel × θ points to the right of travel, where free space is.
       indices.set([a, a + 1, c, a + 1, c + 1, c], i);
       i += 6;
     }
