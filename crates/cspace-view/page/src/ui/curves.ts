@@ -17,6 +17,39 @@ export function pathOf(points: ArrayLike<number>, closed = false): string {
   return closed ? `${d}Z` : d;
 }
 
+/** Curves strung together to loops where one begins at another's end. */
+export function loopsOf(curves: readonly ArrayLike<number>[], joined: number): number[][] {
+  // Ends are looked up in a grid, in their own cell and those around it.
+  const cell = (x: number) => Math.floor(x / (2 * joined));
+  const begins = new Map<string, number[]>();
+  curves.forEach((c, i) => {
+    const key = `${cell(c[0] ?? 0)},${cell(c[1] ?? 0)}`;
+    begins.set(key, [...(begins.get(key) ?? []), i]);
+  });
+  const used = new Set<number>();
+  const next = (x: number, y: number): number | null => {
+    for (const i of [-1, 0, 1]) {
+      for (const j of [-1, 0, 1]) {
+        for (const k of begins.get(`${cell(x) + i},${cell(y) + j}`) ?? []) {
+          const c = curves[k];
+          if (c && !used.has(k) && Math.hypot((c[0] ?? 0) - x, (c[1] ?? 0) - y) <= joined) return k;
+        }
+      }
+    }
+    return null;
+  };
+  const loops: number[][] = [];
+  curves.forEach((_, first) => {
+    const loop: number[] = [];
+    for (let at: number | null = first; at !== null && !used.has(at); at = next(loop[loop.length - 2] ?? 0, loop[loop.length - 1] ?? 0)) {
+      used.add(at);
+      loop.push(...Array.from(curves[at] ?? []));
+    }
+    if (loop.length > 0) loops.push(loop);
+  });
+  return loops;
+}
+
 export function curvePaths(kernel: Kernel, curves: readonly DrawnCurve[], { colouring, hidden, touching }: Shown): SVGElement[] {
   const paths = new Map<string, string>();
   let lit = "";

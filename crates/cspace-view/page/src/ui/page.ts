@@ -115,7 +115,7 @@ export function openPage(scene: Scene): void {
     });
     return ready;
   };
-  if (session.pair) begin(session.select(store.state.pair, address.configuration ?? null));
+  if (session.pair) void begin(session.select(store.state.pair, address.configuration ?? null)).then(() => partsView.fit());
   else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
 }

@@ -102,6 +102,11 @@ export class PartsView {
       const role = !pair ? "other" : i === pair.fixed ? "fixed" : i === pair.moving ? "moving" : "other";
       set(d.group, { class: `part ${role}` });
     });
+    // Those of the pair are drawn over the others.
+    for (const i of pair ? [pair.fixed, pair.moving] : []) {
+      const group = this.#drawn[i]?.group;
+      if (group) this.#parts.append(group);
+    }
   }
 
   #touching(state: Readonly<State>): void {

@@ -38,7 +38,7 @@ export class PlaneView {
       grab: (at) => this.#grab(at),
       wheel: (at, event) => this.#wheel(at, event),
     });
-    this.#blocked = svg("rect", { class: "blocked" });
+    this.#blocked = svg("rect", { class: "blocked-space" });
     this.#free = svg("g");
     this.#curves = svg("g");
     this.#path = svg("path", { class: "way" });
@@ -74,7 +74,7 @@ export class PlaneView {
     const byRegion = new Map<number, string>();
     for (const { region, points } of kernel.free(deviation)) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
     this.#free.replaceChildren(
-      ...[...byRegion].map(([region, d]) => svg("path", { class: "free", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d })),
+      ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d })),
     );
     if (fit) this.viewport.fit(box, 0.06);
   }

@@ -49,19 +49,27 @@ export class Readout {
     const outside = kernel && kernel.class !== "lower" ? "outside of the window" : "–";
     say(this.#class, classification ?? outside);
     set(this.#class, { "data-class": classification ?? "" });
-    say(this.#region, region === null ? "–" : String(region));
-    say(this.#nearest, nearest ? `${length(nearest.distance, scene.unit)}: ${nearest.fixed} | ${nearest.moving}` : "–");
+    // A configuration in contact bounds the region of the patch it is on.
+    const bounds = classification === "contact" && touching[0] && kernel ? kernel.patch(touching[0].patch).region : null;
+    say(this.#region, region !== null ? String(region) : bounds !== null ? `at the edge of ${bounds}` : "–");
+    const known = this.#session.pair?.resolution ?? 0;
+    say(this.#nearest, nearest ? `${distanceText(nearest.distance, known, scene.unit)}: ${nearest.fixed} | ${nearest.moving}` : "–");
     if (touching.length === 0) say(this.#touching, "nothing");
     else {
-      const lines = touching.slice(0, LISTED).map((t) => html("div", {}, touchText(t, scene.unit)));
+      const lines = touching.slice(0, LISTED).map((t) => html("div", {}, touchText(t, known, scene.unit)));
       if (touching.length > LISTED) lines.push(html("div", {}, `and ${touching.length - LISTED} more`));
       this.#touching.replaceChildren(...lines);
     }
   }
 }
 
-export function touchText(touch: Touch, unit: string | null): string {
-  return `${touch.fixed} | ${touch.moving}, distance ${length(touch.distance, unit)}, normal (${short(round(touch.normal[0]))}, ${short(round(touch.normal[1]))})`;
+/** A distance that is less than what contacts are known to is none. */
+function distanceText(distance: number, resolution: number, unit: string | null): string {
+  return length(Math.abs(distance) < resolution ? 0 : distance, unit);
+}
+
+function touchText(touch: Touch, resolution: number, unit: string | null): string {
+  return `${touch.fixed} | ${touch.moving}, distance ${distanceText(touch.distance, resolution, unit)}, normal (${short(round(touch.normal[0]))}, ${short(round(touch.normal[1]))})`;
 }
 
 /** Components of normals are shown to this many decimals. */

@@ -4,7 +4,7 @@ import type { Classification, Configuration } from "../kernel/api.js";
 import { hasAxes } from "./mechanism.js";
 import type { Session } from "./session.js";
 
-export interface PageInterface {
+export interface CspaceScript {
   /** When the selected pair's space is there and drawn. */
   readonly ready: Promise<void>;
   /** The names of the selected pair's parts: fixed, moving. */
@@ -13,18 +13,19 @@ export interface PageInterface {
   configuration(): Configuration;
   /** Places the parts exactly so, whatever is in the way. */
   setConfiguration(c: Configuration): void;
-  classify(c: Configuration): Classification | null;
+  /** Throws outside of the window of orientations or the ranges of motion, as the command refuses such rows. */
+  classify(c: Configuration): Classification;
   /** Names of touching features: of the fixed part, of the moving part. */
   touching(): [string, string][];
 }
 
 declare global {
   interface Window {
-    cspace: PageInterface;
+    cspace: CspaceScript;
   }
 }
 
-export function pageInterface(session: Session, ready: () => Promise<void>, select: (pair: number) => Promise<void>): PageInterface {
+export function pageInterface(session: Session, ready: () => Promise<void>, select: (pair: number) => Promise<void>): CspaceScript {
   const name = (index: number | undefined) => (index === undefined ? "" : (session.scene.parts[index]?.name ?? ""));
   return {
     get ready() {
@@ -40,7 +41,13 @@ export function pageInterface(session: Session, ready: () => Promise<void>, sele
       session.setConfiguration(checked(session, c));
       session.store.flush();
     },
-    classify: (c) => session.kernel?.classify(checked(session, c)) ?? null,
+    classify(c) {
+      const { kernel } = session;
+      if (!kernel) throw new Error("the selected pair has no configuration space yet: wait for cspace.ready");
+      const said = kernel.classify(checked(session, c));
+      if (said === null) throw new RangeError("the configuration is outside of the window of orientations or the ranges of motion");
+      return said;
+    },
     touching: () => session.state.where.touching.map((t): [string, string] => [t.fixed, t.moving]),
   };
 }

@@ -30,11 +30,13 @@ export class Session {
   constructor(scene: Scene, address: Address, fetch: Fetcher | null) {
     this.#fetch = fetch;
     const placements = atRest(scene);
-    const pair = scene.pairs[address.pair ?? 0];
+    // Joints have the least to show.
+    const first = Math.max(0, scene.pairs.findIndex((p) => p.class !== "lower"));
+    const pair = scene.pairs[address.pair ?? first];
     this.store = new Store({
       scene,
       parts: scene.parts,
-      pair: address.pair ?? 0,
+      pair: address.pair ?? first,
       space: { state: "loading" },
       placements,
       configuration: pair ? configurationOf(scene, pair, placements) : IDENTITY,

@@ -1,22 +1,26 @@
 /** The slice at the current orientation, in the plane. The point in it can be dragged. */
 
 import type { Place } from "../scene.js";
-import { curvePaths, pathOf } from "./curves.js";
+import type { PlanarKernel } from "../kernel/api.js";
+import { curvePaths, loopsOf, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
 import { isPlanar } from "./mechanism.js";
 import type { Session } from "./session.js";
-import { currentSlice } from "./slices.js";
+import { currentSlice, extentOf } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { Viewport, wheelAngle } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels; fingers are thicker than mice. */
 const GRAB = 26;
+/** Ends of curves nearer than this share of the space's extent are one point, to fill what they are around. */
+const JOINED = 1e-6;
 
 export class SliceView {
   readonly viewport: Viewport;
   readonly #session: Session;
   readonly #curves: SVGGElement;
+  readonly #blocked: SVGPathElement;
   readonly #path: SVGPathElement;
   readonly #point: SVGGElement;
 
@@ -35,7 +39,8 @@ export class SliceView {
     this.viewport.unit = session.scene.unit ?? "";
     this.#path = svg("path", { class: "way" });
     this.#curves = svg("g");
-    this.viewport.world.append(this.#path, this.#curves);
+    this.#blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd" });
+    this.viewport.world.append(this.#blocked, this.#path, this.#curves);
     this.#point = pointMark();
     this.viewport.overlay.append(this.#point);
     this.viewport.onView = () => this.#placePoint();
@@ -50,6 +55,7 @@ export class SliceView {
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
       const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
+      if (changed.has("configuration") || changed.has("space")) this.#fill(kernel);
       this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
       this.#placePoint();
       set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
@@ -58,6 +64,13 @@ export class SliceView {
       const steps = state.record?.kind === "plan" ? state.record.steps : [];
       set(this.#path, { d: pathOf(steps.flatMap(({ at }) => (isPlanar(at) ? [at.x, at.y] : []))) });
     }
+  }
+
+  /** Far away everything is free, so that what an odd number of loops is around is blocked. */
+  #fill(kernel: PlanarKernel | null): void {
+    const curves = kernel ? currentSlice(this.#session) : [];
+    const loops = kernel ? loopsOf(curves.map((c) => c.points), extentOf(kernel) * JOINED) : [];
+    set(this.#blocked, { d: loops.map((points) => pathOf(points, true)).join("") });
   }
 
   #placePoint(): void {

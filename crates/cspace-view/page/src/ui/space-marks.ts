@@ -39,6 +39,8 @@ export class SpaceMarks {
   readonly #way: LineSegments2;
   readonly #wayMaterial = new LineMaterial({ linewidth: WAY_WIDTH, color: WAY, dashed: false });
   readonly #lit: Mesh<BufferGeometry, MeshBasicMaterial>;
+  /** The same, seen faintly through what is before it. */
+  readonly #shining: Mesh<BufferGeometry, MeshBasicMaterial>;
   readonly #point = new Group();
   readonly #dot: MeshBasicMaterial;
   #litPatches = "";
@@ -64,6 +66,12 @@ export class SpaceMarks {
       new MeshBasicMaterial({ color: TOUCHING, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 }),
     );
     this.#lit.frustumCulled = false;
+    this.#shining = new Mesh(
+      this.#lit.geometry,
+      new MeshBasicMaterial({ color: TOUCHING, side: DoubleSide, transparent: true, opacity: 0.4, depthTest: false }),
+    );
+    this.#shining.frustumCulled = false;
+    this.#shining.renderOrder = 4;
     this.#dot = new MeshBasicMaterial({ color: 0xffffff });
     const ball = new SphereGeometry(1, 24, 16);
     const rim = new Mesh(ball, new MeshBasicMaterial({ color: 0x000000, depthTest: false, transparent: true, opacity: 0.85 }));
@@ -74,7 +82,7 @@ export class SpaceMarks {
     this.#dot.depthTest = false;
     this.#dot.transparent = true;
     this.#point.add(rim, core);
-    this.group.add(this.#plane, this.#slice, this.#way, this.#lit, this.#point);
+    this.group.add(this.#plane, this.#slice, this.#way, this.#lit, this.#shining, this.#point);
   }
 
   resize(width: number, height: number): void {
@@ -146,8 +154,10 @@ export class SpaceMarks {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
     geometry.setIndex(indices);
-    this.#lit.geometry = geometry;
-    this.#lit.visible = indices.length > 0;
+    for (const mesh of [this.#lit, this.#shining]) {
+      mesh.geometry = geometry;
+      mesh.visible = indices.length > 0;
+    }
   }
 
   forgetLight(): void {

@@ -104,7 +104,7 @@ export class SpaceView {
 
   lookFromTheFront(): void {
     const z = this.#kernel ? ((this.#kernel.window.lo + this.#kernel.window.hi) / 2) * this.#scale.perRadian : 0;
-    this.setCamera([0.55, 1.08, 3, 0, 0, z / this.#size]);
+    this.setCamera([0.55, 1.08, 3.25, 0, 0, z / this.#size]);
     this.onCamera?.();
   }
 

@@ -145,11 +145,13 @@ export class Viewport {
     const dy = this.#options.uniform ? dx : steps[1](GRID_PIXELS / this.#scale.y);
     const lines: string[] = [];
     const numbers: SVGElement[] = [];
+    // The unit has the corner for itself.
+    const reserved = this.unit ? 24 + 7 * this.unit.length : 24;
     const label = (kind: AxisKind, value: number) => (kind === "angle" ? degrees(value) : short(value));
     for (let i = Math.ceil(box.x0 / dx); i * dx <= box.x1; i += 1) {
       const x = this.toScreen({ x: i * dx, y: 0 }).x;
       lines.push(`M${x} 0V${this.#height}`);
-      numbers.push(svg("text", { x: x + 3, y: this.#height - 5 }, label(this.kinds[0], i * dx)));
+      if (x < this.#width - reserved) numbers.push(svg("text", { x: x + 3, y: this.#height - 5 }, label(this.kinds[0], i * dx)));
     }
     for (let i = Math.ceil(box.y0 / dy); i * dy <= box.y1; i += 1) {
       const y = this.toScreen({ x: 0, y: i * dy }).y;
