@@ -1,0 +1,18 @@
+/** What buttons and keys do. */
+
+export interface Actions {
+  toggleStop(): void;
+  toggleCut(): void;
+  toggleColouring(): void;
+  toggleTheme(): void;
+  toggleEdit(): void;
+  fit(): void;
+  help(): void;
+  play(): void;
+  undo(): void;
+  redo(): void;
+  openRecord(): void;
+  saveSvg(): void;
+  savePng(): void;
+  saveModel(): void;
+}

@@ -1,0 +1,75 @@
+/** What of the state is in the address, behind the #: a copied address shows the same. */
+
+import type { Configuration } from "../kernel/api.js";
+import type { Scene } from "../scene.js";
+import type { Colouring } from "./colours.js";
+import type { State, Theme } from "./state.js";
+
+export interface Address {
+  pair?: number;
+  configuration?: Configuration;
+  theme?: Theme;
+  stop?: boolean;
+  colouring?: Colouring;
+  hidden?: number[];
+  cut?: boolean;
+  /** The camera of the 3-D view: azimuth, elevation (radians), distance in sizes of the space, and what it looks at in the same. */
+  camera?: number[];
+}
+
+/** How many numbers describe a camera. */
+const CAMERA_NUMBERS = 6;
+
+/** Reads a fragment. What it does not understand it leaves out: addresses are typed by hand. */
+export function readAddress(fragment: string, scene: Scene): Address {
+  const query = new URLSearchParams(fragment.replace(/^#/, ""));
+  const address: Address = {};
+  const [fixed, moving] = [query.get("fixed"), query.get("moving")];
+  const pair = scene.pairs.findIndex((p) => scene.parts[p.fixed]?.name === fixed && scene.parts[p.moving]?.name === moving);
+  if (pair >= 0) address.pair = pair;
+  const [x, y, theta, u, v] = ["x", "y", "theta", "u", "v"].map((key) => number(query.get(key)));
+  if (x !== undefined && y !== undefined && theta !== undefined) address.configuration = { x, y, theta };
+  else if (u !== undefined && v !== undefined) address.configuration = { u, v };
+  const theme = query.get("theme");
+  if (theme === "light" || theme === "dark") address.theme = theme;
+  const stop = query.get("stop");
+  if (stop === "0" || stop === "1") address.stop = stop === "1";
+  const colouring = query.get("colours");
+  if (colouring === "region" || colouring === "kind") address.colouring = colouring;
+  const cut = query.get("cut");
+  if (cut === "0" || cut === "1") address.cut = cut === "1";
+  const hidden = numbers(query.get("hidden"))?.filter((r) => Number.isInteger(r) && r >= 0);
+  if (hidden) address.hidden = hidden;
+  const camera = numbers(query.get("camera"));
+  if (camera?.length === CAMERA_NUMBERS) address.camera = camera;
+  return address;
+}
+
+export function writeAddress(state: Readonly<State>, camera: readonly number[] | null): string {
+  const query = new URLSearchParams();
+  const pair = state.scene.pairs[state.pair];
+  if (pair) {
+    query.set("fixed", state.parts[pair.fixed]?.name ?? "");
+    query.set("moving", state.parts[pair.moving]?.name ?? "");
+  }
+  for (const [key, value] of Object.entries(state.configuration)) query.set(key, String(value));
+  if (state.theme !== "auto") query.set("theme", state.theme);
+  if (!state.stop) query.set("stop", "0");
+  if (state.colouring !== "region") query.set("colours", state.colouring);
+  if (state.cut) query.set("cut", "1");
+  if (state.hidden.size > 0) query.set("hidden", [...state.hidden].join());
+  if (camera) query.set("camera", camera.map((n) => Number(n.toPrecision(4))).join());
+  return `#${query}`;
+}
+
+function number(text: string | null): number | undefined {
+  if (text === null || text.trim() === "") return undefined;
+  const value = Number(text);
+  return Number.isFinite(value) ? value : undefined;
+}
+
+function numbers(text: string | null): number[] | null {
+  if (!text) return null;
+  const all = text.split(",").map(number);
+  return all.every((n) => n !== undefined) ? all : null;
+}

@@ -1,0 +1,88 @@
+/** Beside the parts while they are edited: the selected handle's numbers, clearance, the budget, undo and save. */
+
+import type { Actions } from "./actions.js";
+import { byId, html, say, set } from "./dom.js";
+import type { EditReport, Editor } from "./edit.js";
+import { short } from "./numbers.js";
+import type { Session } from "./session.js";
+
+/** A space that is there within this time keeps up with the hand: 30 in a second (ms). */
+const BUDGET = 33;
+
+export class EditPanel {
+  readonly #editor: Editor;
+  readonly #session: Session;
+  readonly #fields = html("div");
+  readonly #offset = html("input", { type: "number", step: "any", id: "edit-offset" });
+  readonly #meter = html("meter", { min: 0, max: 2 * BUDGET, high: BUDGET, optimum: 0, value: 0, "aria-label": "Time of the last computation" });
+  readonly #time = html("p", {}, "nothing computed yet");
+  readonly #said = html("p");
+  readonly #undo = html("button", { type: "button" }, "Undo");
+  readonly #redo = html("button", { type: "button" }, "Redo");
+
+  constructor(session: Session, editor: Editor, actions: Actions) {
+    this.#session = session;
+    this.#editor = editor;
+    const save = html("button", { type: "button" }, "Save model");
+    save.addEventListener("click", actions.saveModel);
+    this.#undo.addEventListener("click", actions.undo);
+    this.#redo.addEventListener("click", actions.redo);
+    this.#offset.addEventListener("change", () => {
+      const value = Number(this.#offset.value);
+      const moving = session.pair?.moving;
+      // More clearance is less material.
+      if (moving !== undefined && Number.isFinite(value)) editor.setOffset(moving, -value);
+    });
+    const unit = session.scene.unit ? ` (${session.scene.unit})` : "";
+    const clearance = html("label", { for: "edit-offset", title: "The moving part is shrunk by this all round" }, `clearance${unit}`, this.#offset);
+    byId("edit").append(
+      html("p", {}, "Drag squares (vertices), dots (bulges of edges) and rings (pivots)."),
+      this.#fields,
+      clearance,
+      this.#meter,
+      this.#time,
+      this.#said,
+      html("div", { class: "buttons" }, this.#undo, this.#redo, save),
+    );
+    editor.onReport = (report) => this.#report(report);
+    editor.onSelect = () => this.#draw();
+    session.store.subscribe((changed, state) => {
+      if (changed.has("editing")) byId("edit").hidden = !state.editing;
+      if (changed.has("pair") || changed.has("editing")) this.#draw();
+    });
+  }
+
+  #report({ seconds, total, roundTrip, changes, error }: EditReport): void {
+    set(this.#said, { class: error ? "bad" : "" });
+    if (error) say(this.#said, error);
+    else {
+      const [space, server, all] = [seconds, total, roundTrip].map((s) => (s * 1000).toFixed(1));
+      this.#meter.value = total * 1000;
+      say(this.#time, `${server} ms of ${BUDGET} ms (space ${space} ms, answer after ${all} ms)`);
+      say(this.#said, changes);
+      if (changes) say(byId("announce"), changes);
+    }
+    this.#draw();
+  }
+
+  #draw(): void {
+    this.#undo.disabled = !this.#editor.canUndo;
+    this.#redo.disabled = !this.#editor.canRedo;
+    const moving = this.#session.pair?.moving ?? -1;
+    if (document.activeElement !== this.#offset) this.#offset.value = String(-this.#editor.offsetOf(moving) || 0);
+    // A number that is being typed stays.
+    if (this.#fields.contains(document.activeElement)) return;
+    this.#fields.replaceChildren(
+      ...this.#editor.fields().map(({ name, value, change }) => {
+        const input = html("input", { type: "number", step: "any", value: short(value) });
+        input.value = String(value);
+        input.addEventListener("change", () => {
+          const typed = Number(input.value);
+          input.blur();
+          if (Number.isFinite(typed) && typed !== value) change(typed);
+        });
+        return html("label", {}, name, input);
+      }),
+    );
+  }
+}

@@ -1,0 +1,319 @@
+/** Editing parts: vertices, arcs, pivots and clearances are dragged, and the server computes the pair's space again meanwhile. */
+
+import type { Kernel } from "../kernel/api.js";
+import type { Place, ScenePair, ScenePart } from "../scene.js";
+import { svg } from "./dom.js";
+import { arcOf, bulgeOfRadius, bulgeThrough, edgeOf, middleOf } from "./outline.js";
+import { IDENTITY, apply, inverse } from "./placement.js";
+import { regionChanges } from "./region-changes.js";
+import { ServerError } from "./server.js";
+import type { EditAnswer, PartEdit, Server } from "./server.js";
+import type { Session } from "./session.js";
+import type { Drag, Viewport } from "./viewport.js";
+
+export type Handle =
+  | { kind: "vertex"; part: number; loop: number; index: number }
+  | { kind: "bulge"; part: number; loop: number; index: number }
+  | { kind: "pivot"; part: number };
+
+export interface EditReport {
+  /** Of the last answer: the space alone, all that the server did, and until it was here (s). */
+  seconds: number;
+  total: number;
+  roundTrip: number;
+  /** Regions that opened or closed. */
+  changes: string;
+  error: string | null;
+}
+
+/** How near to a handle it is grabbed, in pixels. */
+const GRAB = 14;
+const HANDLE = 4.5;
+/** A bulge of less is a line: it is drawn so by whoever drags the middle back onto the chord. Of the edge's length. */
+const STRAIGHT = 0.004;
+
+type Edited = { loops: ScenePart["loops"]; motion: ScenePart["motion"]; offset: number };
+
+export class Editor {
+  onReport: ((report: EditReport) => void) | null = null;
+  onSelect: (() => void) | null = null;
+  selected: Handle | null = null;
+  readonly #session: Session;
+  readonly #server: Server;
+  /** The model as it was opened. */
+  readonly #opened: readonly ScenePart[];
+  #edited: Edited[];
+  #undo: Edited[][] = [];
+  #redo: Edited[][] = [];
+  #inFlight = false;
+  #waiting = false;
+
+  constructor(session: Session, server: Server) {
+    this.#session = session;
+    this.#server = server;
+    this.#opened = session.scene.parts;
+    this.#edited = this.#opened.map(({ loops, motion }) => ({ loops, motion, offset: 0 }));
+    session.fetcher = (pair) => this.#fetch(pair);
+  }
+
+  get canUndo(): boolean {
+    return this.#undo.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#redo.length > 0;
+  }
+
+  offsetOf(part: number): number {
+    return this.#edited[part]?.offset ?? 0;
+  }
+
+  /** All parts that differ from the opened model. */
+  get #edits(): PartEdit[] {
+    return this.#edited.flatMap((e, index): PartEdit[] => {
+      const was = this.#opened[index];
+      return was && e.loops === was.loops && e.motion === was.motion && e.offset === 0 ? [] : [{ index, loops: e.loops, motion: e.motion, offset: e.offset }];
+    });
+  }
+
+  async #fetch(pair: number): Promise<ScenePair> {
+    const edits = this.#edits;
+    return edits.length === 0 ? this.#server.pair(pair) : (await this.#server.edit(pair, edits)).pair;
+  }
+
+  async model(): Promise<string> {
+    return this.#server.model(this.#session.state.pair, this.#edits);
+  }
+
+  undo(): void {
+    this.#swap(this.#undo, this.#redo);
+  }
+
+  redo(): void {
+    this.#swap(this.#redo, this.#undo);
+  }
+
+  #swap(from: Edited[][], to: Edited[][]): void {
+    const taken = from.pop();
+    if (!taken) return;
+    to.push(this.#edited);
+    this.#edited = taken;
+    this.#changed();
+  }
+
+  /** Before the first change of a drag. */
+  #remember(): void {
+    this.#undo.push(this.#edited);
+    this.#redo = [];
+  }
+
+  #change(part: number, by: (e: Edited) => Edited): void {
+    this.#edited = this.#edited.map((e, i) => (i === part ? by(e) : e));
+    this.#changed();
+  }
+
+  #changed(): void {
+    const parts = this.#session.state.parts.map((part, i) => {
+      const e = this.#edited[i];
+      // A part that is offset is shown as the server answers it.
+      return !e || e.offset !== 0 ? part : { ...part, loops: e.loops, motion: e.motion };
+    });
+    this.#session.store.change({ parts });
+    this.#send();
+    this.onSelect?.();
+  }
+
+  #send(): void {
+    if (this.#inFlight) {
+      this.#waiting = true;
+      return;
+    }
+    void this.#request();
+  }
+
+  async #request(): Promise<void> {
+    this.#inFlight = true;
+    this.#waiting = false;
+    const begin = performance.now();
+    const index = this.#session.state.pair;
+    const edited = this.#edited;
+    const before = { pair: this.#session.pair, kernel: this.#session.kernel };
+    try {
+      const answer = await this.#server.edit(index, this.#edits);
+      const seconds = { seconds: answer.seconds, total: answer.total_seconds, roundTrip: (performance.now() - begin) / 1000 };
+      this.#take(answer, index, edited);
+      this.onReport?.({ ...seconds, changes: this.#changesSince(before), error: null });
+    } catch (error) {
+      const superseded = error instanceof ServerError && error.superseded;
+      const text = error instanceof Error ? error.message : String(error);
+      if (!superseded) this.onReport?.({ seconds: NaN, total: NaN, roundTrip: (performance.now() - begin) / 1000, changes: "", error: text });
+    }
+    this.#inFlight = false;
+    if (this.#waiting) void this.#request();
+  }
+
+  #take(answer: EditAnswer, index: number, edited: readonly Edited[]): void {
+    const answered = new Map(answer.parts.map((part) => [part.name, part]));
+    const changed = new Set<number>();
+    const parts = this.#session.scene.parts.map((part, i) => {
+      const of = edited[i];
+      const now = this.#edited[i];
+      if (!of || !now) return part;
+      changed.add(i);
+      if (now.offset !== 0) return answered.get(part.name) ?? part;
+      return { ...part, loops: now.loops, motion: now.motion, feature_names: answered.get(part.name)?.feature_names ?? part.feature_names };
+    });
+    this.#session.replaceParts(parts, index, answer.pair, changed);
+  }
+
+  #changesSince(before: { pair: ScenePair | undefined; kernel: Kernel | null }): string {
+    const { pair, kernel } = this.#session;
+    if (!before.pair || !before.kernel || !pair || !kernel) return "";
+    return regionChanges({ regions: before.pair.regions, kernel: before.kernel }, { regions: pair.regions, kernel });
+  }
+
+  // Handles.
+
+  #handlesOf(part: number): Handle[] {
+    const e = this.#edited[part];
+    if (!e) return [];
+    const handles: Handle[] = e.loops.flatMap((loop, l) =>
+      loop.flatMap((_, i): Handle[] => [
+        { kind: "bulge", part, loop: l, index: i },
+        { kind: "vertex", part, loop: l, index: i },
+      ]),
+    );
+    if (e.motion.type === "revolute") handles.push({ kind: "pivot", part });
+    return handles;
+  }
+
+  #all(): Handle[] {
+    const pair = this.#session.pair;
+    return pair && this.#session.state.editing ? [pair.fixed, pair.moving].flatMap((p) => this.#handlesOf(p)) : [];
+  }
+
+  /** In the assembly. */
+  #placeOf(handle: Handle): Place | null {
+    const e = this.#edited[handle.part];
+    if (!e) return null;
+    // A pivot belongs to the ground.
+    if (handle.kind === "pivot") return e.motion.type === "revolute" ? e.motion.center : null;
+    const placement = this.#session.state.placements[handle.part] ?? IDENTITY;
+    const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
+    return edge ? apply(placement, handle.kind === "vertex" ? edge.from : middleOf(edge)) : null;
+  }
+
+  handles(viewport: Viewport): SVGElement[] {
+    return this.#all().flatMap((handle) => {
+      const at = this.#placeOf(handle);
+      if (!at) return [];
+      const { x, y } = viewport.toScreen(at);
+      const chosen = isSame(handle, this.selected) ? " chosen" : "";
+      if (handle.kind === "vertex") {
+        return svg("rect", { class: `handle vertex${chosen}`, x: x - HANDLE, y: y - HANDLE, width: 2 * HANDLE, height: 2 * HANDLE });
+      }
+      return svg("circle", { class: `handle ${handle.kind}${chosen}`, cx: x, cy: y, r: handle.kind === "pivot" ? 8 : HANDLE - 0.5 });
+    });
+  }
+
+  grab(at: Place, viewport: Viewport): Drag | null {
+    let nearest: Handle | null = null;
+    let least = GRAB;
+    for (const handle of this.#all()) {
+      const place = this.#placeOf(handle);
+      if (!place) continue;
+      const away = Math.hypot((place.x - at.x) / viewport.pixel.x, (place.y - at.y) / viewport.pixel.y);
+      // Where they lie on each other, vertices go before middles of edges.
+      if (away < least + (handle.kind === "bulge" ? -2 : 0)) [nearest, least] = [handle, away];
+    }
+    this.selected = nearest;
+    this.onSelect?.();
+    if (!nearest) return null;
+    const handle = nearest;
+    const { store } = this.#session;
+    let begun = false;
+    return {
+      move: (to) => {
+        if (!begun) this.#remember();
+        begun = true;
+        store.change({ dragging: true });
+        this.#moveTo(handle, to);
+      },
+      end: () => store.change({ dragging: false }),
+    };
+  }
+
+  #moveTo(handle: Handle, to: Place): void {
+    const placement = this.#session.state.placements[handle.part] ?? IDENTITY;
+    const own = apply(inverse(placement), to);
+    this.#change(handle.part, (e) => {
+      if (handle.kind === "pivot") return e.motion.type === "revolute" ? { ...e, motion: { ...e.motion, center: to } } : e;
+      const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
+      if (!edge) return e;
+      if (handle.kind === "vertex") return withVertex(e, handle, own);
+      const bulge = bulgeThrough(edge, own);
+      return withVertex(e, handle, { bulge: Math.abs(bulge) < STRAIGHT ? 0 : bulge });
+    });
+  }
+
+  // What is typed.
+
+  /** The values of what is selected that can be typed. */
+  fields(): { name: string; value: number; change(value: number): void }[] {
+    const handle = this.selected;
+    const e = handle ? this.#edited[handle.part] : undefined;
+    if (!handle || !e) return [];
+    const typed = (by: (e: Edited, value: number) => Edited | null) => (value: number) => {
+      const next = by(e, value);
+      if (!next) {
+        this.onReport?.({ seconds: NaN, total: NaN, roundTrip: NaN, changes: "", error: "no arc of this radius reaches from one end of the edge to the other" });
+        return;
+      }
+      this.#remember();
+      this.#change(handle.part, () => next);
+    };
+    if (handle.kind === "pivot") {
+      if (e.motion.type !== "revolute") return [];
+      const motion = e.motion;
+      return (["x", "y"] as const).map((k) => ({
+        name: `pivot ${k}`,
+        value: motion.center[k],
+        change: typed((was, value) => ({ ...was, motion: { ...motion, center: { ...motion.center, [k]: value } } })),
+      }));
+    }
+    const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
+    if (!edge) return [];
+    if (handle.kind === "vertex") {
+      return (["x", "y"] as const).map((k) => ({ name: k, value: edge.from[k], change: typed((was, value) => withVertex(was, handle, { [k]: value })) }));
+    }
+    const arc = arcOf(edge);
+    if (!arc) return [];
+    return [
+      {
+        name: "radius",
+        value: arc.radius,
+        change: typed((was, value) => {
+          const bulge = bulgeOfRadius(edge, value);
+          return bulge === null ? null : withVertex(was, handle, { bulge });
+        }),
+      },
+    ];
+  }
+
+  /** Grows or shrinks the outline of a part. */
+  setOffset(part: number, offset: number): void {
+    this.#remember();
+    this.#change(part, (e) => ({ ...e, offset }));
+  }
+}
+
+function withVertex(e: Edited, handle: Handle & { loop: number; index: number }, to: Partial<ScenePart["loops"][number][number]>): Edited {
+  const loops = e.loops.map((loop, l) => (l === handle.loop ? loop.map((v, i) => (i === handle.index ? { ...v, ...to } : v)) : loop));
+  return { ...e, loops };
+}
+
+function isSame(a: Handle, b: Handle | null): boolean {
+  if (!b || a.kind !== b.kind || a.part !== b.part) return false;
+  return a.kind === "pivot" || b.kind === "pivot" || (a.loop === b.loop && a.index === b.index);
+}
+

@@ -1,0 +1,251 @@
+/** Puts the page together. */
+
+import { SCENE_VERSION } from "../scene.js";
+import type { Scene } from "../scene.js";
+import type { Actions } from "./actions.js";
+import { readAddress, writeAddress } from "./address.js";
+import { byId, download, html, say, set } from "./dom.js";
+import { EditPanel } from "./edit-panel.js";
+import { Editor } from "./edit.js";
+import { makeHelp } from "./help.js";
+import { listenToKeys } from "./keys.js";
+import { Legend } from "./legend.js";
+import { PartsView } from "./parts-view.js";
+import { picture, pngFile, svgFile } from "./pictures.js";
+import type { Pane } from "./pictures.js";
+import { PlaneView } from "./plane-view.js";
+import { Readout } from "./readout.js";
+import { pageInterface } from "./script.js";
+import { Server } from "./server.js";
+import { Session } from "./session.js";
+import { SliceView } from "./slice-view.js";
+import { SpaceView } from "./space-view.js";
+import type { Key, Theme } from "./state.js";
+import { ThetaSlider } from "./theta-slider.js";
+import { Timeline } from "./timeline.js";
+import { Toolbar } from "./toolbar.js";
+
+/** The address is written once the state has not changed for this long (ms): browsers refuse to write it at every frame. */
+const ADDRESS_DELAY = 250;
+/** The script's `ready` waits for the surface to be complete, but not longer than this (ms): the page can be used before. */
+const READY_DELAY = 1000;
+
+export function openPage(scene: Scene): void {
+  const served = Server.isThere();
+  const address = readAddress(location.hash, scene);
+  const server = served ? new Server() : null;
+  const session = new Session(scene, address, server ? (pair) => server.pair(pair) : null);
+  const { store } = session;
+  applyTheme(store.state.theme);
+  const editor = server ? new Editor(session, server) : null;
+
+  const partsView = new PartsView(byId("parts"), session, editor);
+  const sliceView = new SliceView(byId("slice"), session);
+  const planeView = new PlaneView(byId("plane"), session);
+  const spaceView = openSpaceView(session, address.camera ?? null);
+  new Legend(byId("legend"), session);
+  new Readout(byId("readout"), session);
+  new ThetaSlider(byId("theta"), session);
+  const timeline = new Timeline(byId("timeline"), session);
+  const help = makeHelp();
+
+  const select = (pair: number) => {
+    const done = session.select(pair);
+    store.flush();
+    return done;
+  };
+  const panes = (): Pane[] => {
+    const pair = session.pair;
+    if (pair?.class === "fixed-axes") return [partsView.viewport.svg, planeView.viewport.svg];
+    if (!session.planar) return [partsView.viewport.svg];
+    spaceView?.drawNow();
+    return [partsView.viewport.svg, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
+  };
+  const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
+  const fileName = (ending: string) => `${scene.name.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "cspace"}.${ending}`;
+  const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
+  const actions: Actions = {
+    toggleStop: () => store.change({ stop: !store.state.stop }),
+    toggleCut: () => store.change({ cut: !store.state.cut }),
+    toggleColouring: () => store.change({ colouring: store.state.colouring === "kind" ? "region" : "kind" }),
+    toggleTheme: () => store.change({ theme: ({ auto: "dark", dark: "light", light: "auto" } as const)[store.state.theme] }),
+    toggleEdit: () => editor && store.change({ editing: !store.state.editing }),
+    fit: () => {
+      partsView.fit();
+      spaceView?.lookFromTheFront();
+      for (const view of [sliceView, planeView]) view.viewport.svg.dispatchEvent(new MouseEvent("dblclick"));
+    },
+    help: help.show,
+    play: () => timeline.toggle(),
+    undo: () => editor?.undo(),
+    redo: () => editor?.redo(),
+    openRecord: () => chooseFile((file) => void timeline.open(file).catch(failed)),
+    saveSvg: () => download(fileName("svg"), svgFile(made())),
+    savePng: () => void pngFile(made()).then((blob) => download(fileName("png"), blob), failed),
+    saveModel: () => void editor?.model().then((text) => download(fileName("toml"), new Blob([text], { type: "application/toml" })), failed),
+  };
+  new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
+  if (editor) new EditPanel(session, editor, actions);
+  listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });
+  listenToDrops((file) => void timeline.open(file).catch(failed));
+
+  store.subscribe((changed, state) => {
+    if (changed.has("theme")) {
+      applyTheme(state.theme);
+      spaceView?.applyTheme();
+    }
+    if ((["space", "pair"] as Key[]).some((k) => changed.has(k))) showPanes(session, spaceView !== null);
+    if (changed.has("message")) showMessage(state.message, () => store.change({ message: null }));
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    applyTheme(store.state.theme);
+    spaceView?.applyTheme();
+  });
+  keepAddress(session, spaceView);
+
+  let ready: Promise<void> = Promise.resolve();
+  const begin = (done: Promise<void>) => {
+    ready = done.then(async () => {
+      store.flush();
+      if (spaceView) {
+        spaceView.drawNow();
+        await Promise.race([spaceView.built, new Promise((resolve) => setTimeout(resolve, READY_DELAY))]);
+        spaceView.drawNow();
+      }
+    });
+    return ready;
+  };
+  if (session.pair) void begin(session.select(store.state.pair, address.configuration ?? null)).then(() => partsView.fit());
+  else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
+  window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
+}
+
+function openSpaceView(session: Session, camera: readonly number[] | null): SpaceView | null {
+  const building = byId("building");
+  try {
+    const view = new SpaceView(byId("space"), session, camera);
+    view.onProgress = (left) => {
+      building.hidden = left === 0;
+      if (left > 0) say(building, `${left} patches left to draw`);
+    };
+    return view;
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    session.store.change({ message: `The 3-D view needs WebGL, which this browser does not offer (${reason}); the slice is shown instead.` });
+    return null;
+  }
+}
+
+/** Which of the views on the right are for the selected pair. */
+function showPanes(session: Session, has3d: boolean): void {
+  const { space } = session.state;
+  const axes = session.pair?.class === "fixed-axes";
+  const planar = !axes && (session.planar !== null || space.state === "loading");
+  byId("space").hidden = !planar || !has3d;
+  byId("slice").hidden = !planar;
+  byId("plane").hidden = !axes || space.state === "none";
+  const none = byId("no-space");
+  const reason = noSpace(session);
+  none.hidden = reason === null;
+  none.classList.toggle("error", space.state === "none" && space.error);
+  if (reason !== null) say(none, reason);
+}
+
+function noSpace(session: Session): string | null {
+  const { space } = session.state;
+  if (space.state === "none") return space.reason;
+  const pair = session.pair;
+  return space.state === "ready" && pair?.class === "lower" ? session.lowerText(pair) : null;
+}
+
+function applyTheme(theme: Theme): void {
+  const dark = theme === "dark" || (theme === "auto" && matchMedia("(prefers-color-scheme: dark)").matches);
+  document.documentElement.dataset["theme"] = dark ? "dark" : "light";
+}
+
+function showMessage(message: string | null, close: () => void): void {
+  const element = byId("message");
+  element.hidden = message === null;
+  if (message === null) return;
+  const button = html("button", { type: "button", "aria-label": "Close the message" }, "✕");
+  button.addEventListener("click", close);
+  element.replaceChildren(html("span", {}, message), button);
+}
+
+function chooseFile(take: (file: File) => void): void {
+  const input = html("input", { type: "file", accept: ".json,application/json" });
+  input.addEventListener("change", () => {
+    const file = input.files?.[0];
+    if (file) take(file);
+  });
+  input.click();
+}
+
+function listenToDrops(take: (file: File) => void): void {
+  const dropping = (on: boolean) => document.body.classList.toggle("dropping", on);
+  document.addEventListener("dragover", (event) => {
+    event.preventDefault();
+    dropping(true);
+  });
+  document.addEventListener("dragleave", () => dropping(false));
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    dropping(false);
+    for (const file of event.dataTransfer?.files ?? []) take(file);
+  });
+}
+
+/** Writes the address, and follows one that is typed or gone back to. */
+function keepAddress(session: Session, spaceView: SpaceView | null): void {
+  const { store } = session;
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  let written = location.hash;
+  let moved = false;
+  const write = () => {
+    timer = null;
+    if (store.state.space.state === "loading" || store.state.playing) return;
+    written = writeAddress(store.state, moved ? (spaceView?.camera ?? null) : null);
+    // A page within another may not write its address.
+    try {
+      history.replaceState(null, "", written);
+    } catch {
+      written = location.hash;
+    }
+  };
+  const later = () => {
+    if (timer !== null) clearTimeout(timer);
+    timer = setTimeout(write, ADDRESS_DELAY);
+  };
+  store.subscribe(later);
+  if (spaceView) {
+    spaceView.onCamera = () => {
+      moved = true;
+      later();
+    };
+  }
+  window.addEventListener("hashchange", () => {
+    if (location.hash === written) return;
+    const to = readAddress(location.hash, session.scene);
+    const { theme, stop, colouring, cut } = { ...store.state, ...to };
+    store.change({ theme, stop, colouring, cut, hidden: new Set(to.hidden ?? []) });
+    if (to.camera) spaceView?.setCamera(to.camera);
+    if (to.pair !== undefined && to.pair !== store.state.pair) void session.select(to.pair, to.configuration ?? null);
+    else if (to.configuration) session.setConfiguration(to.configuration);
+  });
+}
+
+/** The scene in the page; throws what the user is to read. */
+export function readScene(): Scene {
+  const text = document.getElementById("scene")?.textContent;
+  if (!text) throw new Error("There is no scene in this page: it was not written by cspace.");
+  const scene = JSON.parse(text) as Scene;
+  if (scene.format !== "cspace-scene") throw new Error("What is in this page is no scene.");
+  if (scene.version !== SCENE_VERSION) throw new Error(`The scene has version ${scene.version}, and this page reads version ${SCENE_VERSION}.`);
+  return scene;
+}
+
+export function showFailure(error: unknown): void {
+  const element = byId("message");
+  set(element, { hidden: null });
+  say(element, error instanceof Error ? error.message : String(error));
+}

@@ -1,0 +1,270 @@
+/** The parts, to scale, where they are in the assembly. Those of the selected pair can be dragged. */
+
+import type { Place, ScenePart } from "../scene.js";
+import { set, svg } from "./dom.js";
+import type { Editor } from "./edit.js";
+import { lowerPair } from "./lower.js";
+import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
+import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit } from "./placement.js";
+import type { Placement } from "./placement.js";
+import type { Session } from "./session.js";
+import type { Key, State } from "./state.js";
+import { Viewport, wheelAngle } from "./viewport.js";
+import type { Drag } from "./viewport.js";
+
+/** Lengths in pixels. */
+const NORMAL_ARROW = 34;
+const PIVOT = 7;
+
+interface Drawn {
+  part: ScenePart;
+  group: SVGGElement;
+  outline: SVGPathElement;
+  touching: SVGGElement;
+}
+
+export class PartsView {
+  readonly viewport: Viewport;
+  readonly #session: Session;
+  readonly #editor: Editor | null;
+  readonly #parts: SVGGElement;
+  readonly #pivots: SVGGElement;
+  readonly #marks: SVGGElement;
+  readonly #handles: SVGGElement;
+  #drawn: Drawn[] = [];
+
+  constructor(parent: HTMLElement, session: Session, editor: Editor | null) {
+    this.#session = session;
+    this.#editor = editor;
+    this.viewport = new Viewport(parent, {
+      uniform: true,
+      label: "The parts. Drag a part to move it; the wheel over the moving part turns it.",
+      grab: (at, event) => this.#grab(at, event),
+      wheel: (at, event) => this.#wheel(at, event),
+    });
+    this.viewport.unit = session.scene.unit ?? "";
+    this.#parts = svg("g");
+    this.viewport.world.append(this.#parts);
+    this.#pivots = svg("g", { class: "pivots" });
+    this.#marks = svg("g", { class: "marks" });
+    this.#handles = svg("g", { class: "handles" });
+    this.viewport.overlay.append(this.#pivots, this.#marks, this.#handles);
+    this.viewport.onView = () => this.#drawOverlay();
+    session.store.subscribe((changed, state) => this.#update(changed, state));
+    this.fit();
+  }
+
+  /** Shows all parts, and those of the pair as far as they are near. */
+  fit(): void {
+    const box = emptyBox();
+    const { parts, placements } = this.#session.state;
+    parts.forEach((part, i) => {
+      const of = boxOf(part.loops);
+      const p = placements[i] ?? IDENTITY;
+      for (const x of [of.x0, of.x1]) for (const y of [of.y0, of.y1]) grow(box, apply(p, { x, y }));
+    });
+    this.viewport.fit(box, 0.12);
+  }
+
+  #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
+    if (changed.has("parts")) this.#build(state);
+    if (changed.has("pair") || changed.has("parts")) this.#classes();
+    if (changed.has("placements") || changed.has("parts")) {
+      this.#drawn.forEach((d, i) => set(d.group, { transform: matrix(state.placements[i] ?? IDENTITY) }));
+    }
+    if (changed.has("where") || changed.has("parts")) this.#touching(state);
+    if (["placements", "where", "parts", "pair", "editing"].some((k) => changed.has(k as Key))) this.#drawOverlay();
+  }
+
+  #build(state: Readonly<State>): void {
+    // While a vertex is dragged the same elements are kept, or the pointer would lose them.
+    state.parts.forEach((part, i) => {
+      let drawn = this.#drawn[i];
+      if (!drawn) {
+        const outline = svg("path", { class: "outline" });
+        const grip = svg("path", { class: "grip" });
+        const touching = svg("g", { class: "touching" });
+        const group = svg("g", { "data-part": i }, svg("title", {}, part.name), outline, grip, touching);
+        this.#parts.append(group);
+        drawn = { part, group, outline, touching };
+        this.#drawn[i] = drawn;
+      }
+      if (drawn.part === part && drawn.outline.hasAttribute("d")) return;
+      drawn.part = part;
+      const d = outlinePath(part.loops);
+      for (const path of drawn.group.querySelectorAll("path.outline, path.grip")) set(path, { d });
+    });
+  }
+
+  #classes(): void {
+    const pair = this.#session.pair;
+    this.#drawn.forEach((d, i) => {
+      const role = !pair ? "other" : i === pair.fixed ? "fixed" : i === pair.moving ? "moving" : "other";
+      set(d.group, { class: `part ${role}` });
+    });
+    // Those of the pair are drawn over the others.
+    for (const i of pair ? [pair.fixed, pair.moving] : []) {
+      const group = this.#drawn[i]?.group;
+      if (group) this.#parts.append(group);
+    }
+  }
+
+  #touching(state: Readonly<State>): void {
+    const pair = this.#session.pair;
+    this.#drawn.forEach((d) => d.touching.replaceChildren());
+    if (!pair) return;
+    for (const touch of state.where.touching) {
+      for (const [index, name] of [[pair.fixed, touch.fixed] as const, [pair.moving, touch.moving] as const]) {
+        const d = this.#drawn[index];
+        const place = d ? featurePlace(d.part, name) : null;
+        if (!d || !place) continue;
+        const loop = d.part.loops[place.loop] ?? [];
+        const vertex = loop[place.index];
+        if (place.kind === "vertex" && vertex) {
+          // A line of no length with round ends is a dot of the stroke's width at any zoom.
+          d.touching.append(svg("path", { class: "touch-vertex", d: `M${vertex.x} ${vertex.y}h0` }));
+        } else {
+          const edge = edgeOf(loop, place.index);
+          if (edge) d.touching.append(svg("path", { class: "touch-edge", d: edgePath(edge) }));
+        }
+      }
+    }
+  }
+
+  #drawOverlay(): void {
+    const { state, pair } = { state: this.#session.state, pair: this.#session.pair };
+    this.#pivots.replaceChildren(...this.#pivotMarks());
+    const marks: SVGElement[] = [];
+    if (pair) {
+      const frame = this.#session.axes ? IDENTITY : (state.placements[pair.fixed] ?? IDENTITY);
+      for (const touch of state.where.touching) {
+        const at = this.viewport.toScreen(apply(frame, { x: touch.at[0], y: touch.at[1] }));
+        const n = rotate({ x: touch.normal[0], y: touch.normal[1] }, frame.theta);
+        const tip = { x: at.x + NORMAL_ARROW * n.x, y: at.y - NORMAL_ARROW * n.y };
+        const back = { x: tip.x - 9 * n.x, y: tip.y + 9 * n.y };
+        const side = { x: 4 * n.y, y: 4 * n.x };
+        marks.push(
+          svg("path", { class: "normal", d: `M${at.x} ${at.y}L${back.x} ${back.y}` }),
+          svg("path", { class: "normal-tip", d: `M${tip.x} ${tip.y}L${back.x + side.x} ${back.y + side.y}L${back.x - side.x} ${back.y - side.y}Z` }),
+          svg("circle", { class: "contact", cx: at.x, cy: at.y, r: 4 }),
+        );
+      }
+    }
+    this.#marks.replaceChildren(...marks);
+    this.#handles.replaceChildren(...(this.#editor?.handles(this.viewport) ?? []));
+  }
+
+  #pivotMarks(): SVGElement[] {
+    const { state, scene } = this.#session;
+    const marks: SVGElement[] = [];
+    const pivot = (at: Place, kind: string, name: string) => {
+      const { x, y } = this.viewport.toScreen(at);
+      const d = `M${x - PIVOT} ${y}a${PIVOT} ${PIVOT} 0 1 0 ${2 * PIVOT} 0a${PIVOT} ${PIVOT} 0 1 0 ${-2 * PIVOT} 0M${x - PIVOT - 4} ${y}h${2 * PIVOT + 8}M${x} ${y - PIVOT - 4}v${2 * PIVOT + 8}`;
+      marks.push(svg("path", { class: kind, d }, svg("title", {}, name)));
+    };
+    state.parts.forEach((part, i) => {
+      if (part.motion.type === "revolute") pivot(part.motion.center, "pivot", `pivot of ${part.name}`);
+      if (part.motion.type === "prismatic") {
+        const box = boxOf(part.loops);
+        const at = this.viewport.toScreen(apply(state.placements[i] ?? IDENTITY, { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 }));
+        const d = unit(part.motion.direction);
+        marks.push(svg("path", { class: "pivot", d: `M${at.x - 22 * d.x} ${at.y + 22 * d.y}L${at.x + 22 * d.x} ${at.y - 22 * d.y}` }, svg("title", {}, `slides: ${part.name}`)));
+      }
+    });
+    for (const joint of scene.joints) {
+      if (joint.at) pivot(apply(state.placements[joint.parts[0]] ?? IDENTITY, joint.at), "pivot joint", `${joint.type} joint`);
+    }
+    return marks;
+  }
+
+  #grab(at: Place, event: PointerEvent): Drag | null {
+    const edited = this.#editor?.grab(at, this.viewport);
+    if (edited) return edited;
+    const part = partOf(event.target);
+    const pair = this.#session.pair;
+    if (part === null || !pair || (part !== pair.fixed && part !== pair.moving)) return null;
+    const start = this.#session.state.placements[part] ?? IDENTITY;
+    const motion = this.#session.state.parts[part]?.motion ?? { type: "planar" };
+    if (motion.type === "fixed") return null;
+    const store = this.#session.store;
+    store.change({ dragging: true, playing: false });
+    const end = () => store.change({ dragging: false });
+    const hinge = part === pair.moving ? lowerHinge(this.#session) : null;
+    if (motion.type === "revolute" || hinge) {
+      const center = hinge ?? (motion.type === "revolute" ? motion.center : at);
+      // Angles are followed from move to move, so that several turns can be made.
+      let angle = Math.atan2(at.y - center.y, at.x - center.x);
+      let turned = 0;
+      const from = start.theta;
+      return {
+        move: (to) => {
+          const now = Math.atan2(to.y - center.y, to.x - center.x);
+          turned += shortestTurn(angle, now);
+          angle = now;
+          const placement = motion.type === "revolute" ? ofMotion(motion, from + turned) : { ...start, theta: from + turned };
+          this.#session.dragPart(part, placement);
+        },
+        end,
+      };
+    }
+    let last = at;
+    let slid = start;
+    return {
+      move: (to, moved) => {
+        if (motion.type === "planar" && moved.shiftKey) {
+          this.#session.turn(((to.y - last.y) / this.viewport.pixel.y) * (TURN / 720));
+          slid = this.#session.state.placements[part] ?? start;
+        } else {
+          slid = { ...slid, x: slid.x + to.x - last.x, y: slid.y + to.y - last.y };
+          const along = motion.type === "prismatic" ? ofMotion(motion, coordinateOf(motion, slid)) : { ...slid, theta: this.#wantedTheta(part, slid) };
+          this.#session.dragPart(part, along);
+        }
+        last = to;
+      },
+      end,
+    };
+  }
+
+  /** The orientation of a part that is dragged may be turned meanwhile. */
+  #wantedTheta(part: number, slid: Placement): number {
+    return this.#session.state.placements[part]?.theta ?? slid.theta;
+  }
+
+  #wheel(at: Place, event: WheelEvent): boolean {
+    const { state, pair } = this.#session;
+    const part = partOf(event.target);
+    if (!pair || !(state.dragging || event.shiftKey || part === pair.moving)) return false;
+    const moving = state.parts[pair.moving];
+    if (!moving) return false;
+    const placement = state.placements[pair.moving] ?? IDENTITY;
+    const motion = moving.motion;
+    if (motion.type === "prismatic") this.#session.nudge(0, wheelAngle(event) * 20 * this.viewport.pixel.x * 10);
+    else if (motion.type === "revolute") this.#session.turn(wheelAngle(event));
+    else if (state.dragging) this.#session.turn(wheelAngle(event));
+    else this.#session.turn(wheelAngle(event), apply(inverse(placement), event.shiftKey ? centerOf(moving, placement) : at));
+    return true;
+  }
+}
+
+function centerOf(part: ScenePart, p: Placement): Place {
+  const box = boxOf(part.loops);
+  return apply(p, { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 });
+}
+
+function lowerHinge(session: Session): Place | null {
+  const pair = session.pair;
+  const lower = pair ? lowerPair(pair) : null;
+  if (!pair || lower?.type !== "revolute" || pair.space?.format !== "lower-pair") return null;
+  const joint = (pair.space as { joint: { at?: Place } }).joint;
+  return joint.at ? apply(session.state.placements[pair.fixed] ?? IDENTITY, joint.at) : null;
+}
+
+function matrix(p: Placement): string {
+  const [c, s] = [Math.cos(p.theta), Math.sin(p.theta)];
+  return `matrix(${c} ${s} ${-s} ${c} ${p.x} ${p.y})`;
+}
+
+function partOf(target: EventTarget | null): number | null {
+  const group = target instanceof Element ? target.closest("[data-part]") : null;
+  return group ? Number(group.getAttribute("data-part")) : null;
+}

@@ -1,0 +1,86 @@
+/** Pictures of what is seen: the parts beside the space, as SVG or PNG. */
+
+import { svg } from "./dom.js";
+
+/** What CSS says of elements that a file has to say itself. */
+const PROPERTIES = [
+  "fill", "fill-opacity", "fill-rule", "stroke", "stroke-width", "stroke-opacity", "stroke-linecap", "stroke-linejoin", "stroke-dasharray",
+  "vector-effect", "opacity", "visibility", "display", "font-size", "font-family", "font-weight",
+] as const;
+
+/** PNG files have this many pixels for each of the screen's. */
+const PNG_SCALE = 2;
+
+/** One of the views side by side: an SVG, or a canvas that has been drawn just now. */
+export type Pane = SVGSVGElement | HTMLCanvasElement;
+
+interface Picture {
+  text: string;
+  width: number;
+  height: number;
+}
+
+export function picture(panes: readonly Pane[], background: string, title: string): Picture {
+  const sizes = panes.map((p) => p.getBoundingClientRect());
+  const width = sizes.reduce((sum, s) => sum + s.width, 0);
+  const height = Math.max(...sizes.map((s) => s.height));
+  const root = svg("svg", { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}` }, svg("title", {}, title));
+  root.append(svg("rect", { width, height, fill: background }));
+  let x = 0;
+  panes.forEach((pane, i) => {
+    const size = sizes[i];
+    if (!size) return;
+    const box = { x, y: (height - size.height) / 2, width: size.width, height: size.height };
+    if (pane instanceof SVGSVGElement) root.append(svg("svg", { ...box, overflow: "hidden" }, ...styled(pane)));
+    else root.append(svg("image", { ...box, href: pane.toDataURL("image/png") }));
+    x += size.width;
+  });
+  return { text: new XMLSerializer().serializeToString(root), width, height };
+}
+
+function styled(from: SVGSVGElement): Node[] {
+  const copy = from.cloneNode(true) as SVGSVGElement;
+  const originals = from.querySelectorAll("*");
+  copy.querySelectorAll("*").forEach((element, i) => {
+    const original = originals[i];
+    if (!original) return;
+    const style = getComputedStyle(original);
+    for (const name of PROPERTIES) {
+      const value = style.getPropertyValue(name);
+      if (value && value !== "none" && value !== "normal") element.setAttribute(name, value);
+      else if (name === "fill" || name === "stroke") element.setAttribute(name, "none");
+    }
+    element.removeAttribute("class");
+  });
+  // What only catches the pointer is no part of a picture.
+  for (const grip of [...from.querySelectorAll("*")].flatMap((e, i) => (e.classList.contains("grip") ? [i] : []))) {
+    copy.querySelectorAll("*")[grip]?.setAttribute("data-gone", "");
+  }
+  copy.querySelectorAll("[data-gone]").forEach((e) => e.remove());
+  return [...copy.childNodes];
+}
+
+export function svgFile({ text }: Picture): Blob {
+  return new Blob([`<?xml version="1.0" encoding="UTF-8"?>\n${text}\n`], { type: "image/svg+xml" });
+}
+
+export async function pngFile(of: Picture): Promise<Blob> {
+  const image = new Image();
+  const url = URL.createObjectURL(svgFile(of));
+  try {
+    await new Promise<void>((resolve, reject) => {
+      image.onload = () => resolve();
+      image.onerror = () => reject(new Error("the picture cannot be drawn"));
+      image.src = url;
+    });
+    const canvas = document.createElement("canvas");
+    canvas.width = Math.round(of.width * PNG_SCALE);
+    canvas.height = Math.round(of.height * PNG_SCALE);
+    canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return await new Promise<Blob>((resolve, reject) => {
+      canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the browser makes no PNG"))), "image/png");
+    });
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}

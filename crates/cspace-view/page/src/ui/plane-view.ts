@@ -1,0 +1,161 @@
+/** The plane (u, v) of a pair with fixed axes: free regions, blocked space, contact curves, and the configuration. */
+
+import type { AxesKernel, AxisInfo, DrawnCurve } from "../kernel/api.js";
+import type { Place } from "../scene.js";
+import { regionColour } from "./colours.js";
+import { curvePaths, pathOf } from "./curves.js";
+import { set, svg } from "./dom.js";
+import { isAxes } from "./mechanism.js";
+import type { Box } from "./outline.js";
+import { TURN, wrap } from "./placement.js";
+import type { Session } from "./session.js";
+import { pointMark } from "./slice-view.js";
+import type { Key, State } from "./state.js";
+import { Viewport, wheelPixels } from "./viewport.js";
+import type { Drag } from "./viewport.js";
+
+const GRAB = 26;
+/** Curves are drawn within this share of the plane's extent. */
+const DEVIATION = 1 / 4000;
+/** A part that stands still has a strip of this width (model unit or radians), so that there is something to see. */
+const STILL = 1;
+
+export class PlaneView {
+  readonly viewport: Viewport;
+  readonly #session: Session;
+  readonly #blocked: SVGRectElement;
+  readonly #free: SVGGElement;
+  readonly #curves: SVGGElement;
+  readonly #path: SVGPathElement;
+  readonly #point: SVGGElement;
+  #drawn: { kernel: AxesKernel; curves: DrawnCurve[] } | null = null;
+
+  constructor(parent: HTMLElement, session: Session) {
+    this.#session = session;
+    this.viewport = new Viewport(parent, {
+      uniform: false,
+      label: "The plane of the motions u and v of the two parts. Drag the point to move them.",
+      grab: (at) => this.#grab(at),
+      wheel: (at, event) => this.#wheel(at, event),
+    });
+    this.#blocked = svg("rect", { class: "blocked-space" });
+    this.#free = svg("g");
+    this.#curves = svg("g");
+    this.#path = svg("path", { class: "way" });
+    const clip = svg("clipPath", { id: "plane-period" }, svg("rect"));
+    const content = svg("g", { "clip-path": "url(#plane-period)" }, this.#blocked, this.#free, this.#path, this.#curves);
+    this.viewport.world.append(clip, content);
+    this.#point = pointMark();
+    this.viewport.overlay.append(this.#point);
+    this.viewport.onView = () => this.#placePoint();
+    session.store.subscribe((changed, state) => this.#update(changed, state));
+  }
+
+  #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
+    const kernel = this.#session.axes;
+    if (!kernel) return;
+    if (changed.has("space")) this.#build(kernel, !state.editing);
+    if (["space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) this.#paint(state, kernel);
+    if (changed.has("record") || changed.has("space")) this.#drawPath(state, kernel);
+    if (changed.has("configuration") || changed.has("space")) this.#placePoint();
+    if (changed.has("where")) set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
+  }
+
+  #build(kernel: AxesKernel, fit: boolean): void {
+    const box = periodOf(kernel);
+    this.viewport.kinds = [kernel.u.kind === "angle" ? "angle" : "length", kernel.v.kind === "angle" ? "angle" : "length"];
+    this.viewport.unit = this.#axisText();
+    const attributes = { x: box.x0, y: box.y0, width: box.x1 - box.x0, height: box.y1 - box.y0 };
+    set(this.#blocked, attributes);
+    const clip = this.viewport.world.querySelector("clipPath rect");
+    if (clip) set(clip, attributes);
+    const deviation = Math.max(box.x1 - box.x0, box.y1 - box.y0) * DEVIATION;
+    this.#drawn = { kernel, curves: kernel.curves(deviation) };
+    const byRegion = new Map<number, string>();
+    for (const { region, points } of kernel.free(deviation)) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
+    this.#free.replaceChildren(
+      ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d })),
+    );
+    if (fit) this.viewport.fit(box, 0.06);
+  }
+
+  #axisText(): string {
+    const { pair, scene } = this.#session;
+    const text = (part: number | undefined, name: string) => {
+      const of = part === undefined ? undefined : scene.parts[part];
+      const unit = of?.motion.type === "prismatic" && scene.unit ? ` (${scene.unit})` : "";
+      return `${name}: ${of?.name ?? ""}${unit}`;
+    };
+    return `→ ${text(pair?.fixed, "u")}   ↑ ${text(pair?.moving, "v")}`;
+  }
+
+  #paint(state: Readonly<State>, kernel: AxesKernel): void {
+    if (this.#drawn?.kernel !== kernel) return;
+    for (const path of this.#free.children) set(path, { visibility: state.hidden.has(Number(path.getAttribute("data-region"))) ? "hidden" : null });
+    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
+    const paths = curvePaths(kernel as never, this.#drawn.curves, shown);
+    // What runs over a period's end is seen at its beginning too.
+    const shifts = (axis: AxisInfo) => (axis.round ? [-TURN, 0, TURN] : [0]);
+    const copies = shifts(kernel.u).flatMap((u) =>
+      shifts(kernel.v).map((v) => svg("g", { transform: `translate(${u} ${v})` }, ...paths.map((p) => p.cloneNode(true)))),
+    );
+    this.#curves.replaceChildren(...copies);
+  }
+
+  #drawPath(state: Readonly<State>, kernel: AxesKernel): void {
+    const steps = state.record?.kind === "plan" ? state.record.steps : [];
+    let d = "";
+    for (let i = 0; i + 1 < steps.length; i += 1) {
+      const [a, b] = [steps[i]?.at, steps[i + 1]?.at];
+      if (!a || !b || !isAxes(a) || !isAxes(b)) continue;
+      // Each leg begins in the period; its other end may lie outside, and is seen again by the next leg.
+      const from = inPeriod(kernel, a);
+      d += pathOf([from.x, from.y, from.x + b.u - a.u, from.y + b.v - a.v]);
+    }
+    set(this.#path, { d });
+  }
+
+  #placePoint(): void {
+    const c = this.#session.state.configuration;
+    const kernel = this.#session.axes;
+    if (!kernel || !isAxes(c)) return;
+    const { x, y } = this.viewport.toScreen(inPeriod(kernel, c));
+    set(this.#point, { transform: `translate(${x} ${y})` });
+  }
+
+  #grab(at: Place): Drag | null {
+    const c = this.#session.state.configuration;
+    const kernel = this.#session.axes;
+    if (!kernel || !isAxes(c)) return null;
+    const p = inPeriod(kernel, c);
+    const { x, y } = this.viewport.pixel;
+    if (Math.hypot((at.x - p.x) / x, (at.y - p.y) / y) > GRAB) return null;
+    const [du, dv] = [c.u - at.x, c.v - at.y];
+    const { store } = this.#session;
+    store.change({ dragging: true, playing: false });
+    return {
+      move: (to) => this.#session.aim({ u: to.x + du, v: to.y + dv }),
+      end: () => store.change({ dragging: false }),
+    };
+  }
+
+  #wheel(_at: Place, event: WheelEvent): boolean {
+    if (!event.shiftKey && !this.#session.state.dragging) return false;
+    this.#session.nudge(0, (-wheelPixels(event) / 20) * this.viewport.pixel.y);
+    return true;
+  }
+}
+
+function periodOf(kernel: AxesKernel): Box {
+  const [u, v] = [rangeOf(kernel.u), rangeOf(kernel.v)];
+  return { x0: u[0], y0: v[0], x1: u[1], y1: v[1] };
+}
+
+function rangeOf({ lo, hi, round }: AxisInfo): [number, number] {
+  if (round) return [lo, lo + TURN];
+  return hi > lo ? [lo, hi] : [lo - STILL / 2, lo + STILL / 2];
+}
+
+function inPeriod(kernel: AxesKernel, { u, v }: { u: number; v: number }): Place {
+  return { x: kernel.u.round ? wrap(u, kernel.u.lo) : u, y: kernel.v.round ? wrap(v, kernel.v.lo) : v };
+}

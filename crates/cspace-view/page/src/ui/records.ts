@@ -1,0 +1,168 @@
+/** What `cspace plan` and `cspace simulate` print, read and told at any time. */
+
+import type { Configuration } from "../kernel/api.js";
+import type { Placement } from "./placement.js";
+
+export interface Tick {
+  t: number;
+  text: string;
+}
+
+export type PlayableRecord =
+  | { kind: "plan"; name: string; duration: number; ticks: Tick[]; summary: string; steps: { t: number; at: Configuration }[] }
+  | { kind: "simulation"; name: string; duration: number; ticks: Tick[]; summary: string; parts: string[]; steps: Sample[] };
+
+export interface Sample {
+  t: number;
+  /** Coordinates by the names of parts: a placement, or the motion of a part with one degree of freedom. */
+  parts: Map<string, Placement | number>;
+}
+
+/** Why a file is no record, for the user. */
+export class RecordError extends Error {}
+
+/** A planned path has no times: it is played in this many seconds. */
+const PATH_SECONDS = 6;
+
+type Json = Record<string, unknown>;
+
+export function readRecord(name: string, record: unknown): PlayableRecord {
+  if (!isObject(record)) throw new RecordError(`${name}: not what "cspace plan" or "cspace simulate" prints with --format json: no object`);
+  if ("verdict" in record) return readPlan(name, record);
+  if ("samples" in record) return readSimulation(name, record);
+  throw new RecordError(`${name}: neither "verdict" (cspace plan) nor "samples" (cspace simulate) is in it`);
+}
+
+export function readRecordText(name: string, text: string): PlayableRecord {
+  let json: unknown;
+  try {
+    json = JSON.parse(text);
+  } catch (error) {
+    throw new RecordError(`${name}: not JSON: ${error instanceof Error ? error.message : String(error)}`);
+  }
+  return readRecord(name, json);
+}
+
+function readPlan(name: string, record: Json): PlayableRecord {
+  const verdict = String(record["verdict"]);
+  const path = array(name, record["path"], "path").map((c, i) => configuration(name, c, i));
+  if (path.length === 0) throw new RecordError(`${name}: there is no path to play; the verdict is "${verdict}"`);
+  const kind = Object.keys(path[0] ?? {}).join();
+  if (path.some((c) => Object.keys(c).join() !== kind)) throw new RecordError(`${name}: the path mixes (x, y, theta) and (u, v)`);
+  const lengths = path.map((c, i) => (i === 0 ? 0 : distance(path[i - 1] ?? c, c)));
+  const total = lengths.reduce((a, b) => a + b, 0);
+  let sum = 0;
+  const steps = path.map((at, i) => {
+    sum += lengths[i] ?? 0;
+    return { t: total > 0 ? (PATH_SECONDS * sum) / total : 0, at };
+  });
+  const ticks = steps.map(({ t }, i) => ({ t, text: i === 0 ? "start" : i === steps.length - 1 ? "goal" : `corner ${i}` }));
+  const clearance = record["clearance"];
+  const summary = typeof clearance === "number" ? `${verdict}, clearance ${clearance.toPrecision(4)}` : verdict;
+  return { kind: "plan", name, duration: total > 0 ? PATH_SECONDS : 0, ticks, summary, steps };
+}
+
+/** How long legs are relative to each other; a radian counts as a unit of length, which only sets the pace. */
+function distance(a: Configuration, b: Configuration): number {
+  const [p, q] = [numbersOf(a), numbersOf(b)];
+  return Math.hypot(...p.map((x, i) => (q[i] ?? x) - x));
+}
+
+export function numbersOf(c: Configuration): number[] {
+  return "u" in c ? [c.u, c.v] : [c.x, c.y, c.theta];
+}
+
+function configuration(name: string, c: unknown, index: number): Configuration {
+  const place = `path[${index}]`;
+  if (Array.isArray(c) && c.length === 3) return { x: number(name, c[0], place), y: number(name, c[1], place), theta: number(name, c[2], place) };
+  if (Array.isArray(c) && c.length === 2) return { u: number(name, c[0], place), v: number(name, c[1], place) };
+  if (isObject(c) && "u" in c) return { u: number(name, c["u"], `${place}.u`), v: number(name, c["v"], `${place}.v`) };
+  if (isObject(c)) {
+    return { x: number(name, c["x"], `${place}.x`), y: number(name, c["y"], `${place}.y`), theta: number(name, c["theta"], `${place}.theta`) };
+  }
+  throw new RecordError(`${name}: ${place} is no configuration`);
+}
+
+function readSimulation(name: string, record: Json): PlayableRecord {
+  const parts = array(name, record["parts"], "parts").map(String);
+  const steps = array(name, record["samples"], "samples").map((row, i): Sample => {
+    if (!isObject(row)) throw new RecordError(`${name}: samples[${i}] is no object`);
+    const at = parts.map((part): [string, Placement | number] => {
+      const value = row[part];
+      const place = `samples[${i}].${part}`;
+      if (!Array.isArray(value)) return [part, number(name, value, place)];
+      return [part, { x: number(name, value[0], place), y: number(name, value[1], place), theta: number(name, value[2], place) }];
+    });
+    return { t: number(name, row["t"], `samples[${i}].t`), parts: new Map(at) };
+  });
+  if (steps.length === 0) throw new RecordError(`${name}: it has no samples`);
+  if (steps.some((s, i) => s.t < (steps[i - 1]?.t ?? -Infinity))) throw new RecordError(`${name}: the times of samples do not ascend`);
+  const ticks = array(name, record["events"] ?? [], "events").map((event, i) => {
+    if (!isObject(event)) throw new RecordError(`${name}: events[${i}] is no object`);
+    return { t: number(name, event["t"], `events[${i}].t`), text: eventText(event) };
+  });
+  const reason = typeof record["reason"] === "string" ? `: ${record["reason"]}` : "";
+  const duration = steps[steps.length - 1]?.t ?? 0;
+  return { kind: "simulation", name, duration, ticks, summary: `${String(record["status"] ?? "done")}${reason}`, parts, steps };
+}
+
+function eventText(event: Json): string {
+  const features = Array.isArray(event["features"]) ? event["features"].map(String) : [];
+  const of = [event["fixed"], event["moving"]].map((part, i) => [part, features[i]].filter((x) => x !== undefined).join(", "));
+  const parts = of.filter((x) => x !== "").join(" and ") || String(event["part"] ?? "");
+  return `${String(event["kind"])}${parts ? `: ${parts}` : ""}`;
+}
+
+/** Index of the last step that is not after `t`, and how much of the way to the next has gone. */
+function between(steps: readonly { t: number }[], t: number): [number, number] {
+  let [lo, hi] = [0, steps.length - 1];
+  while (lo < hi) {
+    const middle = Math.ceil((lo + hi) / 2);
+    if ((steps[middle]?.t ?? Infinity) <= t) lo = middle;
+    else hi = middle - 1;
+  }
+  const [a, b] = [steps[lo]?.t ?? 0, steps[lo + 1]?.t];
+  return [lo, b === undefined || b <= a ? 0 : Math.min(1, Math.max(0, (t - a) / (b - a)))];
+}
+
+const mix = (a: number, b: number, f: number) => (f === 0 ? a : a + f * (b - a));
+
+/** The configuration of a planned path at a time. */
+export function pathAt(record: PlayableRecord & { kind: "plan" }, t: number): Configuration | null {
+  const [i, f] = between(record.steps, t);
+  const a = record.steps[i]?.at;
+  const b = record.steps[i + 1]?.at ?? a;
+  if (!a || !b) return null;
+  if ("u" in a && "u" in b) return { u: mix(a.u, b.u, f), v: mix(a.v, b.v, f) };
+  if ("x" in a && "x" in b) return { x: mix(a.x, b.x, f), y: mix(a.y, b.y, f), theta: mix(a.theta, b.theta, f) };
+  return null;
+}
+
+/** The coordinates of all parts of a simulation at a time. */
+export function partsAt(record: PlayableRecord & { kind: "simulation" }, t: number): Map<string, Placement | number> {
+  const [i, f] = between(record.steps, t);
+  const a = record.steps[i]?.parts ?? new Map<string, Placement | number>();
+  const b = record.steps[i + 1]?.parts ?? a;
+  const result = new Map<string, Placement | number>();
+  for (const [name, from] of a) {
+    const to = b.get(name) ?? from;
+    if (typeof from === "number") result.set(name, typeof to === "number" ? mix(from, to, f) : from);
+    else if (typeof to === "number") result.set(name, from);
+    else result.set(name, { x: mix(from.x, to.x, f), y: mix(from.y, to.y, f), theta: mix(from.theta, to.theta, f) });
+  }
+  return result;
+}
+
+function isObject(value: unknown): value is Json {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+function array(name: string, value: unknown, place: string): unknown[] {
+  if (!Array.isArray(value)) throw new RecordError(`${name}: "${place}" is no list`);
+  return value;
+}
+
+function number(name: string, value: unknown, place: string): number {
+  if (typeof value !== "number" || !Number.isFinite(value)) throw new RecordError(`${name}: ${place} is no number`);
+  return value;
+}

@@ -1,0 +1,48 @@
+/** Which free regions opened or closed when a space was computed again. */
+
+import type { Configuration, Kernel } from "../kernel/api.js";
+import type { SceneRegion } from "../scene.js";
+
+interface Regions {
+  regions: readonly SceneRegion[];
+  kernel: Pick<Kernel, "region">;
+}
+
+/** Regions are the same if a configuration known to be in one of them is in the other. */
+export function regionChanges(before: Regions, after: Regions): string {
+  const kept = new Set<number>();
+  const known = new Set<number>();
+  before.regions.forEach((region, i) => {
+    const now = regionAt(after, region);
+    if (now === null) return;
+    kept.add(i);
+    known.add(now);
+  });
+  after.regions.forEach((region, i) => {
+    const was = regionAt(before, region);
+    if (was === null) return;
+    kept.add(was);
+    known.add(i);
+  });
+  const closed = before.regions.flatMap((_, i) => (kept.has(i) ? [] : [i]));
+  const opened = after.regions.flatMap((_, i) => (known.has(i) ? [] : [i]));
+  const said: string[] = [];
+  if (closed.length > 0) said.push(`${named(closed)} closed`);
+  if (opened.length > 0) said.push(`${named(opened)} opened`);
+  if (said.length === 0 && before.regions.length > after.regions.length) said.push("regions joined");
+  if (said.length === 0 && before.regions.length < after.regions.length) said.push("a region was divided");
+  return said.length > 0 ? `${said.join(", ")}: ${count(before)} before, ${count(after)} now` : "";
+}
+
+function regionAt({ kernel }: Regions, { sample: [a = 0, b = 0, c] }: SceneRegion): number | null {
+  const at: Configuration = c === undefined ? { u: a, v: b } : { x: a, y: b, theta: c };
+  return kernel.region(at);
+}
+
+function named(regions: readonly number[]): string {
+  return `${regions.length === 1 ? "region" : "regions"} ${regions.join(", ")}`;
+}
+
+function count({ regions }: Regions): string {
+  return regions.length === 1 ? "1 region" : `${regions.length} regions`;
+}

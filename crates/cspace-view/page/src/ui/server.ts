@@ -1,0 +1,75 @@
+/** What the page asks of the server that serves it. */
+
+import type { ScenePair, ScenePart } from "../scene.js";
+
+export interface PartEdit {
+  index: number;
+  loops: ScenePart["loops"];
+  motion: ScenePart["motion"];
+  /** How much the outline is grown (model unit). */
+  offset?: number;
+}
+
+export interface EditAnswer {
+  sequence: number;
+  pair: ScenePair;
+  parts: ScenePart[];
+  seconds: number;
+  total_seconds: number;
+}
+
+export class ServerError extends Error {
+  constructor(
+    message: string,
+    readonly superseded = false,
+  ) {
+    super(message);
+  }
+}
+
+/** The answer to an edit that a newer one has made useless. */
+const CONFLICT = 409;
+
+export class Server {
+  /** The server counts the edits of every page for itself. */
+  readonly #session = crypto.randomUUID();
+  #sequence = 0;
+
+  /** Whether this page is served, and not a file. */
+  static isThere(): boolean {
+    return /^https?:$/.test(location.protocol) && ["127.0.0.1", "localhost", "[::1]"].includes(location.hostname);
+  }
+
+  async pair(index: number): Promise<ScenePair> {
+    const answer = await ask(`pair/${index}`);
+    return (await answer.json()) as ScenePair;
+  }
+
+  async edit(pair: number, parts: readonly PartEdit[]): Promise<EditAnswer> {
+    const answer = await this.#post("edit", pair, parts);
+    return (await answer.json()) as EditAnswer;
+  }
+
+  async model(pair: number, parts: readonly PartEdit[]): Promise<string> {
+    const answer = await this.#post("model", pair, parts);
+    return answer.text();
+  }
+
+  #post(route: string, pair: number, parts: readonly PartEdit[]): Promise<Response> {
+    const body = JSON.stringify({ session: this.#session, sequence: (this.#sequence += 1), pair, parts });
+    return ask(route, { method: "POST", headers: { "content-type": "application/json" }, body });
+  }
+}
+
+async function ask(route: string, init?: RequestInit): Promise<Response> {
+  let answer: Response;
+  try {
+    answer = await fetch(route, init);
+  } catch {
+    throw new ServerError("the server does not answer: is `cspace view` still running?");
+  }
+  if (answer.ok) return answer;
+  const said = (await answer.json().catch(() => ({}))) as { error?: string; help?: string };
+  const text = said.error ?? `the server answers ${answer.status}`;
+  throw new ServerError(said.help ? `${text} (${said.help})` : text, answer.status === CONFLICT);
+}

@@ -1,0 +1,357 @@
+/** What a user does: selects a pair, moves, turns. Everything that moves parts goes through here. */
+
+import type { AxesConfiguration, AxesKernel, Configuration, Kernel, PlanarConfiguration, PlanarKernel } from "../kernel/api.js";
+import { openPair } from "../kernel/index.js";
+import type { Scene, ScenePair } from "../scene.js";
+import type { Address } from "./address.js";
+import { lowerPair } from "./lower.js";
+import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
+import type { Anchor } from "./mechanism.js";
+import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate } from "./placement.js";
+import type { Placement } from "./placement.js";
+import { Store } from "./state.js";
+import type { State, Where } from "./state.js";
+
+/** Fetches a pair with its space: from the server, of the model as it is edited. */
+export type Fetcher = (pair: number) => Promise<ScenePair>;
+
+const NOWHERE: Where = { classification: null, region: null, touching: [], nearest: null };
+
+export class Session {
+  readonly store: Store;
+  /** Of the pair that was selected last: settles when its space is there or it is known that there is none. */
+  loaded: Promise<void> = Promise.resolve();
+  #fetch: Fetcher | null;
+  readonly #kernels = new Map<number, Kernel | null>();
+  #selections = 0;
+  /** What is dragged to, until the next frame. */
+  #aim: { configuration: Configuration; anchor: Anchor; base: Placement | null } | null = null;
+
+  constructor(scene: Scene, address: Address, fetch: Fetcher | null) {
+    this.#fetch = fetch;
+    const placements = atRest(scene);
+    // Joints have the least to show.
+    const first = Math.max(0, scene.pairs.findIndex((p) => p.class !== "lower"));
+    const pair = scene.pairs[address.pair ?? first];
+    this.store = new Store({
+      scene,
+      parts: scene.parts,
+      pair: address.pair ?? first,
+      space: { state: "loading" },
+      placements,
+      configuration: pair ? configurationOf(scene, pair, placements) : IDENTITY,
+      where: NOWHERE,
+      stop: address.stop ?? true,
+      theme: address.theme ?? "auto",
+      colouring: address.colouring ?? "region",
+      hidden: new Set(address.hidden ?? []),
+      cut: address.cut ?? false,
+      dragging: false,
+      record: null,
+      time: 0,
+      playing: false,
+      speed: 1,
+      editing: false,
+      message: null,
+    });
+  }
+
+  /** Pairs are had from elsewhere from now on. */
+  set fetcher(fetch: Fetcher) {
+    this.#fetch = fetch;
+  }
+
+  get state(): Readonly<State> {
+    return this.store.state;
+  }
+
+  /** The scene as it is edited. */
+  get scene(): Scene {
+    return this.state.scene;
+  }
+
+  get pair(): ScenePair | undefined {
+    return this.scene.pairs[this.state.pair];
+  }
+
+  get kernel(): Kernel | null {
+    return this.state.space.state === "ready" ? this.state.space.kernel : null;
+  }
+
+  get planar(): PlanarKernel | null {
+    const kernel = this.kernel;
+    // Lower pairs have configurations in the plane, and no slices.
+    return kernel?.coordinates === "planar" && kernel.class !== "lower" ? (kernel as unknown as PlanarKernel) : null;
+  }
+
+  get axes(): AxesKernel | null {
+    const kernel = this.kernel;
+    return kernel?.coordinates === "axes" ? (kernel as unknown as AxesKernel) : null;
+  }
+
+  /** Selects a pair and gets its space; a configuration if it is known. */
+  select(index: number, configuration: Configuration | null = null): Promise<void> {
+    const pair = this.scene.pairs[index];
+    if (!pair) return Promise.reject(new RangeError(`there is no pair ${index}`));
+    const selection = ++this.#selections;
+    this.#aim = null;
+    const c = configurationOf(this.scene, pair, this.state.placements);
+    this.store.change({ pair: index, space: { state: "loading" }, configuration: c, where: NOWHERE, hidden: index === this.state.pair ? this.state.hidden : new Set() });
+    this.loaded = this.#load(index).then(() => {
+      if (selection !== this.#selections) return;
+      this.#opened(index, configuration);
+    });
+    return this.loaded;
+  }
+
+  async #load(index: number): Promise<void> {
+    const pair = this.scene.pairs[index];
+    if (!pair || pair.space || pair.error || !this.#fetch) return;
+    try {
+      this.replacePair(index, await this.#fetch(index));
+    } catch (error) {
+      this.replacePair(index, { ...pair, error: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  /** Takes a pair with its space; the kernel is opened when the pair is shown. */
+  replacePair(index: number, pair: ScenePair): void {
+    const pairs = this.scene.pairs.map((p, i) => (i === index ? pair : p));
+    this.#kernels.delete(index);
+    this.store.change({ scene: { ...this.scene, pairs } });
+  }
+
+  /** The parts have been edited: spaces of before are no longer theirs, but for that of a pair that is given. */
+  replaceParts(parts: Scene["parts"], index: number, pair: ScenePair, touched: ReadonlySet<number>): void {
+    const pairs = this.scene.pairs.map((p, i) => {
+      if (i === index) return pair;
+      return touched.has(p.fixed) || touched.has(p.moving) ? { ...p, space: null, error: null } : p;
+    });
+    this.#kernels.clear();
+    this.store.change({ scene: { ...this.scene, parts, pairs }, parts });
+    if (index === this.state.pair) this.#reopen(index);
+  }
+
+  #kernelOf(index: number): Kernel | null {
+    let kernel = this.#kernels.get(index);
+    if (kernel === undefined) {
+      kernel = openPair(this.scene, index);
+      this.#kernels.set(index, kernel);
+    }
+    return kernel;
+  }
+
+  #reopen(index: number): void {
+    const pair = this.scene.pairs[index];
+    if (!pair) return;
+    let kernel: Kernel | null = null;
+    let failure: string | null = pair.error;
+    try {
+      kernel = failure ? null : this.#kernelOf(index);
+    } catch (error) {
+      failure = `the saved space cannot be read: ${error instanceof Error ? error.message : String(error)}`;
+    }
+    if (kernel) this.store.change({ space: { state: "ready", kernel } });
+    else if (failure) this.store.change({ space: { state: "none", reason: failure, error: true } });
+    else this.store.change({ space: { state: "none", reason: this.lowerText(pair), error: !lowerPair(pair) } });
+    this.#look();
+  }
+
+  #opened(index: number, configuration: Configuration | null): void {
+    this.#reopen(index);
+    const pair = this.pair;
+    if (!pair) return;
+    if (configuration && isAxes(configuration) === hasAxes(pair)) this.setConfiguration(configuration);
+    else if (this.state.where.classification === "blocked" && isAtRest(this.state.placements)) this.#comeIn(pair);
+  }
+
+  /** Parts may be drawn on top of each other: then the moving one comes in from a free place until it touches. */
+  #comeIn(pair: ScenePair): void {
+    const kernel = this.kernel;
+    const region = pair.regions.find((r) => !r.unbounded) ?? pair.regions[0];
+    if (!kernel || !region) return;
+    const [a = 0, b = 0, c] = region.sample;
+    if (kernel.coordinates === "axes" || c === undefined) {
+      this.setConfiguration({ u: a, v: b });
+      return;
+    }
+    const theta = 0;
+    const from = { x: a, y: b, theta };
+    const free = kernel.classify(from) === "free";
+    this.setConfiguration(free && region.unbounded ? kernel.advance(from, { x: 0, y: 0, theta }).at : free ? from : { x: a, y: b, theta: c });
+  }
+
+  /** Places the parts exactly so, whatever is in the way. */
+  setConfiguration(c: Configuration, anchor: Anchor = "fixed"): void {
+    const pair = this.pair;
+    if (!pair || isAxes(c) !== hasAxes(pair)) return;
+    this.store.change({ configuration: c, placements: placed(this.scene, pair, this.state.placements, c, anchor) });
+    this.#look();
+  }
+
+  /** Places parts of a simulation; the configuration follows. */
+  setPlacements(placements: Placement[]): void {
+    const pair = this.pair;
+    this.store.change({ placements });
+    if (!pair) return;
+    this.store.change({ configuration: configurationOf(this.scene, pair, placements) });
+    this.#look();
+  }
+
+  #look(): void {
+    const kernel = this.kernel;
+    const c = this.state.configuration;
+    if (!kernel || isAxes(c) !== (kernel.coordinates === "axes")) {
+      this.store.change({ where: NOWHERE });
+      return;
+    }
+    const classification = kernel.classify(c);
+    const inside = classification === "free" || classification === "contact";
+    this.store.change({
+      where: {
+        classification,
+        region: inside ? kernel.region(c) : null,
+        touching: classification === "contact" ? kernel.touching(c, this.touchDistance) : [],
+        nearest: inside ? kernel.nearest(c) : null,
+      },
+    });
+  }
+
+  /** What is nearer than this touches. */
+  get touchDistance(): number {
+    const pair = this.pair;
+    return pair ? Math.max(pair.contact_distance, pair.resolution) : 0;
+  }
+
+  /** Moves towards a configuration at the next frame, as far as contacts let it if they are to stop it. */
+  aim(configuration: Configuration, anchor: Anchor = "fixed", base: Placement | null = null): void {
+    const waiting = this.#aim !== null;
+    this.#aim = { configuration, anchor, base };
+    if (!waiting) requestAnimationFrame(() => this.settle());
+  }
+
+  /** Where dragging leads to, or where the parts are. */
+  get aimed(): Configuration {
+    return this.#aim?.configuration ?? this.state.configuration;
+  }
+
+  /** Does what was aimed at now. */
+  settle(): void {
+    const aim = this.#aim;
+    this.#aim = null;
+    const pair = this.pair;
+    if (!aim || !pair) return;
+    const to = this.#reached(pair, aim.configuration);
+    if (aim.base) {
+      const index = aim.anchor === "fixed" ? pair.fixed : pair.moving;
+      this.store.change({ placements: this.state.placements.map((p, i) => (i === index && aim.base ? aim.base : p)) });
+    }
+    this.setConfiguration(to, aim.anchor);
+  }
+
+  #reached(pair: ScenePair, to: Configuration): Configuration {
+    const kernel = this.kernel;
+    const lower = lowerPair(pair);
+    if (lower && isPlanar(to)) return lower.at(lower.coordinate(to));
+    if (isAxes(to)) to = this.#withinRanges(pair, to);
+    if (!kernel || !this.state.stop) return to;
+    if (this.state.where.classification === "blocked") return to;
+    return kernel.slide(this.state.configuration, to).at;
+  }
+
+  #withinRanges(pair: ScenePair, c: AxesConfiguration): AxesConfiguration {
+    const held = (part: number, value: number) => {
+      const motion = this.scene.parts[part]?.motion;
+      if (!motion || motion.type === "fixed" || motion.type === "planar") return 0;
+      return motion.range ? Math.min(motion.range[1], Math.max(motion.range[0], value)) : value;
+    };
+    return { u: held(pair.fixed, c.u), v: held(pair.moving, c.v) };
+  }
+
+  /** Drags a part of the pair to a placement; others go as contacts make them. */
+  dragPart(part: number, to: Placement): void {
+    const pair = this.pair;
+    if (!pair) return;
+    const motion = this.scene.parts[part]?.motion ?? { type: "planar" };
+    const c = this.aimed;
+    if (isAxes(c)) {
+      const value = coordinateOf(motion, to);
+      this.aim(part === pair.fixed ? { ...c, u: value } : { ...c, v: value });
+      return;
+    }
+    const moving = part === pair.moving;
+    const other = this.state.placements[moving ? pair.fixed : pair.moving] ?? IDENTITY;
+    const wanted = moving ? relative(other, to) : relative(to, other);
+    const free = motion.type === "planar" || lowerPair(pair) !== null;
+    if (moving) this.aim(wanted, free ? "fixed" : "moving", free ? null : to);
+    else this.aim(wanted, "fixed", to);
+  }
+
+  /** Translates the point: along x and y, or u and v. */
+  nudge(dx: number, dy: number): void {
+    const c = this.aimed;
+    if (isAxes(c)) this.aim({ u: c.u + dx, v: c.v + dy });
+    else this.aim({ ...c, x: c.x + dx, y: c.y + dy });
+  }
+
+  /** Turns the moving part about a point of its own; its origin unless given. */
+  turn(by: number, about: { x: number; y: number } = { x: 0, y: 0 }): void {
+    const c = this.aimed;
+    if (isAxes(c)) {
+      this.aim({ ...c, v: c.v + by });
+      return;
+    }
+    this.aim(turned(c, by, about));
+  }
+
+  setTheta(theta: number): void {
+    const c = this.aimed;
+    if (isPlanar(c)) this.aim({ ...c, theta });
+  }
+
+  /** Goes to the middle of the next band, or of the previous. */
+  stepBand(by: 1 | -1): void {
+    const kernel = this.planar;
+    const c = this.state.configuration;
+    if (!kernel || !isPlanar(c) || kernel.bands.length === 0) return;
+    const at = kernel.bandAt(c.theta);
+    const count = kernel.bands.length;
+    const next = kernel.window.fullTurn ? (at + by + count) % count : Math.min(count - 1, Math.max(0, at + by));
+    const band = kernel.bands[next];
+    if (band) this.setConfiguration({ ...c, theta: (band[0] + band[1]) / 2 });
+  }
+
+  /** Everything as it is drawn. */
+  reset(): void {
+    this.setPlacements(atRest(this.scene));
+    const pair = this.pair;
+    if (pair && this.state.where.classification === "blocked") this.#comeIn(pair);
+  }
+
+  /** What there is to say where there is nothing to draw. */
+  lowerText(pair: ScenePair): string {
+    const lower = lowerPair(pair);
+    if (!lower) return "There is no configuration space of this pair to show.";
+    const text = { revolute: "turn about a pivot", prismatic: "slide along a line", rigid: "are joined rigidly" }[lower.type];
+    return `The two parts ${text}: a lower pair, whose joint is its whole configuration space.`;
+  }
+
+  /** Where parts with one degree of freedom are by their own coordinates, others by placements. */
+  placementsBy(parts: ReadonlyMap<string, Placement | number>): Placement[] {
+    return this.scene.parts.map((part, i) => {
+      const at = parts.get(part.name);
+      if (at === undefined) return this.state.placements[i] ?? IDENTITY;
+      return typeof at === "number" ? ofMotion(part.motion, at) : at;
+    });
+  }
+}
+
+function turned(c: PlanarConfiguration, by: number, about: { x: number; y: number }): PlanarConfiguration {
+  const center = apply(c, about);
+  const r = rotate(about, c.theta + by);
+  return { x: center.x - r.x, y: center.y - r.y, theta: c.theta + by };
+}
+
+function isAtRest(placements: readonly Placement[]): boolean {
+  return placements.every((p) => p.x === 0 && p.y === 0 && p.theta === 0);
+}

@@ -1,0 +1,107 @@
+/** The slice at the current orientation, in the plane. The point in it can be dragged. */
+
+import type { Place } from "../scene.js";
+import type { PlanarKernel } from "../kernel/api.js";
+import { curvePaths, loopsOf, pathOf } from "./curves.js";
+import { set, svg } from "./dom.js";
+import { isPlanar } from "./mechanism.js";
+import type { Session } from "./session.js";
+import { currentSlice, extentOf } from "./slices.js";
+import type { Key, State } from "./state.js";
+import { Viewport, wheelAngle } from "./viewport.js";
+import type { Drag } from "./viewport.js";
+
+/** How near to the point it is grabbed, in pixels; fingers are thicker than mice. */
+const GRAB = 26;
+/** Ends of curves nearer than this share of the space's extent are one point, to fill what they are around. */
+const JOINED = 1e-6;
+
+export class SliceView {
+  readonly viewport: Viewport;
+  readonly #session: Session;
+  readonly #curves: SVGGElement;
+  readonly #blocked: SVGPathElement;
+  readonly #path: SVGPathElement;
+  readonly #point: SVGGElement;
+
+  constructor(parent: HTMLElement, session: Session) {
+    this.#session = session;
+    this.viewport = new Viewport(parent, {
+      uniform: true,
+      label: "The slice of the configuration space at the current orientation. Drag the point to move the part.",
+      grab: (at) => this.#grab(at),
+      wheel: (at, event) => {
+        if (!session.state.dragging && !event.shiftKey && !this.#isNear(at)) return false;
+        session.turn(wheelAngle(event));
+        return true;
+      },
+    });
+    this.viewport.unit = session.scene.unit ?? "";
+    this.#path = svg("path", { class: "way" });
+    this.#curves = svg("g");
+    this.#blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd" });
+    this.viewport.world.append(this.#blocked, this.#path, this.#curves);
+    this.#point = pointMark();
+    this.viewport.overlay.append(this.#point);
+    this.viewport.onView = () => this.#placePoint();
+    session.store.subscribe((changed, state) => this.#update(changed, state));
+  }
+
+  #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
+    const kernel = this.#session.planar;
+    if (changed.has("space") && kernel && !state.editing) {
+      const { lo, hi } = kernel.bounds();
+      this.viewport.fit({ x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] });
+    }
+    if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
+      const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
+      if (changed.has("configuration") || changed.has("space")) this.#fill(kernel);
+      this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
+      this.#placePoint();
+      set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
+    }
+    if (changed.has("record")) {
+      const steps = state.record?.kind === "plan" ? state.record.steps : [];
+      set(this.#path, { d: pathOf(steps.flatMap(({ at }) => (isPlanar(at) ? [at.x, at.y] : []))) });
+    }
+  }
+
+  /** Far away everything is free, so that what an odd number of loops is around is blocked. */
+  #fill(kernel: PlanarKernel | null): void {
+    const curves = kernel ? currentSlice(this.#session) : [];
+    const loops = kernel ? loopsOf(curves.map((c) => c.points), extentOf(kernel) * JOINED) : [];
+    set(this.#blocked, { d: loops.map((points) => pathOf(points, true)).join("") });
+  }
+
+  #placePoint(): void {
+    const c = this.#session.state.configuration;
+    if (!isPlanar(c)) return;
+    const { x, y } = this.viewport.toScreen(c);
+    set(this.#point, { transform: `translate(${x} ${y})` });
+  }
+
+  #isNear(at: Place): boolean {
+    const c = this.#session.state.configuration;
+    return isPlanar(c) && Math.hypot(at.x - c.x, at.y - c.y) < GRAB * this.viewport.pixel.x;
+  }
+
+  #grab(at: Place): Drag | null {
+    const c = this.#session.state.configuration;
+    if (!isPlanar(c) || !this.#isNear(at)) return null;
+    const [dx, dy] = [c.x - at.x, c.y - at.y];
+    const { store } = this.#session;
+    store.change({ dragging: true, playing: false });
+    return {
+      move: (to) => {
+        const now = this.#session.aimed;
+        if (isPlanar(now)) this.#session.aim({ x: to.x + dx, y: to.y + dy, theta: now.theta });
+      },
+      end: () => store.change({ dragging: false }),
+    };
+  }
+}
+
+/** The configuration as a point with a ring to grab. */
+export function pointMark(): SVGGElement {
+  return svg("g", { class: "point" }, svg("circle", { class: "point-ring", r: 11 }), svg("circle", { class: "point-dot", r: 4.5 }));
+}

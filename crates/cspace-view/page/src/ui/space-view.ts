@@ -1,0 +1,311 @@
+/** The configuration space in 3-D: x, y and the orientation upwards. The configuration is a point that can be dragged. */
+
+import { AmbientLight, DirectionalLight, PerspectiveCamera, Plane, Raycaster, Scene as Scene3, Spherical, Vector2, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { PlanarKernel } from "../kernel/api.js";
+import { TOUCHING } from "./colours.js";
+import { isPlanar } from "./mechanism.js";
+import { wrap } from "./placement.js";
+import type { Session } from "./session.js";
+import { currentSlice, extentOf } from "./slices.js";
+import { SpaceAxes } from "./space-axes.js";
+import { SpaceMarks } from "./space-marks.js";
+import type { Key, State } from "./state.js";
+import { Surface } from "./surface.js";
+import type { SpaceScale } from "./surface.js";
+import { wheelAngle } from "./viewport.js";
+
+/** How near to the point it is grabbed, in pixels. */
+const GRAB = 22;
+/** The surface is drawn within this share of the space's extent. */
+const DEVIATION = 1 / 700;
+const FIELD_OF_VIEW = 32;
+/** Surfaces of edited parts are made again once the parts have not changed for this long (ms). */
+const SETTLED = 160;
+/** A turn of π for so many pixels of the pointer, with Shift. */
+const PIXELS_PER_HALF_TURN = 360;
+
+const POINT_COLOURS = { free: "#009e73", contact: TOUCHING, blocked: "#b00020" } as const;
+
+export class SpaceView {
+  readonly canvas: HTMLCanvasElement;
+  /** Called when the user has looked from elsewhere. */
+  onCamera: (() => void) | null = null;
+  onProgress: ((left: number) => void) | null = null;
+  readonly #session: Session;
+  readonly #element: HTMLElement;
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene3();
+  readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1, 10);
+  readonly #controls: OrbitControls;
+  readonly #marks = new SpaceMarks();
+  readonly #axes: SpaceAxes;
+  readonly #cut = new Plane(new Vector3(0, 0, -1), 0);
+  readonly #light = new DirectionalLight(0xffffff, 2.2);
+  #scale: SpaceScale = { center: [0, 0], perRadian: 1, deviation: 1 };
+  #kernel: PlanarKernel | null = null;
+  #surface: Surface | null = null;
+  #rebuild: ReturnType<typeof setTimeout> | null = null;
+  #size = 1;
+  #frame: number | null = null;
+  #cameraFrom: readonly number[] | null;
+
+  /** Throws where the browser has no WebGL. */
+  constructor(parent: HTMLElement, session: Session, camera: readonly number[] | null) {
+    this.#session = session;
+    this.#element = parent;
+    this.#cameraFrom = camera;
+    this.#renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true, alpha: true });
+    this.#renderer.localClippingEnabled = true;
+    this.#renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.canvas = this.#renderer.domElement;
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "application");
+    this.canvas.setAttribute("aria-label", "The contact surface in x, y and orientation. Drag to look from elsewhere, drag the point to move the part.");
+    parent.append(this.canvas);
+    this.#axes = new SpaceAxes(parent);
+    this.#camera.up.set(0, 0, 1);
+    this.#camera.add(this.#light);
+    this.#light.position.set(0.4, 0.6, 1);
+    this.#scene.add(this.#camera, new AmbientLight(0xffffff, 1.1), this.#axes.group, this.#marks.group);
+    this.#listen();
+    this.#controls = new OrbitControls(this.#camera, this.canvas);
+    this.#controls.enableDamping = false;
+    this.#controls.addEventListener("change", () => this.#draw());
+    this.#controls.addEventListener("end", () => this.onCamera?.());
+    new ResizeObserver(() => this.#resize()).observe(parent);
+    session.store.subscribe((changed, state) => this.#update(changed, state));
+    this.#resize();
+  }
+
+  /** When the surface is there. */
+  get built(): Promise<void> {
+    return this.#surface?.done ?? Promise.resolve();
+  }
+
+  get triangles(): number {
+    return this.#surface?.triangles ?? 0;
+  }
+
+  /** Azimuth, elevation, distance and target, lengths in sizes of the space. */
+  get camera(): number[] {
+    const to = this.#controls.target;
+    const s = new Spherical().setFromVector3(swap(this.#camera.position.clone().sub(to)));
+    return [s.theta, s.phi, s.radius / this.#size, to.x / this.#size, to.y / this.#size, to.z / this.#size];
+  }
+
+  setCamera([theta = 0, phi = 1, radius = 2, x = 0, y = 0, z = 0]: readonly number[]): void {
+    const to = new Vector3(x, y, z).multiplyScalar(this.#size);
+    this.#controls.target.copy(to);
+    this.#camera.position.copy(to).add(unswap(new Vector3().setFromSpherical(new Spherical(radius * this.#size, phi, theta))));
+    this.#controls.update();
+    this.#draw();
+  }
+
+  lookFromTheFront(): void {
+    const z = this.#kernel ? ((this.#kernel.window.lo + this.#kernel.window.hi) / 2) * this.#scale.perRadian : 0;
+    this.setCamera([0.55, 1.08, 3.25, 0, 0, z / this.#size]);
+    this.onCamera?.();
+  }
+
+  #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
+    if (changed.has("space")) this.#open(state);
+    const kernel = this.#kernel;
+    const c = state.configuration;
+    if (kernel && isPlanar(c)) {
+      const theta = kernel.window.fullTurn ? wrap(c.theta, kernel.window.lo) : c.theta;
+      const z = theta * this.#scale.perRadian;
+      if (["configuration", "space", "hidden"].some((k) => changed.has(k as Key))) {
+        this.#marks.setTheta(z);
+        this.#marks.setSlice(currentSlice(this.#session), state.hidden, z, this.#scale);
+        this.#cut.constant = z;
+      }
+      const colour = state.where.classification ? POINT_COLOURS[state.where.classification] : "#888888";
+      this.#marks.setPoint(c.x - this.#scale.center[0], c.y - this.#scale.center[1], z, colour);
+      if (changed.has("where") || changed.has("space")) this.#marks.light(kernel, state.where.touching.map((t) => t.patch), this.#scale);
+      if (changed.has("record") || changed.has("space")) {
+        this.#marks.setWay(state.record?.kind === "plan" ? state.record.steps.map((s) => s.at) : [], kernel, this.#scale);
+      }
+    }
+    if (changed.has("colouring")) this.#surface?.paint(state.colouring);
+    if (changed.has("hidden") || changed.has("cut") || changed.has("space")) this.#surface?.show(state.hidden, state.cut);
+    if (changed.has("theme")) this.applyTheme();
+    this.#draw();
+  }
+
+  #open(state: Readonly<State>): void {
+    const kernel = this.#session.planar;
+    if (kernel === this.#kernel) return;
+    const first = !this.#kernel || !state.editing;
+    this.#kernel = kernel;
+    this.#marks.forgetLight();
+    if (this.#rebuild !== null) clearTimeout(this.#rebuild);
+    if (!kernel) {
+      this.#surface?.dispose();
+      this.#surface = null;
+      return;
+    }
+    if (first) {
+      this.#measure(kernel);
+      this.#build();
+    } else {
+      this.#surface?.fade(true);
+      this.#rebuild = setTimeout(() => this.#build(), SETTLED);
+    }
+  }
+
+  #measure(kernel: PlanarKernel): void {
+    const { lo, hi } = kernel.bounds();
+    const extent = extentOf(kernel);
+    const margin = 0.06 * extent;
+    const window = kernel.window;
+    const full = window.hi - window.lo;
+    // The window is as tall as the space is wide, narrow windows too.
+    this.#scale = { center: [(lo[0] + hi[0]) / 2, (lo[1] + hi[1]) / 2], perRadian: extent / (full || 1), deviation: extent * DEVIATION };
+    this.#size = extent;
+    const [low, high]: [number, number][] = [
+      [lo[0] - margin, lo[1] - margin],
+      [hi[0] + margin, hi[1] + margin],
+    ];
+    if (low && high) {
+      this.#marks.setExtent(high[0] - low[0], high[1] - low[1]);
+      this.#axes.build(low, high, [window.lo, window.hi], this.#scale, this.#session.scene.unit);
+    }
+    this.#camera.near = extent / 100;
+    this.#camera.far = extent * 40;
+    this.#camera.updateProjectionMatrix();
+    if (this.#cameraFrom) this.setCamera(this.#cameraFrom);
+    else this.lookFromTheFront();
+    this.#cameraFrom = null;
+  }
+
+  #build(): void {
+    const kernel = this.#kernel;
+    const { state } = this.#session;
+    if (!kernel || !isPlanar(state.configuration)) return;
+    this.#surface?.dispose();
+    const { lo, fullTurn } = kernel.window;
+    const theta = fullTurn ? wrap(state.configuration.theta, lo) : state.configuration.theta;
+    const surface = new Surface(kernel, this.#scale, theta, state.colouring, this.#cut, (left) => {
+      this.#surface?.show(this.#session.state.hidden, this.#session.state.cut);
+      this.onProgress?.(left);
+      this.#draw();
+    });
+    this.#surface = surface;
+    surface.show(state.hidden, state.cut);
+    this.#scene.add(surface.group);
+  }
+
+  applyTheme(): void {
+    const dark = getComputedStyle(this.#element).colorScheme.includes("dark");
+    this.#marks.theme(dark);
+    this.#axes.theme(dark);
+    this.#draw();
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.#element;
+    if (width === 0 || height === 0) return;
+    this.#renderer.setSize(width, height);
+    this.#camera.aspect = width / height;
+    this.#camera.updateProjectionMatrix();
+    this.#marks.resize(width, height);
+    this.drawNow();
+  }
+
+  #draw(): void {
+    this.#frame ??= requestAnimationFrame(() => this.drawNow());
+  }
+
+  drawNow(): void {
+    if (this.#frame !== null) cancelAnimationFrame(this.#frame);
+    this.#frame = null;
+    if (!this.#kernel || this.#element.clientHeight === 0) return;
+    const distance = this.#camera.position.distanceTo(this.#marks.point.position);
+    const perPixel = (2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / Math.max(1, this.#element.clientHeight);
+    this.#marks.scalePoint(perPixel);
+    this.#renderer.render(this.#scene, this.#camera);
+    this.#axes.place(this.#camera, this.#element.clientWidth, this.#element.clientHeight);
+  }
+
+  #ndc(event: { clientX: number; clientY: number }): Vector2 {
+    const r = this.canvas.getBoundingClientRect();
+    return new Vector2(((event.clientX - r.left) / r.width) * 2 - 1, 1 - ((event.clientY - r.top) / r.height) * 2);
+  }
+
+  #isOnPoint(event: { clientX: number; clientY: number }): boolean {
+    const r = this.canvas.getBoundingClientRect();
+    const p = this.#marks.point.position.clone().project(this.#camera);
+    const [x, y] = [r.left + ((p.x + 1) / 2) * r.width, r.top + ((1 - p.y) / 2) * r.height];
+    return this.#kernel !== null && Math.hypot(event.clientX - x, event.clientY - y) < GRAB;
+  }
+
+  /** Where the pointer meets the plane of an orientation. */
+  #onPlane(event: { clientX: number; clientY: number }, z: number): Vector3 | null {
+    const ray = new Raycaster();
+    ray.setFromCamera(this.#ndc(event), this.#camera);
+    return ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -z), new Vector3());
+  }
+
+  /** Registered before the controls, which are to leave the point alone. */
+  #listen(): void {
+    let drag: { pointer: number; dx: number; dy: number; y: number } | null = null;
+    const { store } = this.#session;
+    this.canvas.addEventListener(
+      "pointerdown",
+      (event) => {
+        if (event.button !== 0 || !this.#isOnPoint(event)) return;
+        const p = this.#marks.point.position;
+        const at = this.#onPlane(event, p.z);
+        drag = { pointer: event.pointerId, dx: at ? p.x - at.x : 0, dy: at ? p.y - at.y : 0, y: event.clientY };
+        this.#controls.enabled = false;
+        this.canvas.setPointerCapture(event.pointerId);
+        store.change({ dragging: true, playing: false });
+        event.stopImmediatePropagation();
+      },
+      { capture: true },
+    );
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (!drag || event.pointerId !== drag.pointer) {
+        this.canvas.style.cursor = this.#isOnPoint(event) ? "grab" : "";
+        return;
+      }
+      const c = this.#session.aimed;
+      if (!isPlanar(c)) return;
+      if (event.shiftKey) {
+        this.#session.setTheta(c.theta - ((event.clientY - drag.y) * Math.PI) / PIXELS_PER_HALF_TURN);
+      } else {
+        const at = this.#onPlane(event, this.#marks.point.position.z);
+        if (at) this.#session.aim({ x: at.x + drag.dx + this.#scale.center[0], y: at.y + drag.dy + this.#scale.center[1], theta: c.theta });
+      }
+      drag.y = event.clientY;
+    });
+    const up = (event: PointerEvent) => {
+      if (!drag || event.pointerId !== drag.pointer) return;
+      drag = null;
+      this.#controls.enabled = true;
+      store.change({ dragging: false });
+    };
+    this.canvas.addEventListener("pointerup", up);
+    this.canvas.addEventListener("pointercancel", up);
+    this.canvas.addEventListener(
+      "wheel",
+      (event) => {
+        if (!drag && !event.shiftKey && !this.#isOnPoint(event)) return;
+        event.preventDefault();
+        event.stopImmediatePropagation();
+        this.#session.turn(wheelAngle(event));
+      },
+      { capture: true, passive: false },
+    );
+  }
+}
+
+/** Spherical coordinates have y upwards. */
+function swap(v: Vector3): Vector3 {
+  return v.set(v.x, v.z, -v.y);
+}
+
+function unswap(v: Vector3): Vector3 {
+  return v.set(v.x, -v.z, v.y);
+}

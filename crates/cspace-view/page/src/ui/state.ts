@@ -1,0 +1,96 @@
+/** What the page shows, in one place. Views are told once a frame which of it has changed. */
+
+import type { Classification, Configuration, Kernel, Touch } from "../kernel/api.js";
+import type { Scene, ScenePart } from "../scene.js";
+import type { Colouring } from "./colours.js";
+import type { Placement } from "./placement.js";
+import type { PlayableRecord } from "./records.js";
+
+export type Theme = "auto" | "light" | "dark";
+
+export type SpaceState =
+  | { state: "loading" }
+  | { state: "ready"; kernel: Kernel }
+  /** A lower pair, or one whose space cannot be computed. */
+  | { state: "none"; reason: string; error: boolean };
+
+/** Where the configuration is. */
+export interface Where {
+  classification: Classification | null;
+  region: number | null;
+  touching: Touch[];
+  nearest: Touch | null;
+}
+
+export interface State {
+  scene: Scene;
+  /** The parts as the model gives them or as they are edited. */
+  parts: ScenePart[];
+  /** Index of the selected pair. */
+  pair: number;
+  space: SpaceState;
+  /** All parts in the assembly. */
+  placements: Placement[];
+  /** Of the selected pair. */
+  configuration: Configuration;
+  where: Where;
+  /** Whether what is dragged stops at contacts. */
+  stop: boolean;
+  theme: Theme;
+  colouring: Colouring;
+  hidden: ReadonlySet<number>;
+  /** Whether the surface is cut away above the current orientation. */
+  cut: boolean;
+  /** Whether something is being dragged. */
+  dragging: boolean;
+  record: PlayableRecord | null;
+  /** Where in the record: seconds. */
+  time: number;
+  playing: boolean;
+  speed: number;
+  editing: boolean;
+  /** What went wrong last, for the user. */
+  message: string | null;
+}
+
+export type Key = keyof State;
+
+export type Listener = (changed: ReadonlySet<Key>, state: Readonly<State>) => void;
+
+export class Store {
+  #state: State;
+  #changed = new Set<Key>();
+  #listeners: Listener[] = [];
+  #frame: number | null = null;
+
+  constructor(state: State) {
+    this.#state = state;
+  }
+
+  get state(): Readonly<State> {
+    return this.#state;
+  }
+
+  change(part: Partial<State>): void {
+    for (const key of Object.keys(part) as Key[]) {
+      if (this.#state[key] !== part[key]) this.#changed.add(key);
+    }
+    this.#state = { ...this.#state, ...part };
+    if (this.#changed.size > 0 && this.#frame === null) this.#frame = requestAnimationFrame(() => this.flush());
+  }
+
+  /** Tells the views now. */
+  flush(): void {
+    if (this.#frame !== null) cancelAnimationFrame(this.#frame);
+    this.#frame = null;
+    const changed = this.#changed;
+    this.#changed = new Set();
+    if (changed.size > 0) for (const listener of this.#listeners) listener(changed, this.#state);
+  }
+
+  /** Calls the listener with every key, and later with what has changed. */
+  subscribe(listener: Listener): void {
+    this.#listeners.push(listener);
+    listener(new Set(Object.keys(this.#state) as Key[]), this.#state);
+  }
+}

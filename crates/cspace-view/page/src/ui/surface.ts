@@ -1,0 +1,230 @@
+/**
+ * The contact surface as meshes, one for each free region. Patches are made a few at a time between frames, those near the current
+ * orientation first, so that the page can be used meanwhile.
+ */
+
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshLambertMaterial } from "three";
+import type { Plane } from "three";
+import type { PatchKind, PlanarKernel } from "../kernel/api.js";
+import { channels, patchColour } from "./colours.js";
+import type { Colouring } from "./colours.js";
+
+/** How long patches are made before the browser may draw a frame (ms). */
+const SLICE_OF_TIME = 8;
+/** A mesh begins with room for so many vertices and doubles it when it is full. */
+const FIRST_ROOM = 4096;
+
+/** Where the space is on the screen: z is the orientation, scaled. */
+export interface SpaceScale {
+  center: [number, number];
+  perRadian: number;
+  deviation: number;
+}
+
+interface Placed {
+  patch: number;
+  region: number | null;
+  kind: PatchKind;
+  start: number;
+  count: number;
+}
+
+class RegionMesh {
+  readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>;
+  readonly placed: Placed[] = [];
+  #positions = new Float32Array(3 * FIRST_ROOM);
+  #normals = new Float32Array(3 * FIRST_ROOM);
+  #colours = new Uint8Array(3 * FIRST_ROOM);
+  #indices = new Uint32Array(3 * FIRST_ROOM);
+  #vertices = 0;
+  #used = 0;
+
+  constructor(cut: Plane) {
+    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, clippingPlanes: [], clipShadows: false });
+    material.userData["cut"] = cut;
+    this.mesh = new Mesh(new BufferGeometry(), material);
+    this.mesh.frustumCulled = false;
+    this.#attach();
+  }
+
+  #attach(): void {
+    this.mesh.geometry.dispose();
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(this.#positions, 3));
+    geometry.setAttribute("normal", new BufferAttribute(this.#normals, 3));
+    geometry.setAttribute("color", new BufferAttribute(this.#colours, 3, true));
+    geometry.setIndex(new BufferAttribute(this.#indices, 1));
+    geometry.setDrawRange(0, this.#used);
+    this.mesh.geometry = geometry;
+  }
+
+  add(patch: Omit<Placed, "start" | "count">, made: ReturnType<PlanarKernel["surface"]>, scale: SpaceScale, colouring: Colouring): void {
+    const count = made.positions.length / 3;
+    const start = this.#vertices;
+    let grew = false;
+    while (3 * (start + count) > this.#positions.length) {
+      this.#positions = doubled(this.#positions, Float32Array);
+      this.#normals = doubled(this.#normals, Float32Array);
+      this.#colours = doubled(this.#colours, Uint8Array);
+      grew = true;
+    }
+    while (this.#used + made.indices.length > this.#indices.length) {
+      this.#indices = doubled(this.#indices, Uint32Array);
+      grew = true;
+    }
+    for (let i = 0; i < count; i += 1) {
+      const at = 3 * (start + i);
+      this.#positions[at] = (made.positions[3 * i] ?? 0) - scale.center[0];
+      this.#positions[at + 1] = (made.positions[3 * i + 1] ?? 0) - scale.center[1];
+      this.#positions[at + 2] = (made.positions[3 * i + 2] ?? 0) * scale.perRadian;
+    }
+    this.#normals.set(made.normals, 3 * start);
+    for (let i = 0; i < made.indices.length; i += 1) this.#indices[this.#used + i] = (made.indices[i] ?? 0) + start;
+    this.#vertices += count;
+    this.#used += made.indices.length;
+    const placed = { ...patch, start, count };
+    this.placed.push(placed);
+    this.#paint(placed, colouring);
+    if (grew) this.#attach();
+  }
+
+  /** Tells the graphics card what has been added. */
+  upload(): void {
+    const { geometry } = this.mesh;
+    for (const name of ["position", "normal", "color"]) {
+      const attribute = geometry.getAttribute(name);
+      if (attribute) attribute.needsUpdate = true;
+    }
+    if (geometry.index) geometry.index.needsUpdate = true;
+    geometry.setDrawRange(0, this.#used);
+  }
+
+  paint(colouring: Colouring): void {
+    for (const placed of this.placed) this.#paint(placed, colouring);
+    const colours = this.mesh.geometry.getAttribute("color");
+    if (colours) colours.needsUpdate = true;
+  }
+
+  #paint(placed: Placed, colouring: Colouring): void {
+    const rgb = channels(patchColour(colouring, placed)).map(linear);
+    for (let i = 0; i < placed.count; i += 1) this.#colours.set(rgb, 3 * (placed.start + i));
+  }
+
+  /** The patch that a vertex belongs to. */
+  patchOf(vertex: number): number | null {
+    return this.placed.find((p) => vertex >= p.start && vertex < p.start + p.count)?.patch ?? null;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}
+
+function doubled<A extends Float32Array | Uint8Array | Uint32Array>(array: A, make: new (length: number) => A): A {
+  const larger = new make(2 * array.length);
+  larger.set(array as never);
+  return larger;
+}
+
+/** Vertex colours are linear, and those of the page are not. */
+function linear(channel: number): number {
+  const c = channel / 255;
+  return Math.round(255 * (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+}
+
+export class Surface {
+  readonly group = new Group();
+  readonly #regions = new Map<number | null, RegionMesh>();
+  readonly #cut: Plane;
+  readonly kernel: PlanarKernel;
+  readonly #scale: SpaceScale;
+  #colouring: Colouring;
+  #waiting: number[];
+  #frame: number | null = null;
+  #onProgress: (left: number) => void;
+  /** When all patches are there. */
+  readonly done: Promise<void>;
+  #finish: () => void = () => {};
+
+  constructor(kernel: PlanarKernel, scale: SpaceScale, theta: number, colouring: Colouring, cut: Plane, onProgress: (left: number) => void) {
+    this.kernel = kernel;
+    this.#scale = scale;
+    this.#colouring = colouring;
+    this.#cut = cut;
+    this.#onProgress = onProgress;
+    this.done = new Promise((resolve) => {
+      this.#finish = resolve;
+    });
+    const far = (patch: number) => {
+      const [lo, hi] = kernel.patch(patch).orientations ?? [0, 0];
+      return Math.max(0, lo - theta, theta - hi);
+    };
+    // The nearest is taken first, from the end.
+    const distances = Array.from({ length: kernel.patchCount }, (_, i) => far(i));
+    this.#waiting = distances.map((_, i) => i).sort((a, b) => (distances[b] ?? 0) - (distances[a] ?? 0));
+    this.#step();
+  }
+
+  #step(): void {
+    const end = performance.now() + SLICE_OF_TIME;
+    const touched = new Set<RegionMesh>();
+    while (performance.now() < end) {
+      const patch = this.#waiting.pop();
+      if (patch === undefined) break;
+      const { region, kind } = this.kernel.patch(patch);
+      const made = this.kernel.surface(patch, this.#scale.deviation, this.#scale.perRadian);
+      if (made.indices.length === 0) continue;
+      const mesh = this.#meshOf(region);
+      mesh.add({ patch, region, kind }, made, this.#scale, this.#colouring);
+      touched.add(mesh);
+    }
+    for (const mesh of touched) mesh.upload();
+    this.#onProgress(this.#waiting.length);
+    if (this.#waiting.length > 0) this.#frame = requestAnimationFrame(() => this.#step());
+    else this.#finish();
+  }
+
+  #meshOf(region: number | null): RegionMesh {
+    let mesh = this.#regions.get(region);
+    if (!mesh) {
+      mesh = new RegionMesh(this.#cut);
+      this.#regions.set(region, mesh);
+      this.group.add(mesh.mesh);
+    }
+    return mesh;
+  }
+
+  get triangles(): number {
+    return [...this.#regions.values()].reduce((sum, { mesh }) => sum + mesh.geometry.drawRange.count / 3, 0);
+  }
+
+  paint(colouring: Colouring): void {
+    if (colouring === this.#colouring) return;
+    this.#colouring = colouring;
+    for (const mesh of this.#regions.values()) mesh.paint(colouring);
+  }
+
+  show(hidden: ReadonlySet<number>, cut: boolean): void {
+    for (const [region, { mesh }] of this.#regions) {
+      mesh.visible = region === null || !hidden.has(region);
+      mesh.material.clippingPlanes = cut ? [this.#cut] : [];
+    }
+  }
+
+  /** A surface that is being computed again is shown faintly. */
+  fade(faint: boolean): void {
+    for (const { mesh } of this.#regions.values()) {
+      mesh.material.transparent = faint;
+      mesh.material.opacity = faint ? 0.35 : 1;
+      mesh.material.needsUpdate = true;
+    }
+  }
+
+  dispose(): void {
+    if (this.#frame !== null) cancelAnimationFrame(this.#frame);
+    this.#finish();
+    for (const mesh of this.#regions.values()) mesh.dispose();
+    this.group.removeFromParent();
+  }
+}

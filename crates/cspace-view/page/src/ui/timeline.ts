@@ -1,0 +1,146 @@
+/** Planned ways and simulations are played here. */
+
+import { html, say, set } from "./dom.js";
+import { isAxes } from "./mechanism.js";
+import { short } from "./numbers.js";
+import { RecordError, partsAt, pathAt, readRecord, readRecordText } from "./records.js";
+import type { PlayableRecord } from "./records.js";
+import type { Session } from "./session.js";
+import type { Key } from "./state.js";
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
+/** So many ticks can be told apart by screen readers and pointers; more are drawn without a name. */
+const NAMED_TICKS = 400;
+
+export class Timeline {
+  readonly #session: Session;
+  readonly #element: HTMLElement;
+  readonly #play: HTMLButtonElement;
+  readonly #scrub: HTMLInputElement;
+  readonly #ticks: HTMLElement;
+  readonly #text: HTMLElement;
+  readonly #choice: HTMLSelectElement;
+  #records: PlayableRecord[] = [];
+  #last = 0;
+
+  constructor(parent: HTMLElement, session: Session) {
+    this.#session = session;
+    this.#element = parent;
+    const { store } = session;
+    this.#choice = html("select", { "aria-label": "Record" });
+    this.#choice.addEventListener("change", () => this.#choose(this.#records[this.#choice.selectedIndex] ?? null));
+    this.#play = html("button", { type: "button", class: "play" }, "▶");
+    this.#play.addEventListener("click", () => this.toggle());
+    this.#scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
+    this.#scrub.addEventListener("input", () => store.change({ time: Number(this.#scrub.value), playing: false }));
+    this.#ticks = html("div", { class: "ticks" });
+    this.#text = html("output", { class: "time-text" });
+    const speed = html("select", { "aria-label": "Speed" }, ...SPEEDS.map((s) => html("option", { value: s }, `${s}×`)));
+    speed.value = "1";
+    speed.addEventListener("change", () => store.change({ speed: Number(speed.value) }));
+    const close = html("button", { type: "button", "aria-label": "Close the record" }, "✕");
+    close.addEventListener("click", () => this.#choose(null));
+    parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, close);
+    for (const { name, record } of session.scene.records) this.#try(() => readRecord(name, record), false);
+    store.subscribe((changed) => this.#update(changed));
+    const first = this.#records[0];
+    if (first) this.#choose(first);
+  }
+
+  /** Reads a file that the user opens or drops. */
+  async open(file: File): Promise<void> {
+    const text = await file.text();
+    this.#try(() => readRecordText(file.name, text), true);
+  }
+
+  #try(read: () => PlayableRecord, choose: boolean): void {
+    try {
+      const record = read();
+      this.#records.push(record);
+      if (choose) this.#choose(record);
+      this.#session.store.change({ message: null });
+    } catch (error) {
+      if (!(error instanceof RecordError)) throw error;
+      this.#session.store.change({ message: error.message });
+    }
+  }
+
+  #choose(record: PlayableRecord | null): void {
+    const problem = record ? this.#mismatch(record) : null;
+    if (problem) this.#session.store.change({ message: problem });
+    this.#session.store.change({ record: problem ? null : record, time: 0, playing: false });
+  }
+
+  /** Why a record is none of this model. */
+  #mismatch(record: PlayableRecord): string | null {
+    const { scene, pair } = this.#session;
+    if (record.kind === "simulation") {
+      const names = new Set(scene.parts.map((p) => p.name));
+      const unknown = record.parts.find((p) => !names.has(p));
+      return unknown === undefined ? null : `${record.name}: the model has no part "${unknown}"`;
+    }
+    const first = record.steps[0]?.at;
+    if (!pair || !first || isAxes(first) === (pair.class === "fixed-axes")) return null;
+    return `${record.name}: the path is in ${isAxes(first) ? "(u, v)" : "(x, y, theta)"}, which the selected pair is not: select the pair it was planned for first`;
+  }
+
+  toggle(): void {
+    const { record, playing, time } = this.#session.state;
+    if (!record) return;
+    this.#session.store.change({ playing: !playing, time: !playing && time >= record.duration ? 0 : time });
+  }
+
+  #update(changed: ReadonlySet<Key>): void {
+    const { state } = this.#session;
+    const record = state.record;
+    if (changed.has("record")) this.#drawRecord(record);
+    if (changed.has("playing")) {
+      say(this.#play, state.playing ? "❚❚" : "▶");
+      set(this.#play, { "aria-label": state.playing ? "Pause" : "Play" });
+      if (state.playing) {
+        this.#last = performance.now();
+        requestAnimationFrame((now) => this.#tick(now));
+      }
+    }
+    if (!record || !(changed.has("time") || changed.has("record"))) return;
+    this.#scrub.value = String(state.time);
+    const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
+    say(this.#text, `${short(Number(state.time.toFixed(3)))} s of ${short(record.duration)} s · ${told ? told.text : record.summary}`);
+    this.#show(record, state.time);
+  }
+
+  #tick(now: number): void {
+    const { state, store } = this.#session;
+    if (!state.playing || !state.record) return;
+    const time = state.time + ((now - this.#last) / 1000) * state.speed;
+    this.#last = now;
+    const over = time >= state.record.duration;
+    store.change({ time: Math.min(time, state.record.duration), playing: !over });
+    if (!over) requestAnimationFrame((next) => this.#tick(next));
+  }
+
+  #show(record: PlayableRecord, time: number): void {
+    if (record.kind === "simulation") {
+      this.#session.setPlacements(this.#session.placementsBy(partsAt(record, time)));
+      return;
+    }
+    const c = pathAt(record, time);
+    if (c) this.#session.setConfiguration(c);
+  }
+
+  #drawRecord(record: PlayableRecord | null): void {
+    this.#element.hidden = !record;
+    this.#choice.replaceChildren(...this.#records.map((r) => html("option", {}, r.name)));
+    if (!record) return;
+    this.#choice.selectedIndex = this.#records.indexOf(record);
+    set(this.#scrub, { max: record.duration });
+    const named = record.ticks.length <= NAMED_TICKS;
+    this.#ticks.replaceChildren(
+      ...record.ticks.map(({ t, text }) => {
+        const tick = html("i", named ? { title: `${short(t)} s: ${text}` } : {});
+        tick.style.left = `${record.duration > 0 ? (100 * t) / record.duration : 0}%`;
+        return tick;
+      }),
+    );
+  }
+}

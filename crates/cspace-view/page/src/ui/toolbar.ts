@@ -1,0 +1,54 @@
+/** The bar at the top: which model and pair, switches and files. */
+
+import type { Actions } from "./actions.js";
+import { byId, html, say, set } from "./dom.js";
+import type { Session } from "./session.js";
+import type { Key } from "./state.js";
+
+export class Toolbar {
+  constructor(session: Session, actions: Actions, select: (pair: number) => void, canEdit: boolean) {
+    const name = session.scene.name || "cspace";
+    say(byId("model-name"), name);
+    document.title = `${name} – cspace`;
+    const choice = byId<HTMLSelectElement>("pair");
+    const of = (i: number) => session.scene.parts[i]?.name ?? "?";
+    choice.append(...session.scene.pairs.map((p, i) => html("option", { value: i }, `${of(p.fixed)} | ${of(p.moving)} (${p.class})`)));
+    choice.addEventListener("change", () => select(choice.selectedIndex));
+
+    const tools = byId("tools");
+    const button = (text: string, label: string, action: () => void) => {
+      const b = html("button", { type: "button", title: label }, text);
+      b.addEventListener("click", action);
+      tools.append(b);
+      return b;
+    };
+    const stop = button("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
+    const colours = button("Kinds", "Colour patches by the kind of contact", actions.toggleColouring);
+    const cut = button("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
+    const fit = button("Fit", "Show everything (f)", actions.fit);
+    const edit = canEdit ? button("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
+    button("Open record", "Play what cspace plan or cspace simulate printed", actions.openRecord);
+    button("SVG", "Save a picture as SVG", actions.saveSvg);
+    button("PNG", "Save a picture as PNG", actions.savePng);
+    const theme = button("Theme", "Light, dark, or as the system", actions.toggleTheme);
+    button("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
+    fit.setAttribute("aria-label", "Fit");
+
+    session.store.subscribe((changed, state) => {
+      if (changed.has("pair")) choice.selectedIndex = state.pair;
+      const pressed = (b: HTMLElement | null, on: boolean) => b && set(b, { "aria-pressed": String(on) });
+      pressed(stop, state.stop);
+      pressed(colours, state.colouring === "kind");
+      pressed(cut, state.cut);
+      pressed(edit, state.editing);
+      say(theme, { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" }[state.theme]);
+      if ((["pair", "scene", "space"] as Key[]).some((k) => changed.has(k))) {
+        const pair = session.pair;
+        cut.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
+        const { fixed = 0, moving = 0 } = pair?.features ?? {};
+        const known = state.space.state === "ready" && session.kernel ? `, ${session.kernel.patchCount} patches` : "";
+        say(byId("pair-class"), pair ? `${fixed} + ${moving} features${known}` : "");
+      }
+    });
+  }
+}

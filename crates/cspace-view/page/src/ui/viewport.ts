@@ -1,0 +1,238 @@
+/** A plane that is panned and zoomed: an SVG in which the model's y points upwards, with a grid and its numbers. */
+
+import type { Place } from "../scene.js";
+import { set, svg } from "./dom.js";
+import { angleStep, degrees, lengthStep, short } from "./numbers.js";
+import type { Box } from "./outline.js";
+
+/** What is dragged, if not the plane itself. */
+export interface Drag {
+  move(to: Place, event: PointerEvent): void;
+  end?(): void;
+}
+
+export interface ViewportOptions {
+  /** Whether a unit is as long along both axes. */
+  uniform: boolean;
+  label: string;
+  /** Begins to drag what is at a place; null if there is nothing. */
+  grab(at: Place, event: PointerEvent): Drag | null;
+  /** Whether the wheel is for what is at a place, and not to zoom. */
+  wheel?(at: Place, event: WheelEvent): boolean;
+}
+
+export type AxisKind = "length" | "angle";
+
+/** Grid lines are at least this far apart, in pixels. */
+const GRID_PIXELS = 56;
+/** A notch of the wheel zooms by this factor. */
+const ZOOM_PER_PIXEL = 1.0015;
+
+export class Viewport {
+  readonly svg: SVGSVGElement;
+  /** In the model's unit. */
+  readonly world: SVGGElement;
+  /** In pixels, on top. */
+  readonly overlay: SVGGElement;
+  /** What depends on the scale is drawn again. */
+  onView: (() => void) | null = null;
+  unit = "";
+  kinds: [AxisKind, AxisKind] = ["length", "length"];
+
+  readonly #options: ViewportOptions;
+  readonly #grid: SVGPathElement;
+  readonly #axes: SVGPathElement;
+  readonly #numbers: SVGGElement;
+  #center: Place = { x: 0, y: 0 };
+  /** Pixels per unit. */
+  #scale: Place = { x: 1, y: 1 };
+  #width = 1;
+  #height = 1;
+  #fitted: Box | null = null;
+  #touched = false;
+  readonly #pointers = new Map<number, { x: number; y: number }>();
+  #drag: Drag | null = null;
+  #dragPointer = -1;
+
+  constructor(parent: HTMLElement, options: ViewportOptions) {
+    this.#options = options;
+    this.svg = svg("svg", { class: "viewport", role: "application", "aria-label": options.label, tabindex: 0 });
+    this.#grid = svg("path", { class: "grid" });
+    this.#axes = svg("path", { class: "grid-axes" });
+    this.world = svg("g");
+    this.#numbers = svg("g", { class: "grid-numbers" });
+    this.overlay = svg("g");
+    this.svg.append(this.#grid, this.#axes, this.world, this.#numbers, this.overlay);
+    parent.append(this.svg);
+    this.#listen();
+    new ResizeObserver(() => this.#resized()).observe(this.svg);
+    this.#resized();
+  }
+
+  get pixel(): Place {
+    return { x: 1 / this.#scale.x, y: 1 / this.#scale.y };
+  }
+
+  /** What is seen. */
+  get box(): Box {
+    const [w, h] = [this.#width / 2 / this.#scale.x, this.#height / 2 / this.#scale.y];
+    return { x0: this.#center.x - w, y0: this.#center.y - h, x1: this.#center.x + w, y1: this.#center.y + h };
+  }
+
+  toScreen(p: Place): Place {
+    return {
+      x: this.#width / 2 + (p.x - this.#center.x) * this.#scale.x,
+      y: this.#height / 2 - (p.y - this.#center.y) * this.#scale.y,
+    };
+  }
+
+  toWorld(client: { clientX: number; clientY: number }): Place {
+    const r = this.svg.getBoundingClientRect();
+    return {
+      x: this.#center.x + (client.clientX - r.left - this.#width / 2) / this.#scale.x,
+      y: this.#center.y - (client.clientY - r.top - this.#height / 2) / this.#scale.y,
+    };
+  }
+
+  /** Shows a box; again whenever the size changes, until the user pans or zooms. */
+  fit(box: Box, margin = 0.1): void {
+    if (!(box.x1 >= box.x0) || !(box.y1 >= box.y0)) return;
+    this.#fitted = box;
+    this.#touched = false;
+    const w = Math.max(box.x1 - box.x0, 1e-9 * Math.abs(box.x0)) || 1;
+    const h = Math.max(box.y1 - box.y0, 1e-9 * Math.abs(box.y0)) || 1;
+    const x = this.#width / (w * (1 + 2 * margin));
+    const y = this.#height / (h * (1 + 2 * margin));
+    const least = Math.min(x, y);
+    this.#center = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
+    this.#scale = this.#options.uniform ? { x: least, y: least } : { x, y };
+    this.#draw();
+  }
+
+  zoom(factor: number, about: Place = this.#center): void {
+    this.#touched = true;
+    this.#scale = { x: this.#scale.x * factor, y: this.#scale.y * factor };
+    this.#center = { x: about.x + (this.#center.x - about.x) / factor, y: about.y + (this.#center.y - about.y) / factor };
+    this.#draw();
+  }
+
+  #pan(dx: number, dy: number): void {
+    this.#touched = true;
+    this.#center = { x: this.#center.x - dx / this.#scale.x, y: this.#center.y + dy / this.#scale.y };
+    this.#draw();
+  }
+
+  #resized(): void {
+    const { width, height } = this.svg.getBoundingClientRect();
+    if (width === 0 || height === 0) return;
+    [this.#width, this.#height] = [width, height];
+    if (this.#fitted && !this.#touched) this.fit(this.#fitted);
+    else this.#draw();
+  }
+
+  #draw(): void {
+    const { x: sx, y: sy } = this.#scale;
+    const origin = this.toScreen({ x: 0, y: 0 });
+    set(this.world, { transform: `matrix(${sx} 0 0 ${-sy} ${origin.x} ${origin.y})` });
+    this.#drawGrid(origin);
+    this.onView?.();
+  }
+
+  #drawGrid(origin: Place): void {
+    const box = this.box;
+    const steps = [this.kinds[0] === "angle" ? angleStep : lengthStep, this.kinds[1] === "angle" ? angleStep : lengthStep] as const;
+    const dx = steps[0](GRID_PIXELS / this.#scale.x);
+    const dy = this.#options.uniform ? dx : steps[1](GRID_PIXELS / this.#scale.y);
+    const lines: string[] = [];
+    const numbers: SVGElement[] = [];
+    // The unit has the corner for itself.
+    const reserved = this.unit ? 24 + 7 * this.unit.length : 24;
+    const label = (kind: AxisKind, value: number) => (kind === "angle" ? degrees(value) : short(value));
+    for (let i = Math.ceil(box.x0 / dx); i * dx <= box.x1; i += 1) {
+      const x = this.toScreen({ x: i * dx, y: 0 }).x;
+      lines.push(`M${x} 0V${this.#height}`);
+      if (x < this.#width - reserved) numbers.push(svg("text", { x: x + 3, y: this.#height - 5 }, label(this.kinds[0], i * dx)));
+    }
+    for (let i = Math.ceil(box.y0 / dy); i * dy <= box.y1; i += 1) {
+      const y = this.toScreen({ x: 0, y: i * dy }).y;
+      lines.push(`M0 ${y}H${this.#width}`);
+      if (y < this.#height - 20) numbers.push(svg("text", { x: 4, y: y - 3 }, label(this.kinds[1], i * dy)));
+    }
+    if (this.unit) numbers.push(svg("text", { x: this.#width - 6, y: this.#height - 5, "text-anchor": "end", class: "unit" }, this.unit));
+    set(this.#grid, { d: lines.join("") });
+    set(this.#axes, { d: `M${origin.x} 0V${this.#height}M0 ${origin.y}H${this.#width}` });
+    this.#numbers.replaceChildren(...numbers);
+  }
+
+  #listen(): void {
+    const element = this.svg;
+    element.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0 && event.button !== 1) return;
+      element.setPointerCapture(event.pointerId);
+      this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      if (this.#pointers.size > 1) this.#endDrag();
+      else if (event.button === 0) {
+        this.#drag = this.#options.grab(this.toWorld(event), event);
+        this.#dragPointer = event.pointerId;
+      }
+    });
+    element.addEventListener("pointermove", (event) => {
+      const before = this.#pointers.get(event.pointerId);
+      if (!before) return;
+      if (this.#drag && event.pointerId === this.#dragPointer) {
+        this.#drag.move(this.toWorld(event), event);
+        this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+        return;
+      }
+      const other = [...this.#pointers].find(([id]) => id !== event.pointerId)?.[1];
+      if (other) {
+        const was = Math.hypot(before.x - other.x, before.y - other.y);
+        const is = Math.hypot(event.clientX - other.x, event.clientY - other.y);
+        const middle = { clientX: (event.clientX + other.x) / 2, clientY: (event.clientY + other.y) / 2 };
+        if (was > 0 && is > 0) this.zoom(is / was, this.toWorld(middle));
+        this.#pan((event.clientX - before.x) / 2, (event.clientY - before.y) / 2);
+      } else {
+        this.#pan(event.clientX - before.x, event.clientY - before.y);
+      }
+      this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    });
+    const up = (event: PointerEvent) => {
+      this.#pointers.delete(event.pointerId);
+      if (event.pointerId === this.#dragPointer) this.#endDrag();
+    };
+    element.addEventListener("pointerup", up);
+    element.addEventListener("pointercancel", up);
+    element.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        const at = this.toWorld(event);
+        // The browser tells a pinch on a touch pad as a wheel with Ctrl.
+        if (!event.ctrlKey && this.#options.wheel?.(at, event)) return;
+        this.zoom(ZOOM_PER_PIXEL ** -wheelPixels(event), at);
+      },
+      { passive: false },
+    );
+    element.addEventListener("dblclick", () => this.#fitted && this.fit(this.#fitted));
+  }
+
+  #endDrag(): void {
+    this.#drag?.end?.();
+    this.#drag = null;
+    this.#dragPointer = -1;
+  }
+}
+
+/** How far a wheel turned, in pixels, whatever it counts in. */
+export function wheelPixels(event: WheelEvent): number {
+  const perUnit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : event.deltaMode === WheelEvent.DOM_DELTA_PAGE ? 400 : 1;
+  // With Shift some systems turn the wheel sideways.
+  return (event.deltaY || event.deltaX) * perUnit;
+}
+
+/** How much a wheel's notch turns a part. */
+const RADIANS_PER_PIXEL = Math.PI / 180 / 50;
+
+export function wheelAngle(event: WheelEvent): number {
+  return -wheelPixels(event) * RADIANS_PER_PIXEL * (event.altKey ? 0.1 : 1);
+}
