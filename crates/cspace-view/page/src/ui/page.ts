@@ -200,11 +200,10 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
   const { store } = session;
   let timer: ReturnType<typeof setTimeout> | null = null;
   let written = location.hash;
-  let moved = false;
   const write = () => {
     timer = null;
     if (store.state.space.state === "loading" || store.state.playing) return;
-    written = writeAddress(store.state, moved ? (spaceView?.camera ?? null) : null);
+    written = writeAddress(store.state, spaceView?.camera ?? null);
     // A page within another may not write its address.
     try {
       history.replaceState(null, "", written);
@@ -217,12 +216,7 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
     timer = setTimeout(write, ADDRESS_DELAY);
   };
   store.subscribe(later);
-  if (spaceView) {
-    spaceView.onCamera = () => {
-      moved = true;
-      later();
-    };
-  }
+  if (spaceView) spaceView.onCamera = later;
   window.addEventListener("hashchange", () => {
     if (location.hash === written) return;
     const to = readAddress(location.hash, session.scene);

@@ -4,6 +4,7 @@ import type { Place, ScenePart } from "../scene.js";
 import { set, svg } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { lowerPair } from "./lower.js";
+import { placed } from "./mechanism.js";
 import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
 import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit } from "./placement.js";
 import type { Placement } from "./placement.js";
@@ -15,6 +16,8 @@ import type { Drag } from "./viewport.js";
 /** Lengths in pixels. */
 const NORMAL_ARROW = 34;
 const PIVOT = 7;
+/** A record is seen whole if about so many of its steps are. */
+const FITTED_STEPS = 60;
 
 interface Drawn {
   part: ScenePart;
@@ -57,13 +60,25 @@ export class PartsView {
   /** Shows all parts, and those of the pair as far as they are near. */
   fit(): void {
     const box = emptyBox();
-    const { parts, placements } = this.#session.state;
-    parts.forEach((part, i) => {
-      const of = boxOf(part.loops);
-      const p = placements[i] ?? IDENTITY;
-      for (const x of [of.x0, of.x1]) for (const y of [of.y0, of.y1]) grow(box, apply(p, { x, y }));
-    });
+    const { parts } = this.#session.state;
+    const boxes = parts.map((part) => boxOf(part.loops));
+    for (const placements of this.#wayPlacements()) {
+      boxes.forEach((of, i) => {
+        const p = placements[i] ?? IDENTITY;
+        for (const x of [of.x0, of.x1]) for (const y of [of.y0, of.y1]) grow(box, apply(p, { x, y }));
+      });
+    }
     this.viewport.fit(box, 0.12);
+  }
+
+  /** Where the parts are, and where a record takes them. */
+  #wayPlacements(): (readonly Placement[])[] {
+    const { state, pair, scene } = this.#session;
+    const { record, placements } = state;
+    const every = Math.ceil((record?.steps.length ?? 0) / FITTED_STEPS) || 1;
+    if (record?.kind === "simulation") return [placements, ...record.steps.filter((_, i) => i % every === 0).map((s) => this.#session.placementsBy(s.parts))];
+    if (record && pair) return [placements, ...record.steps.filter((_, i) => i % every === 0).map((s) => placed(scene, pair, placements, s.at))];
+    return [placements];
   }
 
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
@@ -73,6 +88,7 @@ export class PartsView {
       this.#drawn.forEach((d, i) => set(d.group, { transform: matrix(state.placements[i] ?? IDENTITY) }));
     }
     if (changed.has("where") || changed.has("parts")) this.#touching(state);
+    if (changed.has("record") && state.record) this.fit();
     if (["placements", "where", "parts", "pair", "editing"].some((k) => changed.has(k as Key))) this.#drawOverlay();
   }
 

@@ -15,7 +15,7 @@ import { Viewport, wheelPixels } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
 const GRAB = 26;
-/** Curves are drawn within this share of the plane's extent. */
+/** Curves are drawn within this share of the smaller extent of the plane. */
 const DEVIATION = 1 / 4000;
 /** A part that stands still has a strip of this width (model unit or radians), so that there is something to see. */
 const STILL = 1;
@@ -69,7 +69,7 @@ export class PlaneView {
     set(this.#blocked, attributes);
     const clip = this.viewport.world.querySelector("clipPath rect");
     if (clip) set(clip, attributes);
-    const deviation = Math.max(box.x1 - box.x0, box.y1 - box.y0) * DEVIATION;
+    const deviation = Math.min(box.x1 - box.x0, box.y1 - box.y0) * DEVIATION;
     this.#drawn = { kernel, curves: kernel.curves(deviation) };
     const byRegion = new Map<number, string>();
     for (const { region, points } of kernel.free(deviation)) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));

@@ -14,6 +14,7 @@ import {
   SphereGeometry,
   Vector2,
 } from "three";
+import type { Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -21,6 +22,7 @@ import type { Configuration, DrawnCurve, PlanarConfiguration, PlanarKernel } fro
 import { TOUCHING } from "./colours.js";
 import { isPlanar } from "./mechanism.js";
 import { TURN, wrap } from "./placement.js";
+import { turnsOf } from "./surface.js";
 import type { SpaceScale } from "./surface.js";
 
 /** Widths of lines and the size of the point, in pixels. */
@@ -45,7 +47,7 @@ export class SpaceMarks {
   readonly #dot: MeshBasicMaterial;
   #litPatches = "";
 
-  constructor() {
+  constructor(window: Plane[]) {
     this.#plane = new Mesh(
       new PlaneGeometry(1, 1),
       new MeshBasicMaterial({ color: 0x888888, transparent: true, opacity: 0.14, side: DoubleSide, depthWrite: false }),
@@ -63,12 +65,12 @@ export class SpaceMarks {
     // Drawn over the patch it lies on.
     this.#lit = new Mesh(
       new BufferGeometry(),
-      new MeshBasicMaterial({ color: TOUCHING, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 }),
+      new MeshBasicMaterial({ color: TOUCHING, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4, clippingPlanes: window }),
     );
     this.#lit.frustumCulled = false;
     this.#shining = new Mesh(
       this.#lit.geometry,
-      new MeshBasicMaterial({ color: TOUCHING, side: DoubleSide, transparent: true, opacity: 0.4, depthTest: false }),
+      new MeshBasicMaterial({ color: TOUCHING, side: DoubleSide, transparent: true, opacity: 0.4, depthTest: false, clippingPlanes: window }),
     );
     this.#shining.frustumCulled = false;
     this.#shining.renderOrder = 4;
@@ -140,15 +142,17 @@ export class SpaceMarks {
     for (const patch of kernel ? patches : []) {
       const made = kernel?.surface(patch, scale.deviation, scale.perRadian);
       if (!made) continue;
-      const start = positions.length / 3;
-      for (let i = 0; i < made.positions.length; i += 3) {
-        positions.push(
-          (made.positions[i] ?? 0) - scale.center[0],
-          (made.positions[i + 1] ?? 0) - scale.center[1],
-          (made.positions[i + 2] ?? 0) * scale.perRadian,
-        );
+      for (const turn of kernel ? turnsOf(kernel, patch) : []) {
+        const start = positions.length / 3;
+        for (let i = 0; i < made.positions.length; i += 3) {
+          positions.push(
+            (made.positions[i] ?? 0) - scale.center[0],
+            (made.positions[i + 1] ?? 0) - scale.center[1],
+            ((made.positions[i + 2] ?? 0) + turn) * scale.perRadian,
+          );
+        }
+        for (const index of made.indices) indices.push(start + index);
       }
-      for (const index of made.indices) indices.push(start + index);
     }
     this.#lit.geometry.dispose();
     const geometry = new BufferGeometry();

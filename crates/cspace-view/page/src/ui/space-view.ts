@@ -19,6 +19,8 @@ import { wheelAngle } from "./viewport.js";
 const GRAB = 22;
 /** The surface is drawn within this share of the space's extent. */
 const DEVIATION = 1 / 700;
+/** What lies at the window's ends is still drawn: so much of the extent beyond them. */
+const BESIDE_WINDOW = 1e-3;
 const FIELD_OF_VIEW = 32;
 /** Surfaces of edited parts are made again once the parts have not changed for this long (ms). */
 const SETTLED = 160;
@@ -38,7 +40,9 @@ export class SpaceView {
   readonly #scene = new Scene3();
   readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1, 10);
   readonly #controls: OrbitControls;
-  readonly #marks = new SpaceMarks();
+  /** Above the first and below the last orientation. */
+  readonly #window = [new Plane(new Vector3(0, 0, 1), 0), new Plane(new Vector3(0, 0, -1), 0)];
+  readonly #marks = new SpaceMarks(this.#window);
   readonly #axes: SpaceAxes;
   readonly #cut = new Plane(new Vector3(0, 0, -1), 0);
   readonly #light = new DirectionalLight(0xffffff, 2.2);
@@ -47,6 +51,8 @@ export class SpaceView {
   #surface: Surface | null = null;
   #rebuild: ReturnType<typeof setTimeout> | null = null;
   #size = 1;
+  /** Whether the user looks from elsewhere. */
+  #moved = false;
   #frame: number | null = null;
   #cameraFrom: readonly number[] | null;
 
@@ -72,7 +78,10 @@ export class SpaceView {
     this.#controls = new OrbitControls(this.#camera, this.canvas);
     this.#controls.enableDamping = false;
     this.#controls.addEventListener("change", () => this.#draw());
-    this.#controls.addEventListener("end", () => this.onCamera?.());
+    this.#controls.addEventListener("end", () => {
+      this.#moved = true;
+      this.onCamera?.();
+    });
     new ResizeObserver(() => this.#resize()).observe(parent);
     session.store.subscribe((changed, state) => this.#update(changed, state));
     this.#resize();
@@ -87,8 +96,9 @@ export class SpaceView {
     return this.#surface?.triangles ?? 0;
   }
 
-  /** Azimuth, elevation, distance and target, lengths in sizes of the space. */
-  get camera(): number[] {
+  /** Azimuth, elevation, distance and target, lengths in sizes of the space; null as long as it is where it was put. */
+  get camera(): number[] | null {
+    if (!this.#moved) return null;
     const to = this.#controls.target;
     const s = new Spherical().setFromVector3(swap(this.#camera.position.clone().sub(to)));
     return [s.theta, s.phi, s.radius / this.#size, to.x / this.#size, to.y / this.#size, to.z / this.#size];
@@ -96,6 +106,7 @@ export class SpaceView {
 
   setCamera([theta = 0, phi = 1, radius = 2, x = 0, y = 0, z = 0]: readonly number[]): void {
     const to = new Vector3(x, y, z).multiplyScalar(this.#size);
+    this.#moved = true;
     this.#controls.target.copy(to);
     this.#camera.position.copy(to).add(unswap(new Vector3().setFromSpherical(new Spherical(radius * this.#size, phi, theta))));
     this.#controls.update();
@@ -105,6 +116,7 @@ export class SpaceView {
   lookFromTheFront(): void {
     const z = this.#kernel ? ((this.#kernel.window.lo + this.#kernel.window.hi) / 2) * this.#scale.perRadian : 0;
     this.setCamera([0.55, 1.08, 3.25, 0, 0, z / this.#size]);
+    this.#moved = false;
     this.onCamera?.();
   }
 
@@ -163,14 +175,14 @@ export class SpaceView {
     // The window is as tall as the space is wide, narrow windows too.
     this.#scale = { center: [(lo[0] + hi[0]) / 2, (lo[1] + hi[1]) / 2], perRadian: extent / (full || 1), deviation: extent * DEVIATION };
     this.#size = extent;
-    const [low, high]: [number, number][] = [
-      [lo[0] - margin, lo[1] - margin],
-      [hi[0] + margin, hi[1] + margin],
-    ];
-    if (low && high) {
-      this.#marks.setExtent(high[0] - low[0], high[1] - low[1]);
-      this.#axes.build(low, high, [window.lo, window.hi], this.#scale, this.#session.scene.unit);
-    }
+    const beside = BESIDE_WINDOW * extent;
+    this.#window.forEach((plane, i) => {
+      plane.constant = (i === 0 ? -window.lo : window.hi) * this.#scale.perRadian + beside;
+    });
+    const low: [number, number] = [lo[0] - margin, lo[1] - margin];
+    const high: [number, number] = [hi[0] + margin, hi[1] + margin];
+    this.#marks.setExtent(high[0] - low[0], high[1] - low[1]);
+    this.#axes.build(low, high, [window.lo, window.hi], this.#scale, this.#session.scene.unit);
     this.#camera.near = extent / 100;
     this.#camera.far = extent * 40;
     this.#camera.updateProjectionMatrix();
@@ -186,7 +198,7 @@ export class SpaceView {
     this.#surface?.dispose();
     const { lo, fullTurn } = kernel.window;
     const theta = fullTurn ? wrap(state.configuration.theta, lo) : state.configuration.theta;
-    const surface = new Surface(kernel, this.#scale, theta, state.colouring, this.#cut, (left) => {
+    const surface = new Surface(kernel, this.#scale, theta, state.colouring, { window: this.#window, cut: this.#cut }, (left) => {
       this.#surface?.show(this.#session.state.hidden, this.#session.state.cut);
       this.onProgress?.(left);
       this.#draw();

@@ -6,6 +6,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshLambertMaterial } from "three";
 import type { Plane } from "three";
 import type { PatchKind, PlanarKernel } from "../kernel/api.js";
+import { TURN } from "./placement.js";
 import { channels, patchColour } from "./colours.js";
 import type { Colouring } from "./colours.js";
 
@@ -19,6 +20,20 @@ export interface SpaceScale {
   center: [number, number];
   perRadian: number;
   deviation: number;
+}
+
+/** The turns by which a patch is seen in the window: one that runs over the end of a full turn is seen at its beginning, too. */
+export function turnsOf(kernel: PlanarKernel, patch: number): number[] {
+  const { lo, hi, fullTurn } = kernel.window;
+  const [first, last] = kernel.patch(patch).orientations ?? [lo, hi];
+  if (!fullTurn) return [0];
+  return [-TURN, 0, TURN].filter((turn) => last + turn > lo && first + turn < hi);
+}
+
+/** What is drawn of the space: its window, and perhaps nothing above an orientation. */
+export interface Clip {
+  window: Plane[];
+  cut: Plane;
 }
 
 interface Placed {
@@ -39,9 +54,8 @@ class RegionMesh {
   #vertices = 0;
   #used = 0;
 
-  constructor(cut: Plane) {
-    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, clippingPlanes: [], clipShadows: false });
-    material.userData["cut"] = cut;
+  constructor(clip: Clip) {
+    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, clippingPlanes: clip.window });
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.mesh.frustumCulled = false;
     this.#attach();
@@ -58,7 +72,7 @@ class RegionMesh {
     this.mesh.geometry = geometry;
   }
 
-  add(patch: Omit<Placed, "start" | "count">, made: ReturnType<PlanarKernel["surface"]>, scale: SpaceScale, colouring: Colouring): void {
+  add(patch: Omit<Placed, "start" | "count">, made: ReturnType<PlanarKernel["surface"]>, turn: number, scale: SpaceScale, colouring: Colouring): void {
     const count = made.positions.length / 3;
     const start = this.#vertices;
     let grew = false;
@@ -76,7 +90,7 @@ class RegionMesh {
       const at = 3 * (start + i);
       this.#positions[at] = (made.positions[3 * i] ?? 0) - scale.center[0];
       this.#positions[at + 1] = (made.positions[3 * i + 1] ?? 0) - scale.center[1];
-      this.#positions[at + 2] = (made.positions[3 * i + 2] ?? 0) * scale.perRadian;
+      this.#positions[at + 2] = ((made.positions[3 * i + 2] ?? 0) + turn) * scale.perRadian;
     }
     this.#normals.set(made.normals, 3 * start);
     for (let i = 0; i < made.indices.length; i += 1) this.#indices[this.#used + i] = (made.indices[i] ?? 0) + start;
@@ -110,11 +124,6 @@ class RegionMesh {
     for (let i = 0; i < placed.count; i += 1) this.#colours.set(rgb, 3 * (placed.start + i));
   }
 
-  /** The patch that a vertex belongs to. */
-  patchOf(vertex: number): number | null {
-    return this.placed.find((p) => vertex >= p.start && vertex < p.start + p.count)?.patch ?? null;
-  }
-
   dispose(): void {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();
@@ -136,7 +145,7 @@ function linear(channel: number): number {
 export class Surface {
   readonly group = new Group();
   readonly #regions = new Map<number | null, RegionMesh>();
-  readonly #cut: Plane;
+  readonly #clip: Clip;
   readonly kernel: PlanarKernel;
   readonly #scale: SpaceScale;
   #colouring: Colouring;
@@ -147,18 +156,18 @@ export class Surface {
   readonly done: Promise<void>;
   #finish: () => void = () => {};
 
-  constructor(kernel: PlanarKernel, scale: SpaceScale, theta: number, colouring: Colouring, cut: Plane, onProgress: (left: number) => void) {
+  constructor(kernel: PlanarKernel, scale: SpaceScale, theta: number, colouring: Colouring, clip: Clip, onProgress: (left: number) => void) {
     this.kernel = kernel;
     this.#scale = scale;
     this.#colouring = colouring;
-    this.#cut = cut;
+    this.#clip = clip;
     this.#onProgress = onProgress;
     this.done = new Promise((resolve) => {
       this.#finish = resolve;
     });
     const far = (patch: number) => {
       const [lo, hi] = kernel.patch(patch).orientations ?? [0, 0];
-      return Math.max(0, lo - theta, theta - hi);
+      return Math.min(...[-TURN, 0, TURN].map((turn) => Math.max(0, lo + turn - theta, theta - hi - turn)));
     };
     // The nearest is taken first, from the end.
     const distances = Array.from({ length: kernel.patchCount }, (_, i) => far(i));
@@ -176,7 +185,7 @@ export class Surface {
       const made = this.kernel.surface(patch, this.#scale.deviation, this.#scale.perRadian);
       if (made.indices.length === 0) continue;
       const mesh = this.#meshOf(region);
-      mesh.add({ patch, region, kind }, made, this.#scale, this.#colouring);
+      for (const turn of turnsOf(this.kernel, patch)) mesh.add({ patch, region, kind }, made, turn, this.#scale, this.#colouring);
       touched.add(mesh);
     }
     for (const mesh of touched) mesh.upload();
@@ -188,7 +197,7 @@ export class Surface {
   #meshOf(region: number | null): RegionMesh {
     let mesh = this.#regions.get(region);
     if (!mesh) {
-      mesh = new RegionMesh(this.#cut);
+      mesh = new RegionMesh(this.#clip);
       this.#regions.set(region, mesh);
       this.group.add(mesh.mesh);
     }
@@ -208,7 +217,7 @@ export class Surface {
   show(hidden: ReadonlySet<number>, cut: boolean): void {
     for (const [region, { mesh }] of this.#regions) {
       mesh.visible = region === null || !hidden.has(region);
-      mesh.material.clippingPlanes = cut ? [this.#cut] : [];
+      mesh.material.clippingPlanes = cut ? [...this.#clip.window, this.#clip.cut] : this.#clip.window;
     }
   }
 
