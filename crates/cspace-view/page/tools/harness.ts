@@ -9,7 +9,7 @@ import { PNG } from "pngjs";
 import puppeteer, { type Browser, type Page } from "puppeteer-core";
 
 /** How long a page may take to be ready (ms): software rendering on a busy machine is slow, and nothing is timed here. */
-const PATIENCE = 120_000;
+export const PATIENCE = 120_000;
 
 const package_root = findPackage(dirname(fileURLToPath(import.meta.url)));
 
@@ -76,7 +76,7 @@ export function scratch(): { path: string; remove: () => void } {
   return { path, remove: () => rmSync(path, { recursive: true, force: true, maxRetries: 5 }) };
 }
 
-export async function launch(folder: string): Promise<Browser> {
+export async function launch(folder: string, more: string[] = []): Promise<Browser> {
   return puppeteer.launch({
     executablePath: browserPath ?? "chromium",
     headless: true,
@@ -90,6 +90,7 @@ export async function launch(folder: string): Promise<Browser> {
       "--disable-background-networking",
       "--disable-component-update",
       "--disable-sync",
+      ...more,
     ],
   });
 }

@@ -5,7 +5,7 @@ import { relative } from "node:path";
 import { after, before, describe, it } from "node:test";
 import type { Browser, Page } from "puppeteer-core";
 import type { Scene, ScenePair, ScenePart } from "../../src/scene.js";
-import { addressOf, exported, launch, open, random, root, run, scratch, shippedModels, skip } from "../../tools/harness.js";
+import { addressOf, colours, exported, launch, open, pictureOf, random, root, run, scratch, shippedModels, skip } from "../../tools/harness.js";
 
 const RANDOM = 1000;
 const NEAR = 200;
@@ -27,14 +27,16 @@ describe("the page agrees with the command", { skip }, () => {
 
   for (const model of shippedModels()) {
     const name = relative(root, model);
-    it(name, async () => {
+    it(name, async (t) => {
       const { page, faults } = await open(browser, addressOf(exported(model, folder.path)));
       const scene = await page.evaluate(() => {
         const text = document.getElementById("scene")?.textContent ?? "null";
         return JSON.parse(text) as Scene;
       });
       for (const pair of scene.pairs.filter((p) => p.class !== "lower" && p.error === null)) {
-        await agree(page, scene, pair, model);
+        t.diagnostic(await agree(page, scene, pair, model));
+        const pane = pair.class === "fixed-axes" ? "#plane" : "#space canvas";
+        assert.ok(colours(await pictureOf(page, pane)) > (pair.class === "fixed-axes" ? 5 : 20), `${pane} is blank`);
       }
       assert.deepEqual(faults, []);
       await page.close();
@@ -43,7 +45,7 @@ describe("the page agrees with the command", { skip }, () => {
 });
 
 /** Asks both of the same configurations. */
-async function agree(page: Page, scene: Scene, pair: ScenePair, model: string): Promise<void> {
+async function agree(page: Page, scene: Scene, pair: ScenePair, model: string): Promise<string> {
   const [fixed, moving] = [scene.parts[pair.fixed], scene.parts[pair.moving]];
   assert.ok(fixed !== undefined && moving !== undefined);
   const names: [string, string] = [fixed.name, moving.name];
@@ -67,6 +69,8 @@ async function agree(page: Page, scene: Scene, pair: ScenePair, model: string): 
   assert.equal(told.length, said.length);
   const wrong = asked.map((c, i) => ({ c, said: said[i], told: told[i] })).filter((row) => row.said !== row.told);
   assert.deepEqual(wrong.slice(0, 5), [], `${wrong.length} of ${asked.length} configurations of ${names.join()}`);
+  const count = (what: string): string => `${told.filter((is) => is === what).length} ${what}`;
+  return `${names.join()}: ${["free", "blocked", "contact"].map(count).join(", ")}`;
 }
 
 /** What the page says of each. */
