@@ -69,7 +69,7 @@ export class SliceView {
   /** Far away everything is free, so that what an odd number of loops is around is blocked. */
   #fill(kernel: PlanarKernel | null): void {
     const curves = kernel ? currentSlice(this.#session) : [];
-    const loops = kernel ? loopsOf(curves.map((c) => c.points), extentOf(kernel) * JOINED) : [];
+    const loops = kernel ? loopsOf(curves.map((c) => c.points), extentOf(this.#session, kernel) * JOINED) : [];
     set(this.#blocked, { d: loops.map((points) => pathOf(points, true)).join("") });
   }
 

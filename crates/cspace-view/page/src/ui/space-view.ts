@@ -162,13 +162,18 @@ export class SpaceView {
       this.#build();
     } else {
       this.#surface?.fade(true);
-      this.#rebuild = setTimeout(() => this.#build(), SETTLED);
+      this.#buildLater();
     }
+  }
+
+  /** Not while something is dragged, which is to follow the hand. */
+  #buildLater(): void {
+    this.#rebuild = setTimeout(() => (this.#session.state.dragging ? this.#buildLater() : this.#build()), SETTLED);
   }
 
   #measure(kernel: PlanarKernel): void {
     const { lo, hi } = kernel.bounds();
-    const extent = extentOf(kernel);
+    const extent = extentOf(this.#session, kernel);
     const margin = 0.06 * extent;
     const window = kernel.window;
     const full = window.hi - window.lo;
