@@ -22,9 +22,9 @@ test("surfaces are at contact and face free space", { skip }, async (t) => {
         const size = sizeOf(kernel);
         const start = performance.now();
         let triangles = 0;
-        const step = Math.max(1, Math.floor(kernel.patchCount / 300));
+        const step = Math.ceil(kernel.patchCount / 300);
         for (let patch = 0; patch < kernel.patchCount; patch += step) {
-          const { positions, normals, indices } = kernel.surface(patch, 2e-3 * size, size / 6);
+          const { positions, normals, indices } = kernel.surface(patch, 2e-4 * size, size / 6);
           triangles += indices.length / 3;
           assert.ok(positions.every(Number.isFinite) && normals.every(Number.isFinite), `patch ${patch}`);
           const k = 3 * Math.floor((next() * positions.length) / 3);
@@ -33,6 +33,7 @@ test("surfaces are at contact and face free space", { skip }, async (t) => {
           const [lo, hi] = kernel.patch(patch).orientations!;
           assert.ok(c.theta >= lo - 1e-6 && c.theta <= hi + 1e-6);
           assert.ok(kernel.nearest(c)!.distance < 1e-3 * size, `patch ${patch} ${JSON.stringify(c)}`);
+          let [whole, faced] = [0, 0];
           for (let i = 0; i < indices.length; i += 3) {
             const corner = (j: number) => {
               const at = 3 * indices[i + j]!;
@@ -43,10 +44,11 @@ test("surfaces are at contact and face free space", { skip }, async (t) => {
             const face = [u[1]! * v[2]! - u[2]! * v[1]!, u[2]! * v[0]! - u[0]! * v[2]!, u[0]! * v[1]! - u[1]! * v[0]!];
             const at = 3 * indices[i]!;
             const facing = face[0]! * normals[at]! + face[1]! * normals[at + 1]! + face[2]! * normals[at + 2]!;
-            const area = Math.hypot(...face);
-            // Of slivers single precision does not tell the side.
-            if (area > 1e-5 * size * size) assert.ok(facing > 0, `patch ${patch}: ${facing / area}`);
+            whole += Math.hypot(...face);
+            faced += facing;
           }
+          // Where an end moves with the square root of the orientation triangles are as steep as the deviation lets them be.
+          assert.ok(faced >= 0.5 * whole || whole < 1e-9 * size * size, `patch ${patch}: ${faced} of ${whole}`);
         }
         t.diagnostic(`${triangles} triangles of every ${step}th patch, ${(performance.now() - start).toFixed(0)} ms`);
       });
@@ -60,17 +62,18 @@ test("the slice's loops are closed, and free space is on their right", { skip },
     if (kernel.coordinates !== "planar") continue;
     const size = sizeOf(kernel);
     for (let theta = -3; theta < 3; theta += 0.37) {
-      const curves = kernel.slice(theta, 1e-4 * size);
+      const curves = kernel.slice(theta, 1e-9 * size);
       for (const { points } of curves) {
         const n = points.length;
         const starts = curves.some((d) => Math.hypot(d.points[0]! - points[n - 2]!, d.points[1]! - points[n - 1]!) < 1e-6 * size);
         assert.ok(starts, `${model} ${theta}`);
         const [dx, dy] = [points[2]! - points[0]!, points[3]! - points[1]!];
         const long = Math.hypot(dx, dy);
-        if (long < 1e-3 * size) continue;
-        const by = 1e-3 * long;
+        if (long < 1e-6 * size) continue;
+        // Farther beside than chords are off their arcs.
+        const by = 2e-2 * long;
         const [x, y] = [0.5 * (points[0]! + points[2]!), 0.5 * (points[1]! + points[3]!)];
-        const beside = (s: number) => kernel.classify({ x: x + (s * by * dy) / long + (0 * dx) / long, y: y - (s * by * dx) / long, theta });
+        const beside = (s: number) => kernel.classify({ x: x + (s * by * dy) / long, y: y - (s * by * dx) / long, theta });
         assert.equal(beside(1), "free", `${model} ${theta}`);
         assert.equal(beside(-1), "blocked", `${model} ${theta}`);
       }

@@ -6,7 +6,7 @@ import type { PlanarKernel } from "../src/kernel/api.js";
 import { openPair } from "../src/kernel/index.js";
 import { binary, models, NO_COMMAND } from "./support/command.js";
 import { compare } from "./support/compare.js";
-import { anywhere, atContact } from "./support/places.js";
+import { anywhere, atContact, atCritical } from "./support/places.js";
 import { random } from "./support/random.js";
 import { sceneOf } from "./support/scene.js";
 
@@ -26,6 +26,7 @@ test("planar pairs are classified as by the command", { skip: binary() ? false :
         const all = Array.from({ length: RANDOM }, () => anywhere(planar, next));
         all.push(...atContact(planar, NEAR, next));
         assert.equal(all.length, RANDOM + NEAR);
+        all.push(...atCritical(planar, NEAR, next));
         const wrong = compare(t, { model, names, kernel: planar, header: "x,y,theta" }, all, (c) => [c.x, c.y, c.theta]);
         assert.equal(wrong, 0);
       });

@@ -74,7 +74,10 @@ export interface Kernel<C extends Configuration = Configuration> {
   /** The nearest patch of the slice at this orientation (planar), or of the plane; null where there is none. */
   nearest(c: C): Touch | null;
 
-  /** The configuration itself if it may be moved to; otherwise the first contact on the straight way, to within a resolution. */
+  /**
+   * The configuration itself if it may be moved to; otherwise the first contact on the straight way, to within a resolution. What is asked
+   * beyond the window or a range of motion is brought to its end first. From blocked space any way leads, so that a part can be taken out.
+   */
   advance(from: C, to: C): Motion<C>;
   /** As {@link advance}, then on along the surface, by its contact functions, as near to `to` as it leads. Never blocked if `from` is not. */
   slide(from: C, to: C): Motion<C>;

@@ -12,7 +12,15 @@ export interface FeatureKey {
   index: number;
 }
 
-type NamedFeature = { [type: string]: unknown } & { loop_index?: number; index?: number };
+interface FeaturePlace {
+  loop_index: number;
+  index: number;
+}
+
+interface NamedFeature {
+  edge?: FeaturePlace;
+  vertex?: FeaturePlace;
+}
 
 /** A part of a saved space. */
 export interface SavedPart {
@@ -95,21 +103,16 @@ export class Features {
   }
 
   private addName(feature: NamedFeature, name: string): void {
-    const tagged = Object.entries(feature).find(([, v]) => typeof v === "object" && v !== null);
-    const type = tagged ? tagged[0] : String(feature["type"] ?? feature["kind"] ?? "");
-    const at = (tagged ? tagged[1] : feature) as { loop_index: number; index: number };
-    const place = `${at.index} of loop ${at.loop_index}`;
-    const kinds = type.toLowerCase() === "vertex" ? ["vertex"] : ["line", "convex arc", "concave arc"];
-    for (const kind of kinds) this.names.set(`${kind} ${place}`, name);
+    const at = feature.vertex ?? feature.edge;
+    if (!at) return;
+    const kinds = feature.vertex ? ["vertex"] : ["line", "convex arc", "concave arc"];
+    for (const kind of kinds) this.names.set(`${kind} ${at.index} of loop ${at.loop_index}`, name);
   }
 
   /** As the command calls a feature. */
   text(f: FeatureKey): string {
     const plain = plainText(f);
-    const arc = `arc ${f.index} of loop ${f.loop_index}`;
-    const edge = `edge ${f.index} of loop ${f.loop_index}`;
-    const given = f.kind === "vertex" ? undefined : (this.names.get(arc) ?? this.names.get(edge));
-    return this.names.get(plain) ?? (f.kind.endsWith("arc") || f.kind === "line" ? given : undefined) ?? plain;
+    return this.names.get(plain) ?? plain;
   }
 
   circle(f: FeatureKey): Osculating {

@@ -42,3 +42,22 @@ export function atContact(kernel: PlanarKernel, count: number, next: () => numbe
   }
   return found;
 }
+
+/** Places of contact curves at critical orientations and a moment beside: ends of curves are hardly known there. */
+export function atCritical(kernel: PlanarKernel, count: number, next: () => number): PlanarConfiguration[] {
+  const critical = kernel.criticalOrientations;
+  const size = sizeOf(kernel);
+  const found: PlanarConfiguration[] = [];
+  for (let k = 0; k < count && critical.length > 0; k++) {
+    const beside = [0, 1, -1][Math.floor(3 * next())]! * 10 ** (-5 - 11 * next());
+    const theta = critical[Math.floor(next() * critical.length)]! + beside;
+    const curves = kernel.slice(theta, size * 1e-3);
+    const points = curves[Math.floor(next() * curves.length)]?.points;
+    if (!points) continue;
+    const i = next() < 0.5 ? 0 : points.length - 2;
+    const by = [0, 1, -1].map((s) => s * size * 10 ** (-6 - 8 * next()));
+    found.push({ x: points[i]! + by[Math.floor(3 * next())]!, y: points[i + 1]! + by[Math.floor(3 * next())]!, theta });
+  }
+  const { lo, hi, fullTurn } = kernel.window;
+  return found.filter((c) => fullTurn || (c.theta >= lo && c.theta <= hi));
+}

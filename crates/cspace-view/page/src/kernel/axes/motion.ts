@@ -49,7 +49,7 @@ export class AxesMotion {
     const goal = this.within(to);
     const found = slideOn(this.ground, this.inner(first.at), this.inner(goal));
     const at = found.stopped === null ? goal : this.outer(found.at);
-    return this.classifier.classify(at.u, at.v) === "blocked" ? first : { at, stopped: found.stopped };
+    return (this.classifier.classify(at.u, at.v) ?? "blocked") === "blocked" ? first : { at, stopped: found.stopped };
   }
 
   /** Within the ranges of motion. */
@@ -87,7 +87,7 @@ export class AxesMotion {
 
   private isBlocked(v: Vec): boolean {
     const { u, v: w } = this.outer(v);
-    return this.classifier.classify(u, w) === "blocked";
+    return (this.classifier.classify(u, w) ?? "blocked") === "blocked";
   }
 
   private straight(from: Vec, to: Vec): { at: Vec; stopped: number | null } {

@@ -8,6 +8,8 @@ import type { Surface } from "./surface.js";
 
 /** So many rows or columns of a patch are as many as a picture needs. */
 const MOST = 64;
+/** However small an arc is, a column turns by no more than this (radians): its light is to look round. */
+const WIDEST = 1;
 /** Rows are halved at most so often. */
 const HALVINGS = 6;
 
@@ -16,6 +18,7 @@ interface Row {
   at(s: number): Point;
   start: Point;
   end: Point;
+  sweep: number;
 }
 
 export function patchSurface(
@@ -26,7 +29,8 @@ export function patchSurface(
 ): { positions: Float32Array; normals: Float32Array; indices: Uint32Array } {
   const row = (theta: number): Row => {
     const { curve, start, end } = surface.curve(patch, theta);
-    return { theta, start, end, at: (s) => (s <= 0 ? start : s >= 1 ? end : curvePoint(curve, s)) };
+    const sweep = curve.kind === "arc" ? curve.sweep : 0;
+    return { theta, start, end, sweep, at: (s) => (s <= 0 ? start : s >= 1 ? end : curvePoint(curve, s)) };
   };
   const rows = rowsOf(row, patch.lo, patch.hi, deviation);
   const columns = columnsOf(rows, deviation);
@@ -90,6 +94,7 @@ function columnsOf(rows: Row[], deviation: number): number {
   for (const r of rows) {
     const rise = distance(lerp(r.start, r.end, 0.5), r.at(0.5));
     if (rise > deviation) most = Math.max(most, Math.ceil(Math.sqrt(rise / deviation)));
+    most = Math.max(most, Math.ceil(Math.abs(r.sweep) / WIDEST));
   }
   return Math.min(MOST, most);
 }

@@ -70,7 +70,7 @@ export class PlanarMotion {
     const goal = this.within(to);
     const found = slideOn(this.ground, this.weighted(first.at), this.weighted(goal));
     const at = found.stopped === null ? goal : this.unweighted(found.at);
-    return this.classifier.located(at)?.class === "blocked" ? first : { at, stopped: found.stopped };
+    return this.isBlocked(at) ? first : { at, stopped: found.stopped };
   }
 
   private within(c: PlanarConfiguration): PlanarConfiguration {
@@ -135,9 +135,14 @@ export class PlanarMotion {
     return found;
   }
 
+  /** Outside of the window nothing is free. */
+  private isBlocked(c: PlanarConfiguration): boolean {
+    return (this.classifier.located(c)?.class ?? "blocked") === "blocked";
+  }
+
   /** The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
   private lastNotBlocked(at: (t: number) => PlanarConfiguration, time: number): number {
-    const isBlocked = (t: number) => this.classifier.located(at(t))?.class === "blocked";
+    const isBlocked = (t: number) => this.isBlocked(at(t));
     if (!isBlocked(time)) return time;
     let [lo, hi] = [0, time];
     for (let k = 0; k < HALVINGS; k++) {
@@ -156,14 +161,20 @@ export class PlanarMotion {
   }
 
   private unweighted(v: Vec): PlanarConfiguration {
-    return this.outer({ x: v[0]!, y: v[1]! }, v[2]! / this.radius);
+    const { lo, hi, full_turn } = this.surface.space.window;
+    const theta = v[2]! / this.radius;
+    // At the window's ends rounding may leave it just beyond.
+    const beyond = !full_turn && (Math.abs(theta - lo) <= SEAM || Math.abs(theta - hi) <= SEAM);
+    return this.outer({ x: v[0]!, y: v[1]! }, beyond ? clamp(theta, lo, hi) : theta);
   }
 
   private get ground(): Ground {
     return {
       contact: this.contact,
       longest: 0.1,
-      advance: (from, to) => {
+      advance: (from, goal) => {
+        const { lo, hi, full_turn } = this.surface.space.window;
+        const to = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
         const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
         const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
         const { time, patch } = this.first(path);
@@ -177,7 +188,7 @@ export class PlanarMotion {
         return curves.filter(({ curve }) => distanceBelow(curve, c, within) <= within).map(({ patch }) => patch);
       },
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
-      isBlocked: (v) => this.classifier.located(this.unweighted(v))?.class === "blocked",
+      isBlocked: (v) => this.isBlocked(this.unweighted(v)),
     };
   }
 
