@@ -61,7 +61,11 @@ export class SpaceView {
     this.#session = session;
     this.#element = parent;
     this.#cameraFrom = camera;
-    this.#renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true, alpha: true });
+    const canvas = document.createElement("canvas");
+    // Asked here first, because three writes errors to the console where there is none.
+    const context = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true, alpha: true });
+    if (!context) throw new Error("no context for WebGL 2");
+    this.#renderer = new WebGLRenderer({ canvas, context, antialias: true, preserveDrawingBuffer: true, alpha: true });
     this.#renderer.localClippingEnabled = true;
     this.#renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     this.canvas = this.#renderer.domElement;
