@@ -115,7 +115,10 @@ export function openPage(scene: Scene): void {
     });
     return ready;
   };
-  if (session.pair) void begin(session.select(store.state.pair, address.configuration ?? null)).then(() => partsView.fit());
+  if (session.pair) void begin(session.select(store.state.pair, address.configuration ?? null)).then(() => {
+      if (!address.configuration) timeline.showStart();
+      partsView.fit();
+    });
   else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));
 }

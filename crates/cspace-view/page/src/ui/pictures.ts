@@ -32,10 +32,20 @@ export function picture(panes: readonly Pane[], background: string, title: strin
     if (!size) return;
     const box = { x, y: (height - size.height) / 2, width: size.width, height: size.height };
     if (pane instanceof SVGSVGElement) root.append(svg("svg", { ...box, overflow: "hidden" }, ...styled(pane)));
-    else root.append(svg("image", { ...box, href: pane.toDataURL("image/png") }));
+    else root.append(svg("image", { ...box, href: pane.toDataURL("image/png") }), ...labelsOf(pane, box.x - size.x, box.y - size.y));
     x += size.width;
   });
   return { text: new XMLSerializer().serializeToString(root), width, height };
+}
+
+/** The numbers that the page lays over a canvas, as text. */
+function labelsOf(canvas: HTMLCanvasElement, dx: number, dy: number): SVGElement[] {
+  return [...(canvas.parentElement?.querySelectorAll<HTMLElement>(".space-labels span:not([hidden])") ?? [])].map((label) => {
+    const at = label.getBoundingClientRect();
+    const style = getComputedStyle(label);
+    const attributes = { "text-anchor": "middle", "dominant-baseline": "central", fill: style.color, "font-size": style.fontSize, "font-family": style.fontFamily };
+    return svg("text", { x: at.x + at.width / 2 + dx, y: at.y + at.height / 2 + dy, ...attributes }, label.textContent ?? "");
+  });
 }
 
 function styled(from: SVGSVGElement): Node[] {

@@ -5,6 +5,7 @@ import type { PlanarKernel } from "../kernel/api.js";
 import { curvePaths, loopsOf, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
 import { isPlanar } from "./mechanism.js";
+import { grow } from "./outline.js";
 import type { Session } from "./session.js";
 import { currentSlice, extentOf } from "./slices.js";
 import type { Key, State } from "./state.js";
@@ -50,8 +51,7 @@ export class SliceView {
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
     const kernel = this.#session.planar;
     if (changed.has("space") && kernel && !state.editing) {
-      const { lo, hi } = kernel.bounds();
-      this.viewport.fit({ x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] });
+      this.#fit(kernel, state);
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
       const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
@@ -62,14 +62,22 @@ export class SliceView {
     }
     if (changed.has("record")) {
       const steps = state.record?.kind === "plan" ? state.record.steps : [];
+      if (kernel && steps.length > 0) this.#fit(kernel, state);
       set(this.#path, { d: pathOf(steps.flatMap(({ at }) => (isPlanar(at) ? [at.x, at.y] : []))) });
     }
+  }
+
+  #fit(kernel: PlanarKernel, state: Readonly<State>): void {
+    const { lo, hi } = kernel.bounds();
+    const box = { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
+    for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at)) grow(box, at);
+    this.viewport.fit(box);
   }
 
   /** Far away everything is free, so that what an odd number of loops is around is blocked. */
   #fill(kernel: PlanarKernel | null): void {
     const curves = kernel ? currentSlice(this.#session) : [];
-    const loops = kernel ? loopsOf(curves.map((c) => c.points), extentOf(kernel) * JOINED) : [];
+    const loops = kernel ? loopsOf(curves.map((c) => c.points), extentOf(this.#session, kernel) * JOINED) : [];
     set(this.#blocked, { d: loops.map((points) => pathOf(points, true)).join("") });
   }
 

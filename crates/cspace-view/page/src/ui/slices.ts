@@ -15,9 +15,15 @@ interface Cut {
 
 let last: Cut | null = null;
 
-export function extentOf(kernel: PlanarKernel): number {
+/** The extent found last, by pair: bounds take longer than slices, and edits change the extent little. */
+let known: { pair: number; kernel: PlanarKernel; extent: number } | null = null;
+
+export function extentOf(session: Session, kernel: PlanarKernel): number {
+  const { pair, editing } = session.state;
+  if (known && (known.kernel === kernel || (editing && known.pair === pair))) return known.extent;
   const { lo, hi } = kernel.bounds();
-  return Math.max(hi[0] - lo[0], hi[1] - lo[1]) || 1;
+  known = { pair, kernel, extent: Math.max(hi[0] - lo[0], hi[1] - lo[1]) || 1 };
+  return known.extent;
 }
 
 export function currentSlice(session: Session): DrawnCurve[] {
@@ -25,6 +31,6 @@ export function currentSlice(session: Session): DrawnCurve[] {
   const c = session.state.configuration;
   if (!kernel || !isPlanar(c)) return [];
   if (last?.kernel === kernel && last.theta === c.theta) return last.curves;
-  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, extentOf(kernel) * DEVIATION) };
+  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, extentOf(session, kernel) * DEVIATION) };
   return last.curves;
 }

@@ -61,7 +61,11 @@ export class SpaceView {
     this.#session = session;
     this.#element = parent;
     this.#cameraFrom = camera;
-    this.#renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true, alpha: true });
+    const canvas = document.createElement("canvas");
+    // Asked here first, because three writes errors to the console where there is none.
+    const context = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true, alpha: true });
+    if (!context) throw new Error("no context for WebGL 2");
+    this.#renderer = new WebGLRenderer({ canvas, context, antialias: true, preserveDrawingBuffer: true, alpha: true });
     this.#renderer.localClippingEnabled = true;
     this.#renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     this.canvas = this.#renderer.domElement;
@@ -162,13 +166,18 @@ export class SpaceView {
       this.#build();
     } else {
       this.#surface?.fade(true);
-      this.#rebuild = setTimeout(() => this.#build(), SETTLED);
+      this.#buildLater();
     }
+  }
+
+  /** Not while something is dragged, which is to follow the hand. */
+  #buildLater(): void {
+    this.#rebuild = setTimeout(() => (this.#session.state.dragging ? this.#buildLater() : this.#build()), SETTLED);
   }
 
   #measure(kernel: PlanarKernel): void {
     const { lo, hi } = kernel.bounds();
-    const extent = extentOf(kernel);
+    const extent = extentOf(this.#session, kernel);
     const margin = 0.06 * extent;
     const window = kernel.window;
     const full = window.hi - window.lo;

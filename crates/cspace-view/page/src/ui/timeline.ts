@@ -28,7 +28,10 @@ export class Timeline {
     this.#element = parent;
     const { store } = session;
     this.#choice = html("select", { "aria-label": "Record" });
-    this.#choice.addEventListener("change", () => this.#choose(this.#records[this.#choice.selectedIndex] ?? null));
+    this.#choice.addEventListener("change", () => {
+      this.#choose(this.#records[this.#choice.selectedIndex] ?? null);
+      this.showStart();
+    });
     this.#play = html("button", { type: "button", class: "play" }, "▶");
     this.#play.addEventListener("click", () => this.toggle());
     this.#scrub = html("input", { type: "range", min: 0, max: 1, step: "any", value: 0, "aria-label": "Time" });
@@ -47,6 +50,12 @@ export class Timeline {
     if (first) this.#choose(first);
   }
 
+  /** Places the parts as the chosen record begins. */
+  showStart(): void {
+    const { record, time } = this.#session.state;
+    if (record) this.#show(record, time);
+  }
+
   /** Reads a file that the user opens or drops. */
   async open(file: File): Promise<void> {
     const text = await file.text();
@@ -57,7 +66,10 @@ export class Timeline {
     try {
       const record = read();
       this.#records.push(record);
-      if (choose) this.#choose(record);
+      if (choose) {
+        this.#choose(record);
+        this.showStart();
+      }
       this.#session.store.change({ message: null });
     } catch (error) {
       if (!(error instanceof RecordError)) throw error;
@@ -93,6 +105,8 @@ export class Timeline {
   #update(changed: ReadonlySet<Key>): void {
     const { state } = this.#session;
     const record = state.record;
+    // A way belongs to the pair it was planned for.
+    if (changed.has("pair") && !changed.has("record") && record?.kind === "plan") this.#choose(null);
     if (changed.has("record")) this.#drawRecord(record);
     if (changed.has("playing")) {
       say(this.#play, state.playing ? "❚❚" : "▶");
@@ -106,7 +120,7 @@ export class Timeline {
     this.#scrub.value = String(state.time);
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
     say(this.#text, `${short(Number(state.time.toFixed(3)))} s of ${short(record.duration)} s · ${told ? told.text : record.summary}`);
-    this.#show(record, state.time);
+    if (changed.has("time")) this.#show(record, state.time);
   }
 
   #tick(now: number): void {

@@ -146,7 +146,7 @@ export class Viewport {
     const lines: string[] = [];
     const numbers: SVGElement[] = [];
     // The unit has the corner for itself.
-    const reserved = this.unit ? 24 + 7 * this.unit.length : 24;
+    const reserved = this.unit ? 42 + 9 * this.unit.length : 24;
     const label = (kind: AxisKind, value: number) => (kind === "angle" ? degrees(value) : short(value));
     for (let i = Math.ceil(box.x0 / dx); i * dx <= box.x1; i += 1) {
       const x = this.toScreen({ x: i * dx, y: 0 }).x;

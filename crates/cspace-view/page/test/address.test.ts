@@ -1,0 +1,63 @@
+/** What is in an address is what was shown. */
+
+import assert from "node:assert/strict";
+import { describe, it } from "node:test";
+import type { Scene } from "../src/scene.js";
+import { readAddress, writeAddress } from "../src/ui/address.js";
+import type { State } from "../src/ui/state.js";
+
+const part = (name: string) => ({ name, loops: [], feature_names: {}, motion: { type: "planar" as const } });
+const pair = (fixed: number, moving: number) => ({ fixed, moving, class: "general" as const }) as Scene["pairs"][number];
+const HOSTILE = `a&b=c#d%20"<img>`;
+
+const scene = {
+  format: "cspace-scene",
+  version: 1,
+  name: "",
+  unit: null,
+  parts: [part("block"), part(HOSTILE), part("peg")],
+  joints: [],
+  pairs: [pair(0, 2), pair(1, 2)],
+  records: [],
+} satisfies Scene;
+
+const state = (changes: Partial<State>): State =>
+  ({
+    scene,
+    parts: scene.parts,
+    pair: 0,
+    configuration: { x: 0, y: 0, theta: 0 },
+    theme: "auto",
+    stop: true,
+    colouring: "region",
+    cut: false,
+    hidden: new Set(),
+    ...changes,
+  }) as State;
+
+describe("addresses", () => {
+  it("keep every digit of a configuration", () => {
+    const configuration = { x: 0.1 + 0.2, y: -1e-300, theta: Math.PI };
+    assert.deepEqual(readAddress(writeAddress(state({ configuration }), null), scene).configuration, configuration);
+    const axes = { u: 1 / 3, v: -2e21 };
+    assert.deepEqual(readAddress(writeAddress(state({ configuration: axes }), null), scene).configuration, axes);
+  });
+
+  it("name pairs by their parts, whatever these are called", () => {
+    const text = writeAddress(state({ pair: 1 }), null);
+    assert.equal(readAddress(text, scene).pair, 1);
+    assert.ok(!text.slice(1).includes("#") && !text.includes("<"));
+  });
+
+  it("keep switches, and leave out what is as always", () => {
+    const text = writeAddress(state({ theme: "dark", stop: false, colouring: "kind", cut: true, hidden: new Set([2, 5]) }), [0.5, 1, 3, 0, 0, 0.25]);
+    const { theme, stop, colouring, cut, hidden, camera } = readAddress(text, scene);
+    assert.deepEqual({ theme, stop, colouring, cut, hidden, camera }, { theme: "dark", stop: false, colouring: "kind", cut: true, hidden: [2, 5], camera: [0.5, 1, 3, 0, 0, 0.25] });
+    for (const key of ["theme", "stop", "colours", "cut", "hidden", "camera"]) assert.ok(!writeAddress(state({}), null).includes(key));
+  });
+
+  it("leave out what they do not understand", () => {
+    const read = readAddress("#fixed=nobody&moving=peg&x=1&y=two&theta=3&theme=pink&stop=maybe&colours=&camera=1,2&hidden=-1,x&u=Infinity&v=0", scene);
+    assert.deepEqual(read, {});
+  });
+});

@@ -1,0 +1,78 @@
+/** Records are read as the commands print them, and refused with a reason. */
+
+import assert from "node:assert/strict";
+import { describe, it } from "node:test";
+import { RecordError, partsAt, pathAt, readRecord, readRecordText } from "../src/ui/records.js";
+
+const path = [
+  { x: 0, y: 0, theta: 0 },
+  { x: 3, y: 4, theta: 0 },
+  { x: 3, y: 4, theta: 15 },
+];
+
+const simulation = {
+  status: "jammed",
+  reason: "a and b",
+  parts: ["wheel", "pawl"],
+  samples: [
+    { t: 0, wheel: 0, pawl: [0, 0, 0] },
+    { t: 1, wheel: 2, pawl: [1, -2, 8] },
+    { t: 3, wheel: 3, pawl: [1, -2, 8] },
+  ],
+  events: [{ t: 0.5, kind: "touch", fixed: "wheel", moving: "pawl", features: ["line 0 of loop 0", "vertex 1 of loop 0"], at: [0, 0] }],
+};
+
+describe("planned paths", () => {
+  it("are played at an even pace along their legs", () => {
+    const record = readRecord("p", { verdict: "path", path, clearance: 0.25 });
+    assert.ok(record.kind === "plan");
+    // The legs are 5 and 15 long: the corner is after a quarter of the time.
+    assert.deepEqual(pathAt(record, record.duration / 4), path[1]);
+    assert.deepEqual(pathAt(record, record.duration / 8), { x: 1.5, y: 2, theta: 0 });
+    assert.deepEqual(pathAt(record, record.duration), path[2]);
+    assert.deepEqual(record.ticks.map((t) => t.text), ["start", "corner 1", "goal"]);
+    assert.match(record.summary, /0\.2500/);
+  });
+
+  it("may be in (u, v), or lists of numbers", () => {
+    const record = readRecord("p", { verdict: "path", path: [[0, 1], { u: 2, v: 3 }] });
+    assert.ok(record.kind === "plan");
+    assert.deepEqual(pathAt(record, record.duration / 2), { u: 1, v: 2 });
+  });
+
+  it("that are none are refused with the verdict", () => {
+    assert.throws(() => readRecord("p.json", { verdict: "no-path", path: [] }), (e) => e instanceof RecordError && /p\.json.*no-path/.test(e.message));
+    assert.throws(() => readRecord("p", { verdict: "path", path: [path[0], { u: 0, v: 0 }] }), RecordError);
+    assert.throws(() => readRecord("p", { verdict: "path", path: [{ x: 0, y: null, theta: 0 }] }), /path\[0\]\.y/);
+  });
+});
+
+describe("simulations", () => {
+  it("are told between samples", () => {
+    const record = readRecord("s", simulation);
+    assert.ok(record.kind === "simulation");
+    assert.equal(record.duration, 3);
+    assert.deepEqual([...partsAt(record, 0.25)], [["wheel", 0.5], ["pawl", { x: 0.25, y: -0.5, theta: 2 }]]);
+    assert.deepEqual([...partsAt(record, 2)], [["wheel", 2.5], ["pawl", { x: 1, y: -2, theta: 8 }]]);
+    assert.deepEqual([...partsAt(record, 99)], [["wheel", 3], ["pawl", { x: 1, y: -2, theta: 8 }]]);
+    assert.equal(record.summary, "jammed: a and b");
+  });
+
+  it("have their events as ticks", () => {
+    assert.deepEqual(readRecord("s", simulation).ticks, [{ t: 0.5, text: "touch: wheel, line 0 of loop 0 and pawl, vertex 1 of loop 0" }]);
+  });
+
+  it("are refused with the place of what is wrong", () => {
+    const wrong = { ...simulation, samples: [{ t: 0, wheel: "0", pawl: [0, 0, 0] }] };
+    assert.throws(() => readRecord("s", wrong), /samples\[0\]\.wheel/);
+    assert.throws(() => readRecord("s", { ...simulation, samples: [] }), /no samples/);
+    assert.throws(() => readRecord("s", { ...simulation, samples: [simulation.samples[1], simulation.samples[0]] }), /ascend/);
+    assert.throws(() => readRecord("s", { ...simulation, samples: [{ t: 0, wheel: 0, pawl: [0, 0] }] }), /samples\[0\]\.pawl/);
+  });
+});
+
+describe("other files", () => {
+  it("are refused", () => {
+    for (const text of ["", "[1]", "null", "{}", "3", '{"samples": 3}', '{"verdict": "path"}']) assert.throws(() => readRecordText("f.json", text), RecordError);
+  });
+});
