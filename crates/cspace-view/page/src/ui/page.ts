@@ -73,7 +73,8 @@ export function openPage(scene: Scene): void {
     fit: () => {
       partsView.fit();
       spaceView?.lookFromTheFront();
-      for (const view of [sliceView, planeView]) view.viewport.svg.dispatchEvent(new MouseEvent("dblclick"));
+      sliceView.fit();
+      planeView.fit();
     },
     help: help.show,
     play: () => timeline.toggle(),

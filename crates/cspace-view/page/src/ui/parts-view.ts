@@ -41,6 +41,7 @@ export class PartsView {
     this.#editor = editor;
     this.viewport = new Viewport(parent, {
       uniform: true,
+      fit: () => this.fit(),
       label: "The parts. Drag a part to move it; the wheel over the moving part turns it.",
       grab: (at, event) => this.#grab(at, event),
       wheel: (at, event) => this.#wheel(at, event),

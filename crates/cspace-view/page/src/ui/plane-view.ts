@@ -34,6 +34,7 @@ export class PlaneView {
     this.#session = session;
     this.viewport = new Viewport(parent, {
       uniform: false,
+      fit: () => this.fit(),
       label: "The plane of the motions u and v of the two parts. Drag the point to move them.",
       grab: (at) => this.#grab(at),
       wheel: (at, event) => this.#wheel(at, event),
@@ -76,7 +77,13 @@ export class PlaneView {
     this.#free.replaceChildren(
       ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d })),
     );
-    if (fit) this.viewport.fit(box, 0.06);
+    if (fit) this.fit();
+  }
+
+  /** Shows the ranges of both motions, or a turn. */
+  fit(): void {
+    const kernel = this.#session.axes;
+    if (kernel) this.viewport.fit(periodOf(kernel), 0.06);
   }
 
   #axisText(): string {

@@ -29,6 +29,7 @@ export class SliceView {
     this.#session = session;
     this.viewport = new Viewport(parent, {
       uniform: true,
+      fit: () => this.fit(),
       label: "The slice of the configuration space at the current orientation. Drag the point to move the part.",
       grab: (at) => this.#grab(at),
       wheel: (at, event) => {
@@ -51,7 +52,7 @@ export class SliceView {
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
     const kernel = this.#session.planar;
     if (changed.has("space") && kernel && !state.editing) {
-      this.#fit(kernel, state);
+      this.fit();
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
       const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
@@ -62,14 +63,18 @@ export class SliceView {
     }
     if (changed.has("record")) {
       const steps = state.record?.kind === "plan" ? state.record.steps : [];
-      if (kernel && steps.length > 0) this.#fit(kernel, state);
+      if (kernel && steps.length > 0) this.fit();
       set(this.#path, { d: pathOf(steps.flatMap(({ at }) => (isPlanar(at) ? [at.x, at.y] : []))) });
     }
   }
 
-  #fit(kernel: PlanarKernel, state: Readonly<State>): void {
+  /** Shows all contacts, the configuration, and the way that is played. */
+  fit(): void {
+    const { planar: kernel, state } = this.#session;
+    if (!kernel) return;
     const { lo, hi } = kernel.bounds();
     const box = { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
+    if (isPlanar(state.configuration)) grow(box, state.configuration);
     for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at)) grow(box, at);
     this.viewport.fit(box);
   }

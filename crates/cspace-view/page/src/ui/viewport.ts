@@ -15,6 +15,8 @@ export interface ViewportOptions {
   /** Whether a unit is as long along both axes. */
   uniform: boolean;
   label: string;
+  /** Shows everything. */
+  fit(): void;
   /** Begins to drag what is at a place; null if there is nothing. */
   grab(at: Place, event: PointerEvent): Drag | null;
   /** Whether the wheel is for what is at a place, and not to zoom. */
@@ -48,7 +50,7 @@ export class Viewport {
   #scale: Place = { x: 1, y: 1 };
   #width = 1;
   #height = 1;
-  #fitted: Box | null = null;
+  #fitted: { box: Box; margin: number } | null = null;
   #touched = false;
   readonly #pointers = new Map<number, { x: number; y: number }>();
   #drag: Drag | null = null;
@@ -97,7 +99,7 @@ export class Viewport {
   /** Shows a box; again whenever the size changes, until the user pans or zooms. */
   fit(box: Box, margin = 0.1): void {
     if (!(box.x1 >= box.x0) || !(box.y1 >= box.y0)) return;
-    this.#fitted = box;
+    this.#fitted = { box, margin };
     this.#touched = false;
     const w = Math.max(box.x1 - box.x0, 1e-9 * Math.abs(box.x0)) || 1;
     const h = Math.max(box.y1 - box.y0, 1e-9 * Math.abs(box.y0)) || 1;
@@ -126,7 +128,7 @@ export class Viewport {
     const { width, height } = this.svg.getBoundingClientRect();
     if (width === 0 || height === 0) return;
     [this.#width, this.#height] = [width, height];
-    if (this.#fitted && !this.#touched) this.fit(this.#fitted);
+    if (this.#fitted && !this.#touched) this.fit(this.#fitted.box, this.#fitted.margin);
     else this.#draw();
   }
 
@@ -213,7 +215,7 @@ export class Viewport {
       },
       { passive: false },
     );
-    element.addEventListener("dblclick", () => this.#fitted && this.fit(this.#fitted));
+    element.addEventListener("dblclick", () => this.#options.fit());
   }
 
   #endDrag(): void {

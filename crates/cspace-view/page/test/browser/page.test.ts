@@ -183,14 +183,20 @@ describe("the page in a browser", { skip }, () => {
   it("slides pairs on fixed axes", async () => {
     const page = await openModel("cam_tappet");
     const pair = (await page.evaluate(() => window.cspace.pair())).join();
+    let touched = 0;
     for (let i = 0; i < 90; i++) {
       await page.keyboard.press(i % 3 === 0 ? "ArrowDown" : "ArrowRight");
+      await settled(page);
+      const c = await axes(page);
+      const is = await page.evaluate((at) => window.cspace.classify(at), c);
+      assert.notEqual(is, "blocked");
+      if (is === "contact") {
+        touched += 1;
+        assert.equal(told(model("cam_tappet"), pair, c), "contact", JSON.stringify(c));
+      }
     }
-    await settled(page);
-    const c = await axes(page);
-    assert.notEqual(c.u, 0);
-    assert.equal(await page.evaluate(() => window.cspace.classify(window.cspace.configuration())), "contact");
-    assert.equal(told(model("cam_tappet"), pair, c), "contact");
+    assert.ok(touched > 3, `${touched} places in contact`);
+    assert.ok((await axes(page)).u > 1);
   });
 
   it("steps through bands", async () => {
