@@ -67,10 +67,17 @@ export class SliceView {
     }
   }
 
+  /** Shows the whole slice, and the point and a planned way where these are outside of it. */
+  fit(): void {
+    const { planar, state } = this.#session;
+    if (planar) this.#fit(planar, state);
+  }
+
   #fit(kernel: PlanarKernel, state: Readonly<State>): void {
     const { lo, hi } = kernel.bounds();
     const box = { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
     for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at)) grow(box, at);
+    if (isPlanar(state.configuration)) grow(box, state.configuration);
     this.viewport.fit(box);
   }
 

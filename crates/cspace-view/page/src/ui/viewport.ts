@@ -109,6 +109,11 @@ export class Viewport {
     this.#draw();
   }
 
+  /** Shows again what was shown first. */
+  refit(): void {
+    if (this.#fitted) this.fit(this.#fitted);
+  }
+
   zoom(factor: number, about: Place = this.#center): void {
     this.#touched = true;
     this.#scale = { x: this.#scale.x * factor, y: this.#scale.y * factor };
@@ -213,7 +218,7 @@ export class Viewport {
       },
       { passive: false },
     );
-    element.addEventListener("dblclick", () => this.#fitted && this.fit(this.#fitted));
+    element.addEventListener("dblclick", () => this.refit());
   }
 
   #endDrag(): void {
