@@ -10,10 +10,10 @@ import type { Browser } from "puppeteer-core";
 import { addressOf, launch, open, root, run, scratch, shippedModels, skip } from "./harness.js";
 
 /** Size of a picture of a space, and of the window it is taken in (pixels). */
-export const WINDOW = { width: 1280, height: 800 };
+export const WINDOW = { width: 1100, height: 720 };
 
-/** The pane whose picture is taken. */
-export const SPACE = "#space";
+/** The panes of which that is taken which is shown: of a pair in the plane, on fixed axes, of any. */
+const PANES = ["#space", "#plane", "#right"];
 
 /** What the tables of models say of each file. */
 function told(): Map<string, string> {
@@ -36,10 +36,15 @@ export async function spaceOf(browser: Browser, page_file: string): Promise<{ pi
     throw new Error(faults.join("; "));
   }
   const pair = (await page.evaluate("window.cspace.pair()")) as [string, string];
-  const element = await page.waitForSelector(SPACE);
-  const picture = Buffer.from((await element?.screenshot()) ?? []);
-  await page.close();
-  return { picture: PNG.sync.write(PNG.sync.read(picture), { deflateLevel: 9 }), pair };
+  for (const pane of PANES) {
+    const element = await page.$(pane);
+    if (element !== null && (await element.isVisible())) {
+      const picture = PNG.sync.read(Buffer.from(await element.screenshot()));
+      await page.close();
+      return { picture: PNG.sync.write(picture, { deflateLevel: 9, colorType: 2 }), pair };
+    }
+  }
+  throw new Error(`${page_file}: nothing is shown`);
 }
 
 async function make(): Promise<void> {

@@ -119,6 +119,7 @@ export function openPage(scene: Scene): void {
   if (session.pair) void begin(session.select(store.state.pair, address.configuration ?? null)).then(() => {
       if (!address.configuration) timeline.showStart();
       partsView.fit();
+      sliceView.fit();
     });
   else store.change({ space: { state: "none", reason: "The model has no pairs.", error: false } });
   window.cspace = pageInterface(session, () => ready, (pair) => begin(select(pair)));

@@ -74,8 +74,8 @@ export class SliceView {
     if (!kernel) return;
     const { lo, hi } = kernel.bounds();
     const box = { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
-    if (isPlanar(state.configuration)) grow(box, state.configuration);
     for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at)) grow(box, at);
+    if (isPlanar(state.configuration)) grow(box, state.configuration);
     this.viewport.fit(box);
   }
 
