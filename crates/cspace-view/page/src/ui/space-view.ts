@@ -5,6 +5,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { PlanarKernel } from "../kernel/api.js";
 import { TOUCHING } from "./colours.js";
 import { isPlanar } from "./mechanism.js";
+import { Pace } from "./pace.js";
 import { wrap } from "./placement.js";
 import type { Session } from "./session.js";
 import { currentSlice, extentOf } from "./slices.js";
@@ -24,6 +25,8 @@ const BESIDE_WINDOW = 1e-3;
 const FIELD_OF_VIEW = 32;
 /** Surfaces of edited parts are made again once the parts have not changed for this long (ms). */
 const SETTLED = 160;
+/** The screen's pixels for each of a coarse frame, along a side. */
+const COARSE = 0.4;
 /** A turn of π for so many pixels of the pointer, with Shift. */
 const PIXELS_PER_HALF_TURN = 360;
 
@@ -37,6 +40,8 @@ export class SpaceView {
   readonly #session: Session;
   readonly #element: HTMLElement;
   readonly #renderer: WebGLRenderer;
+  readonly #pace: Pace;
+  #coarse = false;
   readonly #scene = new Scene3();
   readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1, 10);
   readonly #controls: OrbitControls;
@@ -67,7 +72,8 @@ export class SpaceView {
     if (!context) throw new Error("no context for WebGL 2");
     this.#renderer = new WebGLRenderer({ canvas, context, antialias: true, preserveDrawingBuffer: true, alpha: true });
     this.#renderer.localClippingEnabled = true;
-    this.#renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.#renderer.setPixelRatio(fineRatio());
+    this.#pace = new Pace(context);
     this.canvas = this.#renderer.domElement;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
@@ -146,6 +152,7 @@ export class SpaceView {
     if (changed.has("colouring")) this.#surface?.paint(state.colouring);
     if (changed.has("hidden") || changed.has("cut") || changed.has("space")) this.#surface?.show(state.hidden, state.cut);
     if (changed.has("theme")) this.applyTheme();
+    if (changed.has("dragging") && !state.dragging) this.#setCoarse(false);
     this.#draw();
   }
 
@@ -235,7 +242,20 @@ export class SpaceView {
   }
 
   #draw(): void {
-    this.#frame ??= requestAnimationFrame(() => this.drawNow());
+    this.#frame ??= requestAnimationFrame(() => {
+      this.#frame = null;
+      if (this.#pace.isBusy()) this.#draw();
+      else {
+        if (this.#pace.isSlow && this.#session.state.dragging) this.#setCoarse(true);
+        this.drawNow();
+      }
+    });
+  }
+
+  #setCoarse(coarse: boolean): void {
+    if (coarse === this.#coarse) return;
+    this.#coarse = coarse;
+    this.#renderer.setPixelRatio(coarse ? COARSE : fineRatio());
   }
 
   drawNow(): void {
@@ -246,6 +266,7 @@ export class SpaceView {
     const perPixel = (2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / Math.max(1, this.#element.clientHeight);
     this.#marks.scalePoint(perPixel);
     this.#renderer.render(this.#scene, this.#camera);
+    this.#pace.sent();
     this.#axes.place(this.#camera, this.#element.clientWidth, this.#element.clientHeight);
   }
 
@@ -320,6 +341,11 @@ export class SpaceView {
       { capture: true, passive: false },
     );
   }
+}
+
+/** Pixels of the screen finer than this cannot be seen. */
+function fineRatio(): number {
+  return Math.min(2, window.devicePixelRatio || 1);
 }
 
 /** Spherical coordinates have y upwards. */

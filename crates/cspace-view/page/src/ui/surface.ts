@@ -55,7 +55,7 @@ class RegionMesh {
   #used = 0;
 
   constructor(clip: Clip) {
-    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, clippingPlanes: clip.window });
+    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, forceSinglePass: true, clippingPlanes: clip.window });
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.mesh.frustumCulled = false;
     this.#attach();

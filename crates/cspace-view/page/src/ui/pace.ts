@@ -1,0 +1,49 @@
+/**
+ * How fast frames of the 3-D view are drawn. Where that is in software, or on a slow card, the view would hold up all else: so no frame is
+ * begun before the last is finished, and while something is dragged frames are coarser.
+ */
+
+/** Frames that take longer keep the hand waiting (ms); they are looked for at every frame of the page, so that a fast card takes up to 17. */
+const SLOW = 30;
+/** A frame of which nothing is heard for this long (ms) is not waited for: a context may be lost. */
+const LONGEST = 1000;
+
+export class Pace {
+  readonly #gl: WebGL2RenderingContext;
+  #fence: WebGLSync | null = null;
+  #sent = 0;
+  #slow = false;
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+  }
+
+  /** A frame has been handed to the card. */
+  sent(): void {
+    this.#forget();
+    this.#fence = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.#gl.flush();
+    this.#sent = performance.now();
+  }
+
+  /** Whether the last frame is still being drawn. */
+  isBusy(): boolean {
+    if (!this.#fence) return false;
+    const took = performance.now() - this.#sent;
+    const finished = this.#gl.getSyncParameter(this.#fence, this.#gl.SYNC_STATUS) === this.#gl.SIGNALED;
+    if (!finished && took < LONGEST) return true;
+    this.#slow = took > SLOW;
+    this.#forget();
+    return false;
+  }
+
+  /** Whether the last frame that was finished was slow. */
+  get isSlow(): boolean {
+    return this.#slow;
+  }
+
+  #forget(): void {
+    if (this.#fence) this.#gl.deleteSync(this.#fence);
+    this.#fence = null;
+  }
+}
