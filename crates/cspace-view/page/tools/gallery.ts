@@ -5,15 +5,8 @@
 
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join, relative } from "node:path";
-import { PNG } from "pngjs";
-import type { Browser } from "puppeteer-core";
-import { addressOf, launch, open, root, run, scratch, shippedModels, skip } from "./harness.js";
-
-/** Size of a picture of a space, and of the window it is taken in (pixels). */
-export const WINDOW = { width: 1100, height: 720 };
-
-/** The panes of which that is taken which is shown: of a pair in the plane, on fixed axes, of any. */
-const PANES = ["#space", "#plane", "#right"];
+import { launch, root, run, scratch, shippedModels, skip } from "./harness.js";
+import { spaceOf } from "./space-picture.js";
 
 /** What the tables of models say of each file. */
 function told(): Map<string, string> {
@@ -27,24 +20,6 @@ function told(): Map<string, string> {
     }
   }
   return rows;
-}
-
-/** The picture of a model's space as the page shows it when it is opened. */
-export async function spaceOf(browser: Browser, page_file: string): Promise<{ picture: Buffer; pair: [string, string] }> {
-  const { page, faults } = await open(browser, `${addressOf(page_file)}#theme=light`, WINDOW);
-  if (faults.length > 0) {
-    throw new Error(faults.join("; "));
-  }
-  const pair = (await page.evaluate("window.cspace.pair()")) as [string, string];
-  for (const pane of PANES) {
-    const element = await page.$(pane);
-    if (element !== null && (await element.isVisible())) {
-      const picture = PNG.sync.read(Buffer.from(await element.screenshot()));
-      await page.close();
-      return { picture: PNG.sync.write(picture, { deflateLevel: 9, colorType: 2 }), pair };
-    }
-  }
-  throw new Error(`${page_file}: nothing is shown`);
 }
 
 async function make(): Promise<void> {

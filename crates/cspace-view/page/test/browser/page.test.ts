@@ -23,6 +23,7 @@ import {
   skip,
 } from "../../tools/harness.js";
 import type { Opened } from "../../tools/harness.js";
+import { spaceOf } from "../../tools/space-picture.js";
 
 /** A page without its data has fewer bytes. */
 const LARGEST_PAGE = 1 << 20;
@@ -85,6 +86,17 @@ describe("the page in a browser", { skip }, () => {
     await drag(page, [box.x + 30, box.y + box.height - 30], [box.x + 130, box.y + box.height - 60]);
     await settled(page);
     assert.ok(difference(first, await pictureOf(page, "#space canvas")) > 0.02);
+  });
+
+  it("shows spaces as the gallery has them", async () => {
+    /** Fonts differ from machine to machine, and text is little of a picture. */
+    const TEXT = 0.03;
+    for (const name of ["knee", "peg_hole", "geneva", "cam_tappet"]) {
+      const { picture } = await spaceOf(browser, exported(model(name), folder.path));
+      const kept = readFileSync(join(root, `docs/gallery/${name}.png`));
+      const differing = difference(PNG.sync.read(picture), PNG.sync.read(kept));
+      assert.ok(differing < TEXT, `${name}: ${differing} of the pixels differ: if that is meant, make the gallery again`);
+    }
   });
 
   it("moves the part with the pointer, on either side", async () => {

@@ -1,0 +1,29 @@
+/** The picture of a configuration space, as the gallery has it and a test compares it. */
+
+import { PNG } from "pngjs";
+import type { Browser } from "puppeteer-core";
+import { addressOf, open } from "./harness.js";
+
+/** The window that it is taken in (pixels). */
+const WINDOW = { width: 1100, height: 720 };
+
+/** The panes of which that is taken which is shown: of a pair in the plane, on fixed axes, of any. */
+const PANES = ["#space", "#plane", "#right"];
+
+/** The picture of a model's space as the page shows it when it is opened. */
+export async function spaceOf(browser: Browser, page_file: string): Promise<{ picture: Buffer; pair: [string, string] }> {
+  const { page, faults } = await open(browser, `${addressOf(page_file)}#theme=light`, WINDOW);
+  if (faults.length > 0) {
+    throw new Error(faults.join("; "));
+  }
+  const pair = (await page.evaluate("window.cspace.pair()")) as [string, string];
+  for (const pane of PANES) {
+    const element = await page.$(pane);
+    if (element !== null && (await element.isVisible())) {
+      const picture = PNG.sync.read(Buffer.from(await element.screenshot()));
+      await page.close();
+      return { picture: PNG.sync.write(picture, { deflateLevel: 9, colorType: 2 }), pair };
+    }
+  }
+  throw new Error(`${page_file}: nothing is shown`);
+}
