@@ -5,7 +5,8 @@
 
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join, relative } from "node:path";
-import { launch, root, run, scratch, shippedModels, skip } from "./harness.js";
+import { launch, root, scratch, skip } from "./harness.js";
+import { run, models } from "../test/support/command.js";
 import { spaceOf } from "./space-picture.js";
 
 /** What the tables of models say of each file. */
@@ -43,7 +44,7 @@ The surfaces are positions (x, y) and, upwards, orientation θ at which the part
 the plane of its two motions is shown: blocked is grey.
 `;
   try {
-    for (const model of shippedModels()) {
+    for (const model of models()) {
       const name = relative(join(root, "models"), model).replace(/\.toml$/, "").replaceAll("/", "_");
       const page_file = join(gallery, `${name}.html`);
       run(["export", model, "-o", page_file]);

@@ -1,36 +1,19 @@
 /** A real browser for the tests, the command beside it, and pages made by the command. */
 
-import { execFileSync, spawn, type ChildProcess } from "node:child_process";
-import { existsSync, mkdtempSync, readdirSync, rmSync } from "node:fs";
+import { spawn, type ChildProcess } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join, resolve } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import { PNG } from "pngjs";
 import puppeteer, { type Browser, type Page } from "puppeteer-core";
+import { MODELS, NO_COMMAND, binary, run } from "../test/support/command.js";
 
 /** How long a page may take to be ready (ms): software rendering on a busy machine is slow, and nothing is timed here. */
 export const PATIENCE = 120_000;
 
-const package_root = findPackage(dirname(fileURLToPath(import.meta.url)));
-
-/** The folder with `package.json`, above the bundled tests. */
-function findPackage(from: string): string {
-  let folder = from;
-  while (!existsSync(join(folder, "package.json"))) {
-    folder = dirname(folder);
-  }
-  return folder;
-}
-
-/** The root of the repository; `CSPACE_ROOT` where the package was copied out of it. */
-export const root = process.env["CSPACE_ROOT"] ?? resolve(package_root, "../../..");
-
-/** The command `cspace`: what `CSPACE` names, or what was built last; null where there is none. */
-export const command: string | null = [
-  process.env["CSPACE"],
-  join(root, "target/release/cspace"),
-  join(root, "target/debug/cspace"),
-].find((path): path is string => path !== undefined && existsSync(path)) ?? null;
+/** The root of the repository. */
+export const root = resolve(MODELS, "..");
 
 /** The browser: what `CHROMIUM` names, or one in a usual place; null where there is none. */
 export const browserPath: string | null = [
@@ -43,32 +26,11 @@ export const browserPath: string | null = [
 
 /** Why tests in a browser are skipped, or `false`. */
 export const skip: string | false =
-  command === null
-    ? "there is no command cspace: build it, or name it in CSPACE"
+  binary() === null
+    ? NO_COMMAND
     : browserPath === null
       ? "there is no browser: install chromium, or name one in CHROMIUM"
       : false;
-
-/** The model files that ship with the project, with the folder before them. */
-export function shippedModels(): string[] {
-  const models = join(root, "models");
-  const of = (folder: string): string[] =>
-    readdirSync(folder)
-      .filter((name) => name.endsWith(".toml"))
-      .sort()
-      .map((name) => join(folder, name));
-  return [...of(models), ...of(join(models, "paper"))];
-}
-
-/** What a command prints. */
-export function run(args: string[], input = ""): string {
-  return execFileSync(command ?? "cspace", args, {
-    input,
-    encoding: "utf8",
-    maxBuffer: 1 << 30,
-    stdio: ["pipe", "pipe", "pipe"],
-  });
-}
 
 /** A folder that is removed in the end. */
 export function scratch(): { path: string; remove: () => void } {
@@ -137,7 +99,7 @@ export const addressOf = (path: string): string => pathToFileURL(path).href;
 
 /** `cspace view`, until it is stopped. */
 export async function serve(model: string, more: string[] = []): Promise<{ address: string; stop: () => void }> {
-  const child: ChildProcess = spawn(command ?? "cspace", ["view", model, "--no-open", ...more], {
+  const child: ChildProcess = spawn(binary() ?? "cspace", ["view", model, "--no-open", ...more], {
     stdio: ["ignore", "pipe", "pipe"],
   });
   const address = await new Promise<string>((found, failed) => {
@@ -186,17 +148,4 @@ export function difference(a: PNG, b: PNG): number {
     differing += far ? 1 : 0;
   }
   return differing / (a.width * a.height);
-}
-
-/** Numbers between 0 and 1 that are the same in every run. */
-export function random(seed: number): () => number {
-  // The generator `mulberry32`.
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let t = state;
-    t = Math.imul(t ^ (t >>> 15), t | 1);
-    t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
-    return ((t ^ (t >>> 14)) >>> 0) / 4_294_967_296;
-  };
 }

@@ -5,7 +5,9 @@ import { relative } from "node:path";
 import { after, before, describe, it } from "node:test";
 import type { Browser, Page } from "puppeteer-core";
 import type { Scene, ScenePair, ScenePart } from "../../src/scene.js";
-import { addressOf, colours, exported, launch, open, pictureOf, random, root, run, scratch, shippedModels, skip } from "../../tools/harness.js";
+import { addressOf, colours, exported, launch, open, pictureOf, root, scratch, skip } from "../../tools/harness.js";
+import { run, models } from "../support/command.js";
+import { random } from "../support/random.js";
 
 const RANDOM = 1000;
 const NEAR = 200;
@@ -25,7 +27,7 @@ describe("the page agrees with the command", { skip }, () => {
     folder.remove();
   });
 
-  for (const model of shippedModels()) {
+  for (const model of models()) {
     const name = relative(root, model);
     it(name, async (t) => {
       const { page, faults } = await open(browser, addressOf(exported(model, folder.path)));

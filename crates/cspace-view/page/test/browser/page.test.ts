@@ -17,11 +17,11 @@ import {
   open,
   pictureOf,
   root,
-  run,
   scratch,
   serve,
   skip,
 } from "../../tools/harness.js";
+import { run } from "../support/command.js";
 import type { Opened } from "../../tools/harness.js";
 import { spaceOf } from "../../tools/space-picture.js";
 
