@@ -161,9 +161,11 @@ export class AxesMotion {
   }
 
   private get ground(): Ground {
+    const limits = (e: Extent): Range | null => (e.isLimited ? [e.lo, e.hi] : null);
     return {
       contact: this.contact,
       longest: LONGEST,
+      limits: [limits(this.graphs.x), limits(this.graphs.y)],
       advance: (from, to) => this.straight(from, this.inner(this.within(this.outer(to)))),
       touching: (v) => this.touching(v, 4 * this.contact),
       constraint: (patch, v) => {

@@ -169,11 +169,12 @@ export class PlanarMotion {
   }
 
   private get ground(): Ground {
+    const { lo, hi, full_turn } = this.surface.space.window;
     return {
       contact: this.contact,
       longest: 0.1,
+      limits: [null, null, full_turn ? null : [lo * this.radius, hi * this.radius]],
       advance: (from, goal) => {
-        const { lo, hi, full_turn } = this.surface.space.window;
         const to = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
         const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
         const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
