@@ -50,6 +50,8 @@ const MOST_KNOWN = 4;
 const REACHED = 1e-4;
 /** A step follows the contacts that its end is nearer to than this share of its length. */
 const FOLLOWED = 1e-6;
+/** A step comes nearer to the goal by more than this share of the distance that counts as contact. */
+const NEARER = 1e-3;
 /** A step that comes less far than this share of its length is none. */
 const LEAST_STEP = 0.05;
 
@@ -89,8 +91,8 @@ function stepTowards(ground: Ground, at: Vec, to: Vec, before: number[], least: 
       const length = size(way.by);
       if (length <= least || dot(way.by, left) <= 0) continue;
       const step = times(way.by, Math.min(1, ground.longest / length));
-      const tried = along(ground, at, step, contacts, way.allowed ? TRIES : 1);
-      if (tried.next && size(minus(to, tried.next)) < size(left) - 1e-3 * ground.contact) return { next: tried.next, known };
+      const tried = along(ground, at, to, step, contacts, way.allowed ? TRIES : 1);
+      if (tried.next) return { next: tried.next, known };
       const met = tried.met;
       if (learnt === null && met !== null && !contacts.some((c) => c.patch === met)) learnt = met;
       if (way.allowed && learnt !== null) break;
@@ -124,8 +126,9 @@ function contactsAt(ground: Ground, at: Vec, patches: number[]): Contact[] {
   return found;
 }
 
-/** A step along the surface, or a part of it; null if none is possible, with a patch that it runs into. */
-function along(ground: Ground, at: Vec, whole: Vec, contacts: Contact[], tries: number): { next: Vec | null; met: number | null } {
+/** A step along the surface, or a part of it, that comes nearer to the goal; null if none does, with a patch that it runs into. */
+function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[], tries: number): { next: Vec | null; met: number | null } {
+  const most = size(minus(to, at)) - NEARER * ground.contact;
   let met: number | null = null;
   for (let k = 0, step = whole; k < tries; k++, step = times(step, SHORTER)) {
     const length = size(step);
@@ -135,7 +138,8 @@ function along(ground: Ground, at: Vec, whole: Vec, contacts: Contact[], tries: 
     if (!goal || size(minus(goal, plus(at, step))) > 2 * length) continue;
     const next = over(ground, at, goal, followed);
     const by = minus(next.at, at);
-    if (size(by) >= LEAST_STEP * length && dot(by, step) > 0 && !ground.isBlocked(next.at)) return { next: next.at, met: null };
+    const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
+    if (isStep && size(minus(to, next.at)) < most && !ground.isBlocked(next.at)) return { next: next.at, met: null };
     if (next.stopped !== null && !contacts.some((c) => c.patch === next.stopped)) return { next: null, met: next.stopped };
     met ??= next.stopped;
   }

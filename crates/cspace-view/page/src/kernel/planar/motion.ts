@@ -20,6 +20,8 @@ const ON_CURVE = 2;
 const END_SPEED = 4;
 /** A patch is looked for so far before its first and beyond its last orientation (radians): that is how well critical ones are known. */
 const SEAM = 2 ** -33;
+/** How far beside an orientation it is also asked what touches (radians): a critical one is known to a tenth of it. */
+const BESIDE = 1e-9;
 /** Halvings of a motion that went too far. */
 const HALVINGS = 60;
 
@@ -126,6 +128,15 @@ export class PlanarMotion {
     return { x: fixed_center.x + (p.x / scale - moved.x), y: fixed_center.y + (p.y / scale - moved.y), theta };
   }
 
+  /** Patches that touch, or would but for the orientation: at a critical one some begin and others end. */
+  private near(c: PlanarConfiguration, by: number): number[] {
+    const theta = c.theta + by;
+    if (!this.classifier.covers({ ...c, theta })) return [];
+    const within = 2 * ON_CURVE * this.contactDistance + Math.abs(by) * this.surface.outerLength(END_SPEED);
+    const curves = this.surface.slice(theta).curves;
+    return curves.filter(({ curve }) => distanceBelow(curve, c, within) <= within).map(({ patch }) => patch);
+  }
+
   private nearestPatch(c: PlanarConfiguration): number | null {
     let [found, least]: [number | null, number] = [null, Infinity];
     for (const { patch, curve } of this.surface.slice(c.theta).curves) {
@@ -184,9 +195,7 @@ export class PlanarMotion {
       },
       touching: (v) => {
         const c = this.unweighted(v);
-        const within = 2 * ON_CURVE * this.contactDistance;
-        const curves = this.surface.slice(c.theta).curves;
-        return curves.filter(({ curve }) => distanceBelow(curve, c, within) <= within).map(({ patch }) => patch);
+        return [...new Set([0, BESIDE, -BESIDE].flatMap((by) => this.near(c, by)))];
       },
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
       isBlocked: (v) => this.isBlocked(this.unweighted(v)),
