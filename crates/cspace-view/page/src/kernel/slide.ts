@@ -38,7 +38,7 @@ export interface Ground {
 }
 
 /** So many steps along the surface are one motion of the pointer. */
-const MOST_STEPS = 32;
+const MOST_STEPS = 24;
 /** A step that leads nowhere is tried again, shorter by this factor, so often. */
 const SHORTER = 0.25;
 const TRIES = 5;
@@ -46,8 +46,13 @@ const TRIES = 5;
 const MOST_LEARNT = 6;
 /** Of contacts that do not touch so many are remembered: those run into last. */
 const MOST_KNOWN = 4;
+/** Past an edge of an obstacle so many ways are tried. */
+const MOST_EDGES = 4;
+/** Bounds of how much shorter or longer than straight a step is for a surface's curvature. */
+const LEAST_BEND = 0.02;
+const MOST_BEND = 4;
 /** A goal nearer than this share of the way is reached. */
-const REACHED = 1e-4;
+const REACHED = 1e-3;
 /** A step follows the contacts that its end is nearer to than this share of its length. */
 const FOLLOWED = 1e-6;
 /** A step comes nearer to the goal by more than this share of the distance that counts as contact. */
@@ -61,46 +66,82 @@ export function slideOn(ground: Ground, from: Vec, to: Vec): Stop {
   let stopped = first.stopped;
   if (stopped === null) return first;
   const whole = size(minus(to, from));
+  const least = Math.max(REACHED * whole, 4 * ground.contact);
   let known: number[] = [];
+  let last: Taken | null = null;
   for (let k = 0; k < MOST_STEPS && stopped !== null; k++) {
-    if (size(minus(to, at)) <= REACHED * whole) break;
+    if (size(minus(to, at)) <= least) break;
     known = latest(known, stopped);
-    const step = stepTowards(ground, at, to, known, Math.max(REACHED * whole, 4 * ground.contact));
+    const step = stepTowards(ground, at, to, known, least, last);
     known = step.known;
-    if (!step.next) break;
-    const on = ground.advance(step.next, to);
-    if (ground.isBlocked(on.at)) return { at: step.next, stopped };
+    last = step.taken;
+    if (!last) break;
+    const on = ground.advance(last.next, to);
+    if (ground.isBlocked(on.at)) return { at: last.next, stopped };
     [at, stopped] = [on.at, on.stopped];
   }
   return { at, stopped };
+}
+
+/** A step that was taken: from where, by which way, along which contacts, and to where. */
+interface Taken {
+  from: Vec;
+  way: Vec;
+  along: string;
+  next: Vec;
 }
 
 function latest(known: number[], patch: number): number[] {
   return [...known.filter((p) => p !== patch), patch].slice(-MOST_KNOWN);
 }
 
-/** One step along the surface that comes nearer to the goal; null if none does. */
-function stepTowards(ground: Ground, at: Vec, to: Vec, before: number[], least: number): { next: Vec | null; known: number[] } {
+/** One step along the surface that comes nearer to the goal; none taken if none does. */
+function stepTowards(
+  ground: Ground,
+  at: Vec,
+  to: Vec,
+  before: number[],
+  least: number,
+  last: Taken | null,
+): { taken: Taken | null; known: number[] } {
   const left = minus(to, at);
   const near = ground.touching(at);
   let known = before;
+  const failed = new Set<string>();
   for (let k = 0; k < MOST_LEARNT; k++) {
     const contacts = contactsAt(ground, at, [...new Set([...near, ...known])]);
     let learnt: number | null = null;
     for (const way of waysAlong(left, contacts)) {
       const length = size(way.by);
       if (length <= least || dot(way.by, left) <= 0) continue;
-      const step = times(way.by, Math.min(1, ground.longest / length));
+      const key = way.held.map((i) => contacts[i]!.patch).join();
+      if (!way.allowed && (failed.has(key) || failed.size >= MOST_EDGES)) continue;
+      const touch = way.held.every((i) => contacts[i]!.room <= 4 * ground.contact);
+      const bend = last?.along === key ? bendOf(last, at, way.by) : 1;
+      const step = times(way.by, Math.min(touch ? bend : Math.min(bend, 1), ground.longest / length));
       const tried = along(ground, at, to, step, contacts, way.allowed ? TRIES : 1);
-      if (tried.next) return { next: tried.next, known };
+      if (tried.next) return { taken: { from: at, way: way.by, along: key, next: tried.next }, known };
       const met = tried.met;
-      if (learnt === null && met !== null && !contacts.some((c) => c.patch === met)) learnt = met;
-      if (way.allowed && learnt !== null) break;
+      if (!way.allowed) failed.add(key);
+      else if (met !== null && !contacts.some((c) => c.patch === met)) {
+        learnt = met;
+        break;
+      }
     }
     if (learnt === null) break;
     known = latest(known, learnt);
   }
-  return { next: null, known };
+  return { taken: null, known };
+}
+
+/**
+ * By how much a step is to be longer than the way that is left along the surface: that is to first order, and surfaces are curved. From how
+ * that changed with the last step along the same contacts.
+ */
+function bendOf(last: Taken, at: Vec, way: Vec): number {
+  const moved = minus(at, last.from);
+  const less = dot(moved, minus(last.way, way));
+  return less > 0 ? Math.min(Math.max(dot(moved, moved) / less, LEAST_BEND), MOST_BEND) : 1;
 }
 
 interface Contact extends HalfSpace {

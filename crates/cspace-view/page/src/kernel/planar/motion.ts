@@ -5,7 +5,7 @@ import type { PatchData } from "../../scene.js";
 import { gradientOf, valueOf } from "../contact-function.js";
 import { distanceBelow, nearestOn } from "../curve.js";
 import { firstTime, type Track } from "../march.js";
-import { clamp, distance, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
+import { clamp, distance, length as size, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
 import { slideOn, type Constraint, type Ground, type Vec } from "../slide.js";
 import type { Classifier } from "./classify.js";
 import { turnedInto } from "./patch.js";
@@ -25,11 +25,22 @@ const BESIDE = 1e-9;
 /** Halvings of a motion that went too far. */
 const HALVINGS = 60;
 
+/** Sizes of neighbourhoods whose patches are kept (length of the pair's frame): a motion up to half as long is looked for in one. */
+const NEIGHBOURHOODS = [0.005, 0.02, 0.08, 0.32];
+
+/** The patches that may be within a distance of a position, and of an orientation by how far it moves the part. In the pair's frame. */
+interface Neighbourhood {
+  at: Point;
+  theta: number;
+  patches: readonly number[];
+}
+
 export class PlanarMotion {
   /** Radius of the moving part about its centre (length of the pair's frame): so much an orientation counts. */
   private readonly radius: number;
   /** Distance that counts as contact, in the pair's frame. */
   private readonly contact: number;
+  private readonly neighbourhoods: (Neighbourhood | undefined)[] = [];
 
   constructor(
     private readonly surface: Surface,
@@ -87,8 +98,9 @@ export class PlanarMotion {
     const [a, b] = [path.theta(0), path.theta(1)];
     const fullTurn = this.surface.space.window.full_turn;
     const far = path.reach();
-    for (const i of this.surface.alive.between(Math.min(a, b) - SEAM, Math.max(a, b) + SEAM)) {
+    for (const i of this.around(path)) {
       const p = this.surface.patches[i]!;
+      if (!fullTurn && (p.hi < Math.min(a, b) - SEAM || p.lo > Math.max(a, b) + SEAM)) continue;
       if (far.isAway(p.function, 2 * this.contact)) continue;
       for (const [lo, hi] of presences(p, path, fullTurn)) {
         if (lo >= time) continue;
@@ -97,6 +109,26 @@ export class PlanarMotion {
       }
     }
     return { time, patch };
+  }
+
+  /** Patches among which are all that a motion may come to. Those of a neighbourhood are kept: motions along a surface are many and short. */
+  private around(path: Path): readonly number[] {
+    const [start, end] = [path.at(0), path.at(1)];
+    const [a, b] = [path.theta(0), path.theta(1)];
+    const away = (p: Point, theta: number, n: Neighbourhood): number =>
+      Math.max(distance(p, n.at), Math.abs(theta - n.theta) * this.radius);
+    const length = Math.max(distance(start, end), Math.abs(b - a) * this.radius) + Math.abs(b - a) * size(path.m);
+    const between = (from: number, to: number) => this.surface.alive.between(from - SEAM, to + SEAM);
+    const level = NEIGHBOURHOODS.findIndex((s) => 2 * length <= s);
+    if (level < 0) return between(Math.min(a, b), Math.max(a, b));
+    const known = this.neighbourhoods[level];
+    if (known && away(start, a, known) + length <= NEIGHBOURHOODS[level]!) return known.patches;
+    const all = NEIGHBOURHOODS[level]!;
+    const turn = all / this.radius;
+    const reach = new Path(start, { x: all, y: 0 }, { x: 0, y: 0 }, a, turn).reach();
+    const patches = between(a - turn, a + turn).filter((i) => !reach.isAway(this.surface.patches[i]!.function, 2 * this.contact));
+    this.neighbourhoods[level] = { at: start, theta: a, patches };
+    return patches;
   }
 
   private track(patch: PatchData, path: Path): Track {
@@ -195,7 +227,8 @@ export class PlanarMotion {
       },
       touching: (v) => {
         const c = this.unweighted(v);
-        return [...new Set([0, BESIDE, -BESIDE].flatMap((by) => this.near(c, by)))];
+        const sides = this.surface.isCritical(c.theta, BESIDE) ? [0, BESIDE, -BESIDE] : [0];
+        return [...new Set(sides.flatMap((by) => this.near(c, by)))];
       },
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
       isBlocked: (v) => this.isBlocked(this.unweighted(v)),
