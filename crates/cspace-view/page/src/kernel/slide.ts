@@ -38,7 +38,7 @@ export interface Ground {
 }
 
 /** So many steps along the surface are one motion of the pointer. */
-const MOST_STEPS = 24;
+const MOST_STEPS = 16;
 /** A step that leads nowhere is tried again, shorter by this factor, so often. */
 const SHORTER = 0.25;
 const TRIES = 5;
@@ -46,8 +46,12 @@ const TRIES = 5;
 const MOST_LEARNT = 6;
 /** Of contacts that do not touch so many are remembered: those run into last. */
 const MOST_KNOWN = 4;
+/** A motion no farther than so many distances of contact only presses on what it touches. */
+const PRESSED = 8;
 /** Past an edge of an obstacle so many ways are tried. */
 const MOST_EDGES = 4;
+/** Between contacts that all but oppose each other there is no room: what leads off both is so many times as long as what leads off one. */
+const STEEPEST = 100;
 /** Bounds of how much shorter or longer than straight a step is for a surface's curvature. */
 const LEAST_BEND = 0.02;
 const MOST_BEND = 4;
@@ -74,13 +78,15 @@ export function slideOn(ground: Ground, from: Vec, to: Vec): Stop {
     known = latest(known, stopped);
     const step = stepTowards(ground, at, to, known, least, last);
     known = step.known;
+    if (!step.taken) break;
     last = step.taken;
-    if (!last) break;
     const on = ground.advance(last.next, to);
-    if (ground.isBlocked(on.at)) return { at: last.next, stopped };
+    // What is but pressed on is in contact as before.
+    const isFar = size(minus(on.at, last.next)) > PRESSED * ground.contact || on.stopped === null;
+    if (isFar && ground.isBlocked(on.at)) return { at: last.next, stopped };
     [at, stopped] = [on.at, on.stopped];
   }
-  return { at, stopped };
+  return last && ground.isBlocked(at) ? { at: last.next, stopped } : { at, stopped };
 }
 
 /** A step that was taken: from where, by which way, along which contacts, and to where. */
@@ -177,7 +183,7 @@ function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[]
     const followed = contacts.filter((c) => c.patch !== null && Math.abs(dot(c.normal, step) + c.room) <= close).map((c) => c.patch!);
     const goal = onSurface(ground, plus(at, step), followed);
     if (!goal || size(minus(goal, plus(at, step))) > 2 * length) continue;
-    const next = over(ground, at, goal, followed);
+    const next = over(ground, at, goal, followed, contacts);
     const by = minus(next.at, at);
     const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
     if (isStep && size(minus(to, next.at)) < most && !ground.isBlocked(next.at)) return { next: next.at, met: null };
@@ -188,22 +194,27 @@ function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[]
 }
 
 /** From one place on the surface to another, lifted off it by as much as the surface rises between. */
-function over(ground: Ground, at: Vec, goal: Vec, followed: number[]): Stop {
+function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: Contact[]): Stop {
   const middle = times(plus(at, goal), 0.5);
   let lift = 2 * ground.contact;
-  let up: number[] = at.map(() => 0);
   for (const patch of followed) {
     const { value, gradient } = ground.constraint(patch, middle);
-    const steep = size(gradient);
-    lift = Math.max(lift, (-1.5 * value) / steep + 2 * ground.contact);
-    up = plus(up, times(gradient, 1 / steep));
+    lift = Math.max(lift, (-1.5 * value) / size(gradient) + 2 * ground.contact);
   }
-  const height = size(up);
-  const by = height > 1e-3 ? times(up, lift / height) : up;
-  const raised = ground.advance(at, plus(at, by));
+  const raised = ground.advance(at, plus(at, times(offFrom(ground, followed, contacts), lift)));
   const across = ground.advance(raised.at, plus(goal, minus(raised.at, at)));
   const down = onSurface(ground, across.at, followed) ?? goal;
   return { at: ground.advance(across.at, down).at, stopped: across.stopped ?? raised.stopped };
+}
+
+/** The shortest way that leads off the contacts followed by one, and not against others that touch; zero if there is none. */
+function offFrom(ground: Ground, followed: number[], contacts: Contact[]): Vec {
+  const spaces = contacts
+    .filter((c) => c.room <= 4 * ground.contact)
+    .map((c) => ({ normal: c.normal, room: c.patch !== null && followed.includes(c.patch) ? -1 : 0 }));
+  const zero = contacts[0]?.normal.map(() => 0) ?? [];
+  const way = waysAlong(zero, spaces).find((w) => w.allowed);
+  return way && size(way.by) < STEEPEST ? way.by : zero;
 }
 
 /** The nearest place at which the contact functions of some patches vanish, by Newton's method; null if it does not come to one. */

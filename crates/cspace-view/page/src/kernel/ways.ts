@@ -29,7 +29,7 @@ const MOST_HELD = 3;
  * an obstacle has an edge: there free space is what either of two contacts allows, and a part goes past it along one of them.
  */
 export function waysAlong(wanted: Vec, spaces: readonly HalfSpace[]): Way[] {
-  const slack = ROUNDING * size(wanted);
+  const slack = ROUNDING * Math.max(size(wanted), ...spaces.map((s) => -s.room));
   const found: (Way & { off: number })[] = [];
   const consider = (held: number[]): void => {
     const rows = held.map((i) => spaces[i]!.normal);
