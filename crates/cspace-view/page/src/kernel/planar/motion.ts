@@ -16,6 +16,8 @@ import type { Surface } from "./surface.js";
 const DEPTH = 0.5;
 /** What is as near as this to a curve, in distances of contact, is on it: twice, for curves meet where both are known to one. */
 const ON_CURVE = 2;
+/** What passes the end of a curve no farther than this, in distances of contact, may have passed it by rounding. */
+const BEYOND_END = 256;
 /** Ends of contact curves move by no more than this per radian but where curves become tangent (length of the pair's frame). */
 const END_SPEED = 4;
 /** A patch is looked for so far before its first and beyond its last orientation (radians): that is how well critical ones are known. */
@@ -73,7 +75,7 @@ export class PlanarMotion {
       t >= 1
         ? goal
         : { x: from.x + t * (goal.x - from.x), y: from.y + t * (goal.y - from.y), theta: from.theta + t * (goal.theta - from.theta) };
-    const checked = this.lastNotBlocked(at, time);
+    const checked = this.lastNotBlocked(at, patch === null ? time : this.pressed(at, time, path));
     return { at: at(checked), stopped: checked >= 1 ? null : (patch ?? this.nearestPatch(at(checked))) };
   }
 
@@ -137,13 +139,19 @@ export class PlanarMotion {
       const c = this.outer(path.at(t), theta);
       return distance(nearestOn(this.curveNear(patch, theta), c), c);
     };
+    const { scale } = this.surface.space.frame;
+    const speed = Math.hypot(path.v.x, path.v.y) + Math.abs(path.omega) * (END_SPEED + Math.hypot(path.m.x, path.m.y));
     return {
       at: (t, until) => path.sample(patch, t, until),
-      isOn: (t) => off(t) <= ON_CURVE * this.contactDistance,
-      away: (t) => {
-        const speed = Math.hypot(path.v.x, path.v.y) + Math.abs(path.omega) * (END_SPEED + Math.hypot(path.m.x, path.m.y));
-        return (0.5 * off(t) * this.surface.space.frame.scale) / speed;
+      isOn: (t) => {
+        const by = off(t);
+        if (by <= ON_CURVE * this.contactDistance) return true;
+        if (by > BEYOND_END * this.contactDistance) return false;
+        // Where two curves meet at a small angle, what is a little beyond both is far beyond their ends: whether it goes on tells.
+        const later = Math.min(t + (2 * by * scale) / speed, 1);
+        return this.isBlocked(this.outer(path.at(later), path.theta(later)));
       },
+      away: (t) => (0.5 * off(t) * scale) / speed,
     };
   }
 
@@ -181,6 +189,17 @@ export class PlanarMotion {
   /** Outside of the window nothing is free. */
   private isBlocked(c: PlanarConfiguration): boolean {
     return (this.classifier.located(c)?.class ?? "blocked") === "blocked";
+  }
+
+  /** The time of a contact, or a moment later if it is only all but come to by then. */
+  private pressed(at: (t: number) => PlanarConfiguration, time: number, path: Path): number {
+    if (this.classifier.located(at(time))?.class !== "free") return time;
+    const speed = Math.hypot(path.v.x, path.v.y) + Math.abs(path.omega) * (this.radius + Math.hypot(path.m.x, path.m.y));
+    for (let by = this.contact / speed; by * speed <= 2 * BEYOND_END * this.contact; by *= 2) {
+      const later = Math.min(time + by, 1);
+      if (this.classifier.located(at(later))?.class !== "free") return later;
+    }
+    return time;
   }
 
   /** The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
