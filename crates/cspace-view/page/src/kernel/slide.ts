@@ -64,11 +64,10 @@ const NEARER = 1e-3;
 /** A step that comes less far than this share of its length is none. */
 const LEAST_STEP = 0.05;
 
-export function slideOn(ground: Ground, from: Vec, to: Vec): Stop {
-  const first = ground.advance(from, to);
-  let { at } = first;
-  let stopped = first.stopped;
-  if (stopped === null) return first;
+/** From where a straight motion to the goal has been stopped. */
+export function slideOn(ground: Ground, from: Vec, to: Vec, patch: number): Stop {
+  let at = from;
+  let stopped: number | null = patch;
   const whole = size(minus(to, from));
   const least = Math.max(REACHED * whole, 4 * ground.contact);
   let known: number[] = [];

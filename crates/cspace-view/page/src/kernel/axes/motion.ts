@@ -47,7 +47,7 @@ export class AxesMotion {
     const first = this.advance(from, to);
     if (first.stopped === null) return first;
     const goal = this.within(to);
-    const found = slideOn(this.ground, this.inner(first.at), this.inner(goal));
+    const found = slideOn(this.ground, this.inner(first.at), this.inner(goal), first.stopped);
     const at = found.stopped === null ? goal : this.outer(found.at);
     return (this.classifier.classify(at.u, at.v) ?? "blocked") === "blocked" ? first : { at, stopped: found.stopped };
   }

@@ -30,6 +30,8 @@ const HALVINGS = 60;
 /** Sizes of neighbourhoods whose patches are kept (length of the pair's frame): a motion up to half as long is looked for in one. */
 const NEIGHBOURHOODS = [0.005, 0.02, 0.08, 0.32];
 
+const NOWHERE: Point = { x: 0, y: 0 };
+
 /** The patches that may be within a distance of a position, and of an orientation by how far it moves the part. In the pair's frame. */
 interface Neighbourhood {
   at: Point;
@@ -75,7 +77,8 @@ export class PlanarMotion {
       t >= 1
         ? goal
         : { x: from.x + t * (goal.x - from.x), y: from.y + t * (goal.y - from.y), theta: from.theta + t * (goal.theta - from.theta) };
-    const checked = this.lastNotBlocked(at, patch === null ? time : this.pressed(at, time, path));
+    const fine = this.contact / (size(path.v) + Math.abs(path.omega) * (this.radius + size(path.m)));
+    const checked = this.lastNotBlocked(at, patch === null ? time : this.pressed(at, time, fine), fine);
     return { at: at(checked), stopped: checked >= 1 ? null : (patch ?? this.nearestPatch(at(checked))) };
   }
 
@@ -83,7 +86,7 @@ export class PlanarMotion {
     const first = this.advance(from, to);
     if (first.stopped === null) return first;
     const goal = this.within(to);
-    const found = slideOn(this.ground, this.weighted(first.at), this.weighted(goal));
+    const found = slideOn(this.ground, this.weighted(first.at), this.weighted(goal), first.stopped);
     const at = found.stopped === null ? goal : this.unweighted(found.at);
     return this.isBlocked(at) ? first : { at, stopped: found.stopped };
   }
@@ -168,13 +171,20 @@ export class PlanarMotion {
     return { x: fixed_center.x + (p.x / scale - moved.x), y: fixed_center.y + (p.y / scale - moved.y), theta };
   }
 
-  /** Patches that touch, or would but for the orientation: at a critical one some begin and others end. */
-  private near(c: PlanarConfiguration, by: number): number[] {
-    const theta = c.theta + by;
-    if (!this.classifier.covers({ ...c, theta })) return [];
-    const within = 2 * ON_CURVE * this.contactDistance + Math.abs(by) * this.surface.outerLength(END_SPEED);
-    const curves = this.surface.slice(theta).curves;
-    return curves.filter(({ curve }) => distanceBelow(curve, c, within) <= within).map(({ patch }) => patch);
+  /** Patches whose curves are within a distance, at orientations no farther than `beside` from this one. */
+  private near(c: PlanarConfiguration, within: number, beside: number): number[] {
+    const turn = turnBy(c.theta);
+    const p = this.surface.inner(c, turn);
+    const { scale } = this.surface.space.frame;
+    const fullTurn = this.surface.space.window.full_turn;
+    return this.around(new Path(p, NOWHERE, NOWHERE, c.theta, 0)).filter((i) => {
+      const patch = this.surface.patches[i]!;
+      if (Math.abs(valueOf(patch.function, p, turn)) > within * scale) return false;
+      const turns = fullTurn ? TAU * Math.ceil((patch.lo - beside - c.theta) / TAU) : 0;
+      const t = c.theta + turns;
+      if (t < patch.lo - beside || t > patch.hi + beside) return false;
+      return distance(nearestOn(this.curveNear(patch, c.theta), c), c) <= within;
+    });
   }
 
   private nearestPatch(c: PlanarConfiguration): number | null {
@@ -192,22 +202,30 @@ export class PlanarMotion {
   }
 
   /** The time of a contact, or a moment later if it is only all but come to by then. */
-  private pressed(at: (t: number) => PlanarConfiguration, time: number, path: Path): number {
+  private pressed(at: (t: number) => PlanarConfiguration, time: number, fine: number): number {
     if (this.classifier.located(at(time))?.class !== "free") return time;
-    const speed = Math.hypot(path.v.x, path.v.y) + Math.abs(path.omega) * (this.radius + Math.hypot(path.m.x, path.m.y));
-    for (let by = this.contact / speed; by * speed <= 2 * BEYOND_END * this.contact; by *= 2) {
+    for (let by = fine; by <= 2 * BEYOND_END * fine; by *= 2) {
       const later = Math.min(time + by, 1);
       if (this.classifier.located(at(later))?.class !== "free") return later;
     }
     return time;
   }
 
-  /** The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
-  private lastNotBlocked(at: (t: number) => PlanarConfiguration, time: number): number {
+  /** `fine`: how long what counts as contact takes to pass. The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
+  private lastNotBlocked(at: (t: number) => PlanarConfiguration, time: number, fine: number): number {
     const isBlocked = (t: number) => this.isBlocked(at(t));
     if (!isBlocked(time)) return time;
     let [lo, hi] = [0, time];
-    for (let k = 0; k < HALVINGS; k++) {
+    // It has mostly gone too far by little.
+    for (let back = 2 * fine; back < time; back *= 8) {
+      if (isBlocked(time - back)) {
+        hi = time - back;
+        continue;
+      }
+      lo = time - back;
+      break;
+    }
+    for (let k = 0; k < HALVINGS && hi - lo > 0.1 * fine; k++) {
       const mid = 0.5 * (lo + hi);
       if (isBlocked(mid)) hi = mid;
       else lo = mid;
@@ -244,13 +262,15 @@ export class PlanarMotion {
         const at = (t: number): Vec => (t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x)));
         return { at: at(time), stopped: time >= 1 ? null : patch };
       },
-      touching: (v) => {
-        const c = this.unweighted(v);
-        const sides = this.surface.isCritical(c.theta, BESIDE) ? [0, BESIDE, -BESIDE] : [0];
-        return [...new Set(sides.flatMap((by) => this.near(c, by)))];
-      },
+      // At a critical orientation some patches begin and others end: both touch.
+      touching: (v) => this.near(this.unweighted(v), 2 * ON_CURVE * this.contactDistance, BESIDE),
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
-      isBlocked: (v) => this.isBlocked(this.unweighted(v)),
+      isBlocked: (v) => {
+        const c = this.unweighted(v);
+        // Most steps end in contact, which is told without the slice.
+        const isSure = this.classifier.covers(c) && !this.surface.isDoubtful(c.theta);
+        return !(isSure && this.near(c, this.contactDistance, 0).length > 0) && this.isBlocked(c);
+      },
     };
   }
 

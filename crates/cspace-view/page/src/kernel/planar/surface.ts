@@ -86,16 +86,6 @@ export class Surface {
     return Math.abs(c - at) <= NEAR * scale && within ? aside : theta;
   }
 
-  /** Whether a critical orientation is within an angle of this one. */
-  isCritical(theta: number, within: number): boolean {
-    const { window, critical_orientations: critical } = this.space;
-    const at = window.full_turn ? theta - TAU * Math.floor((theta + Math.PI) / TAU) : theta;
-    const next = partitionPoint(critical, (c) => c < at);
-    const beside = [critical[next], critical[next - 1]];
-    if (window.full_turn && critical.length > 0) beside.push(critical[0]! + TAU, critical[critical.length - 1]! - TAU);
-    return beside.some((c) => c !== undefined && Math.abs(c - at) <= within);
-  }
-
   /** The orientation brought into the interval of a patch that exists there. */
   present(patch: PatchData, theta: number): number | null {
     const window = this.space.window;
