@@ -6,7 +6,7 @@ import { gradientOf, valueOf } from "../contact-function.js";
 import { distanceBelow, nearestOn } from "../curve.js";
 import { firstTime, type Track } from "../march.js";
 import { clamp, distance, length as size, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
-import { slideOn, type Constraint, type Ground, type Vec } from "../slide.js";
+import { slideOn, type Constraint, type Ground, type Stop, type Vec } from "../slide.js";
 import type { Classifier } from "./classify.js";
 import { turnedInto } from "./patch.js";
 import { Path } from "./path.js";
@@ -29,6 +29,9 @@ const HALVINGS = 60;
 
 /** Sizes of neighbourhoods whose patches are kept (length of the pair's frame): a motion up to half as long is looked for in one. */
 const NEIGHBOURHOODS = [0.005, 0.02, 0.08, 0.32];
+
+/** So far a motion is looked for among the patches that are near, before it is among all that it may come to (length of the frame). */
+const PROBE = 0.005;
 
 const NOWHERE: Point = { x: 0, y: 0 };
 
@@ -248,6 +251,13 @@ export class PlanarMotion {
     return this.outer({ x: v[0]!, y: v[1]! }, beyond ? clamp(theta, lo, hi) : theta);
   }
 
+  private straight(from: Vec, to: Vec): Stop {
+    const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
+    const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, NOWHERE, a, b - a);
+    const { time, patch } = this.first(path);
+    return { at: time >= 1 ? to : from.map((x, i) => x + time * (to[i]! - x)), stopped: time >= 1 ? null : patch };
+  }
+
   private get ground(): Ground {
     const { lo, hi, full_turn } = this.surface.space.window;
     return {
@@ -255,12 +265,11 @@ export class PlanarMotion {
       longest: 0.1,
       limits: [null, null, full_turn ? null : [lo * this.radius, hi * this.radius]],
       advance: (from, goal) => {
-        const to = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
-        const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
-        const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
-        const { time, patch } = this.first(path);
-        const at = (t: number): Vec => (t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x)));
-        return { at: at(time), stopped: time >= 1 ? null : patch };
+        const to: Vec = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
+        // What presses on the surface mostly goes no farther: few patches are near.
+        const share = PROBE / Math.hypot(...to.map((x, i) => x - from[i]!));
+        const soon = share < 0.5 ? this.straight(from, to.map((x, i) => from[i]! + share * (x - from[i]!))) : null;
+        return soon && soon.stopped !== null ? soon : this.straight(from, to);
       },
       // At a critical orientation some patches begin and others end: both touch.
       touching: (v) => this.near(this.unweighted(v), 2 * ON_CURVE * this.contactDistance, BESIDE),
