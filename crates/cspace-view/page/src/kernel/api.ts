@@ -71,7 +71,7 @@ export interface Kernel<C extends Configuration = Configuration> {
   region(c: C): number | null;
   /** Patches within a distance (model unit; the resolution unless given), nearest first. */
   touching(c: C, within?: number): Touch[];
-  /** The nearest patch of the slice at this orientation (planar), or of the plane; null where there is none. */
+  /** The nearest patch of the slice at this orientation (planar), or that whose features are the least apart (fixed axes); null if there is none. */
   nearest(c: C): Touch | null;
 
   /**

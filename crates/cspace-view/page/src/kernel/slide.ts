@@ -1,10 +1,14 @@
 /**
  * A motion that is led by contact: as far as the straight way is free, then along the surface, as near to the goal as it leads.
  *
- * Positions are vectors of weighted coordinates, in which all of them count alike.
+ * Positions are vectors of weighted coordinates, in which all of them count alike. Every step is the way to the goal projected to what the
+ * contacts leave open, to first order: those that touch, and those that earlier attempts have run into.
  */
 
-export type Vec = readonly number[];
+import { dot, minus, plus, size, times, weighted, weightsOf, type Vec } from "./vector.js";
+import { waysAlong, type HalfSpace } from "./ways.js";
+
+export type { Vec };
 
 /** A contact function at a position: its value and gradient by the weighted coordinates. */
 export interface Constraint {
@@ -12,13 +16,21 @@ export interface Constraint {
   gradient: number[];
 }
 
+/** Where a straight motion ends, and the patch that stopped it. */
+export interface Stop {
+  at: Vec;
+  stopped: number | null;
+}
+
 export interface Ground {
   /** The straight way from one position to another up to the first contact; not yet tested for whether it is blocked there. */
-  advance(from: Vec, to: Vec): { at: Vec; stopped: number | null };
+  advance(from: Vec, to: Vec): Stop;
   /** The patches that touch at a position. */
   touching(at: Vec): number[];
   constraint(patch: number, at: Vec): Constraint;
   isBlocked(at: Vec): boolean;
+  /** How far each coordinate may go; null if it may go anywhere. */
+  readonly limits: readonly (readonly [number, number] | null)[];
   /** Positions nearer to a contact than this are in contact. */
   readonly contact: number;
   /** A step along the surface is no longer than this. */
@@ -26,73 +38,182 @@ export interface Ground {
 }
 
 /** So many steps along the surface are one motion of the pointer. */
-const MOST_STEPS = 32;
-/** A step that leads nowhere is tried again half as long, so often. */
-const HALVINGS = 10;
+const MOST_STEPS = 16;
+/** A step that leads nowhere is tried again, shorter by this factor, so often. */
+const SHORTER = 0.25;
+const TRIES = 5;
+/** Contacts that a step runs into are taken into account one after another, so many for one step. */
+const MOST_LEARNT = 6;
+/** Of contacts that do not touch so many are remembered: those run into last. */
+const MOST_KNOWN = 4;
+/** A motion no farther than so many distances of contact only presses on what it touches. */
+const PRESSED = 8;
+/** Past an edge of an obstacle so many ways are tried. */
+const MOST_EDGES = 4;
+/** Between contacts that all but oppose each other there is no room: what leads off both is so many times as long as what leads off one. */
+const STEEPEST = 100;
+/** Bounds of how much shorter or longer than straight a step is for a surface's curvature. */
+const LEAST_BEND = 0.02;
+const MOST_BEND = 4;
 /** A goal nearer than this share of the way is reached. */
-const REACHED = 1e-4;
+const REACHED = 1e-3;
+/** A step follows the contacts that its end is nearer to than this share of its length. */
+const FOLLOWED = 1e-6;
+/** A step comes nearer to the goal by more than this share of the distance that counts as contact. */
+const NEARER = 1e-3;
+/** A step that comes less far than this share of its length is none. */
+const LEAST_STEP = 0.05;
 
-export function slideOn(ground: Ground, from: Vec, to: Vec): { at: Vec; stopped: number | null } {
-  const first = ground.advance(from, to);
-  let { at } = first;
-  let stopped = first.stopped;
-  if (stopped === null) return first;
+/** From where a straight motion to the goal has been stopped. */
+export function slideOn(ground: Ground, from: Vec, to: Vec, patch: number): Stop {
+  let at = from;
+  let stopped: number | null = patch;
   const whole = size(minus(to, from));
+  const least = Math.max(REACHED * whole, 4 * ground.contact);
+  let known: number[] = [];
+  let last: Taken | null = null;
   for (let k = 0; k < MOST_STEPS && stopped !== null; k++) {
-    const left = minus(to, at);
-    if (size(left) <= REACHED * whole) break;
-    const patches = new Set(ground.touching(at));
-    patches.add(stopped);
-    const touching = [...patches].map((patch) => ({ patch, ...ground.constraint(patch, at) })).filter((c) => c.gradient.every(Number.isFinite));
-    const way = projected(left, touching.map((c) => c.gradient));
-    const length = size(way);
-    if (length <= Math.max(REACHED * whole, 4 * ground.contact)) break;
-    const step = times(way, Math.min(1, ground.longest / length));
-    const next = along(ground, at, step, touching);
-    if (!next || size(minus(to, next)) >= size(left) - 1e-3 * ground.contact) break;
-    const on = ground.advance(next, to);
-    if (ground.isBlocked(on.at)) return { at: next, stopped };
+    if (size(minus(to, at)) <= least) break;
+    known = latest(known, stopped);
+    const step = stepTowards(ground, at, to, known, least, last);
+    known = step.known;
+    if (!step.taken) break;
+    last = step.taken;
+    const on = ground.advance(last.next, to);
+    // What is but pressed on is in contact as before.
+    const isFar = size(minus(on.at, last.next)) > PRESSED * ground.contact || on.stopped === null;
+    if (isFar && ground.isBlocked(on.at)) return { at: last.next, stopped };
     [at, stopped] = [on.at, on.stopped];
   }
-  return { at, stopped };
+  return last && ground.isBlocked(at) ? { at: last.next, stopped } : { at, stopped };
 }
 
-interface Touching extends Constraint {
-  patch: number;
+/** A step that was taken: from where, by which way, along which contacts, and to where. */
+interface Taken {
+  from: Vec;
+  way: Vec;
+  along: string;
+  next: Vec;
 }
 
-/** A step along the surface, or a part of it; null if none is possible. */
-function along(ground: Ground, at: Vec, whole: Vec, touching: Touching[]): Vec | null {
-  let step = whole;
-  for (let k = 0; k < HALVINGS; k++, step = times(step, 0.5)) {
+function latest(known: number[], patch: number): number[] {
+  return [...known.filter((p) => p !== patch), patch].slice(-MOST_KNOWN);
+}
+
+/** One step along the surface that comes nearer to the goal; none taken if none does. */
+function stepTowards(
+  ground: Ground,
+  at: Vec,
+  to: Vec,
+  before: number[],
+  least: number,
+  last: Taken | null,
+): { taken: Taken | null; known: number[] } {
+  const left = minus(to, at);
+  const near = ground.touching(at);
+  let known = before;
+  const failed = new Set<string>();
+  for (let k = 0; k < MOST_LEARNT; k++) {
+    const contacts = contactsAt(ground, at, [...new Set([...near, ...known])]);
+    let learnt: number | null = null;
+    for (const way of waysAlong(left, contacts)) {
+      const length = size(way.by);
+      if (length <= least || dot(way.by, left) <= 0) continue;
+      const key = way.held.map((i) => contacts[i]!.patch).join();
+      if (!way.allowed && (failed.has(key) || failed.size >= MOST_EDGES)) continue;
+      const touch = way.held.every((i) => contacts[i]!.room <= 4 * ground.contact);
+      const bend = last?.along === key ? bendOf(last, at, way.by) : 1;
+      const step = times(way.by, Math.min(touch ? bend : Math.min(bend, 1), ground.longest / length));
+      const tried = along(ground, at, to, step, contacts, way.allowed ? TRIES : 1);
+      if (tried.next) return { taken: { from: at, way: way.by, along: key, next: tried.next }, known };
+      const met = tried.met;
+      if (!way.allowed) failed.add(key);
+      else if (met !== null && !contacts.some((c) => c.patch === met)) {
+        learnt = met;
+        break;
+      }
+    }
+    if (learnt === null) break;
+    known = latest(known, learnt);
+  }
+  return { taken: null, known };
+}
+
+/**
+ * By how much a step is to be longer than the way that is left along the surface: that is to first order, and surfaces are curved. From how
+ * that changed with the last step along the same contacts.
+ */
+function bendOf(last: Taken, at: Vec, way: Vec): number {
+  const moved = minus(at, last.from);
+  const less = dot(moved, minus(last.way, way));
+  return less > 0 ? Math.min(Math.max(dot(moved, moved) / less, LEAST_BEND), MOST_BEND) : 1;
+}
+
+interface Contact extends HalfSpace {
+  /** Null of the end of a coordinate's range. */
+  patch: number | null;
+}
+
+function contactsAt(ground: Ground, at: Vec, patches: number[]): Contact[] {
+  const found: Contact[] = [];
+  for (const patch of patches) {
+    const { value, gradient } = ground.constraint(patch, at);
+    const steep = size(gradient);
+    const normal = times(gradient, 1 / steep);
+    if (normal.every(Number.isFinite)) found.push({ patch, normal, room: Math.max(value / steep, 0) });
+  }
+  ground.limits.forEach((limit, i) => {
+    if (!limit) return;
+    const normal = (sign: number) => at.map((_, k) => (k === i ? sign : 0));
+    for (const [room, sign] of [[at[i]! - limit[0], 1], [limit[1] - at[i]!, -1]] as const) {
+      if (room < ground.longest) found.push({ patch: null, normal: normal(sign), room: Math.max(room, 0) });
+    }
+  });
+  return found;
+}
+
+/** A step along the surface, or a part of it, that comes nearer to the goal; null if none does, with a patch that it runs into. */
+function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[], tries: number): { next: Vec | null; met: number | null } {
+  const most = size(minus(to, at)) - NEARER * ground.contact;
+  let met: number | null = null;
+  for (let k = 0, step = whole; k < tries; k++, step = times(step, SHORTER)) {
     const length = size(step);
-    // The contacts that the step follows; from others it leads away.
-    const followed = touching.filter((c) => dot(c.gradient, step) <= 1e-6 * length * size(c.gradient)).map((c) => c.patch);
+    const close = FOLLOWED * length + 4 * ground.contact;
+    const followed = contacts.filter((c) => c.patch !== null && Math.abs(dot(c.normal, step) + c.room) <= close).map((c) => c.patch!);
     const goal = onSurface(ground, plus(at, step), followed);
     if (!goal || size(minus(goal, plus(at, step))) > 2 * length) continue;
-    const next = over(ground, at, goal, followed);
-    if (size(minus(next, at)) >= 0.05 * length && dot(minus(next, at), step) > 0 && !ground.isBlocked(next)) return next;
+    const next = over(ground, at, goal, followed, contacts);
+    const by = minus(next.at, at);
+    const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
+    if (isStep && size(minus(to, next.at)) < most && !ground.isBlocked(next.at)) return { next: next.at, met: null };
+    if (next.stopped !== null && !contacts.some((c) => c.patch === next.stopped)) return { next: null, met: next.stopped };
+    met ??= next.stopped;
   }
-  return null;
+  return { next: null, met };
 }
 
 /** From one place on the surface to another, lifted off it by as much as the surface rises between. */
-function over(ground: Ground, at: Vec, goal: Vec, followed: number[]): Vec {
+function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: Contact[]): Stop {
   const middle = times(plus(at, goal), 0.5);
   let lift = 2 * ground.contact;
-  let up: number[] = at.map(() => 0);
   for (const patch of followed) {
     const { value, gradient } = ground.constraint(patch, middle);
-    const steep = size(gradient);
-    lift = Math.max(lift, (-1.5 * value) / steep + 2 * ground.contact);
-    up = plus(up, times(gradient, 1 / steep));
+    lift = Math.max(lift, (-1.5 * value) / size(gradient) + 2 * ground.contact);
   }
-  const height = size(up);
-  const by = height > 1e-3 ? times(up, lift / height) : up;
-  const raised = ground.advance(at, plus(at, by)).at;
-  const across = ground.advance(raised, plus(goal, minus(raised, at))).at;
-  const down = onSurface(ground, across, followed) ?? goal;
-  return ground.advance(across, down).at;
+  const raised = ground.advance(at, plus(at, times(offFrom(ground, followed, contacts), lift)));
+  const across = ground.advance(raised.at, plus(goal, minus(raised.at, at)));
+  const down = onSurface(ground, across.at, followed) ?? goal;
+  return { at: ground.advance(across.at, down).at, stopped: across.stopped ?? raised.stopped };
+}
+
+/** The shortest way that leads off the contacts followed by one, and not against others that touch; zero if there is none. */
+function offFrom(ground: Ground, followed: number[], contacts: Contact[]): Vec {
+  const spaces = contacts
+    .filter((c) => c.room <= 4 * ground.contact)
+    .map((c) => ({ normal: c.normal, room: c.patch !== null && followed.includes(c.patch) ? -1 : 0 }));
+  const zero = contacts[0]?.normal.map(() => 0) ?? [];
+  const way = waysAlong(zero, spaces).find((w) => w.allowed);
+  return way && size(way.by) < STEEPEST ? way.by : zero;
 }
 
 /** The nearest place at which the contact functions of some patches vanish, by Newton's method; null if it does not come to one. */
@@ -101,76 +222,20 @@ function onSurface(ground: Ground, from: Vec, patches: number[]): Vec | null {
   for (let k = 0; k < 12; k++) {
     const all = patches.map((patch) => ground.constraint(patch, at));
     if (all.every((c) => Math.abs(c.value) <= 0.05 * ground.contact)) return at;
-    const by = leastTo(all.map((c) => c.gradient), all.map((c) => -c.value));
-    if (!by || !by.every(Number.isFinite)) return null;
-    at = plus(at, by);
+    const rows: Vec[] = [];
+    let weights: number[] = [];
+    const values: number[] = [];
+    // Of contacts that depend on each other the first do.
+    for (const c of all) {
+      if (rows.length === at.length) break;
+      const more = weightsOf([...rows, c.gradient], [...values, -c.value]);
+      if (!more) continue;
+      rows.push(c.gradient);
+      values.push(-c.value);
+      weights = more;
+    }
+    at = weighted(rows, weights, at);
+    if (!at.every(Number.isFinite)) return null;
   }
   return null;
-}
-
-/** The shortest vector that has given products with some others; null if there is none. */
-function leastTo(rows: number[][], values: number[]): number[] | null {
-  const n = rows.length;
-  if (n === 0) return null;
-  const matrix = rows.map((a, i) => [...rows.map((b, j) => dot(a, b) * (i === j ? 1 + 1e-13 : 1)), values[i]!]);
-  for (let i = 0; i < n; i++) {
-    const pivot = matrix.slice(i).reduce((best, row, k) => (Math.abs(row[i]!) > Math.abs(matrix[best]![i]!) ? i + k : best), i);
-    [matrix[i], matrix[pivot]] = [matrix[pivot]!, matrix[i]!];
-    const row = matrix[i]!;
-    if (Math.abs(row[i]!) < 1e-300) return null;
-    for (let k = i + 1; k < n; k++) {
-      const share = matrix[k]![i]! / row[i]!;
-      for (let j = i; j <= n; j++) matrix[k]![j]! -= share * row[j]!;
-    }
-  }
-  const weights = new Array<number>(n).fill(0);
-  for (let i = n - 1; i >= 0; i--) {
-    const row = matrix[i]!;
-    let sum = row[n]!;
-    for (let j = i + 1; j < n; j++) sum -= row[j]! * weights[j]!;
-    weights[i] = sum / row[i]!;
-  }
-  return rows[0]!.map((_, c) => rows.reduce((sum, row, i) => sum + weights[i]! * row[c]!, 0));
-}
-
-/** What is left of a way that may not lead against any of some gradients: the nearest such vector, by the pairs of them that hold. */
-function projected(way: number[], gradients: number[][]): number[] {
-  const units = gradients.map((g) => times(g, 1 / size(g)));
-  const allowed = (v: Vec) => units.every((g) => dot(g, v) >= -1e-9 * size(way));
-  if (allowed(way)) return way;
-  let best: number[] = way.map(() => 0);
-  const consider = (held: number[][]) => {
-    const by = leastTo(held, held.map((g) => -dot(g, way)));
-    if (!by) return;
-    const v = plus(way, by);
-    if (allowed(v) && dot(v, way) > dot(best, way)) best = v;
-  };
-  units.forEach((a, i) => {
-    consider([a]);
-    for (let j = i + 1; j < units.length; j++) {
-      // Two that are all but one, or oppose each other, hold as one of them does.
-      if (Math.abs(dot(a, units[j]!)) < 1 - 1e-12) consider([a, units[j]!]);
-    }
-  });
-  return best;
-}
-
-export function plus(a: Vec, b: Vec): number[] {
-  return a.map((x, i) => x + b[i]!);
-}
-
-export function minus(a: Vec, b: Vec): number[] {
-  return a.map((x, i) => x - b[i]!);
-}
-
-export function times(a: Vec, s: number): number[] {
-  return a.map((x) => x * s);
-}
-
-export function dot(a: Vec, b: Vec): number {
-  return a.reduce((sum, x, i) => sum + x * b[i]!, 0);
-}
-
-export function size(a: Vec): number {
-  return Math.sqrt(dot(a, a));
 }

@@ -10,8 +10,11 @@ import type { AxesSpaceData } from "./data.js";
 import { drawCurves, drawFree } from "./draw.js";
 import { Graphs } from "./graphs.js";
 import { AxesMotion } from "./motion.js";
-import { Nearest } from "./nearest.js";
 import { PlaneMap } from "./plane-map.js";
+
+/** The nearest contact is looked for within this share of the parts' size first, and then so many times as far. */
+const NEAREST = 2 ** -12;
+const FARTHER = 2;
 
 export class AxesPair implements AxesKernel {
   readonly coordinates = "axes";
@@ -22,7 +25,6 @@ export class AxesPair implements AxesKernel {
   private readonly graphs: Graphs;
   private readonly map: PlaneMap;
   private readonly classifier: AxesClassifier;
-  private readonly nearestContact: Nearest;
   private readonly motions: AxesMotion;
   private readonly fixed: Features;
   private readonly moving: Features;
@@ -42,7 +44,6 @@ export class AxesPair implements AxesKernel {
     const grown = (GROWTH + MOVING_GROWTH) / space.map.frame.scale;
     const overlap = () => (this.overlapTest ??= new Overlap(space.fixed, space.moving, grown));
     this.classifier = new AxesClassifier(space, this.graphs, this.map, overlap, pair.contact_distance);
-    this.nearestContact = new Nearest(space, this.graphs, this.map, this.classifier.byX);
     this.motions = new AxesMotion(space, this.graphs, this.map, this.classifier, pair.contact_distance);
     [this.u, this.v] = this.axes();
   }
@@ -100,9 +101,15 @@ export class AxesPair implements AxesKernel {
     return [...found.values()];
   }
 
+  /** By how far the features are apart, as `cspace contacts` has it, of those that the least motion brings together. */
   nearest(c: AxesConfiguration): Touch | null {
-    const found = this.nearestContact.find(c.u, c.v);
-    return found ? this.touch(found.patch, c) : null;
+    const most = this.fixed.size + this.moving.size;
+    for (let within = NEAREST * most; within <= most; within *= FARTHER) {
+      // What is free is on the free side of the nearest.
+      const first = this.classifier.contacts(c.u, c.v, within).find(([, distance]) => distance >= -this.pair.contact_distance);
+      if (first) return this.touch(first[0], c);
+    }
+    return null;
   }
 
   private touch(patch: number, c: AxesConfiguration): Touch {

@@ -47,7 +47,7 @@ export class AxesMotion {
     const first = this.advance(from, to);
     if (first.stopped === null) return first;
     const goal = this.within(to);
-    const found = slideOn(this.ground, this.inner(first.at), this.inner(goal));
+    const found = slideOn(this.ground, this.inner(first.at), this.inner(goal), first.stopped);
     const at = found.stopped === null ? goal : this.outer(found.at);
     return (this.classifier.classify(at.u, at.v) ?? "blocked") === "blocked" ? first : { at, stopped: found.stopped };
   }
@@ -161,9 +161,11 @@ export class AxesMotion {
   }
 
   private get ground(): Ground {
+    const limits = (e: Extent): Range | null => (e.isLimited ? [e.lo, e.hi] : null);
     return {
       contact: this.contact,
       longest: LONGEST,
+      limits: [limits(this.graphs.x), limits(this.graphs.y)],
       advance: (from, to) => this.straight(from, this.inner(this.within(this.outer(to)))),
       touching: (v) => this.touching(v, 4 * this.contact),
       constraint: (patch, v) => {

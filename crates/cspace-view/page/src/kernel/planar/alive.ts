@@ -17,6 +17,7 @@ export class Alive {
   private readonly density: number;
   private readonly lists: number[][];
   private readonly all: number[];
+  private found: Uint8Array | null = null;
 
   constructor(window: PlanarSpace["window"], patches: readonly PatchData[]) {
     this.fullTurn = window.full_turn;
@@ -67,8 +68,17 @@ export class Alive {
     if (Math.max(Math.abs(lo), Math.abs(hi)) > FARTHEST_ORIENTATION) return this.all;
     const places = this.places(lo, hi);
     if (places.length === 1) return this.lists[places[0]!]!;
-    const found = new Set<number>();
-    for (const place of places) for (const i of this.lists[place]!) found.add(i);
-    return [...found].sort((a, b) => a - b);
+    const found: number[] = [];
+    this.found ??= new Uint8Array(this.all.length);
+    const marks = this.found;
+    for (const place of places) {
+      for (const i of this.lists[place]!) {
+        if (marks[i]) continue;
+        marks[i] = 1;
+        found.push(i);
+      }
+    }
+    for (const i of found) marks[i] = 0;
+    return found.sort((a, b) => a - b);
   }
 }

@@ -5,8 +5,8 @@ import type { PatchData } from "../../scene.js";
 import { gradientOf, valueOf } from "../contact-function.js";
 import { distanceBelow, nearestOn } from "../curve.js";
 import { firstTime, type Track } from "../march.js";
-import { clamp, distance, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
-import { slideOn, type Constraint, type Ground, type Vec } from "../slide.js";
+import { clamp, distance, length as size, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
+import { slideOn, type Constraint, type Ground, type Stop, type Vec } from "../slide.js";
 import type { Classifier } from "./classify.js";
 import { turnedInto } from "./patch.js";
 import { Path } from "./path.js";
@@ -16,18 +16,38 @@ import type { Surface } from "./surface.js";
 const DEPTH = 0.5;
 /** What is as near as this to a curve, in distances of contact, is on it: twice, for curves meet where both are known to one. */
 const ON_CURVE = 2;
+/** What passes the end of a curve no farther than this, in distances of contact, may have passed it by rounding. */
+const BEYOND_END = 256;
 /** Ends of contact curves move by no more than this per radian but where curves become tangent (length of the pair's frame). */
 const END_SPEED = 4;
 /** A patch is looked for so far before its first and beyond its last orientation (radians): that is how well critical ones are known. */
 const SEAM = 2 ** -33;
+/** How far beside an orientation it is also asked what touches (radians): a critical one is known to a tenth of it. */
+const BESIDE = 1e-9;
 /** Halvings of a motion that went too far. */
 const HALVINGS = 60;
+
+/** Sizes of neighbourhoods whose patches are kept (length of the pair's frame): a motion up to half as long is looked for in one. */
+const NEIGHBOURHOODS = [0.005, 0.02, 0.08, 0.32];
+
+/** So far a motion is looked for among the patches that are near, before it is among all that it may come to (length of the frame). */
+const PROBE = 0.005;
+
+const NOWHERE: Point = { x: 0, y: 0 };
+
+/** The patches that may be within a distance of a position, and of an orientation by how far it moves the part. In the pair's frame. */
+interface Neighbourhood {
+  at: Point;
+  theta: number;
+  patches: readonly number[];
+}
 
 export class PlanarMotion {
   /** Radius of the moving part about its centre (length of the pair's frame): so much an orientation counts. */
   private readonly radius: number;
   /** Distance that counts as contact, in the pair's frame. */
   private readonly contact: number;
+  private readonly neighbourhoods: (Neighbourhood | undefined)[] = [];
 
   constructor(
     private readonly surface: Surface,
@@ -60,7 +80,8 @@ export class PlanarMotion {
       t >= 1
         ? goal
         : { x: from.x + t * (goal.x - from.x), y: from.y + t * (goal.y - from.y), theta: from.theta + t * (goal.theta - from.theta) };
-    const checked = this.lastNotBlocked(at, time);
+    const fine = this.contact / (size(path.v) + Math.abs(path.omega) * (this.radius + size(path.m)));
+    const checked = this.lastNotBlocked(at, patch === null ? time : this.pressed(at, time, fine), fine);
     return { at: at(checked), stopped: checked >= 1 ? null : (patch ?? this.nearestPatch(at(checked))) };
   }
 
@@ -68,7 +89,7 @@ export class PlanarMotion {
     const first = this.advance(from, to);
     if (first.stopped === null) return first;
     const goal = this.within(to);
-    const found = slideOn(this.ground, this.weighted(first.at), this.weighted(goal));
+    const found = slideOn(this.ground, this.weighted(first.at), this.weighted(goal), first.stopped);
     const at = found.stopped === null ? goal : this.unweighted(found.at);
     return this.isBlocked(at) ? first : { at, stopped: found.stopped };
   }
@@ -85,8 +106,9 @@ export class PlanarMotion {
     const [a, b] = [path.theta(0), path.theta(1)];
     const fullTurn = this.surface.space.window.full_turn;
     const far = path.reach();
-    for (const i of this.surface.alive.between(Math.min(a, b) - SEAM, Math.max(a, b) + SEAM)) {
+    for (const i of this.around(path)) {
       const p = this.surface.patches[i]!;
+      if (!fullTurn && (p.hi < Math.min(a, b) - SEAM || p.lo > Math.max(a, b) + SEAM)) continue;
       if (far.isAway(p.function, 2 * this.contact)) continue;
       for (const [lo, hi] of presences(p, path, fullTurn)) {
         if (lo >= time) continue;
@@ -97,19 +119,45 @@ export class PlanarMotion {
     return { time, patch };
   }
 
+  /** Patches among which are all that a motion may come to. Those of a neighbourhood are kept: motions along a surface are many and short. */
+  private around(path: Path): readonly number[] {
+    const [start, end] = [path.at(0), path.at(1)];
+    const [a, b] = [path.theta(0), path.theta(1)];
+    const away = (p: Point, theta: number, n: Neighbourhood): number =>
+      Math.max(distance(p, n.at), Math.abs(theta - n.theta) * this.radius);
+    const length = Math.max(distance(start, end), Math.abs(b - a) * this.radius) + Math.abs(b - a) * size(path.m);
+    const between = (from: number, to: number) => this.surface.alive.between(from - SEAM, to + SEAM);
+    const level = NEIGHBOURHOODS.findIndex((s) => 2 * length <= s);
+    if (level < 0) return between(Math.min(a, b), Math.max(a, b));
+    const known = this.neighbourhoods[level];
+    if (known && away(start, a, known) + length <= NEIGHBOURHOODS[level]!) return known.patches;
+    const all = NEIGHBOURHOODS[level]!;
+    const turn = all / this.radius;
+    const reach = new Path(start, { x: all, y: 0 }, { x: 0, y: 0 }, a, turn).reach();
+    const patches = between(a - turn, a + turn).filter((i) => !reach.isAway(this.surface.patches[i]!.function, 2 * this.contact));
+    this.neighbourhoods[level] = { at: start, theta: a, patches };
+    return patches;
+  }
+
   private track(patch: PatchData, path: Path): Track {
     const off = (t: number): number => {
       const theta = path.theta(t);
       const c = this.outer(path.at(t), theta);
       return distance(nearestOn(this.curveNear(patch, theta), c), c);
     };
+    const { scale } = this.surface.space.frame;
+    const speed = Math.hypot(path.v.x, path.v.y) + Math.abs(path.omega) * (END_SPEED + Math.hypot(path.m.x, path.m.y));
     return {
       at: (t, until) => path.sample(patch, t, until),
-      isOn: (t) => off(t) <= ON_CURVE * this.contactDistance,
-      away: (t) => {
-        const speed = Math.hypot(path.v.x, path.v.y) + Math.abs(path.omega) * (END_SPEED + Math.hypot(path.m.x, path.m.y));
-        return (0.5 * off(t) * this.surface.space.frame.scale) / speed;
+      isOn: (t) => {
+        const by = off(t);
+        if (by <= ON_CURVE * this.contactDistance) return true;
+        if (by > BEYOND_END * this.contactDistance) return false;
+        // Where two curves meet at a small angle, what is a little beyond both is far beyond their ends: whether it goes on tells.
+        const later = Math.min(t + (2 * by * scale) / speed, 1);
+        return this.isBlocked(this.outer(path.at(later), path.theta(later)));
       },
+      away: (t) => (0.5 * off(t) * scale) / speed,
     };
   }
 
@@ -126,6 +174,22 @@ export class PlanarMotion {
     return { x: fixed_center.x + (p.x / scale - moved.x), y: fixed_center.y + (p.y / scale - moved.y), theta };
   }
 
+  /** Patches whose curves are within a distance, at orientations no farther than `beside` from this one. */
+  private near(c: PlanarConfiguration, within: number, beside: number): number[] {
+    const turn = turnBy(c.theta);
+    const p = this.surface.inner(c, turn);
+    const { scale } = this.surface.space.frame;
+    const fullTurn = this.surface.space.window.full_turn;
+    return this.around(new Path(p, NOWHERE, NOWHERE, c.theta, 0)).filter((i) => {
+      const patch = this.surface.patches[i]!;
+      if (Math.abs(valueOf(patch.function, p, turn)) > within * scale) return false;
+      const turns = fullTurn ? TAU * Math.ceil((patch.lo - beside - c.theta) / TAU) : 0;
+      const t = c.theta + turns;
+      if (t < patch.lo - beside || t > patch.hi + beside) return false;
+      return distance(nearestOn(this.curveNear(patch, c.theta), c), c) <= within;
+    });
+  }
+
   private nearestPatch(c: PlanarConfiguration): number | null {
     let [found, least]: [number | null, number] = [null, Infinity];
     for (const { patch, curve } of this.surface.slice(c.theta).curves) {
@@ -140,12 +204,31 @@ export class PlanarMotion {
     return (this.classifier.located(c)?.class ?? "blocked") === "blocked";
   }
 
-  /** The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
-  private lastNotBlocked(at: (t: number) => PlanarConfiguration, time: number): number {
+  /** The time of a contact, or a moment later if it is only all but come to by then. */
+  private pressed(at: (t: number) => PlanarConfiguration, time: number, fine: number): number {
+    if (this.classifier.located(at(time))?.class !== "free") return time;
+    for (let by = fine; by <= 2 * BEYOND_END * fine; by *= 2) {
+      const later = Math.min(time + by, 1);
+      if (this.classifier.located(at(later))?.class !== "free") return later;
+    }
+    return time;
+  }
+
+  /** `fine`: how long what counts as contact takes to pass. The time itself, if it is not blocked then; or the last before at which it is not, as far as halving tells. */
+  private lastNotBlocked(at: (t: number) => PlanarConfiguration, time: number, fine: number): number {
     const isBlocked = (t: number) => this.isBlocked(at(t));
     if (!isBlocked(time)) return time;
     let [lo, hi] = [0, time];
-    for (let k = 0; k < HALVINGS; k++) {
+    // It has mostly gone too far by little.
+    for (let back = 2 * fine; back < time; back *= 8) {
+      if (isBlocked(time - back)) {
+        hi = time - back;
+        continue;
+      }
+      lo = time - back;
+      break;
+    }
+    for (let k = 0; k < HALVINGS && hi - lo > 0.1 * fine; k++) {
       const mid = 0.5 * (lo + hi);
       if (isBlocked(mid)) hi = mid;
       else lo = mid;
@@ -168,27 +251,35 @@ export class PlanarMotion {
     return this.outer({ x: v[0]!, y: v[1]! }, beyond ? clamp(theta, lo, hi) : theta);
   }
 
+  private straight(from: Vec, to: Vec): Stop {
+    const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
+    const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, NOWHERE, a, b - a);
+    const { time, patch } = this.first(path);
+    return { at: time >= 1 ? to : from.map((x, i) => x + time * (to[i]! - x)), stopped: time >= 1 ? null : patch };
+  }
+
   private get ground(): Ground {
+    const { lo, hi, full_turn } = this.surface.space.window;
     return {
       contact: this.contact,
       longest: 0.1,
+      limits: [null, null, full_turn ? null : [lo * this.radius, hi * this.radius]],
       advance: (from, goal) => {
-        const { lo, hi, full_turn } = this.surface.space.window;
-        const to = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
-        const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
-        const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, { x: 0, y: 0 }, a, b - a);
-        const { time, patch } = this.first(path);
-        const at = (t: number): Vec => (t >= 1 ? to : from.map((x, i) => x + t * (to[i]! - x)));
-        return { at: at(time), stopped: time >= 1 ? null : patch };
+        const to: Vec = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
+        // What presses on the surface mostly goes no farther: few patches are near.
+        const share = PROBE / Math.hypot(...to.map((x, i) => x - from[i]!));
+        const soon = share < 0.5 ? this.straight(from, to.map((x, i) => from[i]! + share * (x - from[i]!))) : null;
+        return soon && soon.stopped !== null ? soon : this.straight(from, to);
       },
-      touching: (v) => {
-        const c = this.unweighted(v);
-        const within = 2 * ON_CURVE * this.contactDistance;
-        const curves = this.surface.slice(c.theta).curves;
-        return curves.filter(({ curve }) => distanceBelow(curve, c, within) <= within).map(({ patch }) => patch);
-      },
+      // At a critical orientation some patches begin and others end: both touch.
+      touching: (v) => this.near(this.unweighted(v), 2 * ON_CURVE * this.contactDistance, BESIDE),
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
-      isBlocked: (v) => this.isBlocked(this.unweighted(v)),
+      isBlocked: (v) => {
+        const c = this.unweighted(v);
+        // Most steps end in contact, which is told without the slice.
+        const isSure = this.classifier.covers(c) && !this.surface.isDoubtful(c.theta);
+        return !(isSure && this.near(c, this.contactDistance, 0).length > 0) && this.isBlocked(c);
+      },
     };
   }
 

@@ -1,0 +1,114 @@
+/** What the page says is nearest, and what touches where a part has slid to, is what `cspace contacts` says there. */
+
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { test } from "node:test";
+import type { Configuration, Kernel, Touch } from "../src/kernel/api.js";
+import { openPair } from "../src/kernel/index.js";
+import { binary, models, NO_COMMAND, run } from "./support/command.js";
+import { random } from "./support/random.js";
+import { inFolder, sceneOf } from "./support/scene.js";
+import { weightedOf, type Weighted } from "./support/weighted.js";
+
+const skip = binary() ? false : NO_COMMAND;
+
+/** What `cspace contacts` prints. */
+interface Answer {
+  clearance: number;
+  contacts: { features: [string, string]; distance: number }[];
+}
+
+interface Subject {
+  title: string;
+  kernel: Kernel;
+  weighted: Weighted;
+  /** What counts as contact where the page says what touches (model unit). */
+  contact: number;
+  answer(c: Configuration, within: number): Answer;
+}
+
+/** All pairs that are not joined; the command reads the saved space, so that it is not computed for every question. */
+function eachPair(use: (s: Subject) => void): void {
+  for (const model of models()) {
+    const scene = sceneOf(model);
+    for (const [index, pair] of scene.pairs.entries()) {
+      const kernel = openPair(scene, index);
+      if (!kernel || kernel.class === "lower") continue;
+      const names = `${scene.parts[pair.fixed]!.name},${scene.parts[pair.moving]!.name}`;
+      inFolder((folder) => {
+        const space = join(folder, "space.json");
+        run(["export", model, "--pair", names, "-o", space, "-q"]);
+        const answer = (c: Configuration, within: number): Answer => {
+          const at = "u" in c ? [c.u, c.v] : [c.x, c.y, c.theta];
+          const out = run(["contacts", space, `--at=${at.join(",")}`, "--within", String(within), "--format", "json"]);
+          return JSON.parse(out) as Answer;
+        };
+        const contact = Math.max(pair.contact_distance, pair.resolution);
+        use({ title: `${model.split("/models/")[1]} ${names}`, kernel, weighted: weightedOf(pair, kernel), contact, answer });
+      });
+    }
+  }
+}
+
+function freeOne({ kernel, weighted }: Subject, next: () => number): Configuration {
+  for (;;) {
+    const c = weighted.anywhere(next);
+    if (kernel.classify(c) === "free") return c;
+  }
+}
+
+const text = (t: Touch) => `${t.fixed}|${t.moving}`;
+
+test("of a pair on fixed axes the nearest features are those of cspace contacts", { skip }, async (t) => {
+  const all: Promise<void>[] = [];
+  eachPair((s) => {
+    if (s.kernel.coordinates !== "axes") return;
+    const next = random(8);
+    const zero = { u: 0, v: 0 };
+    const asked = Array.from({ length: 10 }, () => freeOne(s, next));
+    if (s.kernel.classify(zero) === "free") asked.unshift(zero);
+    const wrong: string[] = [];
+    for (const c of asked) {
+      const mine = s.kernel.nearest(c);
+      const { clearance } = s.answer(c, 0);
+      // The features listed are those that a motion no longer than `--within` brings together.
+      const within = [1, 2, 4, 8, 16].map((k) => k * (clearance + s.contact));
+      const told = within.map((w) => s.answer(c, w).contacts.find((x) => x.distance >= -s.contact)).find((x) => x !== undefined);
+      const distances = [clearance, told?.distance ?? Infinity];
+      const same = mine && distances.some((d) => Math.abs(mine.distance - d) <= 1e-9 * (d + 1));
+      if (!same) wrong.push(`${JSON.stringify(c)}: ${JSON.stringify(mine)}, not ${distances.join(" or ")}`);
+    }
+    all.push(t.test(s.title, () => assert.deepEqual(wrong, [])));
+  });
+  await Promise.all(all);
+});
+
+test("where a part has slid to, what touches is what cspace contacts says", { skip }, async (t) => {
+  const all: Promise<void>[] = [];
+  eachPair((s) => {
+    const next = random(9);
+    const wrong: string[] = [];
+    let [asked, several] = [0, 0];
+    for (let k = 0; k < 40 && asked < 6; k++) {
+      const from = freeOne(s, next);
+      const goal = s.weighted.within(s.weighted.anywhere(next));
+      let at = from;
+      for (let i = 0; i < 4; i++) at = s.kernel.slide(at, goal).at;
+      if (s.kernel.classify(at) !== "contact") continue;
+      asked++;
+      const mine = s.kernel.touching(at, s.contact);
+      const told = s.answer(at, s.contact).contacts;
+      if (told.length > 1) several++;
+      const [a, b] = [mine.map(text).sort(), told.map((x) => x.features.join("|")).sort()];
+      if (a.join(";") !== b.join(";") || a.length === 0) wrong.push(`${JSON.stringify(at)}: ${a.join("; ")}, not ${b.join("; ")}`);
+    }
+    all.push(
+      t.test(s.title, (t) => {
+        t.diagnostic(`${asked} asked, ${several} with several contacts`);
+        assert.ok(asked > 0);
+        assert.deepEqual(wrong, []);
+      }),
+    );
+  });
+  await Promise.all(all);
+});
