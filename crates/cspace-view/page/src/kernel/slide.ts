@@ -208,17 +208,18 @@ function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: 
     const { value, gradient } = ground.constraint(patch, middle);
     lift = Math.max(lift, (-1.5 * value) / size(gradient) + 2 * ground.contact);
   }
-  const raised = ground.advance(at, plus(at, times(offFrom(ground, followed, contacts), lift)));
+  const raised = ground.advance(at, plus(at, times(offFrom(followed, contacts, lift), lift)));
   const across = ground.advance(raised.at, plus(goal, minus(raised.at, at)));
   const down = onSurface(ground, across.at, followed) ?? goal;
   return { at: ground.advance(across.at, down).at, stopped: across.stopped ?? raised.stopped };
 }
 
-/** The shortest way that leads off the contacts followed by one, and not against others that touch; zero if there is none. */
-function offFrom(ground: Ground, followed: number[], contacts: Contact[]): Vec {
+/** The shortest way that leads off the contacts followed by one, and not against others that so much of it may come to; zero if there is none. */
+function offFrom(followed: number[], contacts: Contact[], lift: number): Vec {
+  const isFollowed = (c: Contact) => c.patch !== null && followed.includes(c.patch);
   const spaces = contacts
-    .filter((c) => c.room <= 4 * ground.contact)
-    .map((c) => ({ normal: c.normal, room: c.patch !== null && followed.includes(c.patch) ? -1 : 0 }));
+    .filter((c) => isFollowed(c) || c.room <= 8 * lift)
+    .map((c) => ({ normal: c.normal, room: isFollowed(c) ? -1 : 0 }));
   const zero = contacts[0]?.normal.map(() => 0) ?? [];
   const way = waysAlong(zero, spaces).find((w) => w.allowed);
   return way && size(way.by) < STEEPEST ? way.by : zero;
