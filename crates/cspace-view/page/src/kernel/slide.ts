@@ -58,7 +58,9 @@ const MOST_BEND = 4;
 /** A goal nearer than this share of the way is reached. */
 const REACHED = 1e-3;
 /** A step follows the contacts that its end is nearer to than this share of its length. */
-const FOLLOWED = 1e-6;
+const FOLLOWED = 1e-9;
+/** So much of a step is taken if its end is blocked. */
+const SHORT_OF_CORNER = 0.9;
 /** A step comes nearer to the goal by more than this share of the distance that counts as contact. */
 const NEARER = 1e-3;
 /** A step that comes less far than this share of its length is none. */
@@ -185,7 +187,13 @@ function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[]
     const next = over(ground, at, goal, followed, contacts);
     const by = minus(next.at, at);
     const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
-    if (isStep && size(minus(to, next.at)) < most && !ground.isBlocked(next.at)) return { next: next.at, met: null };
+    if (isStep && size(minus(to, next.at)) < most) {
+      // Where contacts meet at a small angle, what presses on both is too far into the corner: less far it is not.
+      for (const share of [1, SHORT_OF_CORNER]) {
+        const found = plus(at, times(by, share));
+        if (!ground.isBlocked(found) && size(minus(to, found)) < most) return { next: found, met: null };
+      }
+    }
     if (next.stopped !== null && !contacts.some((c) => c.patch === next.stopped)) return { next: null, met: next.stopped };
     met ??= next.stopped;
   }
@@ -200,17 +208,18 @@ function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: 
     const { value, gradient } = ground.constraint(patch, middle);
     lift = Math.max(lift, (-1.5 * value) / size(gradient) + 2 * ground.contact);
   }
-  const raised = ground.advance(at, plus(at, times(offFrom(ground, followed, contacts), lift)));
+  const raised = ground.advance(at, plus(at, times(offFrom(followed, contacts, lift), lift)));
   const across = ground.advance(raised.at, plus(goal, minus(raised.at, at)));
   const down = onSurface(ground, across.at, followed) ?? goal;
   return { at: ground.advance(across.at, down).at, stopped: across.stopped ?? raised.stopped };
 }
 
-/** The shortest way that leads off the contacts followed by one, and not against others that touch; zero if there is none. */
-function offFrom(ground: Ground, followed: number[], contacts: Contact[]): Vec {
+/** The shortest way that leads off the contacts followed by one, and not against others that so much of it may come to; zero if there is none. */
+function offFrom(followed: number[], contacts: Contact[], lift: number): Vec {
+  const isFollowed = (c: Contact) => c.patch !== null && followed.includes(c.patch);
   const spaces = contacts
-    .filter((c) => c.room <= 4 * ground.contact)
-    .map((c) => ({ normal: c.normal, room: c.patch !== null && followed.includes(c.patch) ? -1 : 0 }));
+    .filter((c) => isFollowed(c) || c.room <= 8 * lift)
+    .map((c) => ({ normal: c.normal, room: isFollowed(c) ? -1 : 0 }));
   const zero = contacts[0]?.normal.map(() => 0) ?? [];
   const way = waysAlong(zero, spaces).find((w) => w.allowed);
   return way && size(way.by) < STEEPEST ? way.by : zero;

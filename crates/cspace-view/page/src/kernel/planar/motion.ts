@@ -14,6 +14,8 @@ import type { Surface } from "./surface.js";
 
 /** Motions may sink by this share of the distance that counts as contact, so that one along a contact is not stopped by rounding. */
 const DEPTH = 0.5;
+/** Motions along a contact stop short of others by this share: so that a part comes out again of where two meet at a small angle. */
+const ABOVE = 0.5;
 /** What is as near as this to a curve, in distances of contact, is on it: twice, for curves meet where both are known to one. */
 const ON_CURVE = 2;
 /** What passes the end of a curve no farther than this, in distances of contact, may have passed it by rounding. */
@@ -75,7 +77,7 @@ export class PlanarMotion {
       from.theta,
       goal.theta - from.theta,
     );
-    const { time, patch } = this.first(path);
+    const { time, patch } = this.first(path, DEPTH);
     const at = (t: number): PlanarConfiguration =>
       t >= 1
         ? goal
@@ -100,7 +102,7 @@ export class PlanarMotion {
   }
 
   /** The first contact of a motion, 1 and none if there is none. */
-  private first(path: Path): { time: number; patch: number | null } {
+  private first(path: Path, depth: number): { time: number; patch: number | null } {
     let time = 1;
     let patch: number | null = null;
     const [a, b] = [path.theta(0), path.theta(1)];
@@ -112,7 +114,7 @@ export class PlanarMotion {
       if (far.isAway(p.function, 2 * this.contact)) continue;
       for (const [lo, hi] of presences(p, path, fullTurn)) {
         if (lo >= time) continue;
-        const found = firstTime(this.track(p, path), lo, Math.min(hi, time), this.contact, DEPTH * this.contact);
+        const found = firstTime(this.track(p, path), lo, Math.min(hi, time), this.contact, depth * this.contact);
         if (found !== null && found < time) [time, patch] = [found, i];
       }
     }
@@ -254,7 +256,7 @@ export class PlanarMotion {
   private straight(from: Vec, to: Vec): Stop {
     const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
     const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, NOWHERE, a, b - a);
-    const { time, patch } = this.first(path);
+    const { time, patch } = this.first(path, -ABOVE);
     return { at: time >= 1 ? to : from.map((x, i) => x + time * (to[i]! - x)), stopped: time >= 1 ? null : patch };
   }
 
