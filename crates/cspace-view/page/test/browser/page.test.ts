@@ -188,9 +188,13 @@ describe("the page in a browser", { skip }, () => {
     assert.ok(touched > 5, `${touched} places in contact`);
     await page.mouse.up();
     await page.keyboard.press("s");
+    await page.evaluate(() => window.cspace.setConfiguration({ x: 0, y: 60, theta: 0.1 }));
     await settled(page);
     const held = await middleOf(page, "#parts .part.moving .outline");
-    await drag(page, held, [held[0] - 60, held[1] + height / 4]);
+    // As far down as 60, by the scale of the grid: the peg is then across the wall of its hole.
+    const scale = await page.$eval("#parts svg.viewport > g", (e) => Number(/matrix\(([^ ,]+)/.exec(e.getAttribute("transform") ?? "")?.[1]));
+    await drag(page, held, [held[0], held[1] + 60 * scale]);
+    assert.ok(Math.abs((await planar(page)).y) < 1);
     assert.equal(await page.evaluate(() => window.cspace.classify(window.cspace.configuration())), "blocked");
   });
 
