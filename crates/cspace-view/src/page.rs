@@ -55,7 +55,9 @@ impl PageError {
     /// What to do about it.
     pub const fn help(&self) -> &'static str {
         match self {
-            Self::NotBundled { .. } => "install Node 20 or later with npm, then build again",
+            Self::NotBundled { .. } => {
+                "build again, with Node 20 or later and npm installed and without CSPACE_PAGE=skip"
+            }
             _ => "change the page's sources, then build again",
         }
     }

@@ -22,7 +22,7 @@ pub(crate) fn is_bundled() -> bool {
                 fails(
                     cspace(args),
                     1,
-                    &["without its page", "install Node 20", "npm", "build again"],
+                    &["without its page", "Node 20", "npm", "build again"],
                 );
             }
             assert!(!out.exists());

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use axum::Router;
 use axum::body::to_bytes;
+use axum::extract::rejection::PathRejection;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::from_fn_with_state;
@@ -65,8 +66,15 @@ async fn page(State(work): Shared) -> Response {
     response
 }
 
-async fn pair(State(work): Shared, Path(index): Path<String>) -> Result<Response, Fault> {
-    let index = index.parse::<usize>().map_err(|_| nothing_here())?;
+async fn pair(
+    State(work): Shared,
+    index: Result<Path<String>, PathRejection>,
+) -> Result<Response, Fault> {
+    let Path(text) = index.map_err(|_| nothing_here())?;
+    // A pair has one address.
+    let index = (text.parse::<usize>().ok())
+        .filter(|i| i.to_string() == text)
+        .ok_or_else(nothing_here)?;
     let found = apart(move || Ok(work.pair(index))).await?;
     found.map(json).ok_or_else(nothing_here)
 }
