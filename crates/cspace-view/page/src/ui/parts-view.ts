@@ -10,7 +10,7 @@ import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortes
 import type { Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Key, State } from "./state.js";
-import { Viewport, wheelAngle } from "./viewport.js";
+import { Viewport, wheelAngle, wheelSlide } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
 /** Lengths in pixels. */
@@ -255,7 +255,7 @@ export class PartsView {
     if (!moving) return false;
     const placement = state.placements[pair.moving] ?? IDENTITY;
     const motion = moving.motion;
-    if (motion.type === "prismatic") this.#session.nudge(0, wheelAngle(event) * 20 * this.viewport.pixel.x * 10);
+    if (motion.type === "prismatic") this.#session.nudge(0, wheelSlide(event) * this.viewport.pixel.x);
     else if (motion.type === "revolute") this.#session.turn(wheelAngle(event));
     else if (state.dragging) this.#session.turn(wheelAngle(event));
     else this.#session.turn(wheelAngle(event), apply(inverse(placement), event.shiftKey ? centerOf(moving, placement) : at));
