@@ -96,6 +96,7 @@ export function openPage(scene: Scene): void {
       spaceView?.applyTheme();
     }
     if ((["space", "pair"] as Key[]).some((k) => changed.has(k))) showPanes(session, spaceView !== null);
+    if (changed.has("outdated")) document.body.classList.toggle("outdated", state.outdated);
     if (changed.has("message")) showMessage(state.message, () => store.change({ message: null }));
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {

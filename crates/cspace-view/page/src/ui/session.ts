@@ -9,6 +9,7 @@ import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./me
 import type { Anchor } from "./mechanism.js";
 import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate } from "./placement.js";
 import type { Placement } from "./placement.js";
+import { ServerError } from "./server.js";
 import { Store } from "./state.js";
 import type { State, Where } from "./state.js";
 
@@ -52,6 +53,7 @@ export class Session {
       playing: false,
       speed: 1,
       editing: false,
+      outdated: false,
       message: null,
     });
   }
@@ -97,20 +99,25 @@ export class Session {
     this.#aim = null;
     const c = configurationOf(this.scene, pair, this.state.placements);
     this.store.change({ pair: index, space: { state: "loading" }, configuration: c, where: NOWHERE, hidden: index === this.state.pair ? this.state.hidden : new Set() });
-    this.loaded = this.#load(index).then(() => {
+    this.loaded = this.#load(index).then((failure) => {
       if (selection !== this.#selections) return;
-      this.#opened(index, configuration);
+      this.#opened(index, configuration, failure);
     });
     return this.loaded;
   }
 
-  async #load(index: number): Promise<void> {
+  /** What kept the space from coming this time, if it may come the next time. */
+  async #load(index: number): Promise<string | null> {
     const pair = this.scene.pairs[index];
-    if (!pair || pair.space || pair.error || !this.#fetch) return;
+    if (!pair || pair.space || pair.error || !this.#fetch) return null;
     try {
       this.replacePair(index, await this.#fetch(index));
+      return null;
     } catch (error) {
-      this.replacePair(index, { ...pair, error: error instanceof Error ? error.message : String(error) });
+      const text = error instanceof Error ? error.message : String(error);
+      if (error instanceof ServerError && error.passing) return text;
+      this.replacePair(index, { ...pair, error: text });
+      return null;
     }
   }
 
@@ -141,11 +148,11 @@ export class Session {
     return kernel;
   }
 
-  #reopen(index: number): void {
+  #reopen(index: number, passing: string | null = null): void {
     const pair = this.scene.pairs[index];
     if (!pair) return;
     let kernel: Kernel | null = null;
-    let failure: string | null = pair.error;
+    let failure: string | null = pair.error ?? passing;
     try {
       kernel = failure ? null : this.#kernelOf(index);
     } catch (error) {
@@ -157,8 +164,8 @@ export class Session {
     this.#look();
   }
 
-  #opened(index: number, configuration: Configuration | null): void {
-    this.#reopen(index);
+  #opened(index: number, configuration: Configuration | null, failure: string | null): void {
+    this.#reopen(index, failure);
     const pair = this.pair;
     if (!pair) return;
     if (configuration && isAxes(configuration) === hasAxes(pair)) this.setConfiguration(configuration);

@@ -1,11 +1,10 @@
 /** What the page does where users go too far: zooms without end, wrong files, addresses by hand, shapes that are none. */
 
 import assert from "node:assert/strict";
-import { readFileSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before, describe, it } from "node:test";
 import type { Browser, Page } from "puppeteer-core";
-import type { PlanarConfiguration } from "../../src/kernel/api.js";
 import { PATIENCE, addressOf, exported, launch, open, root, scratch, serve, skip } from "../../tools/harness.js";
 import type { Opened } from "../../tools/harness.js";
 import { run } from "../support/command.js";
@@ -64,7 +63,97 @@ describe("the page at its limits", { skip }, () => {
     }
     assert.ok((await page.$$eval("#parts .grid-numbers text", (all) => all.length)) > 2);
   });
+
+  it("refuses records of other models, and forgets them", async () => {
+    const simulation = run(["simulate", model("geneva"), "--time", "0.1", "--every", "0.05", "--format", "json"]);
+    const plan = run(["plan", model("ball_in_c"), "--from", "60,0,0", "--to=-60,0,0", "--format", "json"]);
+    for (const [name, record, right] of [["ball_in_c", simulation, plan], ["geneva", plan, simulation]] as const) {
+      const page = await openModel(model(name));
+      const said = (): Promise<string> => page.$eval("#message:not([hidden])", (e) => e.textContent ?? "");
+      await openRecord(page, "wrong.json", record);
+      await page.waitForSelector("#message:not([hidden])", { timeout: PATIENCE });
+      assert.match(await said(), /wrong\.json: the (model has no part|path is in)/);
+      await openRecord(page, "large.json", '{"verdict": "path", "path": [[0, 0], [1e308, 0]]}');
+      await page.waitForFunction(() => /large\.json/.test(document.querySelector("#message")?.textContent ?? ""), { timeout: PATIENCE });
+      assert.match(await said(), /beyond what can be shown/);
+      assert.equal(await page.$eval("#timeline", (e) => (e as HTMLElement).hidden), true);
+      await openRecord(page, "right.json", right);
+      await page.waitForSelector("#timeline:not([hidden])", { timeout: PATIENCE });
+      assert.deepEqual(await page.$$eval("#timeline select[aria-label=Record] option", (all) => all.map((e) => e.textContent)), ["right.json"]);
+      assert.equal(await page.$eval("#message", (e) => (e as HTMLElement).hidden), true);
+      await opened?.page.close();
+    }
+    opened = null;
+  });
+
+  it("fetches pairs of edited parts that are chosen in quick succession", async () => {
+    const file = join(folder.path, "stars.toml");
+    writeFileSync(file, stars(4, 34));
+    const server = await serve(file);
+    try {
+      opened = await open(browser, server.address);
+      const { page } = opened;
+      await press(page, "Edit");
+      await page.$eval("#edit-offset", (e) => {
+        (e as HTMLInputElement).value = "0.02";
+        e.dispatchEvent(new Event("change"));
+      });
+      for (const pair of ["1", "2", "3"]) {
+        await page.select("#pair", pair);
+        await new Promise((done) => setTimeout(done, 120));
+      }
+      for (const pair of ["3", "1", "2"]) {
+        await page.select("#pair", pair);
+        await page.waitForFunction(() => document.querySelector("#no-space:not([hidden]), #legend input"), { timeout: PATIENCE });
+        assert.equal(await page.$eval("#no-space", (e) => ((e as HTMLElement).hidden ? "" : e.textContent)), "", `pair ${pair}`);
+      }
+    } finally {
+      server.stop();
+    }
+  });
+
+  it("marks the last valid space of a shape that crosses itself", async () => {
+    const server = await serve(model("ball_in_c"));
+    try {
+      opened = await open(browser, server.address);
+      const { page } = opened;
+      await press(page, "Edit");
+      const outdated = (): Promise<boolean> => page.evaluate(() => document.body.classList.contains("outdated"));
+      assert.equal(await outdated(), false);
+      const places = await page.$$eval("#parts .handle.vertex", (all) =>
+        all.map((e) => { const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2] as [number, number]; }),
+      );
+      const [from, , , to] = places;
+      assert.ok(from && to);
+      await page.mouse.move(...from);
+      await page.mouse.down();
+      // Through the far corner: edges cross.
+      await page.mouse.move(2 * to[0] - from[0], 2 * to[1] - from[1], { steps: 6 });
+      await page.waitForFunction(() => document.body.classList.contains("outdated"), { timeout: PATIENCE });
+      assert.match(await page.$eval("#readout", (e) => e.textContent ?? ""), /last valid shape/);
+      await page.mouse.move(...from, { steps: 6 });
+      await page.mouse.up();
+      await page.waitForFunction(() => !document.body.classList.contains("outdated"), { timeout: PATIENCE });
+      assert.doesNotMatch(await page.$eval("#readout", (e) => e.textContent ?? ""), /last valid shape/);
+      // The browser tells refused requests by itself; that the server refuses is what is wanted here.
+      const refused = (fault: string): boolean => /422/.test(fault);
+      assert.ok(opened.faults.some(refused));
+      opened.faults.splice(0, opened.faults.length, ...opened.faults.filter((fault) => !refused(fault)));
+    } finally {
+      server.stop();
+    }
+  });
 });
+
+/** A model of star-shaped parts with many points. */
+function stars(parts: number, points: number): string {
+  const star = (k: number): string =>
+    Array.from({ length: 2 * points }, (_, i) => {
+      const [radius, angle] = [i % 2 === 0 ? 10 + k : 7 + k, (Math.PI * (i + 0.1 * k)) / points];
+      return `[${radius * Math.cos(angle)}, ${radius * Math.sin(angle)}]`;
+    }).join(", ");
+  return Array.from({ length: parts }, (_, k) => `[[part]]\nname = "star ${k}"\nloops = [[${star(k)}]]\n`).join("\n");
+}
 
 /** Waits for two frames, in which the page draws what has changed. */
 function settled(page: Page): Promise<void> {
