@@ -25,6 +25,8 @@ export class Session {
   #fetch: Fetcher | null;
   readonly #kernels = new Map<number, Kernel | null>();
   #selections = 0;
+  /** By how much the user has turned the moving part since the page was opened (radians), whatever contacts made of it. */
+  turnedBy = 0;
   /** What is dragged to, until the next frame. */
   #aim: { configuration: Configuration; anchor: Anchor; base: Placement | null } | null = null;
 
@@ -308,12 +310,15 @@ export class Session {
       this.aim({ ...c, v: c.v + by });
       return;
     }
+    this.turnedBy += by;
     this.aim(turned(c, by, about));
   }
 
   setTheta(theta: number): void {
     const c = this.aimed;
-    if (isPlanar(c)) this.aim({ ...c, theta });
+    if (!isPlanar(c)) return;
+    this.turnedBy += theta - c.theta;
+    this.aim({ ...c, theta });
   }
 
   /** Goes to the middle of the next band, or of the previous. */

@@ -4,6 +4,7 @@ import type { Place } from "../scene.js";
 import type { PlanarKernel } from "../kernel/api.js";
 import { curvePaths, loopsOf, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
+import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
 import { grow } from "./outline.js";
 import type { Session } from "./session.js";
@@ -102,12 +103,13 @@ export class SliceView {
     const c = this.#session.state.configuration;
     if (!isPlanar(c) || !this.#isNear(at)) return null;
     const [dx, dy] = [c.x - at.x, c.y - at.y];
+    const goal = new DragGoal(c, () => this.#session.turnedBy);
     const { store } = this.#session;
     store.change({ dragging: true, playing: false });
     return {
       move: (to) => {
-        const now = this.#session.aimed;
-        if (isPlanar(now)) this.#session.aim({ x: to.x + dx, y: to.y + dy, theta: now.theta });
+        goal.moveTo(to.x + dx, to.y + dy);
+        this.#session.aim(goal.placement);
       },
       end: () => store.change({ dragging: false }),
     };
