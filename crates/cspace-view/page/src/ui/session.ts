@@ -3,6 +3,7 @@
 import type { AxesConfiguration, AxesKernel, Configuration, Kernel, PlanarConfiguration, PlanarKernel } from "../kernel/api.js";
 import { openPair } from "../kernel/index.js";
 import type { Scene, ScenePair } from "../scene.js";
+import { USUAL } from "./address.js";
 import type { Address } from "./address.js";
 import { lowerPair } from "./lower.js";
 import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
@@ -44,11 +45,11 @@ export class Session {
       placements,
       configuration: pair ? configurationOf(scene, pair, placements) : IDENTITY,
       where: NOWHERE,
-      stop: address.stop ?? true,
-      theme: address.theme ?? "auto",
-      colouring: address.colouring ?? "region",
+      stop: address.stop ?? USUAL.stop,
+      theme: address.theme ?? USUAL.theme,
+      colouring: address.colouring ?? USUAL.colouring,
       hidden: new Set(address.hidden ?? []),
-      cut: address.cut ?? false,
+      cut: address.cut ?? USUAL.cut,
       dragging: false,
       record: null,
       time: 0,

@@ -112,6 +112,25 @@ describe("the page at its limits", { skip }, () => {
     }
   });
 
+  it("follows addresses by hand, and back to what is as always", async () => {
+    const page = await openModel(model("knee"), "#camera=1e300,1,1e300,1e308,0,0&x=1e300&y=1e300&theta=1e300");
+    assert.ok(Object.values(await page.evaluate(() => window.cspace.configuration())).every((n) => Math.abs(n) < 1e4));
+    const go = async (fragment: string): Promise<void> => {
+      await page.evaluate((to) => { location.hash = to; }, fragment);
+      await settled(page);
+      await settled(page);
+    };
+    const pressed = (): Promise<string[]> => page.$$eval("#tools button[aria-pressed=true]", (all) => all.map((e) => e.textContent ?? ""));
+    const usual = await pressed();
+    await go("#theme=dark&stop=0&colours=kind&cut=1&x=1e12&y=-1e12&theta=1e12");
+    assert.notDeepEqual(await pressed(), usual);
+    assert.equal(await page.$eval("html", (e) => (e as HTMLElement).dataset["theme"]), "dark");
+    await go("#x=0&y=-200&theta=0");
+    assert.deepEqual(await pressed(), usual);
+    assert.equal(await page.$eval("html", (e) => (e as HTMLElement).dataset["theme"]), "light");
+    await go("#x=1e300&y=1e300&theta=1e300&camera=9e9,1,1,1,1,1");
+  });
+
   it("marks the last valid space of a shape that crosses itself", async () => {
     const server = await serve(model("ball_in_c"));
     try {
