@@ -112,6 +112,32 @@ describe("the page at its limits", { skip }, () => {
     }
   });
 
+  it("shows parts that are drawn far from the origin", async () => {
+    const file = join(folder.path, "far.toml");
+    const drawn = (points: [number, number][]): string => `[${points.map(([x, y]) => `[${1e6 + x}, ${1e6 + y}]`).join(", ")}]`;
+    const block = drawn([[0, 0], [20, 0], [20, 10], [15, 10], [15, 4], [5, 4], [5, 10], [0, 10]]);
+    const peg = drawn([[7, 12], [13, 12], [13, 20], [7, 20]]);
+    writeFileSync(file, `[[part]]\nname = "block"\nloops = [${block}]\n[[part]]\nname = "peg"\nloops = [${peg}]\n`);
+    const page = await openModel(file);
+    const numbers = (of: string): Promise<string[]> => page.$$eval(`${of} .grid-numbers text`, (all) => all.map((e) => e.textContent ?? ""));
+    const across = (await numbers("#parts")).filter((text) => /^1000\d{3}/.test(text));
+    assert.ok(across.length > 4, (await numbers("#parts")).join());
+    // Once along each axis at most.
+    for (const text of across) assert.ok(across.filter((other) => other === text).length <= 2, across.join());
+    for (const theta of [0, 0.001, 0.5, -2]) {
+      // Turned about the middle of the peg, which stays above the block.
+      const [c, s] = [Math.cos(theta), Math.sin(theta)];
+      const m = [1e6 + 10, 1e6 + 18] as const;
+      await page.evaluate((at) => window.cspace.setConfiguration(at), { x: m[0] - (c * m[0] - s * m[1]), y: m[1] - (s * m[0] + c * m[1]), theta });
+      await settled(page);
+      const pane = await page.$eval("#slice", (e) => e.getBoundingClientRect().toJSON() as DOMRect);
+      const curves = await page.$$eval("#slice .curve", (all) => all.map((e) => e.getBoundingClientRect().toJSON() as DOMRect));
+      assert.ok(curves.length > 0);
+      const [left, right] = [Math.min(...curves.map((r) => r.left)), Math.max(...curves.map((r) => r.right))];
+      assert.ok(left < pane.right && right > pane.left && right - left > 20, JSON.stringify({ theta, left, right, pane }));
+    }
+  });
+
   it("follows addresses by hand, and back to what is as always", async () => {
     const page = await openModel(model("knee"), "#camera=1e300,1,1e300,1e308,0,0&x=1e300&y=1e300&theta=1e300");
     assert.ok(Object.values(await page.evaluate(() => window.cspace.configuration())).every((n) => Math.abs(n) < 1e4));
