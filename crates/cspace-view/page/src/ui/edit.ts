@@ -265,8 +265,8 @@ export class Editor {
 
   // What is typed.
 
-  /** The values of what is selected that can be typed. */
-  fields(): { name: string; value: number; change(value: number): void }[] {
+  /** The values of what is selected that can be typed; a straight edge has no radius yet. */
+  fields(): { name: string; value: number | null; change(value: number): void }[] {
     const handle = this.selected;
     const e = handle ? this.#edited[handle.part] : undefined;
     if (!handle || !e) return [];
@@ -293,12 +293,10 @@ export class Editor {
     if (handle.kind === "vertex") {
       return (["x", "y"] as const).map((k) => ({ name: k, value: edge.from[k], change: typed((was, value) => withVertex(was, handle, { [k]: value })) }));
     }
-    const arc = arcOf(edge);
-    if (!arc) return [];
     return [
       {
         name: "radius",
-        value: arc.radius,
+        value: arcOf(edge)?.radius ?? null,
         change: typed((was, value) => {
           const bulge = bulgeOfRadius(edge, value);
           return bulge === null ? null : withVertex(was, handle, { bulge });

@@ -75,7 +75,7 @@ export class PlaneView {
     const byRegion = new Map<number, string>();
     for (const { region, points } of kernel.free(deviation)) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
     this.#free.replaceChildren(
-      ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d })),
+      ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d }, svg("title", {}, `region ${region}`))),
     );
     if (fit) this.fit();
   }

@@ -157,6 +157,48 @@ describe("the page at its limits", { skip }, () => {
     await go("#x=1e300&y=1e300&theta=1e300&camera=9e9,1,1,1,1,1");
   });
 
+  it("takes only numbers for clearances, and radii for straight edges", async () => {
+    const server = await serve(model("peg_hole"));
+    try {
+      opened = await open(browser, server.address);
+      const { page } = opened;
+      await press(page, "Edit");
+      const clearance = (text: string): Promise<string> =>
+        page.$eval("#edit-offset", (e, typed) => {
+          (e as HTMLInputElement).value = typed;
+          e.dispatchEvent(new Event("change"));
+          return (e as HTMLInputElement).value;
+        }, text);
+      assert.equal(await clearance("0.01"), "0.01");
+      for (const text of ["", "1e300"]) {
+        assert.equal(await clearance(text), "0.01");
+        assert.match(await page.$eval("#edit p.bad", (e) => e.textContent ?? ""), /clearance: type a number/);
+      }
+      await page.click('#edit button[aria-label^="Move"]');
+      const [panel, pane] = await page.$$eval("#edit, #left", (all) => all.map((e) => e.getBoundingClientRect().right)).then((all) => [Math.min(...all), Math.max(...all)]);
+      assert.ok((pane ?? NaN) - (panel ?? NaN) < 20);
+      // Some edge is straight: its field is empty, and a radius makes it an arc.
+      const middles = await page.$$eval("#parts .handle.bulge", (all) =>
+        all.map((e) => { const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2] as const; }),
+      );
+      const field = (): Promise<string | null> => page.evaluate(() => document.querySelector<HTMLInputElement>("#edit label:not([for]) input")?.value ?? null);
+      for (const [x, y] of middles) {
+        await page.mouse.click(x, y);
+        await settled(page);
+        if ((await field()) === "") break;
+      }
+      assert.equal(await field(), "");
+      const outline = (): Promise<string> => page.$$eval("#parts .outline", (all) => all.map((e) => e.getAttribute("d")).join());
+      const straight = await outline();
+      await page.type("#edit label:not([for]) input", "1000\n");
+      await settled(page);
+      assert.equal(Number(await field()).toFixed(6), "1000.000000");
+      assert.notEqual(await outline(), straight);
+    } finally {
+      server.stop();
+    }
+  });
+
   it("marks the last valid space of a shape that crosses itself", async () => {
     const server = await serve(model("ball_in_c"));
     try {
