@@ -39,7 +39,7 @@ describe("addresses", () => {
   it("keep every digit of a configuration", () => {
     const configuration = { x: 0.1 + 0.2, y: -1e-300, theta: Math.PI };
     assert.deepEqual(readAddress(writeAddress(state({ configuration }), null), scene).configuration, configuration);
-    const axes = { u: 1 / 3, v: -2e21 };
+    const axes = { u: 1 / 3, v: -2e11 };
     assert.deepEqual(readAddress(writeAddress(state({ configuration: axes }), null), scene).configuration, axes);
   });
 
@@ -59,5 +59,8 @@ describe("addresses", () => {
   it("leave out what they do not understand", () => {
     const read = readAddress("#fixed=nobody&moving=peg&x=1&y=two&theta=3&theme=pink&stop=maybe&colours=&camera=1,2&hidden=-1,x&u=Infinity&v=0", scene);
     assert.deepEqual(read, {});
+    for (const far of ["#x=1e300&y=1e300&theta=1e300", "#u=0&v=-1e13", "#camera=1e300,1,1e300,1e308,0,0", "#camera=0,1,0,0,0,0", "#camera=0,1,-2,0,0,0", "#x=1e999&y=0&theta=0"]) {
+      assert.deepEqual(readAddress(far, scene), {}, far);
+    }
   });
 });

@@ -71,6 +71,18 @@ describe("simulations", () => {
   });
 });
 
+describe("numbers that cannot be shown", () => {
+  it("are refused with their place", () => {
+    for (const big of [1e308, -1e13, Infinity]) {
+      assert.throws(() => readRecord("p", { verdict: "path", path: [path[0], { x: 0, y: big, theta: 0 }] }), /path\[1\]\.y.*beyond/);
+      assert.throws(() => readRecord("s", { ...simulation, samples: [{ t: 0, wheel: big, pawl: [0, 0, 0] }] }), /samples\[0\]\.wheel.*beyond/);
+      assert.throws(() => readRecord("s", { ...simulation, events: [{ t: big, kind: "touch" }] }), RecordError);
+    }
+    // As a file has it: JSON makes it infinite.
+    assert.throws(() => readRecordText("f.json", '{"verdict": "path", "path": [[1e999, 0]]}'), RecordError);
+  });
+});
+
 describe("other files", () => {
   it("are refused", () => {
     for (const text of ["", "[1]", "null", "{}", "3", '{"samples": 3}', '{"verdict": "path"}']) assert.throws(() => readRecordText("f.json", text), RecordError);

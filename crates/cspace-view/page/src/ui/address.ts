@@ -3,6 +3,7 @@
 import type { Configuration } from "../kernel/api.js";
 import type { Scene } from "../scene.js";
 import type { Colouring } from "./colours.js";
+import { isUsable } from "./numbers.js";
 import type { State, Theme } from "./state.js";
 
 export interface Address {
@@ -17,8 +18,15 @@ export interface Address {
   camera?: number[];
 }
 
+/** What is as always is not in an address. */
+export const USUAL = { theme: "auto", stop: true, colouring: "region", cut: false } as const satisfies Address & { theme: Theme };
+
 /** How many numbers describe a camera. */
 const CAMERA_NUMBERS = 6;
+/** From farther away (sizes of the space), or beside it by more, nothing would be seen. */
+const FARTHEST_CAMERA = 1e3;
+/** Nearer there would be no direction to look in. */
+const NEAREST_CAMERA = 1e-6;
 
 /** Reads a fragment. What it does not understand it leaves out: addresses are typed by hand. */
 export function readAddress(fragment: string, scene: Scene): Address {
@@ -41,7 +49,8 @@ export function readAddress(fragment: string, scene: Scene): Address {
   const hidden = numbers(query.get("hidden"))?.filter((r) => Number.isInteger(r) && r >= 0);
   if (hidden) address.hidden = hidden;
   const camera = numbers(query.get("camera"));
-  if (camera?.length === CAMERA_NUMBERS) address.camera = camera;
+  const distance = camera?.[2] ?? 0;
+  if (camera?.length === CAMERA_NUMBERS && camera.every((n) => Math.abs(n) <= FARTHEST_CAMERA) && distance >= NEAREST_CAMERA) address.camera = camera;
   return address;
 }
 
@@ -53,9 +62,9 @@ export function writeAddress(state: Readonly<State>, camera: readonly number[] |
     query.set("moving", state.parts[pair.moving]?.name ?? "");
   }
   for (const [key, value] of Object.entries(state.configuration)) query.set(key, String(value));
-  if (state.theme !== "auto") query.set("theme", state.theme);
-  if (!state.stop) query.set("stop", "0");
-  if (state.colouring !== "region") query.set("colours", state.colouring);
+  if (state.theme !== USUAL.theme) query.set("theme", state.theme);
+  if (state.stop !== USUAL.stop) query.set("stop", "0");
+  if (state.colouring !== USUAL.colouring) query.set("colours", state.colouring);
   if (state.cut) query.set("cut", "1");
   if (state.hidden.size > 0) query.set("hidden", [...state.hidden].join());
   if (camera) query.set("camera", camera.map((n) => Number(n.toPrecision(4))).join());
@@ -65,7 +74,7 @@ export function writeAddress(state: Readonly<State>, camera: readonly number[] |
 function number(text: string | null): number | undefined {
   if (text === null || text.trim() === "") return undefined;
   const value = Number(text);
-  return Number.isFinite(value) ? value : undefined;
+  return isUsable(value) ? value : undefined;
 }
 
 function numbers(text: string | null): number[] | null {

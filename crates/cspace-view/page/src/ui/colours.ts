@@ -24,8 +24,20 @@ export const KIND_NAMES: Record<PatchKind, string> = {
 
 export type Colouring = "region" | "kind";
 
+/** Further regions have the same colours mixed with black or white, by so much: the lightness tells them apart, whoever looks. */
+const SHADES = [
+  { with: 0, share: 0 },
+  { with: 0, share: 0.45 },
+  { with: 255, share: 0.55 },
+] as const;
+
 export function regionColour(region: number | null): string {
-  return region === null ? NO_REGION : (REGIONS[region % REGIONS.length] ?? NO_REGION);
+  if (region === null) return NO_REGION;
+  const colour = REGIONS[region % REGIONS.length] ?? NO_REGION;
+  const shade = SHADES[Math.floor(region / REGIONS.length) % SHADES.length];
+  if (!shade || shade.share === 0) return colour;
+  const mixed = channels(colour).map((c) => Math.round(c + shade.share * (shade.with - c)));
+  return `#${mixed.map((c) => c.toString(16).padStart(2, "0")).join("")}`;
 }
 
 export function patchColour(colouring: Colouring, patch: { region: number | null; kind: PatchKind }): string {

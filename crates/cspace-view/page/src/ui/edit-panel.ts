@@ -3,7 +3,7 @@
 import type { Actions } from "./actions.js";
 import { byId, html, say, set } from "./dom.js";
 import type { EditReport, Editor } from "./edit.js";
-import { short } from "./numbers.js";
+import { LARGEST_NUMBER, isUsable } from "./numbers.js";
 import type { Session } from "./session.js";
 
 /** A space that is there within this time keeps up with the hand: 30 in a second (ms). */
@@ -28,14 +28,22 @@ export class EditPanel {
     this.#undo.addEventListener("click", actions.undo);
     this.#redo.addEventListener("click", actions.redo);
     this.#offset.addEventListener("change", () => {
-      const value = Number(this.#offset.value);
+      const value = typedNumber(this.#offset.value);
       const moving = session.pair?.moving;
+      if (moving === undefined) return;
       // More clearance is less material.
-      if (moving !== undefined && Number.isFinite(value)) editor.setOffset(moving, -value);
+      if (value !== null) editor.setOffset(moving, -value);
+      else {
+        this.#refuse("clearance");
+        this.#offset.value = String(-editor.offsetOf(moving) || 0);
+      }
     });
+    const side = html("button", { type: "button", class: "small", title: "Move this panel to the other side, where it covers no handle", "aria-label": "Move this panel to the other side" }, "⇄");
+    side.addEventListener("click", () => byId("edit").classList.toggle("at-the-right"));
     const unit = session.scene.unit ? ` (${session.scene.unit})` : "";
     const clearance = html("label", { for: "edit-offset", title: "The moving part is shrunk by this all round" }, `clearance${unit}`, this.#offset);
     byId("edit").append(
+      side,
       html("p", {}, "Drag squares (vertices), dots (bulges of edges) and rings (pivots)."),
       this.#fields,
       clearance,
@@ -65,6 +73,11 @@ export class EditPanel {
     this.#draw();
   }
 
+  #refuse(name: string): void {
+    set(this.#said, { class: "bad" });
+    say(this.#said, `${name}: type a number of at most ${LARGEST_NUMBER}; nothing is changed`);
+  }
+
   #draw(): void {
     this.#undo.disabled = !this.#editor.canUndo;
     this.#redo.disabled = !this.#editor.canRedo;
@@ -74,15 +87,24 @@ export class EditPanel {
     if (this.#fields.contains(document.activeElement)) return;
     this.#fields.replaceChildren(
       ...this.#editor.fields().map(({ name, value, change }) => {
-        const input = html("input", { type: "number", step: "any", value: short(value) });
-        input.value = String(value);
+        const input = html("input", { type: "number", step: "any", placeholder: value === null ? "straight" : "" });
+        input.value = value === null ? "" : String(value);
         input.addEventListener("change", () => {
-          const typed = Number(input.value);
+          const typed = typedNumber(input.value);
           input.blur();
-          if (Number.isFinite(typed) && typed !== value) change(typed);
+          if (typed === null) {
+            this.#refuse(name);
+            this.#draw();
+          } else if (typed !== value) change(typed);
         });
         return html("label", {}, name, input);
       }),
     );
   }
+}
+
+/** What is typed into a field for numbers, which is empty where it is none. */
+function typedNumber(text: string): number | null {
+  const value = text.trim() === "" ? NaN : Number(text);
+  return isUsable(value) ? value : null;
 }

@@ -77,8 +77,13 @@ export class Editor {
   }
 
   async #fetch(pair: number): Promise<ScenePair> {
-    const edits = this.#edits;
-    return edits.length === 0 ? this.#server.pair(pair) : (await this.#server.edit(pair, edits)).pair;
+    for (;;) {
+      const edited = this.#edited;
+      const edits = this.#edits;
+      const answer = edits.length === 0 ? await this.#server.pair(pair) : await this.#server.editedPair(pair, edits);
+      // Parts that were edited meanwhile have another space.
+      if (edited === this.#edited) return answer;
+    }
   }
 
   async model(): Promise<string> {
@@ -142,10 +147,11 @@ export class Editor {
       const answer = await this.#server.edit(index, this.#edits);
       const seconds = { seconds: answer.seconds, total: answer.total_seconds, roundTrip: (performance.now() - begin) / 1000 };
       this.#take(answer, index, edited);
-      this.onReport?.({ ...seconds, changes: this.#changesSince(before), error: null });
+      this.onReport?.({ ...seconds, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
     } catch (error) {
       const superseded = error instanceof ServerError && error.superseded;
       const text = error instanceof Error ? error.message : String(error);
+      if (!superseded) this.#session.store.change({ outdated: true });
       if (!superseded) this.onReport?.({ seconds: NaN, total: NaN, roundTrip: (performance.now() - begin) / 1000, changes: "", error: text });
     }
     this.#inFlight = false;
@@ -164,6 +170,7 @@ export class Editor {
       return { ...part, loops: now.loops, motion: now.motion, feature_names: answered.get(part.name)?.feature_names ?? part.feature_names };
     });
     this.#session.replaceParts(parts, index, answer.pair, changed);
+    this.#session.store.change({ outdated: false });
   }
 
   #changesSince(before: { pair: ScenePair | undefined; kernel: Kernel | null }): string {
@@ -258,8 +265,8 @@ export class Editor {
 
   // What is typed.
 
-  /** The values of what is selected that can be typed. */
-  fields(): { name: string; value: number; change(value: number): void }[] {
+  /** The values of what is selected that can be typed; a straight edge has no radius yet. */
+  fields(): { name: string; value: number | null; change(value: number): void }[] {
     const handle = this.selected;
     const e = handle ? this.#edited[handle.part] : undefined;
     if (!handle || !e) return [];
@@ -286,12 +293,10 @@ export class Editor {
     if (handle.kind === "vertex") {
       return (["x", "y"] as const).map((k) => ({ name: k, value: edge.from[k], change: typed((was, value) => withVertex(was, handle, { [k]: value })) }));
     }
-    const arc = arcOf(edge);
-    if (!arc) return [];
     return [
       {
         name: "radius",
-        value: arc.radius,
+        value: arcOf(edge)?.radius ?? null,
         change: typed((was, value) => {
           const bulge = bulgeOfRadius(edge, value);
           return bulge === null ? null : withVertex(was, handle, { bulge });

@@ -3,6 +3,14 @@
 /** Digits shown of lengths and degrees; what is typed or copied has all. */
 const SHOWN_DIGITS = 6;
 
+/** Coordinates, angles and times beyond this are taken for mistakes, wherever they come from: views could not show them (any unit). */
+export const LARGEST_NUMBER = 1e12;
+
+/** Whether a number can be shown. */
+export function isUsable(value: unknown): value is number {
+  return typeof value === "number" && Math.abs(value) <= LARGEST_NUMBER;
+}
+
 export function short(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -14,8 +22,12 @@ export function length(value: number, unit: string | null): string {
   return unit ? `${short(value)} ${unit}` : short(value);
 }
 
+/** Angles of less are rounding (degrees). */
+const NO_ANGLE = 1e-9;
+
 export function degrees(angle: number): string {
-  return `${short((angle * 180) / Math.PI)}°`;
+  const value = (angle * 180) / Math.PI;
+  return `${short(Math.abs(value) < NO_ANGLE ? 0 : value)}°`;
 }
 
 const LENGTH_STEPS = [1, 2, 5] as const;
@@ -30,6 +42,6 @@ export function lengthStep(least: number): number {
 /** As {@link lengthStep} for angles, in radians; whole degrees where these are fine enough. */
 export function angleStep(least: number): number {
   const inDegrees = (least * 180) / Math.PI;
-  const step = inDegrees <= 1 ? lengthStep(inDegrees) : (DEGREE_STEPS.find((s) => s >= inDegrees) ?? 360);
+  const step = inDegrees <= 1 ? lengthStep(inDegrees) : (DEGREE_STEPS.find((s) => s >= inDegrees) ?? 360 * lengthStep(inDegrees / 360));
   return (step * Math.PI) / 180;
 }

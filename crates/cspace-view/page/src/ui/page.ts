@@ -3,7 +3,7 @@
 import { SCENE_VERSION } from "../scene.js";
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
-import { readAddress, writeAddress } from "./address.js";
+import { USUAL, readAddress, writeAddress } from "./address.js";
 import { byId, download, html, say, set } from "./dom.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
@@ -96,6 +96,7 @@ export function openPage(scene: Scene): void {
       spaceView?.applyTheme();
     }
     if ((["space", "pair"] as Key[]).some((k) => changed.has(k))) showPanes(session, spaceView !== null);
+    if (changed.has("outdated")) document.body.classList.toggle("outdated", state.outdated);
     if (changed.has("message")) showMessage(state.message, () => store.change({ message: null }));
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
@@ -225,9 +226,10 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
   window.addEventListener("hashchange", () => {
     if (location.hash === written) return;
     const to = readAddress(location.hash, session.scene);
-    const { theme, stop, colouring, cut } = { ...store.state, ...to };
+    const { theme, stop, colouring, cut } = { ...USUAL, ...to };
     store.change({ theme, stop, colouring, cut, hidden: new Set(to.hidden ?? []) });
     if (to.camera) spaceView?.setCamera(to.camera);
+    else spaceView?.lookFromTheFront();
     if (to.pair !== undefined && to.pair !== store.state.pair) void session.select(to.pair, to.configuration ?? null);
     else if (to.configuration) session.setConfiguration(to.configuration);
   });

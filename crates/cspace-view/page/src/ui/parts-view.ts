@@ -2,6 +2,7 @@
 
 import type { Place, ScenePart } from "../scene.js";
 import { set, svg } from "./dom.js";
+import { DragGoal } from "./drag-goal.js";
 import type { Editor } from "./edit.js";
 import { lowerPair } from "./lower.js";
 import { placed } from "./mechanism.js";
@@ -10,12 +11,14 @@ import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortes
 import type { Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Key, State } from "./state.js";
-import { Viewport, wheelAngle } from "./viewport.js";
+import { Viewport, wheelAngle, wheelSlide } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
 /** Lengths in pixels. */
 const NORMAL_ARROW = 34;
 const PIVOT = 7;
+/** With Shift a dragged part is turned: a half turn for 360 pixels. */
+const RADIANS_PER_PIXEL = TURN / 720;
 /** A record is seen whole if about so many of its steps are. */
 const FITTED_STEPS = 60;
 
@@ -225,26 +228,24 @@ export class PartsView {
       };
     }
     let last = at;
-    let slid = start;
+    const moving = part === pair.moving;
+    // What turns is the moving part, also while the other is dragged.
+    const goal = new DragGoal(start, () => (moving ? this.#session.turnedBy : 0));
     return {
       move: (to, moved) => {
         if (motion.type === "planar" && moved.shiftKey) {
-          this.#session.turn(((to.y - last.y) / this.viewport.pixel.y) * (TURN / 720));
-          slid = this.#session.state.placements[part] ?? start;
+          const by = ((to.y - last.y) / this.viewport.pixel.y) * RADIANS_PER_PIXEL;
+          if (moving) goal.turn(by);
+          else this.#session.turn(by);
         } else {
-          slid = { ...slid, x: slid.x + to.x - last.x, y: slid.y + to.y - last.y };
-          const along = motion.type === "prismatic" ? ofMotion(motion, coordinateOf(motion, slid)) : { ...slid, theta: this.#wantedTheta(part, slid) };
-          this.#session.dragPart(part, along);
+          goal.moveBy(to.x - last.x, to.y - last.y);
         }
+        const wanted = goal.placement;
+        if (moving || !moved.shiftKey) this.#session.dragPart(part, motion.type === "prismatic" ? ofMotion(motion, coordinateOf(motion, wanted)) : wanted);
         last = to;
       },
       end,
     };
-  }
-
-  /** The orientation of a part that is dragged may be turned meanwhile. */
-  #wantedTheta(part: number, slid: Placement): number {
-    return this.#session.state.placements[part]?.theta ?? slid.theta;
   }
 
   #wheel(at: Place, event: WheelEvent): boolean {
@@ -255,7 +256,7 @@ export class PartsView {
     if (!moving) return false;
     const placement = state.placements[pair.moving] ?? IDENTITY;
     const motion = moving.motion;
-    if (motion.type === "prismatic") this.#session.nudge(0, wheelAngle(event) * 20 * this.viewport.pixel.x * 10);
+    if (motion.type === "prismatic") this.#session.nudge(0, wheelSlide(event) * this.viewport.pixel.x);
     else if (motion.type === "revolute") this.#session.turn(wheelAngle(event));
     else if (state.dragging) this.#session.turn(wheelAngle(event));
     else this.#session.turn(wheelAngle(event), apply(inverse(placement), event.shiftKey ? centerOf(moving, placement) : at));

@@ -11,7 +11,7 @@ import { TURN, wrap } from "./placement.js";
 import type { Session } from "./session.js";
 import { pointMark } from "./slice-view.js";
 import type { Key, State } from "./state.js";
-import { Viewport, wheelPixels } from "./viewport.js";
+import { Viewport, wheelSlide } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
 const GRAB = 26;
@@ -75,7 +75,7 @@ export class PlaneView {
     const byRegion = new Map<number, string>();
     for (const { region, points } of kernel.free(deviation)) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
     this.#free.replaceChildren(
-      ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d })),
+      ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d }, svg("title", {}, `region ${region}`))),
     );
     if (fit) this.fit();
   }
@@ -148,7 +148,7 @@ export class PlaneView {
 
   #wheel(_at: Place, event: WheelEvent): boolean {
     if (!event.shiftKey && !this.#session.state.dragging) return false;
-    this.#session.nudge(0, (-wheelPixels(event) / 20) * this.viewport.pixel.y);
+    this.#session.nudge(0, wheelSlide(event) * this.viewport.pixel.y);
     return true;
   }
 }

@@ -12,6 +12,7 @@ const LISTED = 8;
 
 export class Readout {
   readonly #session: Session;
+  readonly #outdated: HTMLElement;
   readonly #configuration: HTMLElement;
   readonly #class: HTMLElement;
   readonly #region: HTMLElement;
@@ -25,6 +26,8 @@ export class Readout {
       parent.append(html("div", {}, html("dt", {}, name), value));
       return value;
     };
+    this.#outdated = html("div", { class: "outdated-note", role: "status" });
+    parent.append(this.#outdated);
     this.#configuration = entry("configuration", "number");
     this.#class = entry("is", "class");
     this.#region = entry("region");
@@ -32,7 +35,7 @@ export class Readout {
     this.#touching = entry("touching", "touching-list");
     this.#class.setAttribute("aria-live", "polite");
     session.store.subscribe((changed) => {
-      if ((["where", "configuration", "space"] as Key[]).some((k) => changed.has(k))) this.#draw();
+      if ((["where", "configuration", "space", "outdated"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
   }
 
@@ -40,6 +43,9 @@ export class Readout {
     const { state, scene, axes, kernel } = this.#session;
     const { classification, region, nearest, touching } = state.where;
     const c = state.configuration;
+    // A shape that crosses itself has no space.
+    this.#outdated.hidden = !state.outdated;
+    say(this.#outdated, state.outdated ? "of the last valid shape:" : "");
     if (isAxes(c)) {
       const text = (value: number, info: AxisInfo | undefined) => (info?.kind === "length" ? length(value, scene.unit) : info?.kind === "still" ? "still" : degrees(value));
       say(this.#configuration, `u ${text(c.u, axes?.u)}, v ${text(c.v, axes?.v)}`);

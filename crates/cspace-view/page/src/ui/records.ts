@@ -1,6 +1,7 @@
 /** What `cspace plan` and `cspace simulate` print, read and told at any time. */
 
 import type { Configuration } from "../kernel/api.js";
+import { LARGEST_NUMBER, isUsable } from "./numbers.js";
 import type { Placement } from "./placement.js";
 
 export interface Tick {
@@ -163,6 +164,7 @@ function array(name: string, value: unknown, place: string): unknown[] {
 }
 
 function number(name: string, value: unknown, place: string): number {
-  if (typeof value !== "number" || !Number.isFinite(value)) throw new RecordError(`${name}: ${place} is no number`);
+  if (typeof value !== "number" || Number.isNaN(value)) throw new RecordError(`${name}: ${place} is no number`);
+  if (!isUsable(value)) throw new RecordError(`${name}: ${place} is ${value}, which is beyond what can be shown (${LARGEST_NUMBER})`);
   return value;
 }

@@ -21,7 +21,10 @@ export interface EditAnswer {
 export class ServerError extends Error {
   constructor(
     message: string,
+    /** A newer request has made this one useless. */
     readonly superseded = false,
+    /** Asked again, the server may answer: it says nothing of the model. */
+    readonly passing = superseded,
   ) {
     super(message);
   }
@@ -45,6 +48,12 @@ export class Server {
     return (await answer.json()) as ScenePair;
   }
 
+  /** A pair of edited parts that are not being edited further: edits of a drag do not overtake it, nor it them. */
+  async editedPair(pair: number, parts: readonly PartEdit[]): Promise<ScenePair> {
+    const answer = await this.#post("edit", pair, parts, `${this.#session}-pair-${pair}`);
+    return ((await answer.json()) as EditAnswer).pair;
+  }
+
   async edit(pair: number, parts: readonly PartEdit[]): Promise<EditAnswer> {
     const answer = await this.#post("edit", pair, parts);
     return (await answer.json()) as EditAnswer;
@@ -55,8 +64,9 @@ export class Server {
     return answer.text();
   }
 
-  #post(route: string, pair: number, parts: readonly PartEdit[]): Promise<Response> {
-    const body = JSON.stringify({ session: this.#session, sequence: (this.#sequence += 1), pair, parts });
+  /** Of a session, the server answers only the newest request. */
+  #post(route: string, pair: number, parts: readonly PartEdit[], session: string = this.#session): Promise<Response> {
+    const body = JSON.stringify({ session, sequence: (this.#sequence += 1), pair, parts });
     return ask(route, { method: "POST", headers: { "content-type": "application/json" }, body });
   }
 }
@@ -66,7 +76,7 @@ async function ask(route: string, init?: RequestInit): Promise<Response> {
   try {
     answer = await fetch(route, init);
   } catch {
-    throw new ServerError("the server does not answer: is `cspace view` still running?");
+    throw new ServerError("the server does not answer: is `cspace view` still running?", false, true);
   }
   if (answer.ok) return answer;
   const said = (await answer.json().catch(() => ({}))) as { error?: string; help?: string };

@@ -3,12 +3,14 @@
 import type { AxesConfiguration, AxesKernel, Configuration, Kernel, PlanarConfiguration, PlanarKernel } from "../kernel/api.js";
 import { openPair } from "../kernel/index.js";
 import type { Scene, ScenePair } from "../scene.js";
+import { USUAL } from "./address.js";
 import type { Address } from "./address.js";
 import { lowerPair } from "./lower.js";
 import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
 import type { Anchor } from "./mechanism.js";
 import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate } from "./placement.js";
 import type { Placement } from "./placement.js";
+import { ServerError } from "./server.js";
 import { Store } from "./state.js";
 import type { State, Where } from "./state.js";
 
@@ -24,6 +26,8 @@ export class Session {
   #fetch: Fetcher | null;
   readonly #kernels = new Map<number, Kernel | null>();
   #selections = 0;
+  /** By how much the user has turned the moving part since the page was opened (radians), whatever contacts made of it. */
+  turnedBy = 0;
   /** What is dragged to, until the next frame. */
   #aim: { configuration: Configuration; anchor: Anchor; base: Placement | null } | null = null;
 
@@ -41,17 +45,18 @@ export class Session {
       placements,
       configuration: pair ? configurationOf(scene, pair, placements) : IDENTITY,
       where: NOWHERE,
-      stop: address.stop ?? true,
-      theme: address.theme ?? "auto",
-      colouring: address.colouring ?? "region",
+      stop: address.stop ?? USUAL.stop,
+      theme: address.theme ?? USUAL.theme,
+      colouring: address.colouring ?? USUAL.colouring,
       hidden: new Set(address.hidden ?? []),
-      cut: address.cut ?? false,
+      cut: address.cut ?? USUAL.cut,
       dragging: false,
       record: null,
       time: 0,
       playing: false,
       speed: 1,
       editing: false,
+      outdated: false,
       message: null,
     });
   }
@@ -97,20 +102,25 @@ export class Session {
     this.#aim = null;
     const c = configurationOf(this.scene, pair, this.state.placements);
     this.store.change({ pair: index, space: { state: "loading" }, configuration: c, where: NOWHERE, hidden: index === this.state.pair ? this.state.hidden : new Set() });
-    this.loaded = this.#load(index).then(() => {
+    this.loaded = this.#load(index).then((failure) => {
       if (selection !== this.#selections) return;
-      this.#opened(index, configuration);
+      this.#opened(index, configuration, failure);
     });
     return this.loaded;
   }
 
-  async #load(index: number): Promise<void> {
+  /** What kept the space from coming this time, if it may come the next time. */
+  async #load(index: number): Promise<string | null> {
     const pair = this.scene.pairs[index];
-    if (!pair || pair.space || pair.error || !this.#fetch) return;
+    if (!pair || pair.space || pair.error || !this.#fetch) return null;
     try {
       this.replacePair(index, await this.#fetch(index));
+      return null;
     } catch (error) {
-      this.replacePair(index, { ...pair, error: error instanceof Error ? error.message : String(error) });
+      const text = error instanceof Error ? error.message : String(error);
+      if (error instanceof ServerError && error.passing) return text;
+      this.replacePair(index, { ...pair, error: text });
+      return null;
     }
   }
 
@@ -141,11 +151,11 @@ export class Session {
     return kernel;
   }
 
-  #reopen(index: number): void {
+  #reopen(index: number, passing: string | null = null): void {
     const pair = this.scene.pairs[index];
     if (!pair) return;
     let kernel: Kernel | null = null;
-    let failure: string | null = pair.error;
+    let failure: string | null = pair.error ?? passing;
     try {
       kernel = failure ? null : this.#kernelOf(index);
     } catch (error) {
@@ -157,8 +167,8 @@ export class Session {
     this.#look();
   }
 
-  #opened(index: number, configuration: Configuration | null): void {
-    this.#reopen(index);
+  #opened(index: number, configuration: Configuration | null, failure: string | null): void {
+    this.#reopen(index, failure);
     const pair = this.pair;
     if (!pair) return;
     if (configuration && isAxes(configuration) === hasAxes(pair)) this.setConfiguration(configuration);
@@ -301,12 +311,15 @@ export class Session {
       this.aim({ ...c, v: c.v + by });
       return;
     }
+    this.turnedBy += by;
     this.aim(turned(c, by, about));
   }
 
   setTheta(theta: number): void {
     const c = this.aimed;
-    if (isPlanar(c)) this.aim({ ...c, theta });
+    if (!isPlanar(c)) return;
+    this.turnedBy += theta - c.theta;
+    this.aim({ ...c, theta });
   }
 
   /** Goes to the middle of the next band, or of the previous. */

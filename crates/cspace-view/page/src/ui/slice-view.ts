@@ -1,25 +1,31 @@
 /** The slice at the current orientation, in the plane. The point in it can be dragged. */
 
 import type { Place } from "../scene.js";
-import type { PlanarKernel } from "../kernel/api.js";
+import type { DrawnCurve, PlanarKernel } from "../kernel/api.js";
 import { curvePaths, loopsOf, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
+import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
-import { grow } from "./outline.js";
+import { emptyBox, grow } from "./outline.js";
+import type { Box } from "./outline.js";
 import type { Session } from "./session.js";
-import { currentSlice, extentOf } from "./slices.js";
+import { currentSlice, sliceExtent } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { Viewport, wheelAngle } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels; fingers are thicker than mice. */
 const GRAB = 26;
-/** Ends of curves nearer than this share of the space's extent are one point, to fill what they are around. */
+/** What is farther away than so many extents of a slice is not shown together with it. */
+const FAR = 8;
+/** Ends of curves nearer than this share of the slice's extent are one point, to fill what they are around. */
 const JOINED = 1e-6;
 
 export class SliceView {
   readonly viewport: Viewport;
   readonly #session: Session;
+  /** Whether contacts of other orientations are too far away to be shown together. */
+  #swings = false;
   readonly #curves: SVGGElement;
   readonly #blocked: SVGPathElement;
   readonly #path: SVGPathElement;
@@ -57,6 +63,7 @@ export class SliceView {
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
       const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
       if (changed.has("configuration") || changed.has("space")) this.#fill(kernel);
+      if (changed.has("configuration")) this.#follow();
       this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
       this.#placePoint();
       set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
@@ -68,21 +75,32 @@ export class SliceView {
     }
   }
 
-  /** Shows all contacts, the configuration, and the way that is played. */
+  /** Shows all contacts, and the configuration and the way that is played if they are not far away. */
   fit(): void {
     const { planar: kernel, state } = this.#session;
     if (!kernel) return;
     const { lo, hi } = kernel.bounds();
-    const box = { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
-    for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at)) grow(box, at);
-    if (isPlanar(state.configuration)) grow(box, state.configuration);
+    const far = FAR * sliceExtent(this.#session);
+    // Contacts of a part that is drawn far from its origin are far apart: those of this orientation can be seen together.
+    this.#swings = Math.max(hi[0] - lo[0], hi[1] - lo[1]) > far;
+    const box = this.#swings ? boxOfCurves(currentSlice(this.#session)) : { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
+    const c = state.configuration;
+    if (isPlanar(c) && !(awayFrom(box, c) > far)) grow(box, c);
+    for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at) && !(awayFrom(box, at) > far)) grow(box, at);
     this.viewport.fit(box);
+  }
+
+  /** Where contacts of other orientations are elsewhere, the view goes along. */
+  #follow(): void {
+    if (!this.#swings) return;
+    const [seen, box] = [this.viewport.box, boxOfCurves(currentSlice(this.#session))];
+    if (box.x0 > seen.x1 || box.x1 < seen.x0 || box.y0 > seen.y1 || box.y1 < seen.y0) this.fit();
   }
 
   /** Far away everything is free, so that what an odd number of loops is around is blocked. */
   #fill(kernel: PlanarKernel | null): void {
     const curves = kernel ? currentSlice(this.#session) : [];
-    const loops = kernel ? loopsOf(curves.map((c) => c.points), extentOf(this.#session, kernel) * JOINED) : [];
+    const loops = kernel ? loopsOf(curves.map((c) => c.points), sliceExtent(this.#session) * JOINED) : [];
     set(this.#blocked, { d: loops.map((points) => pathOf(points, true)).join("") });
   }
 
@@ -102,16 +120,29 @@ export class SliceView {
     const c = this.#session.state.configuration;
     if (!isPlanar(c) || !this.#isNear(at)) return null;
     const [dx, dy] = [c.x - at.x, c.y - at.y];
+    const goal = new DragGoal(c, () => this.#session.turnedBy);
     const { store } = this.#session;
     store.change({ dragging: true, playing: false });
     return {
       move: (to) => {
-        const now = this.#session.aimed;
-        if (isPlanar(now)) this.#session.aim({ x: to.x + dx, y: to.y + dy, theta: now.theta });
+        goal.moveTo(to.x + dx, to.y + dy);
+        this.#session.aim(goal.placement);
       },
       end: () => store.change({ dragging: false }),
     };
   }
+}
+
+function boxOfCurves(curves: readonly DrawnCurve[]): Box {
+  const box = emptyBox();
+  for (const { points } of curves) for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
+  return box;
+}
+
+/** How far a point is outside of a box; no number of an empty box. */
+function awayFrom(box: Box, { x, y }: Place): number {
+  if (box.x0 > box.x1) return NaN;
+  return Math.max(box.x0 - x, x - box.x1, box.y0 - y, y - box.y1);
 }
 
 /** The configuration as a point with a ring to grab. */

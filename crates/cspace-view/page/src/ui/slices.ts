@@ -2,9 +2,10 @@
 
 import type { DrawnCurve, PlanarKernel } from "../kernel/api.js";
 import { isPlanar } from "./mechanism.js";
+import { boxOf } from "./outline.js";
 import type { Session } from "./session.js";
 
-/** Curves are drawn within this share of the space's extent. */
+/** Curves are drawn within this share of the slice's extent. */
 const DEVIATION = 1 / 4000;
 
 interface Cut {
@@ -26,11 +27,24 @@ export function extentOf(session: Session, kernel: PlanarKernel): number {
   return known.extent;
 }
 
+/**
+ * How wide slices are, about (model unit): at one orientation, contacts put the moving part no farther away than both parts are large. The
+ * bounds of all orientations are as wide as that only if the part is drawn near its origin, about which it turns.
+ */
+export function sliceExtent(session: Session): number {
+  const { pair, state } = session;
+  const sizeOf = (part: number) => {
+    const box = boxOf(state.parts[part]?.loops ?? []);
+    return Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
+  };
+  return pair ? sizeOf(pair.fixed) + sizeOf(pair.moving) || 1 : 1;
+}
+
 export function currentSlice(session: Session): DrawnCurve[] {
   const kernel = session.planar;
   const c = session.state.configuration;
   if (!kernel || !isPlanar(c)) return [];
   if (last?.kernel === kernel && last.theta === c.theta) return last.curves;
-  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, extentOf(session, kernel) * DEVIATION) };
+  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, sliceExtent(session) * DEVIATION) };
   return last.curves;
 }

@@ -3,9 +3,12 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3 } from "three";
 import type { Camera } from "three";
 import { html, say } from "./dom.js";
-import { angleStep, degrees, lengthStep, short } from "./numbers.js";
+import { gridLines, lineText } from "./grid.js";
+import { angleStep, degrees, lengthStep } from "./numbers.js";
 import type { SpaceScale } from "./surface.js";
 
+/** Ends of an axis that are a number miss it by this at most, in steps. */
+const ROUNDING = 1e-9;
 /** About how many numbers an axis has. */
 const NUMBERS = 4;
 
@@ -37,18 +40,19 @@ export class SpaceAxes {
     const lines = corners.flatMap((a, i) => [1, 2, 4].filter((bit) => !(i & bit)).flatMap((bit) => [a, corners[i | bit] ?? a]));
     const labels: [Vector3, string][] = [];
     const along = (from: number, to: number, step: number, put: (value: number) => [Vector3, Vector3, string]) => {
-      for (let i = Math.ceil(from / step - 1e-9); i * step <= to + 1e-9 * step; i += 1) {
-        const [a, b, text] = put(i * step);
+      for (const { value } of gridLines(from - ROUNDING * step, to + ROUNDING * step, step)) {
+        const [a, b, text] = put(value);
         lines.push(a, b);
         labels.push([b, text]);
       }
     };
     const tick = 0.03 * Math.max(x1 - x0, y1 - y0);
-    along(lo[0], hi[0], lengthStep((hi[0] - lo[0]) / NUMBERS), (v) => [
-      new Vector3(v - scale.center[0], y0, z0), new Vector3(v - scale.center[0], y0 - tick, z0), short(v),
+    const steps = [lengthStep((hi[0] - lo[0]) / NUMBERS), lengthStep((hi[1] - lo[1]) / NUMBERS)] as const;
+    along(lo[0], hi[0], steps[0], (v) => [
+      new Vector3(v - scale.center[0], y0, z0), new Vector3(v - scale.center[0], y0 - tick, z0), lineText(v, steps[0]),
     ]);
-    along(lo[1], hi[1], lengthStep((hi[1] - lo[1]) / NUMBERS), (v) => [
-      new Vector3(x1, v - scale.center[1], z0), new Vector3(x1 + tick, v - scale.center[1], z0), short(v),
+    along(lo[1], hi[1], steps[1], (v) => [
+      new Vector3(x1, v - scale.center[1], z0), new Vector3(x1 + tick, v - scale.center[1], z0), lineText(v, steps[1]),
     ]);
     along(angles[0], angles[1], angleStep((angles[1] - angles[0]) / NUMBERS), (v) => [
       new Vector3(x0, y0, v * scale.perRadian), new Vector3(x0 - tick, y0 - tick, v * scale.perRadian), degrees(v),

@@ -4,6 +4,7 @@ import { AmbientLight, DirectionalLight, PerspectiveCamera, Plane, Raycaster, Sc
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { PlanarKernel } from "../kernel/api.js";
 import { TOUCHING } from "./colours.js";
+import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
 import { Pace } from "./pace.js";
 import { wrap } from "./placement.js";
@@ -291,15 +292,16 @@ export class SpaceView {
 
   /** Registered before the controls, which are to leave the point alone. */
   #listen(): void {
-    let drag: { pointer: number; dx: number; dy: number; y: number } | null = null;
+    let drag: { pointer: number; dx: number; dy: number; y: number; goal: DragGoal } | null = null;
     const { store } = this.#session;
     this.canvas.addEventListener(
       "pointerdown",
       (event) => {
-        if (event.button !== 0 || !this.#isOnPoint(event)) return;
+        const c = this.#session.state.configuration;
+        if (event.button !== 0 || !this.#isOnPoint(event) || !isPlanar(c)) return;
         const p = this.#marks.point.position;
         const at = this.#onPlane(event, p.z);
-        drag = { pointer: event.pointerId, dx: at ? p.x - at.x : 0, dy: at ? p.y - at.y : 0, y: event.clientY };
+        drag = { pointer: event.pointerId, dx: at ? p.x - at.x : 0, dy: at ? p.y - at.y : 0, y: event.clientY, goal: new DragGoal(c, () => this.#session.turnedBy) };
         this.#controls.enabled = false;
         this.canvas.setPointerCapture(event.pointerId);
         store.change({ dragging: true, playing: false });
@@ -312,14 +314,13 @@ export class SpaceView {
         this.canvas.style.cursor = this.#isOnPoint(event) ? "grab" : "";
         return;
       }
-      const c = this.#session.aimed;
-      if (!isPlanar(c)) return;
       if (event.shiftKey) {
-        this.#session.setTheta(c.theta - ((event.clientY - drag.y) * Math.PI) / PIXELS_PER_HALF_TURN);
+        drag.goal.turn(-((event.clientY - drag.y) * Math.PI) / PIXELS_PER_HALF_TURN);
       } else {
         const at = this.#onPlane(event, this.#marks.point.position.z);
-        if (at) this.#session.aim({ x: at.x + drag.dx + this.#scale.center[0], y: at.y + drag.dy + this.#scale.center[1], theta: c.theta });
+        if (at) drag.goal.moveTo(at.x + drag.dx + this.#scale.center[0], at.y + drag.dy + this.#scale.center[1]);
       }
+      this.#session.aim(drag.goal.placement);
       drag.y = event.clientY;
     });
     const up = (event: PointerEvent) => {

@@ -49,6 +49,8 @@ export interface State {
   playing: boolean;
   speed: number;
   editing: boolean;
+  /** Whether the space is of a shape before the one that is drawn, which has none. */
+  outdated: boolean;
   /** What went wrong last, for the user. */
   message: string | null;
 }

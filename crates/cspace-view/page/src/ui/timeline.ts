@@ -44,9 +44,9 @@ export class Timeline {
     const close = html("button", { type: "button", "aria-label": "Close the record" }, "✕");
     close.addEventListener("click", () => this.#choose(null));
     parent.append(this.#choice, this.#play, html("div", { class: "track" }, this.#ticks, this.#scrub), speed, this.#text, close);
-    for (const { name, record } of session.scene.records) this.#try(() => readRecord(name, record), false);
+    for (const { name, record } of session.scene.records) this.#keep(() => readRecord(name, record));
     store.subscribe((changed) => this.#update(changed));
-    const first = this.#records[0];
+    const first = this.#records.find((record) => this.#mismatch(record) === null) ?? this.#records[0];
     if (first) this.#choose(first);
   }
 
@@ -59,18 +59,35 @@ export class Timeline {
   /** Reads a file that the user opens or drops. */
   async open(file: File): Promise<void> {
     const text = await file.text();
-    this.#try(() => readRecordText(file.name, text), true);
+    this.#open(() => readRecordText(file.name, text));
   }
 
-  #try(read: () => PlayableRecord, choose: boolean): void {
-    try {
+  /** Takes a record that the user opens, and plays it; one that is none of this model is told and forgotten. */
+  #open(read: () => PlayableRecord): void {
+    this.#told(() => {
       const record = read();
+      const problem = this.#mismatch(record);
+      if (problem) throw new RecordError(problem);
       this.#records.push(record);
-      if (choose) {
-        this.#choose(record);
-        this.showStart();
-      }
       this.#session.store.change({ message: null });
+      this.#choose(record);
+      this.showStart();
+    });
+  }
+
+  /** Takes a record of the page. A path may be of a pair that is selected later. */
+  #keep(read: () => PlayableRecord): void {
+    this.#told(() => {
+      const record = read();
+      const problem = record.kind === "simulation" ? this.#mismatch(record) : null;
+      if (problem) throw new RecordError(problem);
+      this.#records.push(record);
+    });
+  }
+
+  #told(take: () => void): void {
+    try {
+      take();
     } catch (error) {
       if (!(error instanceof RecordError)) throw error;
       this.#session.store.change({ message: error.message });
@@ -79,8 +96,13 @@ export class Timeline {
 
   #choose(record: PlayableRecord | null): void {
     const problem = record ? this.#mismatch(record) : null;
-    if (problem) this.#session.store.change({ message: problem });
-    this.#session.store.change({ record: problem ? null : record, time: 0, playing: false });
+    if (problem) {
+      this.#session.store.change({ message: problem });
+      // The list shows the record that is played, and not the one that cannot be.
+      this.#drawRecord(this.#session.state.record);
+      return;
+    }
+    this.#session.store.change({ record, time: 0, playing: false });
   }
 
   /** Why a record is none of this model. */

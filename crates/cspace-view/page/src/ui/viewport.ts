@@ -2,7 +2,8 @@
 
 import type { Place } from "../scene.js";
 import { set, svg } from "./dom.js";
-import { angleStep, degrees, lengthStep, short } from "./numbers.js";
+import { gridLines, heldScale, lineText } from "./grid.js";
+import { angleStep, lengthStep } from "./numbers.js";
 import type { Box } from "./outline.js";
 
 /** What is dragged, if not the plane itself. */
@@ -27,6 +28,13 @@ export type AxisKind = "length" | "angle";
 
 /** Grid lines are at least this far apart, in pixels. */
 const GRID_PIXELS = 56;
+/** About as wide as a character of the grid's numbers is, and as high as their line (root ems). */
+const CHARACTER = 0.5;
+const LINE = 1.4;
+/** The room between numbers of the grid, and between them and the unit, in pixels. */
+const NUMBER_GAP = 10;
+/** A box without width is shown as if it had this share of its distance from the origin. */
+const LEAST_WIDTH = 1e-9;
 /** A notch of the wheel zooms by this factor. */
 const ZOOM_PER_PIXEL = 1.0015;
 
@@ -98,11 +106,10 @@ export class Viewport {
 
   /** Shows a box; again whenever the size changes, until the user pans or zooms. */
   fit(box: Box, margin = 0.1): void {
-    if (!(box.x1 >= box.x0) || !(box.y1 >= box.y0)) return;
+    if (!(box.x1 >= box.x0) || !(box.y1 >= box.y0) || !Object.values(box).every(Number.isFinite)) return;
     this.#fitted = { box, margin };
     this.#touched = false;
-    const w = Math.max(box.x1 - box.x0, 1e-9 * Math.abs(box.x0)) || 1;
-    const h = Math.max(box.y1 - box.y0, 1e-9 * Math.abs(box.y0)) || 1;
+    const { x: w, y: h } = extentOf(box);
     const x = this.#width / (w * (1 + 2 * margin));
     const y = this.#height / (h * (1 + 2 * margin));
     const least = Math.min(x, y);
@@ -112,10 +119,26 @@ export class Viewport {
   }
 
   zoom(factor: number, about: Place = this.#center): void {
+    factor = this.#held(factor);
+    if (factor === 1) return;
     this.#touched = true;
     this.#scale = { x: this.#scale.x * factor, y: this.#scale.y * factor };
     this.#center = { x: about.x + (this.#center.x - about.x) / factor, y: about.y + (this.#center.y - about.y) / factor };
     this.#draw();
+  }
+
+  /** As much of a zoom as the limits of both axes leave. */
+  #held(factor: number): number {
+    if (!this.#fitted) return factor;
+    const { x, y } = extentOf(this.#fitted.box);
+    // One extent for both axes where they have one scale.
+    const [w, h] = this.#options.uniform ? [Math.max(x, y), Math.max(x, y)] : [x, y];
+    const by = [
+      heldScale(this.#scale.x * factor, w, this.#center.x) / this.#scale.x,
+      heldScale(this.#scale.y * factor, h, this.#center.y) / this.#scale.y,
+    ];
+    // Panning may have taken the centre to where the present scale is too fine: that is not a reason to zoom the other way.
+    return factor > 1 ? Math.max(1, Math.min(...by)) : Math.min(1, Math.max(...by));
   }
 
   #pan(dx: number, dy: number): void {
@@ -147,18 +170,23 @@ export class Viewport {
     const dy = this.#options.uniform ? dx : steps[1](GRID_PIXELS / this.#scale.y);
     const lines: string[] = [];
     const numbers: SVGElement[] = [];
-    // The unit has the corner for itself.
-    const reserved = this.unit ? 42 + 9 * this.unit.length : 24;
-    const label = (kind: AxisKind, value: number) => (kind === "angle" ? degrees(value) : short(value));
-    for (let i = Math.ceil(box.x0 / dx); i * dx <= box.x1; i += 1) {
-      const x = this.toScreen({ x: i * dx, y: 0 }).x;
+    const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+    const widthOf = (text: string) => text.length * CHARACTER * rem;
+    const label = (kind: AxisKind, value: number, step: number) =>
+      kind === "angle" ? `${lineText((value * 180) / Math.PI, (step * 180) / Math.PI)}°` : lineText(value, step);
+    // The unit has the corner for itself, with a larger font.
+    const end = this.#width - (this.unit ? 1.2 * widthOf(this.unit) + NUMBER_GAP : 0);
+    const across = gridLines(box.x0, box.x1, dx).map(({ index, value }) => ({ index, x: this.toScreen({ x: value, y: 0 }).x, text: label(this.kinds[0], value, dx) }));
+    // Long numbers stand at every second or third line.
+    const every = Math.max(1, Math.ceil((Math.max(...across.map(({ text }) => widthOf(text))) + NUMBER_GAP) / (dx * this.#scale.x)));
+    for (const { index, x, text } of across) {
       lines.push(`M${x} 0V${this.#height}`);
-      if (x < this.#width - reserved) numbers.push(svg("text", { x: x + 3, y: this.#height - 5 }, label(this.kinds[0], i * dx)));
+      if (index % every === 0 && x + 3 + widthOf(text) < end) numbers.push(svg("text", { x: x + 3, y: this.#height - 5 }, text));
     }
-    for (let i = Math.ceil(box.y0 / dy); i * dy <= box.y1; i += 1) {
-      const y = this.toScreen({ x: 0, y: i * dy }).y;
+    for (const { value } of gridLines(box.y0, box.y1, dy)) {
+      const y = this.toScreen({ x: 0, y: value }).y;
       lines.push(`M0 ${y}H${this.#width}`);
-      if (y < this.#height - 20) numbers.push(svg("text", { x: 4, y: y - 3 }, label(this.kinds[1], i * dy)));
+      if (y < this.#height - LINE * rem) numbers.push(svg("text", { x: 4, y: y - 3 }, label(this.kinds[1], value, dy)));
     }
     if (this.unit) numbers.push(svg("text", { x: this.#width - 6, y: this.#height - 5, "text-anchor": "end", class: "unit" }, this.unit));
     set(this.#grid, { d: lines.join("") });
@@ -225,6 +253,13 @@ export class Viewport {
   }
 }
 
+function extentOf(box: Box): Place {
+  return {
+    x: Math.max(box.x1 - box.x0, LEAST_WIDTH * Math.abs(box.x0)) || 1,
+    y: Math.max(box.y1 - box.y0, LEAST_WIDTH * Math.abs(box.y0)) || 1,
+  };
+}
+
 /** How far a wheel turned, in pixels, whatever it counts in. */
 export function wheelPixels(event: WheelEvent): number {
   const perUnit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : event.deltaMode === WheelEvent.DOM_DELTA_PAGE ? 400 : 1;
@@ -232,9 +267,19 @@ export function wheelPixels(event: WheelEvent): number {
   return (event.deltaY || event.deltaX) * perUnit;
 }
 
+/** Pixels that a part slides for each of the wheel. */
+const SLIDE = 1 / 20;
+/** With Alt the wheel moves so much less. */
+const FINE = 0.1;
+
+/** How far a wheel's notch slides a part, in pixels. */
+export function wheelSlide(event: WheelEvent): number {
+  return -wheelPixels(event) * SLIDE * (event.altKey ? FINE : 1);
+}
+
 /** How much a wheel's notch turns a part. */
 const RADIANS_PER_PIXEL = Math.PI / 180 / 50;
 
 export function wheelAngle(event: WheelEvent): number {
-  return -wheelPixels(event) * RADIANS_PER_PIXEL * (event.altKey ? 0.1 : 1);
+  return -wheelPixels(event) * RADIANS_PER_PIXEL * (event.altKey ? FINE : 1);
 }

@@ -1,0 +1,45 @@
+/** Where the lines of a grid are, what is written at them, and how far a plane may be zoomed. */
+
+import { short } from "./numbers.js";
+
+/** A grid or an axis has no more lines than this, whatever is asked. */
+const MOST_LINES = 1000;
+/** Digits that {@link short} keeps. */
+const USUAL_DIGITS = 6;
+/** A number of more characters is written with an exponent. */
+const LONGEST_NUMBER = 14;
+/** The logarithm of a step that is a power of ten may come out less than whole by this. */
+const LOGARITHM_ROUNDING = 1e-9;
+
+/** Numbers of the steps that lie between two values, and beside each its value. */
+export function gridLines(lo: number, hi: number, step: number): { index: number; value: number }[] {
+  const first = Math.ceil(lo / step);
+  const count = Math.min(MOST_LINES, Math.floor(hi / step) - first + 1);
+  if (!Number.isSafeInteger(first) || !(count > 0)) return [];
+  return Array.from({ length: count }, (_, i) => ({ index: first + i, value: (first + i) * step }));
+}
+
+/** A number at a grid line, with as many digits as tell it from the next. */
+export function lineText(value: number, step: number): string {
+  if (value === 0 || !Number.isFinite(value)) return short(value);
+  const place = (x: number) => Math.floor(Math.log10(Math.abs(x)) + LOGARITHM_ROUNDING);
+  const digits = place(value) - place(step) + 1;
+  if (digits <= USUAL_DIGITS) return short(value);
+  const decimals = Math.max(0, -place(step));
+  const plain = decimals <= LONGEST_NUMBER ? value.toFixed(decimals) : "";
+  return plain !== "" && plain.length <= LONGEST_NUMBER ? plain : value.toExponential(Math.min(digits, 16) - 1);
+}
+
+/** A pixel is at least this share of what was shown whole. */
+const FINEST = 1e-9;
+/** A pixel is at most so many times what was shown whole. */
+const COARSEST = 1e6;
+/** A pixel is at least so many roundings of the coordinates at the centre, or drawings would be steps. */
+const ROUNDINGS = 64;
+
+/** Pixels per unit, brought between the least and the most that an axis is shown with. */
+export function heldScale(scale: number, fitted: number, center: number): number {
+  const finest = Math.max(FINEST * fitted, ROUNDINGS * Number.EPSILON * Math.abs(center));
+  const coarsest = Math.max(COARSEST * fitted, finest);
+  return Math.min(1 / finest, Math.max(1 / coarsest, scale));
+}
