@@ -59,6 +59,11 @@ const MOST_BEND = 4;
 const REACHED = 1e-3;
 /** A step follows the contacts that its end is nearer to than this share of its length. */
 const FOLLOWED = 1e-9;
+/**
+ * The same for contacts that hold it. A surface that is curved comes nearer than to first order: with less room than this a step has to keep
+ * to it.
+ */
+const FOLLOWED_HELD = 1e-3;
 /** So much of a step is taken if its end is blocked. */
 const SHORT_OF_CORNER = 0.9;
 /** A step comes nearer to the goal by more than this share of the distance that counts as contact. */
@@ -126,7 +131,8 @@ function stepTowards(
       const touch = way.held.every((i) => contacts[i]!.room <= 4 * ground.contact);
       const bend = last?.along === key ? bendOf(last, at, way.by) : 1;
       const step = times(way.by, Math.min(touch ? bend : Math.min(bend, 1), ground.longest / length));
-      const tried = along(ground, at, to, step, contacts, way.allowed ? TRIES : 1);
+      const held = way.held.map((i) => contacts[i]!);
+      const tried = along(ground, at, to, step, contacts, held, way.allowed ? TRIES : 1);
       if (tried.next) return { taken: { from: at, way: way.by, along: key, next: tried.next }, known };
       const met = tried.met;
       if (!way.allowed) failed.add(key);
@@ -175,15 +181,22 @@ function contactsAt(ground: Ground, at: Vec, patches: number[]): Contact[] {
 }
 
 /** A step along the surface, or a part of it, that comes nearer to the goal; null if none does, with a patch that it runs into. */
-function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[], tries: number): { next: Vec | null; met: number | null } {
+function along(
+  ground: Ground,
+  at: Vec,
+  to: Vec,
+  whole: Vec,
+  contacts: Contact[],
+  held: Contact[],
+  tries: number,
+): { next: Vec | null; met: number | null } {
   const most = size(minus(to, at)) - NEARER * ground.contact;
   let met: number | null = null;
   for (let k = 0, step = whole; k < tries; k++, step = times(step, SHORTER)) {
     const length = size(step);
-    const close = FOLLOWED * length + 4 * ground.contact;
-    const followed = contacts.filter((c) => c.patch !== null && Math.abs(dot(c.normal, step) + c.room) <= close).map((c) => c.patch!);
-    const goal = onSurface(ground, plus(at, step), followed);
-    if (!goal || size(minus(goal, plus(at, step))) > 2 * length) continue;
+    const landed = landing(ground, at, step, contacts, held);
+    if (!landed) continue;
+    const { goal, followed } = landed;
     const next = over(ground, at, goal, followed, contacts);
     const by = minus(next.at, at);
     const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
@@ -198,6 +211,30 @@ function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[]
     met ??= next.stopped;
   }
   return { next: null, met };
+}
+
+/** Where a step comes down on the surface, and on which patches; null if it does not. */
+function landing(ground: Ground, at: Vec, step: Vec, contacts: Contact[], held: Contact[]): { goal: Vec; followed: number[] } | null {
+  const length = size(step);
+  const end = plus(at, step);
+  const isClose = (c: Contact): boolean => {
+    const share = held.includes(c) ? FOLLOWED_HELD : FOLLOWED;
+    return Math.abs(dot(c.normal, step) + c.room) <= share * length + 4 * ground.contact;
+  };
+  const patches = contacts.filter((c) => c.patch !== null && isClose(c)).map((c) => c.patch!);
+  const land = (followed: number[]) => {
+    const goal = onSurface(ground, end, followed);
+    return goal && size(minus(goal, end)) <= 2 * length ? { goal, followed } : null;
+  };
+  const all = land(patches);
+  if (all || patches.length < 2) return all;
+  // Surfaces that are tangent where the part is may part from there on: then one of them is followed.
+  const raised = (patch: number): number => {
+    const { value, gradient } = ground.constraint(patch, end);
+    return value / size(gradient);
+  };
+  const lowest = patches.reduce((a, b) => (raised(b) < raised(a) ? b : a));
+  return land([lowest]);
 }
 
 /** From one place on the surface to another, lifted off it by as much as the surface rises between. */
