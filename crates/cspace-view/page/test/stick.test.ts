@@ -7,7 +7,7 @@ import type { Configuration, Kernel, PlanarConfiguration } from "../src/kernel/a
 import { openPair } from "../src/kernel/index.js";
 import { binary, MODELS, models, NO_COMMAND } from "./support/command.js";
 import { random } from "./support/random.js";
-import { sceneOf } from "./support/scene.js";
+import { sceneOf, withModel } from "./support/scene.js";
 import { weightedOf, type Weighted } from "./support/weighted.js";
 
 const skip = binary() ? false : NO_COMMAND;
@@ -92,3 +92,84 @@ function nearer(kernel: Kernel, weighted: Weighted, at: Configuration, goal: Con
   }
   return null;
 }
+
+/** Where parts stuck once: the model, where they are, and where they are dragged. */
+const PLACES: [string, string, PlanarConfiguration, PlanarConfiguration][] = [
+  [
+    "contacts that are tangent part from there on",
+    "paper/tibia_femur.toml",
+    { x: 0, y: 0, theta: 0 },
+    { x: -4.112733816545131, y: -120.23114144914875, theta: -3.0497707724275527 },
+  ],
+  [
+    "a second contact is all but come to",
+    "fixture_plate.toml",
+    { x: 54.50849445161337, y: 52.60416873526535, theta: -2.896024027964216 },
+    { x: 52.469827503252844, y: -97.78439262953671, theta: -2.896024027964216 },
+  ],
+  [
+    "a second contact is all but come to, across the first",
+    "paper/film_advance.toml",
+    { x: 33.45325665448284, y: 9.042019657675096, theta: 0.8021779454187049 },
+    { x: 26.02987124628295, y: 37.717730513952766, theta: 1.6997875565296994 },
+  ],
+];
+
+test("a part leaves places where contacts all but meet", { skip }, async (t) => {
+  for (const [why, model, from, goal] of PLACES) {
+    await t.test(`${model}: ${why}`, () => {
+      const scene = sceneOf(join(MODELS, model));
+      const kernel = openPair(scene, 0)!;
+      const weighted = weightedOf(scene.pairs[0]!, kernel);
+      const away = (c: Configuration) => {
+        const g = weighted.vector(goal);
+        return Math.hypot(...weighted.vector(c).map((x, i) => x - g[i]!));
+      };
+      const { at } = kernel.slide(from, goal);
+      assert.ok(away(from) - away(at) > 0.01, `it stays at ${JSON.stringify(at)}`);
+    });
+  }
+});
+
+test("a seated peg that is dragged up comes out, whichever way it drifts", { skip }, () => {
+  const kernel = openPair(sceneOf(join(MODELS, "peg_hole.toml")), 0)!;
+  for (const turns of [false, true]) {
+    for (const drift of [-20, -3, -1, -0.3, -0.05, 0, 0.05, 0.3, 1, 3, 20]) {
+      let at: PlanarConfiguration = { x: 0, y: 0, theta: 0 };
+      for (let k = 1; k <= 20; k++) {
+        at = kernel.slide(at, { x: (drift * k) / 20, y: 0.75 * k, theta: turns ? at.theta : 0 }).at as PlanarConfiguration;
+        assert.ok(at.y > 0.75 * k - 1e-2, `drifting by ${drift} it is at ${JSON.stringify(at)} after ${k} moves`);
+      }
+    }
+  }
+});
+
+/** A slot 2 wide and 6 deep, and a peg 1.8 wide: its end is the origin, and its centre is far from it. */
+const SLOT = `
+name = "slot"
+unit = "mm"
+[[part]]
+name = "block"
+loops = [[[-6, 0], [-1, 0], [-1, -6], [1, -6], [1, 0], [6, 0], [6, -10], [-6, -10]]]
+[[part]]
+name = "peg"
+loops = [[[-0.9, 0], [0.9, 0], [0.9, 16], [-0.9, 16]]]
+[[pair]]
+fixed = "block"
+moving = "peg"
+theta = ["-20deg", "20deg"]
+`;
+
+test("a peg that is dragged into a slot comes to where it is dragged and not past it", { skip }, () => {
+  const kernel = openPair(withModel(SLOT, sceneOf), 0)!;
+  for (const follows of [false, true]) {
+    for (const x of [-0.2, -0.05, 0, 0.05, 0.2]) {
+      let at: PlanarConfiguration = { x: 0, y: 2, theta: 0.1 };
+      const goal = (k: number) => ({ x: (x * k) / 20, y: 2 - (7.5 * k) / 20, theta: follows ? at.theta : 0 });
+      for (let k = 1; k <= 20; k++) at = kernel.slide(at, goal(k)).at as PlanarConfiguration;
+      for (let k = 0; k < 5; k++) at = kernel.slide(at, goal(20)).at as PlanarConfiguration;
+      // Aslant it is nearest to the goal a little above: its end and its centre are not wanted at the same height.
+      assert.ok(Math.abs(at.y + 5.5) < 5e-2, `dragged to x = ${x} it is at ${JSON.stringify(at)}`);
+    }
+  }
+});

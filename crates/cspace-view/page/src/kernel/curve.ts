@@ -2,6 +2,7 @@
 
 import { footOn, hitArc, pointAlong, type Edge } from "./edge.js";
 import { add, angleOf, cross, distance, dot, fromAngle, lerp, right, signum, sub, TAU, times, type Point } from "./plane.js";
+import { LIMIT_ROUNDING, RADIUS_ROUNDING } from "./tolerance.js";
 
 export type Curve =
   | { kind: "segment"; start: Point; end: Point }
@@ -89,13 +90,12 @@ export function freeNormalAt(c: Curve, p: Point): Point {
   return times(right(v), 1 / size);
 }
 
-
 /** How far a point is from the curve, if that is less than a limit; or else anything that is not less. */
 export function distanceBelow(c: Curve, p: Point, limit: number): number {
   if (c.kind === "arc") {
     // The circle is no farther than the arc; rounding is far below the margin.
     const off = Math.abs(distance(p, c.center) - c.radius);
-    if (off > limit * (1 + 1e-9) + 1e-12 * c.radius) return off;
+    if (off > limit * (1 + LIMIT_ROUNDING) + RADIUS_ROUNDING * c.radius) return off;
   }
   return distance(nearestOn(c, p), p);
 }

@@ -6,6 +6,8 @@
  * whether the patch is there.
  */
 
+import { AT_DEPTH } from "./tolerance.js";
+
 /** A contact function along a motion: f and f′ at t, and bounds of −f″, f″ and |f′| from there to `until`. */
 export interface Sample {
   value: number;
@@ -24,8 +26,6 @@ export interface Track {
   away(t: number): number;
 }
 
-/** A function this near to the depth allowed is at it; a share of the distance that counts as contact. */
-const AT_DEPTH = 0.1;
 /** More steps than any motion takes; where so many do not do, it ends there, on the safe side. */
 const MOST_STEPS = 2000;
 

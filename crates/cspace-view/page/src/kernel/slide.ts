@@ -5,6 +5,24 @@
  * contacts leave open, to first order: those that touch, and those that earlier attempts have run into.
  */
 
+import {
+  CLEAR,
+  FARTHEST_LANDING,
+  FOLLOWED,
+  FOLLOWED_HELD,
+  LEAST_BEND,
+  LEAST_STEP,
+  LIFT_ROOM,
+  MOST_BEND,
+  NEARER,
+  ON_SURFACE,
+  PRESSED,
+  REACHED,
+  RISE,
+  SHORT_OF_CORNER,
+  STEEPEST,
+  TOUCHES,
+} from "./tolerance.js";
 import { dot, minus, plus, size, times, weighted, weightsOf, type Vec } from "./vector.js";
 import { waysAlong, type HalfSpace } from "./ways.js";
 
@@ -46,32 +64,17 @@ const TRIES = 5;
 const MOST_LEARNT = 6;
 /** Of contacts that do not touch so many are remembered: those run into last. */
 const MOST_KNOWN = 4;
-/** A motion no farther than so many distances of contact only presses on what it touches. */
-const PRESSED = 8;
 /** Past an edge of an obstacle so many ways are tried. */
 const MOST_EDGES = 4;
-/** Between contacts that all but oppose each other there is no room: what leads off both is so many times as long as what leads off one. */
-const STEEPEST = 100;
-/** Bounds of how much shorter or longer than straight a step is for a surface's curvature. */
-const LEAST_BEND = 0.02;
-const MOST_BEND = 4;
-/** A goal nearer than this share of the way is reached. */
-const REACHED = 1e-3;
-/** A step follows the contacts that its end is nearer to than this share of its length. */
-const FOLLOWED = 1e-9;
-/** So much of a step is taken if its end is blocked. */
-const SHORT_OF_CORNER = 0.9;
-/** A step comes nearer to the goal by more than this share of the distance that counts as contact. */
-const NEARER = 1e-3;
-/** A step that comes less far than this share of its length is none. */
-const LEAST_STEP = 0.05;
+/** Newton's method doubles digits with each step: where so many do not do, there is no such place. */
+const NEWTON_STEPS = 12;
 
 /** From where a straight motion to the goal has been stopped. */
 export function slideOn(ground: Ground, from: Vec, to: Vec, patch: number): Stop {
   let at = from;
   let stopped: number | null = patch;
   const whole = size(minus(to, from));
-  const least = Math.max(REACHED * whole, 4 * ground.contact);
+  const least = Math.max(REACHED * whole, TOUCHES * ground.contact);
   let known: number[] = [];
   let last: Taken | null = null;
   for (let k = 0; k < MOST_STEPS && stopped !== null; k++) {
@@ -123,10 +126,11 @@ function stepTowards(
       if (length <= least || dot(way.by, left) <= 0) continue;
       const key = way.held.map((i) => contacts[i]!.patch).join();
       if (!way.allowed && (failed.has(key) || failed.size >= MOST_EDGES)) continue;
-      const touch = way.held.every((i) => contacts[i]!.room <= 4 * ground.contact);
+      const touch = way.held.every((i) => contacts[i]!.room <= TOUCHES * ground.contact);
       const bend = last?.along === key ? bendOf(last, at, way.by) : 1;
       const step = times(way.by, Math.min(touch ? bend : Math.min(bend, 1), ground.longest / length));
-      const tried = along(ground, at, to, step, contacts, way.allowed ? TRIES : 1);
+      const held = way.held.map((i) => contacts[i]!);
+      const tried = along(ground, at, to, step, contacts, held, way.allowed ? TRIES : 1);
       if (tried.next) return { taken: { from: at, way: way.by, along: key, next: tried.next }, known };
       const met = tried.met;
       if (!way.allowed) failed.add(key);
@@ -175,15 +179,22 @@ function contactsAt(ground: Ground, at: Vec, patches: number[]): Contact[] {
 }
 
 /** A step along the surface, or a part of it, that comes nearer to the goal; null if none does, with a patch that it runs into. */
-function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[], tries: number): { next: Vec | null; met: number | null } {
+function along(
+  ground: Ground,
+  at: Vec,
+  to: Vec,
+  whole: Vec,
+  contacts: Contact[],
+  held: Contact[],
+  tries: number,
+): { next: Vec | null; met: number | null } {
   const most = size(minus(to, at)) - NEARER * ground.contact;
   let met: number | null = null;
   for (let k = 0, step = whole; k < tries; k++, step = times(step, SHORTER)) {
     const length = size(step);
-    const close = FOLLOWED * length + 4 * ground.contact;
-    const followed = contacts.filter((c) => c.patch !== null && Math.abs(dot(c.normal, step) + c.room) <= close).map((c) => c.patch!);
-    const goal = onSurface(ground, plus(at, step), followed);
-    if (!goal || size(minus(goal, plus(at, step))) > 2 * length) continue;
+    const landed = landing(ground, at, step, contacts, held);
+    if (!landed) continue;
+    const { goal, followed } = landed;
     const next = over(ground, at, goal, followed, contacts);
     const by = minus(next.at, at);
     const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
@@ -200,13 +211,37 @@ function along(ground: Ground, at: Vec, to: Vec, whole: Vec, contacts: Contact[]
   return { next: null, met };
 }
 
+/** Where a step comes down on the surface, and on which patches; null if it does not. */
+function landing(ground: Ground, at: Vec, step: Vec, contacts: Contact[], held: Contact[]): { goal: Vec; followed: number[] } | null {
+  const length = size(step);
+  const end = plus(at, step);
+  const isClose = (c: Contact): boolean => {
+    const share = held.includes(c) ? FOLLOWED_HELD : FOLLOWED;
+    return Math.abs(dot(c.normal, step) + c.room) <= share * length + TOUCHES * ground.contact;
+  };
+  const patches = contacts.filter((c) => c.patch !== null && isClose(c)).map((c) => c.patch!);
+  const land = (followed: number[]) => {
+    const goal = onSurface(ground, end, followed);
+    return goal && size(minus(goal, end)) <= FARTHEST_LANDING * length ? { goal, followed } : null;
+  };
+  const all = land(patches);
+  if (all || patches.length < 2) return all;
+  // Surfaces that are tangent where the part is may part from there on: then one of them is followed.
+  const raised = (patch: number): number => {
+    const { value, gradient } = ground.constraint(patch, end);
+    return value / size(gradient);
+  };
+  const lowest = patches.reduce((a, b) => (raised(b) < raised(a) ? b : a));
+  return land([lowest]);
+}
+
 /** From one place on the surface to another, lifted off it by as much as the surface rises between. */
 function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: Contact[]): Stop {
   const middle = times(plus(at, goal), 0.5);
-  let lift = 2 * ground.contact;
+  let lift = CLEAR * ground.contact;
   for (const patch of followed) {
     const { value, gradient } = ground.constraint(patch, middle);
-    lift = Math.max(lift, (-1.5 * value) / size(gradient) + 2 * ground.contact);
+    lift = Math.max(lift, (-RISE * value) / size(gradient) + CLEAR * ground.contact);
   }
   const raised = ground.advance(at, plus(at, times(offFrom(followed, contacts, lift), lift)));
   const across = ground.advance(raised.at, plus(goal, minus(raised.at, at)));
@@ -218,7 +253,7 @@ function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: 
 function offFrom(followed: number[], contacts: Contact[], lift: number): Vec {
   const isFollowed = (c: Contact) => c.patch !== null && followed.includes(c.patch);
   const spaces = contacts
-    .filter((c) => isFollowed(c) || c.room <= 8 * lift)
+    .filter((c) => isFollowed(c) || c.room <= LIFT_ROOM * lift)
     .map((c) => ({ normal: c.normal, room: isFollowed(c) ? -1 : 0 }));
   const zero = contacts[0]?.normal.map(() => 0) ?? [];
   const way = waysAlong(zero, spaces).find((w) => w.allowed);
@@ -228,9 +263,9 @@ function offFrom(followed: number[], contacts: Contact[], lift: number): Vec {
 /** The nearest place at which the contact functions of some patches vanish, by Newton's method; null if it does not come to one. */
 function onSurface(ground: Ground, from: Vec, patches: number[]): Vec | null {
   let at = from;
-  for (let k = 0; k < 12; k++) {
+  for (let k = 0; k < NEWTON_STEPS; k++) {
     const all = patches.map((patch) => ground.constraint(patch, at));
-    if (all.every((c) => Math.abs(c.value) <= 0.05 * ground.contact)) return at;
+    if (all.every((c) => Math.abs(c.value) <= ON_SURFACE * ground.contact)) return at;
     const rows: Vec[] = [];
     let weights: number[] = [];
     const values: number[] = [];

@@ -1,5 +1,7 @@
 /** Vectors of as many coordinates as a motion has. */
 
+import { DEPENDENT } from "./tolerance.js";
+
 export type Vec = readonly number[];
 
 export function plus(a: Vec, b: Vec): number[] {
@@ -49,9 +51,6 @@ export function weightsOf(rows: readonly Vec[], values: Vec): number[] | null {
   }
   return weights;
 }
-
-/** Square of the sine of the angle to the others below which a vector depends on them: what rounding leaves of it is no direction. */
-const DEPENDENT = 1e-10;
 
 export function weighted(rows: readonly Vec[], weights: Vec, from: Vec): number[] {
   return from.map((x, c) => rows.reduce((sum, row, i) => sum + weights[i]! * row[c]!, x));

@@ -1,5 +1,6 @@
 /** Which ways lead along some contacts nearest to where a part is wanted. */
 
+import { ROUNDING } from "./tolerance.js";
 import { dot, size, weighted, weightsOf, type Vec } from "./vector.js";
 
 /** Displacements d that a contact leaves open, to first order: normal · d ≥ −room. */
@@ -17,8 +18,6 @@ export interface Way {
   allowed: boolean;
 }
 
-/** A way may lead beyond a half-space by this share of what is wanted: rounding. */
-const ROUNDING = 1e-9;
 /** No more contacts hold a part at once than it has degrees of freedom; three in the plane. */
 const MOST_HELD = 3;
 

@@ -4,6 +4,7 @@ import type { AxesConfiguration, Motion } from "../api.js";
 import { firstTime, type Track } from "../march.js";
 import { clamp, TAU, type Point } from "../plane.js";
 import { slideOn, type Ground, type Vec } from "../slide.js";
+import { DEPTH, HALVINGS, LONGEST_STEP, TOUCHES } from "../tolerance.js";
 import type { AxesClassifier } from "./classify.js";
 import type { AxesSpaceData } from "./data.js";
 import type { Extent, Range } from "./extent.js";
@@ -11,13 +12,6 @@ import type { Graphs } from "./graphs.js";
 import { AxesPath } from "./path.js";
 import type { PlaneMap } from "./plane-map.js";
 import { NEAR } from "./tolerance.js";
-
-/** Motions may sink by this share of the distance that counts as contact, so that one along a contact is not stopped by rounding. */
-const DEPTH = 0.5;
-/** Halvings of a motion that went too far. */
-const HALVINGS = 60;
-/** A step along a curve is no longer than this (radians or length of the frame). */
-const LONGEST = 0.1;
 
 export class AxesMotion {
   /** Distance that counts as contact, in the pair's frame. */
@@ -164,10 +158,10 @@ export class AxesMotion {
     const limits = (e: Extent): Range | null => (e.isLimited ? [e.lo, e.hi] : null);
     return {
       contact: this.contact,
-      longest: LONGEST,
+      longest: LONGEST_STEP,
       limits: [limits(this.graphs.x), limits(this.graphs.y)],
       advance: (from, to) => this.straight(from, this.inner(this.within(this.outer(to)))),
-      touching: (v) => this.touching(v, 4 * this.contact),
+      touching: (v) => this.touching(v, TOUCHES * this.contact),
       constraint: (patch, v) => {
         const p = this.counted(v);
         const first = this.space.patches[patch]!.branches.start;

@@ -7,14 +7,12 @@ import { Features, patchKind, touchingAt, type SavedPart } from "../features.js"
 import { Overlap } from "../overlap.js";
 import { TAU, turnBy } from "../plane.js";
 import { GROWTH, MOVING_GROWTH } from "../tolerance.js";
+import { BESIDE } from "../tolerance.js";
 import { Classifier } from "./classify.js";
 import { boundsOf, drawSlice } from "./draw.js";
 import { PlanarMotion } from "./motion.js";
 import { Surface } from "./surface.js";
 import { patchSurface } from "./mesh.js";
-
-/** How far beside an orientation it is also asked what touches (radians): a critical one is known to a tenth of it. */
-const BESIDE = 1e-9;
 
 export class PlanarPair implements PlanarKernel {
   readonly coordinates = "planar";

@@ -7,27 +7,28 @@ import { distanceBelow, nearestOn } from "../curve.js";
 import { firstTime, type Track } from "../march.js";
 import { clamp, distance, length as size, sub, TAU, times, turnBy, turned, type Point } from "../plane.js";
 import { slideOn, type Constraint, type Ground, type Stop, type Vec } from "../slide.js";
+import {
+  ABOVE,
+  AWAY,
+  BACK_GROWTH,
+  BESIDE,
+  BEYOND_END,
+  DEPTH,
+  END_SPEED,
+  FINEST,
+  FIRST_BACK,
+  HALVINGS,
+  LEAST_RADIUS,
+  LONGEST_STEP,
+  ON_CURVE,
+  SEAM,
+  TOUCHES,
+  WITHIN_REACH,
+} from "../tolerance.js";
 import type { Classifier } from "./classify.js";
 import { turnedInto } from "./patch.js";
 import { Path } from "./path.js";
 import type { Surface } from "./surface.js";
-
-/** Motions may sink by this share of the distance that counts as contact, so that one along a contact is not stopped by rounding. */
-const DEPTH = 0.5;
-/** Motions along a contact stop short of others by this share: so that a part comes out again of where two meet at a small angle. */
-const ABOVE = 0.5;
-/** What is as near as this to a curve, in distances of contact, is on it: twice, for curves meet where both are known to one. */
-const ON_CURVE = 2;
-/** What passes the end of a curve no farther than this, in distances of contact, may have passed it by rounding. */
-const BEYOND_END = 256;
-/** Ends of contact curves move by no more than this per radian but where curves become tangent (length of the pair's frame). */
-const END_SPEED = 4;
-/** A patch is looked for so far before its first and beyond its last orientation (radians): that is how well critical ones are known. */
-const SEAM = 2 ** -33;
-/** How far beside an orientation it is also asked what touches (radians): a critical one is known to a tenth of it. */
-const BESIDE = 1e-9;
-/** Halvings of a motion that went too far. */
-const HALVINGS = 60;
 
 /** Sizes of neighbourhoods whose patches are kept (length of the pair's frame): a motion up to half as long is looked for in one. */
 const NEIGHBOURHOODS = [0.005, 0.02, 0.08, 0.32];
@@ -60,7 +61,7 @@ export class PlanarMotion {
     const { moving_center: center, scale } = surface.space.frame;
     this.contact = contactDistance * scale;
     const far = moving.loops.flat().map((p) => distance(p, center) * scale);
-    this.radius = Math.max(...far, 1e-3);
+    this.radius = Math.max(...far, LEAST_RADIUS);
   }
 
   advance(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
@@ -111,7 +112,7 @@ export class PlanarMotion {
     for (const i of this.around(path)) {
       const p = this.surface.patches[i]!;
       if (!fullTurn && (p.hi < Math.min(a, b) - SEAM || p.lo > Math.max(a, b) + SEAM)) continue;
-      if (far.isAway(p.function, 2 * this.contact)) continue;
+      if (far.isAway(p.function, WITHIN_REACH * this.contact)) continue;
       for (const [lo, hi] of presences(p, path, fullTurn)) {
         if (lo >= time) continue;
         const found = firstTime(this.track(p, path), lo, Math.min(hi, time), this.contact, depth * this.contact);
@@ -136,7 +137,7 @@ export class PlanarMotion {
     const all = NEIGHBOURHOODS[level]!;
     const turn = all / this.radius;
     const reach = new Path(start, { x: all, y: 0 }, { x: 0, y: 0 }, a, turn).reach();
-    const patches = between(a - turn, a + turn).filter((i) => !reach.isAway(this.surface.patches[i]!.function, 2 * this.contact));
+    const patches = between(a - turn, a + turn).filter((i) => !reach.isAway(this.surface.patches[i]!.function, WITHIN_REACH * this.contact));
     this.neighbourhoods[level] = { at: start, theta: a, patches };
     return patches;
   }
@@ -159,7 +160,7 @@ export class PlanarMotion {
         const later = Math.min(t + (2 * by * scale) / speed, 1);
         return this.isBlocked(this.outer(path.at(later), path.theta(later)));
       },
-      away: (t) => (0.5 * off(t) * scale) / speed,
+      away: (t) => (AWAY * off(t) * scale) / speed,
     };
   }
 
@@ -222,7 +223,7 @@ export class PlanarMotion {
     if (!isBlocked(time)) return time;
     let [lo, hi] = [0, time];
     // It has mostly gone too far by little.
-    for (let back = 2 * fine; back < time; back *= 8) {
+    for (let back = FIRST_BACK * fine; back < time; back *= BACK_GROWTH) {
       if (isBlocked(time - back)) {
         hi = time - back;
         continue;
@@ -230,7 +231,7 @@ export class PlanarMotion {
       lo = time - back;
       break;
     }
-    for (let k = 0; k < HALVINGS && hi - lo > 0.1 * fine; k++) {
+    for (let k = 0; k < HALVINGS && hi - lo > FINEST * fine; k++) {
       const mid = 0.5 * (lo + hi);
       if (isBlocked(mid)) hi = mid;
       else lo = mid;
@@ -264,7 +265,7 @@ export class PlanarMotion {
     const { lo, hi, full_turn } = this.surface.space.window;
     return {
       contact: this.contact,
-      longest: 0.1,
+      longest: LONGEST_STEP,
       limits: [null, null, full_turn ? null : [lo * this.radius, hi * this.radius]],
       advance: (from, goal) => {
         const to: Vec = full_turn ? goal : [goal[0]!, goal[1]!, clamp(goal[2]!, lo * this.radius, hi * this.radius)];
@@ -274,7 +275,7 @@ export class PlanarMotion {
         return soon && soon.stopped !== null ? soon : this.straight(from, to);
       },
       // At a critical orientation some patches begin and others end: both touch.
-      touching: (v) => this.near(this.unweighted(v), 2 * ON_CURVE * this.contactDistance, BESIDE),
+      touching: (v) => this.near(this.unweighted(v), TOUCHES * this.contactDistance, BESIDE),
       constraint: (patch, v) => this.constraint(this.surface.patches[patch]!, v),
       isBlocked: (v) => {
         const c = this.unweighted(v);
