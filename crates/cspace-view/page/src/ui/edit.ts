@@ -45,6 +45,7 @@ export class Editor {
   #edited: Edited[];
   #undo: Edited[][] = [];
   #redo: Edited[][] = [];
+  readonly #fetching = new Map<number, Promise<ScenePair>>();
   #inFlight = false;
   #waiting = false;
 
@@ -53,7 +54,12 @@ export class Editor {
     this.#server = server;
     this.#opened = session.scene.parts;
     this.#edited = this.#opened.map(({ loops, motion }) => ({ loops, motion, offset: 0 }));
-    session.fetcher = (pair) => this.#fetch(pair);
+    session.fetcher = (pair) => {
+      // A pair that is selected again waits for the answer that is on its way.
+      const coming = this.#fetching.get(pair) ?? this.#fetch(pair).finally(() => this.#fetching.delete(pair));
+      this.#fetching.set(pair, coming);
+      return coming;
+    };
   }
 
   get canUndo(): boolean {

@@ -9,15 +9,13 @@ import { isPlanar } from "./mechanism.js";
 import { emptyBox, grow } from "./outline.js";
 import type { Box } from "./outline.js";
 import type { Session } from "./session.js";
-import { currentSlice, sliceExtent } from "./slices.js";
+import { FAR, currentSlice, sliceExtent, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { Viewport, wheelAngle } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels; fingers are thicker than mice. */
 const GRAB = 26;
-/** What is farther away than so many extents of a slice is not shown together with it. */
-const FAR = 8;
 /** Ends of curves nearer than this share of the slice's extent are one point, to fill what they are around. */
 const JOINED = 1e-6;
 
@@ -81,8 +79,7 @@ export class SliceView {
     if (!kernel) return;
     const { lo, hi } = kernel.bounds();
     const far = FAR * sliceExtent(this.#session);
-    // Contacts of a part that is drawn far from its origin are far apart: those of this orientation can be seen together.
-    this.#swings = Math.max(hi[0] - lo[0], hi[1] - lo[1]) > far;
+    this.#swings = swings(this.#session, kernel);
     const box = this.#swings ? boxOfCurves(currentSlice(this.#session)) : { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
     const c = state.configuration;
     if (isPlanar(c) && !(awayFrom(box, c) > far)) grow(box, c);

@@ -40,6 +40,14 @@ export function sliceExtent(session: Session): number {
   return pair ? sizeOf(pair.fixed) + sizeOf(pair.moving) || 1 : 1;
 }
 
+/** What is farther away than so many extents of a slice is not shown together with it. */
+export const FAR = 8;
+
+/** Whether contacts of other orientations are too far away to be shown together: those of a part that is drawn far from its origin. */
+export function swings(session: Session, kernel: PlanarKernel): boolean {
+  return extentOf(session, kernel) > FAR * sliceExtent(session);
+}
+
 export function currentSlice(session: Session): DrawnCurve[] {
   const kernel = session.planar;
   const c = session.state.configuration;

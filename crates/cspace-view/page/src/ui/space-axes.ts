@@ -5,7 +5,7 @@ import type { Camera } from "three";
 import { html, say } from "./dom.js";
 import { gridLines, lineText } from "./grid.js";
 import { angleStep, degrees, lengthStep } from "./numbers.js";
-import type { SpaceScale } from "./surface.js";
+import type { SpaceScale } from "./space-scale.js";
 
 /** Ends of an axis that are a number miss it by this at most, in steps. */
 const ROUNDING = 1e-9;
@@ -57,7 +57,8 @@ export class SpaceAxes {
     along(angles[0], angles[1], angleStep((angles[1] - angles[0]) / NUMBERS), (v) => [
       new Vector3(x0, y0, v * scale.perRadian), new Vector3(x0 - tick, y0 - tick, v * scale.perRadian), degrees(v),
     ]);
-    const of = unit ? ` (${unit})` : "";
+    const ofMiddle = scale.arm.x !== 0 || scale.arm.y !== 0 ? " of the middle" : "";
+    const of = `${ofMiddle}${unit ? ` (${unit})` : ""}`;
     labels.push([new Vector3((x0 + x1) / 2, y0 - 4 * tick, z0), `x${of}`]);
     labels.push([new Vector3(x1 + 4 * tick, (y0 + y1) / 2, z0), `y${of}`]);
     labels.push([new Vector3(x0 - tick, y0 - tick, z1 + 3 * tick), "θ"]);

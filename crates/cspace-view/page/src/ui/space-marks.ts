@@ -23,7 +23,8 @@ import { TOUCHING } from "./colours.js";
 import { isPlanar } from "./mechanism.js";
 import { TURN, wrap } from "./placement.js";
 import { turnsOf } from "./surface.js";
-import type { SpaceScale } from "./surface.js";
+import type { SpaceScale } from "./space-scale.js";
+import { swing } from "./space-scale.js";
 
 /** Widths of lines and the size of the point, in pixels. */
 const SLICE_WIDTH = 3;
@@ -110,10 +111,11 @@ export class SpaceMarks {
 
   setSlice(curves: readonly DrawnCurve[], hidden: ReadonlySet<number>, z: number, scale: SpaceScale): void {
     const positions: number[] = [];
+    const aside = swing(scale, z / scale.perRadian);
     for (const { points, region } of curves) {
       if (region !== null && hidden.has(region)) continue;
       for (let i = 0; i + 3 < points.length; i += 2) {
-        for (const j of [i, i + 2]) positions.push((points[j] ?? 0) - scale.center[0], (points[j + 1] ?? 0) - scale.center[1], z);
+        for (const j of [i, i + 2]) positions.push((points[j] ?? 0) + aside.x - scale.center[0], (points[j + 1] ?? 0) + aside.y - scale.center[1], z);
       }
     }
     setSegments(this.#slice, positions);
@@ -145,10 +147,12 @@ export class SpaceMarks {
       for (const turn of kernel ? turnsOf(kernel, patch) : []) {
         const start = positions.length / 3;
         for (let i = 0; i < made.positions.length; i += 3) {
+          const theta = made.positions[i + 2] ?? 0;
+          const aside = swing(scale, theta);
           positions.push(
-            (made.positions[i] ?? 0) - scale.center[0],
-            (made.positions[i + 1] ?? 0) - scale.center[1],
-            ((made.positions[i + 2] ?? 0) + turn) * scale.perRadian,
+            (made.positions[i] ?? 0) + aside.x - scale.center[0],
+            (made.positions[i + 1] ?? 0) + aside.y - scale.center[1],
+            (theta + turn) * scale.perRadian,
           );
         }
         for (const index of made.indices) indices.push(start + index);
@@ -175,7 +179,12 @@ export class SpaceMarks {
       const [a, b] = [steps[i], steps[i + 1]];
       if (!a || !b || !isPlanar(a) || !isPlanar(b)) continue;
       const pieces = fullTurn ? cutAtEnds(a, b, lo, hi) : [[a, b] as const];
-      for (const piece of pieces) for (const c of piece) positions.push(c.x - scale.center[0], c.y - scale.center[1], c.theta * scale.perRadian);
+      for (const piece of pieces) {
+        for (const c of piece) {
+          const aside = swing(scale, c.theta);
+          positions.push(c.x + aside.x - scale.center[0], c.y + aside.y - scale.center[1], c.theta * scale.perRadian);
+        }
+      }
     }
     setSegments(this.#way, positions);
   }

@@ -3,18 +3,21 @@
 import { AmbientLight, DirectionalLight, PerspectiveCamera, Plane, Raycaster, Scene as Scene3, Spherical, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { PlanarKernel } from "../kernel/api.js";
+import type { Place } from "../scene.js";
 import { TOUCHING } from "./colours.js";
 import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
+import { boxOf } from "./outline.js";
 import { Pace } from "./pace.js";
 import { wrap } from "./placement.js";
 import type { Session } from "./session.js";
-import { currentSlice, extentOf } from "./slices.js";
+import { currentSlice, swings } from "./slices.js";
 import { SpaceAxes } from "./space-axes.js";
 import { SpaceMarks } from "./space-marks.js";
 import type { Key, State } from "./state.js";
 import { Surface } from "./surface.js";
-import type { SpaceScale } from "./surface.js";
+import { swing } from "./space-scale.js";
+import type { SpaceScale } from "./space-scale.js";
 import { wheelAngle } from "./viewport.js";
 
 /** How near to the point it is grabbed, in pixels. */
@@ -52,7 +55,7 @@ export class SpaceView {
   readonly #axes: SpaceAxes;
   readonly #cut = new Plane(new Vector3(0, 0, -1), 0);
   readonly #light = new DirectionalLight(0xffffff, 2.2);
-  #scale: SpaceScale = { center: [0, 0], perRadian: 1, deviation: 1 };
+  #scale: SpaceScale = { center: [0, 0], perRadian: 1, deviation: 1, arm: { x: 0, y: 0 } };
   #kernel: PlanarKernel | null = null;
   #surface: Surface | null = null;
   #rebuild: ReturnType<typeof setTimeout> | null = null;
@@ -144,7 +147,8 @@ export class SpaceView {
         this.#cut.constant = z;
       }
       const colour = state.where.classification ? POINT_COLOURS[state.where.classification] : "#888888";
-      this.#marks.setPoint(c.x - this.#scale.center[0], c.y - this.#scale.center[1], z, colour);
+      const aside = swing(this.#scale, c.theta);
+      this.#marks.setPoint(c.x + aside.x - this.#scale.center[0], c.y + aside.y - this.#scale.center[1], z, colour);
       if (changed.has("where") || changed.has("space")) this.#marks.light(kernel, state.where.touching.map((t) => t.patch), this.#scale);
       if (changed.has("record") || changed.has("space")) {
         this.#marks.setWay(state.record?.kind === "plan" ? state.record.steps.map((s) => s.at) : [], kernel, this.#scale);
@@ -184,13 +188,13 @@ export class SpaceView {
   }
 
   #measure(kernel: PlanarKernel): void {
-    const { lo, hi } = kernel.bounds();
-    const extent = extentOf(this.#session, kernel);
+    const { lo, hi, arm } = this.#drawnBounds(kernel);
+    const extent = Math.max(hi[0] - lo[0], hi[1] - lo[1]) || 1;
     const margin = 0.06 * extent;
     const window = kernel.window;
     const full = window.hi - window.lo;
     // The window is as tall as the space is wide, narrow windows too.
-    this.#scale = { center: [(lo[0] + hi[0]) / 2, (lo[1] + hi[1]) / 2], perRadian: extent / (full || 1), deviation: extent * DEVIATION };
+    this.#scale = { center: [(lo[0] + hi[0]) / 2, (lo[1] + hi[1]) / 2], perRadian: extent / (full || 1), deviation: extent * DEVIATION, arm };
     this.#size = extent;
     const beside = BESIDE_WINDOW * extent;
     this.#window.forEach((plane, i) => {
@@ -206,6 +210,17 @@ export class SpaceView {
     if (this.#cameraFrom) this.setCamera(this.#cameraFrom);
     else this.lookFromTheFront();
     this.#cameraFrom = null;
+  }
+
+  /** Bounds of what is drawn, and the point of the moving part whose places these are. */
+  #drawnBounds(kernel: PlanarKernel): { lo: [number, number]; hi: [number, number]; arm: Place } {
+    const { pair, state } = this.#session;
+    if (!pair || !swings(this.#session, kernel)) return { ...kernel.bounds(), arm: { x: 0, y: 0 } };
+    const [fixed, moving] = [boxOf(state.parts[pair.fixed]?.loops ?? []), boxOf(state.parts[pair.moving]?.loops ?? [])];
+    const arm = { x: (moving.x0 + moving.x1) / 2, y: (moving.y0 + moving.y1) / 2 };
+    // In contact, the part's middle is no farther from the other than its corners are from its middle.
+    const reach = Math.hypot(moving.x1 - moving.x0, moving.y1 - moving.y0) / 2;
+    return { lo: [fixed.x0 - reach - arm.x, fixed.y0 - reach - arm.y], hi: [fixed.x1 + reach - arm.x, fixed.y1 + reach - arm.y], arm };
   }
 
   #build(): void {
@@ -318,7 +333,9 @@ export class SpaceView {
         drag.goal.turn(-((event.clientY - drag.y) * Math.PI) / PIXELS_PER_HALF_TURN);
       } else {
         const at = this.#onPlane(event, this.#marks.point.position.z);
-        if (at) drag.goal.moveTo(at.x + drag.dx + this.#scale.center[0], at.y + drag.dy + this.#scale.center[1]);
+        const now = this.#session.state.configuration;
+        const aside = swing(this.#scale, isPlanar(now) ? now.theta : 0);
+        if (at) drag.goal.moveTo(at.x + drag.dx + this.#scale.center[0] - aside.x, at.y + drag.dy + this.#scale.center[1] - aside.y);
       }
       this.#session.aim(drag.goal.placement);
       drag.y = event.clientY;

@@ -9,18 +9,13 @@ import type { PatchKind, PlanarKernel } from "../kernel/api.js";
 import { TURN } from "./placement.js";
 import { channels, patchColour } from "./colours.js";
 import type { Colouring } from "./colours.js";
+import { swing, swingSlope } from "./space-scale.js";
+import type { SpaceScale } from "./space-scale.js";
 
 /** How long patches are made before the browser may draw a frame (ms). */
 const SLICE_OF_TIME = 8;
 /** A mesh begins with room for so many vertices and doubles it when it is full. */
 const FIRST_ROOM = 4096;
-
-/** Where the space is on the screen: z is the orientation, scaled. */
-export interface SpaceScale {
-  center: [number, number];
-  perRadian: number;
-  deviation: number;
-}
 
 /** The turns by which a patch is seen in the window: one that runs over the end of a full turn is seen at its beginning, too. */
 export function turnsOf(kernel: PlanarKernel, patch: number): number[] {
@@ -88,11 +83,14 @@ class RegionMesh {
     }
     for (let i = 0; i < count; i += 1) {
       const at = 3 * (start + i);
-      this.#positions[at] = (made.positions[3 * i] ?? 0) - scale.center[0];
-      this.#positions[at + 1] = (made.positions[3 * i + 1] ?? 0) - scale.center[1];
-      this.#positions[at + 2] = ((made.positions[3 * i + 2] ?? 0) + turn) * scale.perRadian;
+      const theta = made.positions[3 * i + 2] ?? 0;
+      const aside = swing(scale, theta);
+      this.#positions[at] = (made.positions[3 * i] ?? 0) + aside.x - scale.center[0];
+      this.#positions[at + 1] = (made.positions[3 * i + 1] ?? 0) + aside.y - scale.center[1];
+      this.#positions[at + 2] = (theta + turn) * scale.perRadian;
     }
     this.#normals.set(made.normals, 3 * start);
+    if (scale.arm.x !== 0 || scale.arm.y !== 0) this.#shear(made, start, scale);
     for (let i = 0; i < made.indices.length; i += 1) this.#indices[this.#used + i] = (made.indices[i] ?? 0) + start;
     this.#vertices += count;
     this.#used += made.indices.length;
@@ -100,6 +98,17 @@ class RegionMesh {
     this.placed.push(placed);
     this.#paint(placed, colouring);
     if (grew) this.#attach();
+  }
+
+  /** Normals of a surface whose every orientation is moved aside by another amount. */
+  #shear(made: ReturnType<PlanarKernel["surface"]>, start: number, scale: SpaceScale): void {
+    for (let i = 0; i < made.normals.length; i += 3) {
+      const slope = swingSlope(scale, made.positions[i + 2] ?? 0);
+      const [x = 0, y = 0, z = 0] = [made.normals[i], made.normals[i + 1], made.normals[i + 2]];
+      const sheared = z - slope.x * x - slope.y * y;
+      const length = Math.hypot(x, y, sheared) || 1;
+      this.#normals.set([x / length, y / length, sheared / length], 3 * start + i);
+    }
   }
 
   /** Tells the graphics card what has been added. */

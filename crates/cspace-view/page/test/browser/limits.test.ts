@@ -5,7 +5,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before, describe, it } from "node:test";
 import type { Browser, Page } from "puppeteer-core";
-import { PATIENCE, addressOf, exported, launch, open, root, scratch, serve, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, colours, exported, launch, open, pictureOf, root, scratch, serve, skip } from "../../tools/harness.js";
 import type { Opened } from "../../tools/harness.js";
 import { run } from "../support/command.js";
 
@@ -124,6 +124,10 @@ describe("the page at its limits", { skip }, () => {
     assert.ok(across.length > 4, (await numbers("#parts")).join());
     // Once along each axis at most.
     for (const text of across) assert.ok(across.filter((other) => other === text).length <= 2, across.join());
+    // The space is as wide as the parts are, and not as they are far away.
+    const axisNumbers = (await page.$$eval(".space-labels span", (all) => all.map((e) => Number(e.textContent)))).filter((n) => !Number.isNaN(n));
+    assert.ok(axisNumbers.length > 4 && axisNumbers.every((n) => Math.abs(n) < 100), axisNumbers.join());
+    assert.ok(colours(await pictureOf(page, "#space canvas")) > 30);
     for (const theta of [0, 0.001, 0.5, -2]) {
       // Turned about the middle of the peg, which stays above the block.
       const [c, s] = [Math.cos(theta), Math.sin(theta)];
