@@ -78,12 +78,15 @@ export class PlanarMotion {
       from.theta,
       goal.theta - from.theta,
     );
-    const { time, patch } = this.first(path, DEPTH);
+    let { time, patch } = this.first(path, DEPTH);
     const at = (t: number): PlanarConfiguration =>
       t >= 1
         ? goal
         : { x: from.x + t * (goal.x - from.x), y: from.y + t * (goal.y - from.y), theta: from.theta + t * (goal.theta - from.theta) };
     const fine = this.contact / (size(path.v) + Math.abs(path.omega) * (this.radius + size(path.m)));
+    // A motion may leave the last orientation at which its contacts exist before it sinks into them, where free space ends there.
+    const soon = BEYOND_END * fine;
+    if (start.class === "contact" && soon < time && this.isBlocked(at(soon))) [time, patch] = [soon, null];
     const checked = this.lastNotBlocked(at, patch === null ? time : this.pressed(at, time, fine), fine);
     return { at: at(checked), stopped: checked >= 1 ? null : (patch ?? this.nearestPatch(at(checked))) };
   }
