@@ -69,7 +69,10 @@ const MOST_EDGES = 4;
 /** Newton's method doubles digits with each step: where so many do not do, there is no such place. */
 const NEWTON_STEPS = 12;
 
-/** From where a straight motion to the goal has been stopped. */
+/**
+ * Slides from a position in contact towards a goal, and gives where that ends and which patch stops it there (null at the goal). `patch` is
+ * the one that stopped the straight motion to `from`. Each step is no farther from the goal than the one before, and not blocked.
+ */
 export function slideOn(ground: Ground, from: Vec, to: Vec, patch: number): Stop {
   let at = from;
   let stopped: number | null = patch;
@@ -101,11 +104,15 @@ interface Taken {
   next: Vec;
 }
 
+/** The patches that are remembered, with one more as the last. */
 function latest(known: number[], patch: number): number[] {
   return [...known.filter((p) => p !== patch), patch].slice(-MOST_KNOWN);
 }
 
-/** One step along the surface that comes nearer to the goal; none taken if none does. */
+/**
+ * One step along the surface that comes nearer to the goal; none taken if none does. The ways that contacts leave are tried, nearest first. A
+ * patch that a step runs into, and that was not among the contacts, joins them, and the ways are found again.
+ */
 function stepTowards(
   ground: Ground,
   at: Vec,
@@ -160,6 +167,7 @@ interface Contact extends HalfSpace {
   patch: number | null;
 }
 
+/** What patches and the ends of coordinates' ranges leave open at a position, to first order. */
 function contactsAt(ground: Ground, at: Vec, patches: number[]): Contact[] {
   const found: Contact[] = [];
   for (const patch of patches) {
@@ -248,7 +256,7 @@ function landOn(ground: Ground, end: Vec, length: number, followed: number[]): L
   return goal && size(minus(goal, end)) <= FARTHEST_LANDING * length ? { goal, followed } : null;
 }
 
-/** From one place on the surface to another, lifted off it by as much as the surface rises between. */
+/** From one place on the surface to another: off it by as much as it rises between, across, and down to it again. Also which patch was met. */
 function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: Contact[]): Stop {
   const middle = times(plus(at, goal), 0.5);
   let lift = CLEAR * ground.contact;
@@ -265,7 +273,10 @@ function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: 
   return { at: ground.advance(across.at, down).at, stopped };
 }
 
-/** The shortest way that leads off the contacts followed by one, and not against others that so much of it may come to; zero if there is none. */
+/**
+ * The direction of a lift: the shortest vector with a product of at least 1 with the normal of each contact followed, and of at least 0 with
+ * those of contacts that the lift may come to. Zero if there is none.
+ */
 function offFrom(followed: number[], contacts: Contact[], lift: number): Vec {
   const isFollowed = (c: Contact) => c.patch !== null && followed.includes(c.patch);
   const spaces = contacts

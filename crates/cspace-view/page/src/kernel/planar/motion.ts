@@ -64,6 +64,7 @@ export class PlanarMotion {
     this.radius = Math.max(...far, LEAST_RADIUS);
   }
 
+  /** As far as the straight way in (x, y, θ) is free. The first contact is found by contact functions, and checked by classification. */
   advance(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
     const goal = this.within(to);
     const start = this.classifier.located(from);
@@ -91,6 +92,7 @@ export class PlanarMotion {
     return { at: at(checked), stopped: checked >= 1 ? null : (patch ?? this.nearestPatch(at(checked))) };
   }
 
+  /** The same, then along the surface. Nearest to the goal is meant in weighted coordinates, about the moving part's centre. */
   slide(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
     const first = this.advance(from, to);
     if (first.stopped === null) return first;
@@ -100,6 +102,7 @@ export class PlanarMotion {
     return this.isBlocked(at) ? first : { at, stopped: found.stopped };
   }
 
+  /** With the orientation brought into the window. */
   private within(c: PlanarConfiguration): PlanarConfiguration {
     const { lo, hi, full_turn } = this.surface.space.window;
     return full_turn ? c : { ...c, theta: clamp(c.theta, lo, hi) };
@@ -145,6 +148,7 @@ export class PlanarMotion {
     return patches;
   }
 
+  /** The contact function of a patch along a motion, and where the patch is there. */
   private track(patch: PatchData, path: Path): Track {
     const off = (t: number): number => {
       const theta = path.theta(t);
@@ -174,6 +178,7 @@ export class PlanarMotion {
     return this.surface.curve(patch, t, theta).curve;
   }
 
+  /** The configuration of a position in the pair's frame. */
   private outer(p: Point, theta: number): PlanarConfiguration {
     const { fixed_center, moving_center, scale } = this.surface.space.frame;
     const moved = turned(turnBy(theta), moving_center);
@@ -196,6 +201,7 @@ export class PlanarMotion {
     });
   }
 
+  /** The patch of the slice whose curve is nearest; null if the slice has none. */
   private nearestPatch(c: PlanarConfiguration): number | null {
     let [found, least]: [number | null, number] = [null, Infinity];
     for (const { patch, curve } of this.surface.slice(c.theta).curves) {
@@ -257,6 +263,7 @@ export class PlanarMotion {
     return this.outer({ x: v[0]!, y: v[1]! }, beyond ? clamp(theta, lo, hi) : theta);
   }
 
+  /** The first contact of a motion that is straight in weighted coordinates. */
   private straight(from: Vec, to: Vec): Stop {
     const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
     const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, NOWHERE, a, b - a);
@@ -264,6 +271,7 @@ export class PlanarMotion {
     return { at: time >= 1 ? to : from.map((x, i) => x + time * (to[i]! - x)), stopped: time >= 1 ? null : patch };
   }
 
+  /** The surface as sliding sees it. */
   private get ground(): Ground {
     const { lo, hi, full_turn } = this.surface.space.window;
     return {
@@ -289,6 +297,7 @@ export class PlanarMotion {
     };
   }
 
+  /** The contact function of a patch and its gradient, in weighted coordinates. */
   private constraint(patch: PatchData, v: Vec): Constraint {
     const p = { x: v[0]!, y: v[1]! };
     const turn = turnBy(v[2]! / this.radius);
