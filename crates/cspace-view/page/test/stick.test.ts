@@ -113,6 +113,24 @@ const PLACES: [string, string, PlanarConfiguration, PlanarConfiguration][] = [
     { x: 33.45325665448284, y: 9.042019657675096, theta: 0.8021779454187049 },
     { x: 26.02987124628295, y: 37.717730513952766, theta: 1.6997875565296994 },
   ],
+  [
+    "the lift off a curved surface is stopped from above",
+    "paper/fixture.toml",
+    { x: 0, y: 0, theta: 0 },
+    { x: 134.97103415420895, y: 16.506326595579438, theta: -0.33983063183468154 },
+  ],
+  [
+    "the lift off a curved surface is stopped from above",
+    "paper/blocks.toml",
+    { x: 0, y: 0, theta: 0 },
+    { x: 49.43096752877977, y: 54.005445610993306, theta: -2.4243809460653147 },
+  ],
+  [
+    "a surface that is all but tangent to another rises above it",
+    "paper/geneva.toml",
+    { x: -36.22342986751883, y: -42.71225125911961, theta: 0.8978422045852895 },
+    { x: 18.33453787099279, y: -66.67310234693451, theta: 1.9611431510621253 },
+  ],
 ];
 
 test("a part leaves places where contacts all but meet", { skip }, async (t) => {
@@ -172,4 +190,15 @@ test("a peg that is dragged into a slot comes to where it is dragged and not pas
       assert.ok(Math.abs(at.y + 5.5) < 5e-2, `dragged to x = ${x} it is at ${JSON.stringify(at)}`);
     }
   }
+});
+
+test("no motion leads on from where free space ends with the contacts' last orientation", { skip }, () => {
+  const kernel = openPair(sceneOf(join(MODELS, "woodpecker.toml")), 0)!;
+  const from = { x: -5.902403010793478e-10, y: -191.72610898199846, theta: -0.10090092466986937 };
+  const to = { x: 14.458785622461338, y: -187.38461066126945, theta: -2.551010188177715 };
+  const middle = { x: 0.5 * (from.x + to.x), y: 0.5 * (from.y + to.y), theta: 0.5 * (from.theta + to.theta) };
+  assert.equal(kernel.classify(middle), "blocked");
+  const { at, stopped } = kernel.advance(from, to);
+  assert.notEqual(stopped, null);
+  assert.ok(Math.abs((at as PlanarConfiguration).theta - from.theta) < 1e-6, JSON.stringify(at));
 });

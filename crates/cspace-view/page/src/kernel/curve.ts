@@ -9,6 +9,7 @@ export type Curve =
   | { kind: "arc"; center: Point; radius: number; startAngle: number; sweep: number }
   | ({ kind: "flat" } & Edge);
 
+/** Whether a direction from the centre leads to the arc. */
 function isOnArc(startAngle: number, sweep: number, angle: number): boolean {
   const turned = (angle - startAngle) * signum(sweep);
   return turned - TAU * Math.floor(turned / TAU) <= Math.abs(sweep);
@@ -30,6 +31,7 @@ function nearer(p: Point, start: Point, end: Point): Point {
   return distance(p, start) <= distance(p, end) ? start : end;
 }
 
+/** The point of the curve nearest to another. */
 export function nearestOn(c: Curve, p: Point): Point {
   switch (c.kind) {
     case "segment": {

@@ -69,7 +69,10 @@ const MOST_EDGES = 4;
 /** Newton's method doubles digits with each step: where so many do not do, there is no such place. */
 const NEWTON_STEPS = 12;
 
-/** From where a straight motion to the goal has been stopped. */
+/**
+ * Slides from a position in contact towards a goal, and gives where that ends and which patch stops it there (null at the goal). `patch` is
+ * the one that stopped the straight motion to `from`. Each step is no farther from the goal than the one before, and not blocked.
+ */
 export function slideOn(ground: Ground, from: Vec, to: Vec, patch: number): Stop {
   let at = from;
   let stopped: number | null = patch;
@@ -101,11 +104,15 @@ interface Taken {
   next: Vec;
 }
 
+/** The patches that are remembered, with one more as the last. */
 function latest(known: number[], patch: number): number[] {
   return [...known.filter((p) => p !== patch), patch].slice(-MOST_KNOWN);
 }
 
-/** One step along the surface that comes nearer to the goal; none taken if none does. */
+/**
+ * One step along the surface that comes nearer to the goal; none taken if none does. The ways that contacts leave are tried, nearest first. A
+ * patch that a step runs into, and that was not among the contacts, joins them, and the ways are found again.
+ */
 function stepTowards(
   ground: Ground,
   at: Vec,
@@ -160,6 +167,7 @@ interface Contact extends HalfSpace {
   patch: number | null;
 }
 
+/** What patches and the ends of coordinates' ranges leave open at a position, to first order. */
 function contactsAt(ground: Ground, at: Vec, patches: number[]): Contact[] {
   const found: Contact[] = [];
   for (const patch of patches) {
@@ -189,30 +197,41 @@ function along(
   tries: number,
 ): { next: Vec | null; met: number | null } {
   const most = size(minus(to, at)) - NEARER * ground.contact;
+  const isKnown = (patch: number) => contacts.some((c) => c.patch === patch);
   let met: number | null = null;
   for (let k = 0, step = whole; k < tries; k++, step = times(step, SHORTER)) {
     const length = size(step);
-    const landed = landing(ground, at, step, contacts, held);
-    if (!landed) continue;
-    const { goal, followed } = landed;
-    const next = over(ground, at, goal, followed, contacts);
-    const by = minus(next.at, at);
-    const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
-    if (isStep && size(minus(to, next.at)) < most) {
-      // Where contacts meet at a small angle, what presses on both is too far into the corner: less far it is not.
-      for (const share of [1, SHORT_OF_CORNER]) {
-        const found = plus(at, times(by, share));
-        if (!ground.isBlocked(found) && size(minus(to, found)) < most) return { next: found, met: null };
+    let landed = landing(ground, at, step, contacts, held);
+    for (let turn = 0; landed && turn < 2; turn++) {
+      const { goal, followed } = landed;
+      const next = over(ground, at, goal, followed, contacts);
+      const by = minus(next.at, at);
+      const isStep = size(by) >= LEAST_STEP * length && dot(by, step) > 0;
+      if (isStep && size(minus(to, next.at)) < most) {
+        // Where contacts meet at a small angle, what presses on both is too far into the corner: less far it is not.
+        for (const share of [1, SHORT_OF_CORNER]) {
+          const found = plus(at, times(by, share));
+          if (!ground.isBlocked(found) && size(minus(to, found)) < most) return { next: found, met: null };
+        }
       }
+      const other = next.stopped;
+      if (other !== null && !isKnown(other)) return { next: null, met: other };
+      met ??= other;
+      // Of surfaces that are all but tangent where the part is another may rise above the one that was followed.
+      landed = other === null || followed.includes(other) ? null : landOn(ground, plus(at, step), length, [other]);
     }
-    if (next.stopped !== null && !contacts.some((c) => c.patch === next.stopped)) return { next: null, met: next.stopped };
-    met ??= next.stopped;
   }
   return { next: null, met };
 }
 
+/** A place on the surface, and the patches that it is on. */
+interface Landing {
+  goal: Vec;
+  followed: number[];
+}
+
 /** Where a step comes down on the surface, and on which patches; null if it does not. */
-function landing(ground: Ground, at: Vec, step: Vec, contacts: Contact[], held: Contact[]): { goal: Vec; followed: number[] } | null {
+function landing(ground: Ground, at: Vec, step: Vec, contacts: Contact[], held: Contact[]): Landing | null {
   const length = size(step);
   const end = plus(at, step);
   const isClose = (c: Contact): boolean => {
@@ -220,11 +239,7 @@ function landing(ground: Ground, at: Vec, step: Vec, contacts: Contact[], held: 
     return Math.abs(dot(c.normal, step) + c.room) <= share * length + TOUCHES * ground.contact;
   };
   const patches = contacts.filter((c) => c.patch !== null && isClose(c)).map((c) => c.patch!);
-  const land = (followed: number[]) => {
-    const goal = onSurface(ground, end, followed);
-    return goal && size(minus(goal, end)) <= FARTHEST_LANDING * length ? { goal, followed } : null;
-  };
-  const all = land(patches);
+  const all = landOn(ground, end, length, patches);
   if (all || patches.length < 2) return all;
   // Surfaces that are tangent where the part is may part from there on: then one of them is followed.
   const raised = (patch: number): number => {
@@ -232,10 +247,16 @@ function landing(ground: Ground, at: Vec, step: Vec, contacts: Contact[], held: 
     return value / size(gradient);
   };
   const lowest = patches.reduce((a, b) => (raised(b) < raised(a) ? b : a));
-  return land([lowest]);
+  return landOn(ground, end, length, [lowest]);
 }
 
-/** From one place on the surface to another, lifted off it by as much as the surface rises between. */
+/** The place on some patches nearest to where a step of a length ends; null if there is none near. */
+function landOn(ground: Ground, end: Vec, length: number, followed: number[]): Landing | null {
+  const goal = onSurface(ground, end, followed);
+  return goal && size(minus(goal, end)) <= FARTHEST_LANDING * length ? { goal, followed } : null;
+}
+
+/** From one place on the surface to another: off it by as much as it rises between, across, and down to it again. Also which patch was met. */
 function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: Contact[]): Stop {
   const middle = times(plus(at, goal), 0.5);
   let lift = CLEAR * ground.contact;
@@ -246,10 +267,16 @@ function over(ground: Ground, at: Vec, goal: Vec, followed: number[], contacts: 
   const raised = ground.advance(at, plus(at, times(offFrom(followed, contacts, lift), lift)));
   const across = ground.advance(raised.at, plus(goal, minus(raised.at, at)));
   const down = onSurface(ground, across.at, followed) ?? goal;
-  return { at: ground.advance(across.at, down).at, stopped: across.stopped ?? raised.stopped };
+  // What is followed stops a step that is not lifted enough: then it counts what has stopped the lift.
+  const isFollowed = across.stopped !== null && followed.includes(across.stopped);
+  const stopped = isFollowed ? (raised.stopped ?? across.stopped) : (across.stopped ?? raised.stopped);
+  return { at: ground.advance(across.at, down).at, stopped };
 }
 
-/** The shortest way that leads off the contacts followed by one, and not against others that so much of it may come to; zero if there is none. */
+/**
+ * The direction of a lift: the shortest vector with a product of at least 1 with the normal of each contact followed, and of at least 0 with
+ * those of contacts that the lift may come to. Zero if there is none.
+ */
 function offFrom(followed: number[], contacts: Contact[], lift: number): Vec {
   const isFollowed = (c: Contact) => c.patch !== null && followed.includes(c.patch);
   const spaces = contacts

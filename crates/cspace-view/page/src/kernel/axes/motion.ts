@@ -27,6 +27,7 @@ export class AxesMotion {
     this.contact = contactDistance * space.map.frame.scale;
   }
 
+  /** As far as the straight way in (u, v) is free. */
   advance(from: AxesConfiguration, to: AxesConfiguration): Motion<AxesConfiguration> {
     const start = this.classifier.classify(from.u, from.v);
     const goal = this.within(to);
@@ -37,6 +38,7 @@ export class AxesMotion {
     return { at: found.stopped === null ? goal : this.outer(found.at), stopped: found.stopped };
   }
 
+  /** The same, then along the curves of contact. */
   slide(from: AxesConfiguration, to: AxesConfiguration): Motion<AxesConfiguration> {
     const first = this.advance(from, to);
     if (first.stopped === null) return first;
@@ -84,6 +86,7 @@ export class AxesMotion {
     return (this.classifier.classify(u, w) ?? "blocked") === "blocked";
   }
 
+  /** The first contact of a straight motion by contact conditions alone. */
   private straight(from: Vec, to: Vec): { at: Vec; stopped: number | null } {
     const [a, b] = [this.counted(from), this.counted(to)];
     const path = new AxesPath(a, { x: b.x - a.x, y: b.y - a.y });
@@ -109,6 +112,7 @@ export class AxesMotion {
     return { at: last, stopped: found.stopped ?? this.touching(last, Infinity)[0] ?? 0 };
   }
 
+  /** The last time before a motion is blocked at its end, as far as halving tells. */
   private lastNotBlocked(at: (t: number) => Vec): number {
     let [lo, hi] = [0, 1];
     for (let k = 0; k < HALVINGS; k++) {
@@ -119,6 +123,7 @@ export class AxesMotion {
     return lo;
   }
 
+  /** The contact condition of a cell along a motion, and whether the motion is in the cell. */
   private track(cell: number, path: AxesPath): Track {
     const condition = this.graphs.condition(cell);
     return {
@@ -148,12 +153,14 @@ export class AxesMotion {
     return at;
   }
 
+  /** Patches within a distance (length of the pair's frame), nearest first. */
   private touching(v: Vec, within: number): number[] {
     const p = this.counted(v);
     const { u, v: w } = this.map.outer(p.x, p.y);
     return this.classifier.contacts(u, w, within / this.space.map.frame.scale).map(([patch]) => patch);
   }
 
+  /** The curves of contact as sliding sees them. */
   private get ground(): Ground {
     const limits = (e: Extent): Range | null => (e.isLimited ? [e.lo, e.hi] : null);
     return {

@@ -64,6 +64,7 @@ export class PlanarMotion {
     this.radius = Math.max(...far, LEAST_RADIUS);
   }
 
+  /** As far as the straight way in (x, y, θ) is free. The first contact is found by contact functions, and checked by classification. */
   advance(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
     const goal = this.within(to);
     const start = this.classifier.located(from);
@@ -78,16 +79,20 @@ export class PlanarMotion {
       from.theta,
       goal.theta - from.theta,
     );
-    const { time, patch } = this.first(path, DEPTH);
+    let { time, patch } = this.first(path, DEPTH);
     const at = (t: number): PlanarConfiguration =>
       t >= 1
         ? goal
         : { x: from.x + t * (goal.x - from.x), y: from.y + t * (goal.y - from.y), theta: from.theta + t * (goal.theta - from.theta) };
     const fine = this.contact / (size(path.v) + Math.abs(path.omega) * (this.radius + size(path.m)));
+    // A motion may leave the last orientation at which its contacts exist before it sinks into them, where free space ends there.
+    const soon = BEYOND_END * fine;
+    if (start.class === "contact" && soon < time && this.isBlocked(at(soon))) [time, patch] = [soon, null];
     const checked = this.lastNotBlocked(at, patch === null ? time : this.pressed(at, time, fine), fine);
     return { at: at(checked), stopped: checked >= 1 ? null : (patch ?? this.nearestPatch(at(checked))) };
   }
 
+  /** The same, then along the surface. Nearest to the goal is meant in weighted coordinates, about the moving part's centre. */
   slide(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
     const first = this.advance(from, to);
     if (first.stopped === null) return first;
@@ -97,6 +102,7 @@ export class PlanarMotion {
     return this.isBlocked(at) ? first : { at, stopped: found.stopped };
   }
 
+  /** With the orientation brought into the window. */
   private within(c: PlanarConfiguration): PlanarConfiguration {
     const { lo, hi, full_turn } = this.surface.space.window;
     return full_turn ? c : { ...c, theta: clamp(c.theta, lo, hi) };
@@ -142,6 +148,7 @@ export class PlanarMotion {
     return patches;
   }
 
+  /** The contact function of a patch along a motion, and where the patch is there. */
   private track(patch: PatchData, path: Path): Track {
     const off = (t: number): number => {
       const theta = path.theta(t);
@@ -171,6 +178,7 @@ export class PlanarMotion {
     return this.surface.curve(patch, t, theta).curve;
   }
 
+  /** The configuration of a position in the pair's frame. */
   private outer(p: Point, theta: number): PlanarConfiguration {
     const { fixed_center, moving_center, scale } = this.surface.space.frame;
     const moved = turned(turnBy(theta), moving_center);
@@ -193,6 +201,7 @@ export class PlanarMotion {
     });
   }
 
+  /** The patch of the slice whose curve is nearest; null if the slice has none. */
   private nearestPatch(c: PlanarConfiguration): number | null {
     let [found, least]: [number | null, number] = [null, Infinity];
     for (const { patch, curve } of this.surface.slice(c.theta).curves) {
@@ -254,6 +263,7 @@ export class PlanarMotion {
     return this.outer({ x: v[0]!, y: v[1]! }, beyond ? clamp(theta, lo, hi) : theta);
   }
 
+  /** The first contact of a motion that is straight in weighted coordinates. */
   private straight(from: Vec, to: Vec): Stop {
     const [a, b] = [from[2]! / this.radius, to[2]! / this.radius];
     const path = new Path({ x: from[0]!, y: from[1]! }, { x: to[0]! - from[0]!, y: to[1]! - from[1]! }, NOWHERE, a, b - a);
@@ -261,6 +271,7 @@ export class PlanarMotion {
     return { at: time >= 1 ? to : from.map((x, i) => x + time * (to[i]! - x)), stopped: time >= 1 ? null : patch };
   }
 
+  /** The surface as sliding sees it. */
   private get ground(): Ground {
     const { lo, hi, full_turn } = this.surface.space.window;
     return {
@@ -286,6 +297,7 @@ export class PlanarMotion {
     };
   }
 
+  /** The contact function of a patch and its gradient, in weighted coordinates. */
   private constraint(patch: PatchData, v: Vec): Constraint {
     const p = { x: v[0]!, y: v[1]! };
     const turn = turnBy(v[2]! / this.radius);

@@ -48,6 +48,7 @@ export class Path {
     return { value, slope, ...this.bounds(f, t, until) };
   }
 
+  /** Bounds of how fast a function changes and how it bends from t to `until`: by how fast its points move and turn, and how far they are apart. */
   private bounds(f: ContactFunctionData, t: number, until: number): Omit<Sample, "value" | "slope"> {
     const w = Math.abs(this.omega);
     const v = length(this.v);
