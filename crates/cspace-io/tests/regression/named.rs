@@ -44,6 +44,31 @@ fn disc_in_loose_hole_at_critical_orientations() {
     }
 }
 
+/// A sleeve askew on its pole is clamped between two corners, as far as it can turn: all contacts end there. It cannot turn on.
+#[test]
+fn no_motion_leads_on_where_all_contacts_end() {
+    let [fixed, moving] = parts("models/woodpecker.toml");
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let from = Configuration::new(
+        -5.902_403_010_793_478e-10,
+        -191.726_108_981_998_46,
+        -0.100_900_924_669_869_37,
+    );
+    assert_eq!(space.classify(from), Some(Classification::Contact));
+    let on = [
+        14.458_785_623_051_578,
+        4.341_498_320_729,
+        -2.450_109_263_507_843,
+    ];
+    let motion = space.first_contact(from, on, 1.0).unwrap();
+    assert_eq!(motion.contact().map(|c| c.time), Some(0.0), "{motion:?}");
+    // Along the pole and back it is free to go.
+    for rates in [[0.0, 50.0, 0.0], [0.0, 0.0, 0.05]] {
+        let motion = space.first_contact(from, rates, 1.0).unwrap();
+        assert_eq!(motion.contact().map(|c| c.time), None, "{motion:?}");
+    }
+}
+
 #[test]
 fn windows_that_end_at_a_critical_orientation() {
     let [fixed, moving] = parts("models/paper/cam.toml");

@@ -5,7 +5,7 @@ use crate::space::ContactSpace;
 
 use super::classify::Classification;
 use super::path::Path;
-use super::touch::Search;
+use super::touch::{Search, Touch};
 
 /// Where a motion first touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,6 +118,13 @@ impl ContactSpace {
             _ => (duration, false),
         };
         let found = Search::new(self, path, starts_in_contact).first(end);
+        if starts_in_contact && let Some(patch) = self.enters_at_once(&path, found.as_ref(), end) {
+            return Ok(MotionOutcome::Contact(FirstContact {
+                time: 0.0,
+                configuration: from,
+                patch,
+            }));
+        }
         Ok(match found {
             Some(touch) => MotionOutcome::Contact(FirstContact {
                 time: touch.time,
@@ -127,6 +134,25 @@ impl ContactSpace {
             None if leaves => MotionOutcome::LeavesWindow { time: end },
             None => MotionOutcome::Free,
         })
+    }
+
+    /// Whether a motion that starts in contact goes into blocked space there, though no contact tells: where all contacts of a
+    /// place end at one orientation, as of a part that is clamped between two corners, the motion leaves them by turning on. Until
+    /// the next contact it is free or blocked as a whole, so that one configuration on the way decides. The patch is one that
+    /// touches at the start.
+    fn enters_at_once(&self, path: &Path, found: Option<&Touch>, end: f64) -> Option<u32> {
+        /// What grazes is not deeper than this, in distances of contact: twice the resolution, and room for rounding.
+        const DEEP: f64 = 8.0;
+        let middle = path.outer_at(0.5 * found.map_or(end, |touch| touch.time));
+        if self.classify(middle) != Some(Classification::Blocked) {
+            return None;
+        }
+        let slice = self.slice(middle.theta);
+        let p = middle.position();
+        let deep = DEEP * self.contact_distance();
+        let is_deep = (slice.curves.iter()).all(|c| c.geometry.nearest(p).distance(p) > deep);
+        let at_start = || self.nearest_contact(path.outer_at(0.0)).map(|n| n.patch);
+        is_deep.then(at_start).flatten()
     }
 
     /// Every contact that a motion of constant rates comes through for times from 0 to `duration`, also where the parts
