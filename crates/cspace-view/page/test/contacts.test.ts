@@ -4,10 +4,10 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import type { Configuration, Kernel, Touch } from "../src/kernel/api.js";
-import { openPair } from "../src/kernel/index.js";
-import { binary, models, NO_COMMAND, run } from "./support/command.js";
+import { binary, NO_COMMAND, run } from "./support/command.js";
+import { modelPairs } from "./support/pairs.js";
 import { random } from "./support/random.js";
-import { inFolder, sceneOf } from "./support/scene.js";
+import { inFolder } from "./support/scene.js";
 import { weightedOf, type Weighted } from "./support/weighted.js";
 
 const skip = binary() ? false : NO_COMMAND;
@@ -29,24 +29,18 @@ interface Subject {
 
 /** All pairs that are not joined; the command reads the saved space, so that it is not computed for every question. */
 function eachPair(use: (s: Subject) => void): void {
-  for (const model of models()) {
-    const scene = sceneOf(model);
-    for (const [index, pair] of scene.pairs.entries()) {
-      const kernel = openPair(scene, index);
-      if (!kernel || kernel.class === "lower") continue;
-      const names = `${scene.parts[pair.fixed]!.name},${scene.parts[pair.moving]!.name}`;
-      inFolder((folder) => {
-        const space = join(folder, "space.json");
-        run(["export", model, "--pair", names, "-o", space, "-q"]);
-        const answer = (c: Configuration, within: number): Answer => {
-          const at = "u" in c ? [c.u, c.v] : [c.x, c.y, c.theta];
-          const out = run(["contacts", space, `--at=${at.join(",")}`, "--within", String(within), "--format", "json"]);
-          return JSON.parse(out) as Answer;
-        };
-        const contact = Math.max(pair.contact_distance, pair.resolution);
-        use({ title: `${model.split("/models/")[1]} ${names}`, kernel, weighted: weightedOf(pair, kernel), contact, answer });
-      });
-    }
+  for (const { model, pair, kernel, names } of modelPairs()) {
+    inFolder((folder) => {
+      const space = join(folder, "space.json");
+      run(["export", model, "--pair", names, "-o", space, "-q"]);
+      const answer = (c: Configuration, within: number): Answer => {
+        const at = "u" in c ? [c.u, c.v] : [c.x, c.y, c.theta];
+        const out = run(["contacts", space, `--at=${at.join(",")}`, "--within", String(within), "--format", "json"]);
+        return JSON.parse(out) as Answer;
+      };
+      const contact = Math.max(pair.contact_distance, pair.resolution);
+      use({ title: `${model.split("/models/")[1]} ${names}`, kernel, weighted: weightedOf(pair, kernel), contact, answer });
+    });
   }
 }
 

@@ -3,11 +3,10 @@
 import assert from "node:assert/strict";
 import { test, type TestContext } from "node:test";
 import type { AxesConfiguration, AxesKernel, Configuration, Kernel, PlanarConfiguration, PlanarKernel } from "../src/kernel/api.js";
-import { openPair } from "../src/kernel/index.js";
-import { binary, models, NO_COMMAND, run } from "./support/command.js";
+import { binary, NO_COMMAND, run } from "./support/command.js";
+import { modelPairs } from "./support/pairs.js";
 import { random } from "./support/random.js";
 import { classified } from "./support/rows.js";
-import { sceneOf } from "./support/scene.js";
 
 interface Pair {
   model: string;
@@ -19,42 +18,36 @@ interface Pair {
 }
 
 function* pairs(): Generator<Pair> {
-  for (const model of models()) {
-    const scene = sceneOf(model);
-    for (const [index, pair] of scene.pairs.entries()) {
-      const kernel = openPair(scene, index);
-      if (!kernel || kernel.class === "lower") continue;
-      const names = `${scene.parts[pair.fixed]!.name},${scene.parts[pair.moving]!.name}`;
-      if (kernel.coordinates === "axes") {
-        const { u, v } = kernel as unknown as AxesKernel;
-        const along = (a: typeof u, next: () => number) => (a.kind === "still" ? 0 : a.lo + (a.hi - a.lo) * next());
-        yield {
-          model,
-          names,
-          kernel,
-          header: "u,v",
-          numbers: (c) => [(c as AxesConfiguration).u, (c as AxesConfiguration).v],
-          anywhere: (next) => ({ u: along(u, next), v: along(v, next) }),
-        };
-      } else {
-        const { window, bounds } = kernel as unknown as PlanarKernel;
-        const { lo, hi } = bounds.call(kernel);
-        yield {
-          model,
-          names,
-          kernel,
-          header: "x,y,theta",
-          numbers: (c) => {
-            const { x, y, theta } = c as PlanarConfiguration;
-            return [x, y, theta];
-          },
-          anywhere: (next) => ({
-            x: lo[0] + (hi[0] - lo[0]) * (1.2 * next() - 0.1),
-            y: lo[1] + (hi[1] - lo[1]) * (1.2 * next() - 0.1),
-            theta: window.lo + (window.hi - window.lo) * next(),
-          }),
-        };
-      }
+  for (const { model, kernel, names } of modelPairs()) {
+    if (kernel.coordinates === "axes") {
+      const { u, v } = kernel as unknown as AxesKernel;
+      const along = (a: typeof u, next: () => number) => (a.kind === "still" ? 0 : a.lo + (a.hi - a.lo) * next());
+      yield {
+        model,
+        names,
+        kernel,
+        header: "u,v",
+        numbers: (c) => [(c as AxesConfiguration).u, (c as AxesConfiguration).v],
+        anywhere: (next) => ({ u: along(u, next), v: along(v, next) }),
+      };
+    } else {
+      const { window, bounds } = kernel as unknown as PlanarKernel;
+      const { lo, hi } = bounds.call(kernel);
+      yield {
+        model,
+        names,
+        kernel,
+        header: "x,y,theta",
+        numbers: (c) => {
+          const { x, y, theta } = c as PlanarConfiguration;
+          return [x, y, theta];
+        },
+        anywhere: (next) => ({
+          x: lo[0] + (hi[0] - lo[0]) * (1.2 * next() - 0.1),
+          y: lo[1] + (hi[1] - lo[1]) * (1.2 * next() - 0.1),
+          theta: window.lo + (window.hi - window.lo) * next(),
+        }),
+      };
     }
   }
 }

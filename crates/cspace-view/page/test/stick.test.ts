@@ -5,7 +5,8 @@ import { join } from "node:path";
 import { test } from "node:test";
 import type { Configuration, Kernel, PlanarConfiguration } from "../src/kernel/api.js";
 import { openPair } from "../src/kernel/index.js";
-import { binary, MODELS, models, NO_COMMAND } from "./support/command.js";
+import { binary, MODELS, NO_COMMAND } from "./support/command.js";
+import { modelPairs } from "./support/pairs.js";
 import { random } from "./support/random.js";
 import { sceneOf, withModel } from "./support/scene.js";
 import { weightedOf, type Weighted } from "./support/weighted.js";
@@ -35,29 +36,23 @@ const KNOWN = 1e-3;
 const GAIN = 0.25;
 
 test("where a dragged part stays, no straight motion leads nearer", { skip }, async (t) => {
-  for (const model of models()) {
-    const scene = sceneOf(model);
-    for (const [index, pair] of scene.pairs.entries()) {
-      const kernel = openPair(scene, index);
-      if (!kernel || kernel.class === "lower") continue;
-      const names = `${scene.parts[pair.fixed]!.name},${scene.parts[pair.moving]!.name}`;
-      await t.test(`${model.split("/models/")[1]} ${names}`, (t) => {
-        const weighted = weightedOf(pair, kernel);
-        const next = random(11);
-        let held = 0;
-        for (let k = 0; k < DRAGS; k++) {
-          let from = weighted.anywhere(next);
-          while (kernel.classify(from) !== "free") from = weighted.anywhere(next);
-          const goal = weighted.within(weighted.anywhere(next));
-          const at = dragged(kernel, weighted, from, goal);
-          if (kernel.classify(at) !== "contact") continue;
-          held++;
-          const free = nearer(kernel, weighted, at, goal, next);
-          assert.equal(free, null, `from ${JSON.stringify(from)} to ${JSON.stringify(goal)} it sticks at ${JSON.stringify(at)}: ${free}`);
-        }
-        t.diagnostic(`${held} of ${DRAGS} held by contacts`);
-      });
-    }
+  for (const { model, pair, kernel, names } of modelPairs()) {
+    await t.test(`${model.split("/models/")[1]} ${names}`, (t) => {
+      const weighted = weightedOf(pair, kernel);
+      const next = random(11);
+      let held = 0;
+      for (let k = 0; k < DRAGS; k++) {
+        let from = weighted.anywhere(next);
+        while (kernel.classify(from) !== "free") from = weighted.anywhere(next);
+        const goal = weighted.within(weighted.anywhere(next));
+        const at = dragged(kernel, weighted, from, goal);
+        if (kernel.classify(at) !== "contact") continue;
+        held++;
+        const free = nearer(kernel, weighted, at, goal, next);
+        assert.equal(free, null, `from ${JSON.stringify(from)} to ${JSON.stringify(goal)} it sticks at ${JSON.stringify(at)}: ${free}`);
+      }
+      t.diagnostic(`${held} of ${DRAGS} held by contacts`);
+    });
   }
 });
 

@@ -106,10 +106,6 @@ export class SpaceView {
     return this.#surface?.done ?? Promise.resolve();
   }
 
-  get triangles(): number {
-    return this.#surface?.triangles ?? 0;
-  }
-
   /** Azimuth, elevation, distance and target, lengths in sizes of the space; null as long as it is where it was put. */
   get camera(): number[] | null {
     if (!this.#moved) return null;

@@ -213,10 +213,6 @@ export class Surface {
     return mesh;
   }
 
-  get triangles(): number {
-    return [...this.#regions.values()].reduce((sum, { mesh }) => sum + mesh.geometry.drawRange.count / 3, 0);
-  }
-
   paint(colouring: Colouring): void {
     if (colouring === this.#colouring) return;
     this.#colouring = colouring;

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, afterEach, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { PNG } from "pngjs";
-import type { Browser, ElementHandle, Page } from "puppeteer-core";
+import type { ElementHandle, Page } from "puppeteer-core";
 import type { AxesConfiguration, Configuration, PlanarConfiguration } from "../../src/kernel/api.js";
 import {
   PATIENCE,
@@ -17,18 +17,16 @@ import {
   open,
   pictureOf,
   root,
-  scratch,
   serve,
   skip,
 } from "../../tools/harness.js";
 import { run } from "../support/command.js";
-import type { Opened } from "../../tools/harness.js";
 import { spaceOf } from "../../tools/space-picture.js";
+import { inBrowser, model, press, settled } from "./support.js";
 
 /** A page without its data has fewer bytes. */
 const LARGEST_PAGE = 1 << 20;
 
-const model = (name: string): string => join(root, `models/${name}.toml`);
 const planar = async (page: Page): Promise<PlanarConfiguration> => (await configuration(page)) as PlanarConfiguration;
 const axes = async (page: Page): Promise<AxesConfiguration> => (await configuration(page)) as AxesConfiguration;
 
@@ -44,30 +42,15 @@ function told(file: string, pair: string, c: Configuration): string {
 }
 
 describe("the page in a browser", { skip }, () => {
-  const folder = scratch();
-  let browser: Browser;
-  let opened: Opened | null = null;
-  before(async () => {
-    browser = await launch(folder.path);
-  });
-  afterEach(async () => {
-    const faults = opened?.faults ?? [];
-    await opened?.page.close();
-    opened = null;
-    assert.deepEqual(faults, []);
-  });
-  after(async () => {
-    await browser?.close();
-    folder.remove();
-  });
+  const suite = inBrowser();
 
   async function openModel(name: string, more: string[] = [], fragment = ""): Promise<Page> {
-    opened = await open(browser, addressOf(exported(model(name), folder.path, more)) + fragment);
-    return opened.page;
+    suite.opened = await open(suite.browser, addressOf(exported(model(name), suite.folder, more)) + fragment);
+    return suite.opened.page;
   }
 
   it("is small, and needs no other file", async () => {
-    const file = exported(model("gears"), folder.path);
+    const file = exported(model("gears"), suite.folder);
     const text = readFileSync(file, "utf8");
     const scene = /<script[^>]*id="scene"[^>]*>[^]*?<\/script>/.exec(text)?.[0] ?? "";
     assert.ok(scene.length > 1000);
@@ -92,7 +75,7 @@ describe("the page in a browser", { skip }, () => {
     /** Fonts differ from machine to machine, and text is little of a picture. */
     const TEXT = 0.03;
     for (const name of ["knee", "peg_hole", "geneva", "cam_tappet"]) {
-      const { picture } = await spaceOf(browser, exported(model(name), folder.path));
+      const { picture } = await spaceOf(suite.browser, exported(model(name), suite.folder));
       const kept = readFileSync(join(root, `docs/gallery/${name}.png`));
       const differing = difference(PNG.sync.read(picture), PNG.sync.read(kept));
       assert.ok(differing < TEXT, `${name}: ${differing} of the pixels differ: if that is meant, make the gallery again`);
@@ -256,25 +239,25 @@ describe("the page in a browser", { skip }, () => {
     await page.waitForFunction(() => location.hash.includes("theta=0.25"), { timeout: PATIENCE });
     const address = page.url();
     const dark = await pictureOf(page, "#parts");
-    await opened?.page.close();
-    opened = await open(browser, address);
-    assert.deepEqual(await opened.page.evaluate(() => window.cspace.pair()), ["ratchet", "pawl"]);
-    assert.deepEqual(await planar(opened.page), { x: 1, y: 90, theta: 0.25 });
-    assert.equal(await opened.page.$eval("html", (e) => e.dataset["theme"]), "dark");
-    await press(opened.page, "Theme: dark");
-    assert.ok(difference(dark, await pictureOf(opened.page, "#parts")) > 0.5);
+    await suite.opened?.page.close();
+    suite.opened = await open(suite.browser, address);
+    assert.deepEqual(await suite.opened.page.evaluate(() => window.cspace.pair()), ["ratchet", "pawl"]);
+    assert.deepEqual(await planar(suite.opened.page), { x: 1, y: 90, theta: 0.25 });
+    assert.equal(await suite.opened.page.$eval("html", (e) => e.dataset["theme"]), "dark");
+    await press(suite.opened.page, "Theme: dark");
+    assert.ok(difference(dark, await pictureOf(suite.opened.page, "#parts")) > 0.5);
   });
 
   it("plays planned ways and simulations", async () => {
-    const plan = join(folder.path, "plan.json");
+    const plan = join(suite.folder, "plan.json");
     writeFileSync(plan, run(["plan", model("ball_in_c"), "--from", "60,0,0", "--to=-60,0,0", "--format", "json"]));
     let page = await openModel("ball_in_c", ["--with", plan]);
     await end(page);
     const last = await planar(page);
     assert.ok(Math.hypot(last.x + 60, last.y) < 1e-9, JSON.stringify(last));
-    await opened?.page.close();
+    await suite.opened?.page.close();
 
-    const simulation = join(folder.path, "simulation.json");
+    const simulation = join(suite.folder, "simulation.json");
     writeFileSync(simulation, run(["simulate", model("geneva"), "--time", "0.5", "--every", "0.01", "--format", "json"]));
     const record = JSON.parse(readFileSync(simulation, "utf8")) as { samples: Record<string, number>[]; events: unknown[] };
     page = await openModel("geneva", ["--with", simulation]);
@@ -299,7 +282,7 @@ describe("the page in a browser", { skip }, () => {
 
   it("says what is wrong with a record", async () => {
     const page = await openModel("geneva");
-    const record = join(folder.path, "no-record.json");
+    const record = join(suite.folder, "no-record.json");
     writeFileSync(record, '{"verdict": 1}');
     const [chooser] = await Promise.all([page.waitForFileChooser({ timeout: PATIENCE }), press(page, "Open record")]);
     await chooser.accept([record]);
@@ -310,15 +293,15 @@ describe("the page in a browser", { skip }, () => {
   it("saves pictures", async () => {
     const page = await openModel("knee");
     const client = await page.createCDPSession();
-    await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder.path });
+    await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
     await press(page, "SVG");
-    const svg = readFileSync(await downloaded(join(folder.path, "knee.svg")), "utf8");
+    const svg = readFileSync(await downloaded(join(suite.folder, "knee.svg")), "utf8");
     assert.match(svg, /<svg[^>]+viewBox/);
     assert.match(svg, /<path[^>]+ d="M/);
     // The letters may be anywhere in the encoded picture of the 3-D view.
     assert.doesNotMatch(svg.replaceAll(/data:[^"]*/g, ""), /NaN/);
     await press(page, "PNG");
-    const png = PNG.sync.read(readFileSync(await downloaded(join(folder.path, "knee.png"))));
+    const png = PNG.sync.read(readFileSync(await downloaded(join(suite.folder, "knee.png"))));
     assert.ok(png.width >= 1440 && colours(png) > 50, `${png.width} wide, ${colours(png)} colours`);
   });
 
@@ -327,22 +310,22 @@ describe("the page in a browser", { skip }, () => {
       [1024, 700],
       [3840, 2160],
     ] as const) {
-      opened = await open(browser, addressOf(exported(model("snap_fastener"), folder.path)), { width, height });
-      const over = await opened.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+      suite.opened = await open(suite.browser, addressOf(exported(model("snap_fastener"), suite.folder)), { width, height });
+      const over = await suite.opened.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
       assert.ok(over <= 0, `${over} pixels too wide at ${width}`);
       for (const pane of ["#parts", "#space", "#slice", "#theta", "#readout"]) {
-        const box = await boxOf(opened.page, pane);
+        const box = await boxOf(suite.opened.page, pane);
         assert.ok(box.width > 100 && box.height > 15 && box.y + box.height <= height + 1, `${pane} at ${width}: ${JSON.stringify(box)}`);
       }
-      await opened.page.close();
+      await suite.opened.page.close();
     }
-    opened = null;
+    suite.opened = null;
   });
 
   it("shows the slice where there is no WebGL", async () => {
-    const plain = await launch(join(folder.path, "plain"), ["--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis"]);
+    const plain = await launch(join(suite.folder, "plain"), ["--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis"]);
     try {
-      const { page } = await open(plain, addressOf(exported(model("knee"), folder.path)));
+      const { page } = await open(plain, addressOf(exported(model("knee"), suite.folder)));
       assert.match(await page.$eval("#message", (e) => e.textContent ?? ""), /WebGL/);
       assert.ok((await boxOf(page, "#slice")).height > 300);
     } finally {
@@ -353,9 +336,9 @@ describe("the page in a browser", { skip }, () => {
   it("is served with spaces as they are asked for, and shows the same as the file", async () => {
     const server = await serve(model("gears_on_shafts"));
     try {
-      opened = await open(browser, server.address);
-      const served = await pictureOf(opened.page, "#plane");
-      await opened.page.close();
+      suite.opened = await open(suite.browser, server.address);
+      const served = await pictureOf(suite.opened.page, "#plane");
+      await suite.opened.page.close();
       const page = await openModel("gears_on_shafts");
       assert.ok(difference(served, await pictureOf(page, "#plane")) < 0.002);
     } finally {
@@ -366,10 +349,10 @@ describe("the page in a browser", { skip }, () => {
   it("edits parts while the space follows, undoes it, and saves the model", async () => {
     const server = await serve(model("ball_in_c"));
     try {
-      opened = await open(browser, server.address);
-      const { page } = opened;
+      suite.opened = await open(suite.browser, server.address);
+      const { page } = suite.opened;
       const client = await page.createCDPSession();
-      await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder.path });
+      await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
       await press(page, "Edit");
       const patches = (): Promise<string> => page.$eval("#pair-class", (e) => e.textContent ?? "");
       const regions = (): Promise<number> => page.$$eval("#legend input[type=checkbox]", (all) => all.length);
@@ -399,7 +382,7 @@ describe("the page in a browser", { skip }, () => {
       await page.waitForFunction(() => !/nothing/.test(document.querySelector("#edit meter + p")?.textContent ?? ""), { timeout: PATIENCE });
       assert.ok(difference(slice, await pictureOf(page, "#slice")) > 0);
       await press(page, "Save model");
-      const saved = await downloaded(join(folder.path, readdirToml()));
+      const saved = await downloaded(join(suite.folder, readdirToml()));
       assert.notEqual(run(["compute", saved]), run(["compute", model("ball_in_c")]));
       // The page and the command agree on the edited model.
       const pair = (await page.evaluate(() => window.cspace.pair())).join();
@@ -416,11 +399,6 @@ describe("the page in a browser", { skip }, () => {
     }
   });
 });
-
-/** Waits for two frames, in which the page draws what has changed. */
-function settled(page: Page): Promise<void> {
-  return page.evaluate(() => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
-}
 
 async function boxOf(page: Page, selector: string): Promise<{ x: number; y: number; width: number; height: number }> {
   const box = await (await page.$(selector))?.boundingBox();
@@ -462,13 +440,6 @@ async function drag(page: Page, from: [number, number], to: [number, number]): P
   await page.mouse.move(...to, { steps: 8 });
   await settled(page);
   await page.mouse.up();
-  await settled(page);
-}
-
-/** Clicks the button with a text. */
-async function press(page: Page, text: string): Promise<void> {
-  const button = await page.waitForSelector(`::-p-xpath(//button[normalize-space()="${text}"])`, { timeout: PATIENCE });
-  await button?.click();
   await settled(page);
 }
 

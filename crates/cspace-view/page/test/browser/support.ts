@@ -1,0 +1,50 @@
+/** What tests in a browser share: a browser for each suite, and what users do on any page. */
+
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { after, afterEach, before } from "node:test";
+import type { Browser, Page } from "puppeteer-core";
+import { PATIENCE, launch, root, scratch } from "../../tools/harness.js";
+import type { Opened } from "../../tools/harness.js";
+
+export const model = (name: string): string => join(root, `models/${name}.toml`);
+
+export interface Suite {
+  /** For files; gone in the end. */
+  readonly folder: string;
+  browser: Browser;
+  /** The page that a test has open: it is closed after the test, which fails if anything went wrong on it. */
+  opened: Opened | null;
+}
+
+/** To be called within `describe`. */
+export function inBrowser(): Suite {
+  const folder = scratch();
+  const suite = { folder: folder.path, opened: null } as unknown as Suite;
+  before(async () => {
+    suite.browser = await launch(folder.path);
+  });
+  afterEach(async () => {
+    const faults = suite.opened?.faults ?? [];
+    await suite.opened?.page.close();
+    suite.opened = null;
+    assert.deepEqual(faults, []);
+  });
+  after(async () => {
+    await suite.browser?.close();
+    folder.remove();
+  });
+  return suite;
+}
+
+/** Waits for two frames, in which the page draws what has changed. */
+export function settled(page: Page): Promise<void> {
+  return page.evaluate(() => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+}
+
+/** Clicks the button with a text. */
+export async function press(page: Page, text: string): Promise<void> {
+  const button = await page.waitForSelector(`::-p-xpath(//button[normalize-space()="${text}"])`, { timeout: PATIENCE });
+  await button?.click();
+  await settled(page);
+}
