@@ -22,6 +22,7 @@
 //! ```
 
 mod affine;
+mod arrange;
 mod curve;
 mod drawing;
 mod dxf;

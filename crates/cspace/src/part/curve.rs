@@ -62,6 +62,27 @@ impl Edge {
         self.start + Rotation::by(half) * self.start_direction() * (self.length() * u * ratio)
     }
 
+    /// The fraction of the length at which a point of the curve lies; of a point near it, that of a point about as near.
+    ///
+    /// From the start, the point is in the direction that the edge has halfway to it.
+    pub fn fraction_at(&self, p: Point) -> f64 {
+        let (chord, way) = (self.end - self.start, p - self.start);
+        if self.is_line() {
+            return (chord.dot(way) / chord.length_squared()).clamp(0.0, 1.0);
+        }
+        let from = self.start_direction();
+        let half = self.bulge.signum() * from.cross(way).atan2(from.dot(way));
+        // Behind the start, the nearer end.
+        if half < 0.0 {
+            return if p.distance(self.start) <= p.distance(self.end) {
+                0.0
+            } else {
+                1.0
+            };
+        }
+        (2.0 * half / self.sweep().abs()).min(1.0)
+    }
+
     /// The unit direction of travel at fraction `u` of the length.
     #[inline]
     pub fn direction_at(&self, u: f64) -> Vector {

@@ -29,7 +29,7 @@ impl Part {
     /// ```
     pub fn area(&self) -> f64 {
         let origin = self.bounds.center();
-        sum(self.edges().map(|edge| area_swept(&edge, origin)))
+        sum(self.edges().map(|edge| edge.area_swept(origin)))
     }
 
     /// Whether a point lies in the material. On the boundary, to rounding, the answer is either.
@@ -47,7 +47,7 @@ impl Part {
     /// # Ok::<(), cspace::PartError>(())
     /// ```
     pub fn contains(&self, p: Point) -> bool {
-        self.bounds.contains(p) && self.edges().filter(|edge| toggles(edge, p)).count() % 2 == 1
+        self.bounds.contains(p) && self.edges().filter(|edge| edge.toggles(p)).count() % 2 == 1
     }
 }
 
@@ -74,7 +74,7 @@ impl Inside {
         let meets = |b: &Bounds| b.min.y <= p.y && p.y <= b.max.y && p.x <= b.max.x;
         let mut inside = false;
         self.boxes.any(meets, |i| {
-            inside ^= toggles(&self.edges[i as usize], p);
+            inside ^= self.edges[i as usize].toggles(p);
             false
         });
         inside && self.bounds.contains(p)
@@ -95,7 +95,7 @@ impl Loop {
     /// ```
     pub fn signed_area(&self) -> f64 {
         let origin = self.vertices().first().map_or(Point::ORIGIN, |v| v.point());
-        sum(self.edges().map(|edge| area_swept(&edge, origin)))
+        sum(self.edges().map(|edge| edge.area_swept(origin)))
     }
 }
 
@@ -109,24 +109,28 @@ pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     total
 }
 
-/// The signed area that the segment from `origin` to the edge sweeps out along the edge.
-fn area_swept(edge: &Edge, origin: Point) -> f64 {
-    0.5 * (edge.start - origin).cross(edge.end - origin) + edge.segment_area()
-}
+impl Edge {
+    /// The signed area that the segment from `origin` to the edge sweeps out along the edge. Of a loop the sum is its area,
+    /// whatever the origin.
+    pub fn area_swept(&self, origin: Point) -> f64 {
+        0.5 * (self.start - origin).cross(self.end - origin) + self.segment_area()
+    }
 
-/// Whether the edge, closed by two rays along the first axis, changes the parity at `p`.
-fn toggles(edge: &Edge, p: Point) -> bool {
-    let chord = edge.end - edge.start;
-    let rising = chord.y > 0.0;
-    let level = (edge.start.y <= p.y) != (edge.end.y <= p.y);
-    let turn = (edge.start - p).cross(edge.end - p);
-    // A point of the chord counts to the right of a rising one, to the left of a falling one, and
-    // above a level one; all tests below use this one answer.
-    let tie = chord.y < 0.0 || (chord.y == 0.0 && chord.x > 0.0);
-    let left = turn > 0.0 || (turn == 0.0 && tie);
-    let across = level && (rising == left);
-    let arc_is_left = edge.bulge < 0.0;
-    let between =
-        edge.bulge != 0.0 && left == arc_is_left && edge.level(p) * edge.bulge.signum() > 0.0;
-    across != between
+    /// Whether the edge, closed by two rays along the first axis, changes the parity at `p`: a point is inside of loops if an
+    /// odd number of their edges do.
+    pub fn toggles(&self, p: Point) -> bool {
+        let chord = self.end - self.start;
+        let rising = chord.y > 0.0;
+        let level = (self.start.y <= p.y) != (self.end.y <= p.y);
+        let turn = (self.start - p).cross(self.end - p);
+        // A point of the chord counts to the right of a rising one, to the left of a falling one, and
+        // above a level one; all tests below use this one answer.
+        let tie = chord.y < 0.0 || (chord.y == 0.0 && chord.x > 0.0);
+        let left = turn > 0.0 || (turn == 0.0 && tie);
+        let across = level && (rising == left);
+        let arc_is_left = self.bulge < 0.0;
+        let between =
+            self.bulge != 0.0 && left == arc_is_left && self.level(p) * self.bulge.signum() > 0.0;
+        across != between
+    }
 }

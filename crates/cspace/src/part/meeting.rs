@@ -26,20 +26,45 @@ pub(super) fn meeting(a: &Edge, b: &Edge, tolerance: f64) -> Option<Meeting> {
         .or_else(|| crossing(a, b).map(Meeting::Crossing))
 }
 
+impl Edge {
+    /// The places at which two edges cross or come nearer than `tolerance`: the ends of one that are near the other, the
+    /// places near the other at which both have one normal, and the crossings. Of two edges that overlap these are the ends
+    /// of the overlap.
+    ///
+    /// ```
+    /// use cspace::{Edge, Point};
+    /// let edge = |a: (f64, f64), b: (f64, f64), bulge| Edge { start: a.into(), end: b.into(), bulge, index: 0 };
+    /// let (line, half_circle) = (edge((-2.0, -0.5), (2.0, -0.5), 0.0), edge((-1.0, 0.0), (1.0, 0.0), 1.0));
+    /// let places = half_circle.meetings(&line, 1e-9);
+    /// assert_eq!(places.len(), 2);
+    /// assert!(places.iter().all(|p| (p.distance(Point::ORIGIN) - 1.0).abs() < 1e-12));
+    /// ```
+    pub fn meetings(&self, other: &Self, tolerance: f64) -> Vec<Point> {
+        touchings(self, other, tolerance)
+            .chain(crossings(self, other))
+            .collect()
+    }
+}
+
 fn touching(a: &Edge, b: &Edge, tolerance: f64) -> Option<Point> {
-    let near = |p: &Point, edge: &Edge| edge.distance(*p) <= tolerance;
+    touchings(a, b, tolerance).next()
+}
+
+fn touchings<'a>(
+    a: &'a Edge,
+    b: &'a Edge,
+    tolerance: f64,
+) -> impl Iterator<Item = Point> + use<'a> {
     let (rounder, flatter) = by_curvature(a, b);
-    [a.start, a.end]
+    let facing = core::iter::once_with(move || facing(rounder, flatter))
+        .flatten()
+        .flatten()
+        .map(move |u| (rounder.at(u), flatter));
+    [(a.start, b), (a.end, b), (b.start, a), (b.end, a)]
         .into_iter()
-        .find(|p| near(p, b))
-        .or_else(|| [b.start, b.end].into_iter().find(|p| near(p, a)))
-        .or_else(|| {
-            facing(rounder, flatter)
-                .into_iter()
-                .flatten()
-                .map(|u| rounder.at(u))
-                .find(|p| near(p, flatter))
-        })
+        .chain(facing)
+        .filter(move |(p, edge)| edge.distance(*p) <= tolerance)
+        .map(|(p, _)| p)
 }
 
 /// The one of two edges with the larger |curvature|, then the other.
@@ -77,17 +102,21 @@ pub(super) fn facing(rounder: &Edge, flatter: &Edge) -> [Option<f64>; 2] {
 }
 
 /// A place where edges that are apart at their ends and where they face each other cross.
+fn crossing(a: &Edge, b: &Edge) -> Option<Point> {
+    crossings(a, b).next()
+}
+
+/// The places where two edges cross.
 ///
 /// Between these places on the rounder edge, its offset from the other's line or circle is
 /// monotone: it crosses once where the sign changes, and not otherwise.
-fn crossing(a: &Edge, b: &Edge) -> Option<Point> {
+fn crossings<'a>(a: &'a Edge, b: &'a Edge) -> impl Iterator<Item = Point> + use<'a> {
     let (rounder, flatter) = by_curvature(a, b);
     let [u, v] = facing(rounder, flatter).map(|u| u.unwrap_or(1.0));
-    let stops = [0.0, u.min(v), u.max(v), 1.0];
-    stops
-        .windows(2)
-        .filter_map(|span| sign_change(rounder, flatter, span[0], span[1]))
-        .find(|p| flatter.covers(*p))
+    [(0.0, u.min(v)), (u.min(v), u.max(v)), (u.max(v), 1.0)]
+        .into_iter()
+        .filter_map(move |(lo, hi)| sign_change(rounder, flatter, lo, hi))
+        .filter(|p| flatter.covers(*p))
 }
 
 /// Where `a` passes from one side of the line or circle of `b` to the other, in a span of `a` in
