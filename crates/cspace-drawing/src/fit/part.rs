@@ -1,0 +1,116 @@
+//! Smooth parts of curves, between the ends that they were joined to.
+
+use cspace::{Point, Vector};
+
+use crate::curve::Curve;
+use crate::join::ChainPiece;
+
+/// A part of a span of a curve in the direction of travel. Where the ends of a curve were moved to others, all of it is
+/// moved: from what its start was moved by to what its end was, evenly along its parameter.
+#[derive(Clone, Copy)]
+pub(super) struct Part<'c> {
+    curve: &'c Curve,
+    pub(super) piece: &'c ChainPiece<'c>,
+    span: usize,
+    /// The fractions of the span at which it starts and ends; down if it is travelled backward.
+    range: [f64; 2],
+    /// Where it starts and ends.
+    ends: [Point; 2],
+    /// What its start and its end are moved by.
+    moved: [Vector; 2],
+}
+
+impl<'c> Part<'c> {
+    /// The parts of a piece, in the direction of travel: its spans, cut where they turn sharply within a length.
+    pub(super) fn all(curve: &'c Curve, piece: &'c ChainPiece<'c>, within: f64) -> Vec<Self> {
+        let spans = curve.spans();
+        let own = match piece.is_backward {
+            true => [curve.end(), curve.start()],
+            false => [curve.start(), curve.end()],
+        };
+        let moved = [piece.start - own[0], piece.end - own[1]];
+        let mut parts = Vec::with_capacity(spans);
+        for k in 0..spans {
+            let span = if piece.is_backward { spans - 1 - k } else { k };
+            let mut turns = curve.sharp_turns(span, within);
+            if turns.iter().any(|&[from, to]| from == 0.0 && to == 1.0) {
+                turns.clear();
+            }
+            let mut ranges = between(&turns);
+            if piece.is_backward {
+                ranges.reverse();
+            }
+            for range in ranges {
+                let [first, last] = match piece.is_backward {
+                    true => [range[1], range[0]],
+                    false => range,
+                };
+                let at = |(s, corner): (f64, f64)| {
+                    let along = if piece.is_backward {
+                        1.0 - corner
+                    } else {
+                        corner
+                    };
+                    let share = (k as f64 + along) / spans as f64;
+                    let place = match share {
+                        0.0 => piece.start,
+                        1.0 => piece.end,
+                        _ => {
+                            let by = moved[0] + (moved[1] - moved[0]) * share;
+                            curve.at(span, corner).0 + by
+                        }
+                    };
+                    (place, place - curve.at(span, s).0)
+                };
+                let ((start, from_by), (end, to_by)) = (at(first), at(last));
+                parts.push(Self {
+                    curve,
+                    piece,
+                    span,
+                    range: [first.0, last.0],
+                    ends: [start, end],
+                    moved: [from_by, to_by],
+                });
+            }
+        }
+        parts
+    }
+
+    /// The point at a fraction of the part, and the direction of travel; the chord's where the derivative vanishes.
+    pub(super) fn at(&self, s: f64) -> (Point, Vector) {
+        let [from, to] = self.range;
+        let shift = |s: f64| self.moved[0] + (self.moved[1] - self.moved[0]) * s;
+        let (on_curve, derivative) = self.curve.at(self.span, from + (to - from) * s);
+        let point = match s {
+            0.0 => self.ends[0],
+            1.0 => self.ends[1],
+            _ => on_curve + shift(s),
+        };
+        let mut velocity = derivative * (to - from) + (self.moved[1] - self.moved[0]);
+        if velocity.length() <= 1e-9 * self.ends[0].distance(self.ends[1]) {
+            /// A step along a part over which a cusp's direction shows.
+            const STEP: f64 = 1e-3;
+            let near = |s: f64| self.curve.at(self.span, from + (to - from) * s).0 + shift(s);
+            velocity = near((s + STEP).min(1.0)) - near((s - STEP).max(0.0));
+        }
+        (point, velocity.unit())
+    }
+}
+
+/// The fractions of a span between its sharp turns, each with the fraction at which its corner is.
+fn between(turns: &[[f64; 2]]) -> Vec<[(f64, f64); 2]> {
+    let mut ranges = Vec::with_capacity(turns.len() + 1);
+    let mut start = (0.0, 0.0);
+    for &[from, to] in turns {
+        let corner = match (from, to) {
+            (0.0, _) => 0.0,
+            (_, 1.0) => 1.0,
+            _ => f64::midpoint(from, to),
+        };
+        ranges.push([start, (from, corner)]);
+        start = (to, corner);
+    }
+    ranges.push([start, (1.0, 1.0)]);
+    ranges.retain(|[start, end]| start.0 < end.0);
+    ranges
+}
