@@ -15,8 +15,11 @@ const CORNER: f64 = 0.01;
 /// Turning by more than this, in radians, is turning back: pieces in other directions than the curve's would cross there.
 const BACK: f64 = 2.8;
 
+/// How often a run is halved that cannot be fitted: by then it is a piece of few tolerances.
+const HALVINGS: u32 = 20;
+
 /// The length within which a curve turns sharply if that is a corner, as a share of the tolerance: nobody sees how it turns.
-const SHARP_WITHIN: f64 = 0.01;
+const SHARP_WITHIN: f64 = 0.25;
 
 /// On which side of a curve the pieces may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,7 +88,7 @@ pub(crate) fn outline(
                     Sided::Left => Band::one_sided(tolerance, true),
                     Sided::Right => Band::one_sided(tolerance, false),
                 };
-                add_run(&mut outline, parts, is_closed, ends, band)?;
+                add_run(&mut outline, parts, is_closed, ends, band, HALVINGS)?;
             }
         }
     }
@@ -110,32 +113,55 @@ fn run_end((other, is_edge): (Vector, bool), own: Vector) -> RunEnd {
     }
 }
 
+/// Fits a run and adds it. What is not fitted as a whole is fitted in two halves that are tangent where they meet: the shorter
+/// a run of a curve, the nearer it is to an arc.
 fn add_run(
     outline: &mut Outline,
     parts: &[Part<'_>],
     is_closed: bool,
     ends: [RunEnd; 2],
     band: Band,
+    halvings: u32,
 ) -> Result<(), NotFitted> {
-    /// Samples of a span at first, and at most.
+    /// Samples of a span at first, when a run is halved that was not fitted, and at most.
     const FIRST: usize = 16;
+    const HALVED: usize = 64;
     const LAST: usize = 1024;
     /// Samples of a piece, that joints at samples are nearly as good as anywhere.
     const ENOUGH: usize = 14;
     let start = parts[0].piece;
-    let not_fitted = NotFitted {
-        entity: start.entity,
-        at: start.start,
-    };
     let mut per_span = FIRST;
     let (fitted, run) = loop {
         let run = sample(parts, per_span, is_closed, ends, band);
-        let fitted = fit(&run);
-        let is_fine = fitted
-            .as_ref()
-            .is_some_and(|f| f.vertices.len() * ENOUGH <= run.points.len());
-        if is_fine || per_span >= LAST || run.points.len() > 200_000 {
-            break (fitted.ok_or(not_fitted)?, run);
+        match fit(&run) {
+            Some(fitted) => {
+                let is_fine = fitted.vertices.len() * ENOUGH <= run.points.len();
+                if is_fine || per_span >= LAST || run.points.len() > 200_000 {
+                    break (fitted, run);
+                }
+            }
+            None if per_span < HALVED => {}
+            None if halvings == 0 => {
+                return Err(NotFitted {
+                    entity: start.entity,
+                    at: start.start,
+                });
+            }
+            None => {
+                let mut halves = parts.to_vec();
+                if let [only] = parts {
+                    halves = only.halves().to_vec();
+                }
+                let (first, second) = halves.split_at(halves.len() / 2);
+                let meeting = RunEnd::Along(second[0].at(0.0).1);
+                let ends = match is_closed {
+                    true => [RunEnd::Along(first[0].at(0.0).1); 2],
+                    false => ends,
+                };
+                let [start, end] = ends;
+                add_run(outline, first, false, [start, meeting], band, halvings - 1)?;
+                return add_run(outline, second, false, [meeting, end], band, halvings - 1);
+            }
         }
         per_span *= 2;
     };

@@ -14,16 +14,19 @@ pub(super) struct Part<'c> {
     span: usize,
     /// The fractions of the span at which it starts and ends; down if it is travelled backward.
     range: [f64; 2],
-    /// Where it starts and ends.
+    /// Where it starts and ends: at a sharp turn in the corner that stands for it.
     ends: [Point; 2],
-    /// What its start and its end are moved by.
+    /// What the curve is moved by at its start and its end.
     moved: [Vector; 2],
 }
 
 impl<'c> Part<'c> {
     /// The parts of a piece, in the direction of travel: its spans, cut where they turn sharply within a length.
     pub(super) fn all(curve: &'c Curve, piece: &'c ChainPiece<'c>, within: f64) -> Vec<Self> {
+        /// Rounding of points of a curve, as a share of its size.
+        const STILL: f64 = 1e-12;
         let spans = curve.spans();
+        let size = curve.bounds().diagonal();
         let own = match piece.is_backward {
             true => [curve.end(), curve.start()],
             false => [curve.start(), curve.end()],
@@ -32,6 +35,14 @@ impl<'c> Part<'c> {
         let mut parts = Vec::with_capacity(spans);
         for k in 0..spans {
             let span = if piece.is_backward { spans - 1 - k } else { k };
+            // Control points that are the same make spans of no length.
+            let is_still = (1..=4).all(|i| {
+                let at = |i: u8| curve.at(span, f64::from(i) / 4.0).0;
+                at(i).distance(at(0)) <= STILL * size
+            });
+            if is_still {
+                continue;
+            }
             let mut turns = curve.sharp_turns(span, within);
             if turns.iter().any(|&[from, to]| from == 0.0 && to == 1.0) {
                 turns.clear();
@@ -45,35 +56,49 @@ impl<'c> Part<'c> {
                     true => [range[1], range[0]],
                     false => range,
                 };
-                let at = |(s, corner): (f64, f64)| {
-                    let along = if piece.is_backward {
-                        1.0 - corner
-                    } else {
-                        corner
-                    };
-                    let share = (k as f64 + along) / spans as f64;
-                    let place = match share {
-                        0.0 => piece.start,
-                        1.0 => piece.end,
-                        _ => {
-                            let by = moved[0] + (moved[1] - moved[0]) * share;
-                            curve.at(span, corner).0 + by
-                        }
-                    };
-                    (place, place - curve.at(span, s).0)
+                let along = |s: f64| {
+                    (k as f64 + if piece.is_backward { 1.0 - s } else { s }) / spans as f64
                 };
-                let ((start, from_by), (end, to_by)) = (at(first), at(last));
+                let by = |s: f64| moved[0] + (moved[1] - moved[0]) * along(s);
+                let place = |corner: f64| match along(corner) {
+                    0.0 => piece.start,
+                    1.0 => piece.end,
+                    _ => curve.at(span, corner).0 + by(corner),
+                };
                 parts.push(Self {
                     curve,
                     piece,
                     span,
                     range: [first.0, last.0],
-                    ends: [start, end],
-                    moved: [from_by, to_by],
+                    ends: [first, last].map(|(_, corner)| place(corner)),
+                    moved: [first, last].map(|(s, _)| by(s)),
                 });
             }
         }
         parts
+    }
+
+    /// Both halves of it.
+    pub(super) fn halves(&self) -> [Self; 2] {
+        let (middle, _) = self.at(0.5);
+        let [from, to] = self.range;
+        let (cut, by) = (
+            f64::midpoint(from, to),
+            (self.moved[0] + self.moved[1]) * 0.5,
+        );
+        let first = Self {
+            range: [from, cut],
+            ends: [self.ends[0], middle],
+            moved: [self.moved[0], by],
+            ..*self
+        };
+        let second = Self {
+            range: [cut, to],
+            ends: [middle, self.ends[1]],
+            moved: [by, self.moved[1]],
+            ..*self
+        };
+        [first, second]
     }
 
     /// The point at a fraction of the part, and the direction of travel; the chord's where the derivative vanishes.
