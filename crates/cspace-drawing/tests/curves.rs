@@ -12,7 +12,7 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::part::Edge;
 use cspace::{Part, Point};
-use cspace_drawing::{DrawingError, Format, Outlines, Settings, Source, from_bytes};
+use cspace_drawing::{DrawingError, Format, Outlines, Settings, Source, Traced, from_bytes};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -354,4 +354,42 @@ fn joined_curves_are_fitted() {
     // Each quarter has 3/20 of its square beyond the diagonal, and the square's half; moved by the gap it is 1 larger or less.
     assert!((area(&outlines) - 349.0).abs() < 1.0, "{}", area(&outlines));
     assert_eq!(outlines.joined.len(), 1);
+}
+
+/// A cam traced with 1,000 points, a square hole in it: asked to, the import makes some arcs of the trace and leaves the hole.
+/// Otherwise it stays as it is, and what fitting would give is what it then gives.
+#[test]
+fn traces_become_few_pieces() {
+    let n = 1000;
+    let cam: Vec<(f64, f64)> = (0..n)
+        .map(|k| TAU * f64::from(k) / f64::from(n))
+        .map(|t| (t, 20.0 + 4.0 * (1.0 - t.cos()) + (2.0 * t).sin()))
+        .map(|(t, r)| (r * t.cos(), r * t.sin()))
+        .collect();
+    let hole = [(-3.0, -3.0), (3.0, -3.0), (3.0, 3.0), (-3.0, 3.0)];
+    let drawn = polygon(&cam) + &polygon(&hole);
+    let plain = dxf(&drawn).unwrap();
+    assert_eq!(plain.parts[0].edges().count(), 1004);
+    let said = Traced::of(&plain.parts[0]).unwrap();
+    let settings = Settings {
+        trace: true,
+        fit: Some(said.fit),
+        ..Settings::default()
+    };
+    let text = format!("0\nSECTION\n2\nENTITIES\n{drawn}0\nENDSEC\n0\nEOF\n");
+    let outlines = from_bytes(text.as_bytes(), Format::Dxf, &Source::default())
+        .and_then(|d| d.outlines(&settings))
+        .unwrap();
+    let part = &outlines.parts[0];
+    assert_eq!(part.edges().count(), said.pieces);
+    assert!(said.pieces < 60, "{said:?}");
+    assert_eq!(part.edges().filter(|e| e.is_line()).count(), 4);
+    let off = (cam.iter())
+        .map(|&(x, y)| {
+            let of = |e: Edge| e.distance(Point::new(x, y));
+            part.edges().map(of).fold(f64::INFINITY, f64::min)
+        })
+        .fold(0.0, f64::max);
+    assert!(off <= said.fit, "{off} of {said:?}");
+    assert!(Traced::of(part).is_none());
 }

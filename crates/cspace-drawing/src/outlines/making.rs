@@ -10,6 +10,7 @@ use super::names::names;
 use super::refusal::{no_part, too_deep};
 use super::result::{FittedReport, Outlines};
 use super::settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
+use super::trace;
 use crate::drawing::{Drawing, Ignored, Origin, Problem};
 use crate::error::DrawingError;
 use crate::fit::{self, NotFitted, Outline, Sided};
@@ -222,6 +223,16 @@ impl<'d> Making<'d> {
         fit: f64,
         sided: Sided,
     ) -> Result<Outline, NotFitted> {
+        if self.settings.trace
+            && !self.drawing.is_measured
+            && let Some(edges) = trace::edges(chain)
+        {
+            let first = &chain.pieces[0];
+            return trace::outline(&edges, fit, sided, first.entity).ok_or(NotFitted {
+                entity: first.entity,
+                at: first.start,
+            });
+        }
         if !self.drawing.is_measured {
             return fit::outline(chain, fit, sided);
         }

@@ -6,6 +6,7 @@ mod names;
 mod refusal;
 mod result;
 mod settings;
+mod trace;
 
 use std::borrow::Cow;
 
@@ -14,6 +15,7 @@ use cspace::part::Bounds;
 
 pub use result::{FittedReport, Outlines, Survey};
 pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
+pub use trace::Traced;
 
 use crate::affine::Affine;
 use crate::drawing::Drawing;
