@@ -342,6 +342,25 @@ fn bezier_corners_are_fitted() {
     }
 }
 
+/// A curve that is tangent to its neighbours but for a small kink at either end, as numbers of three digits make it.
+#[test]
+fn nearly_tangent_corners_are_fitted() {
+    let settings = Settings {
+        fit: Some(0.002),
+        ..Settings::default()
+    };
+    let path = "M10 10 l.335 1.679 q.05.242.049.49 v.413 H5 V10 Z";
+    let outlines = svg_with(path, &settings).unwrap();
+    let off = deviation(&outlines.parts[0], |s| {
+        let (x, y) = (
+            2.0 * s * (1.0 - s) * 0.05 + s * s * 0.049,
+            2.0 * s * (1.0 - s) * 0.242 + s * s * 0.49,
+        );
+        (10.335 + x, 100.0 - 11.679 - y)
+    });
+    assert!(off <= 0.002, "{off}");
+}
+
 /// A gap that is joined moves the whole curve a little: its end alone would be a corner that no piece passes.
 #[test]
 fn joined_curves_are_fitted() {

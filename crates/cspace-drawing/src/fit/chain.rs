@@ -141,11 +141,16 @@ fn add_run(
                 }
             }
             None if per_span < HALVED => {}
-            None if halvings == 0 => {
+            None if halvings == 0 && own_ends(parts, ends) == ends => {
                 return Err(NotFitted {
                     entity: start.entity,
                     at: start.start,
                 });
+            }
+            None if own_ends(parts, ends) != ends => {
+                // The drawing has a small kink there, that a short run does not take up.
+                let ends = own_ends(parts, ends);
+                return add_run(outline, parts, is_closed, ends, band, halvings);
             }
             None => {
                 let mut halves = parts.to_vec();
@@ -188,6 +193,15 @@ fn add_run(
     outline.kink = outline.kink.max(fitted.kink);
     outline.vertices.extend(fitted.vertices);
     Ok(())
+}
+
+/// The ends with the directions that the curve has there, where they are to be tangent.
+fn own_ends(parts: &[Part<'_>], ends: [RunEnd; 2]) -> [RunEnd; 2] {
+    let own = [parts[0].at(0.0).1, parts[parts.len() - 1].at(1.0).1];
+    core::array::from_fn(|i| match ends[i] {
+        RunEnd::Free => RunEnd::Free,
+        RunEnd::Along(_) => RunEnd::Along(own[i]),
+    })
 }
 
 fn sample(

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use cspace::{Part, PartError, Point, Vertex};
 
 use super::blunt::blunt;
+use super::crossing::may_be_of_fit;
 use super::names::names;
 use super::refusal::{no_part, too_deep};
 use super::result::{FittedReport, Outlines};
@@ -199,10 +200,8 @@ impl<'d> Making<'d> {
                     return Some((outline, Lone { part, first }));
                 }
                 Err(error) => {
-                    let is_of_fit = matches!(
-                        error,
-                        PartError::Crossing { .. } | PartError::Touching { .. }
-                    ) && !outline.curves.is_empty();
+                    let is_of_fit = !outline.curves.is_empty()
+                        && may_be_of_fit(&outline.vertices, &error, share * fit);
                     refused.get_or_insert((error, outline));
                     if !is_of_fit {
                         break;

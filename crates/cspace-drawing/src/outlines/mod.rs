@@ -1,6 +1,7 @@
 //! Parts from drawings.
 
 mod blunt;
+mod crossing;
 mod making;
 mod names;
 mod refusal;
