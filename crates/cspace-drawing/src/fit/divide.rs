@@ -9,6 +9,7 @@
 
 use super::bulges::{Tested, allowed};
 use super::run::{Run, RunEnd};
+use super::tangent::SMOOTH;
 
 /// A run in pieces, each a line or an arc.
 #[derive(Debug, Clone, PartialEq)]
@@ -306,6 +307,11 @@ fn in_window(
                     continue;
                 }
                 let delta = half - arc.angles[1];
+                // A single arc has no joint that could be moved to meet both directions.
+                let is_single = to == n && state.pieces == 0 && leaving.is_some();
+                if is_single && arriving.is_some_and(|a| (delta - a).abs() > SMOOTH) {
+                    continue;
+                }
                 let Some(next) = cell_of(to, delta) else {
                     continue;
                 };
