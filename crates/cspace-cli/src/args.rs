@@ -656,6 +656,10 @@ pub(crate) struct ImportArgs {
     #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
     pub(crate) fit: Option<f64>,
 
+    /// Fit lines and arcs to loops of 64 edges and more, too: they are traces of something smooth
+    #[arg(long)]
+    pub(crate) trace: bool,
+
     /// On which side of a curve they may be, seen from the material
     #[arg(long, value_enum, default_value_t = Side::Both, value_name = "SIDE")]
     pub(crate) fit_side: Side,
@@ -1100,6 +1104,7 @@ Examples:
   cspace import pawl.dxf wheel.svg --unit mm -o ratchet.toml
   cspace import gear.dxf --layer OUTLINE --layer HOLES --part gear -o gear.toml
   cspace import scan.csv --fit 0.02 -o profile.toml
+  cspace import traced.dxf --trace --fit 0.02 -o gear.toml
 
 Every outermost loop with the holes in it is a part, called as its block, its
 layer or its file. Loose lines and arcs are joined where their ends meet, what

@@ -9,6 +9,7 @@ mod picture;
 mod progress;
 mod subject;
 mod template;
+mod traces;
 mod wording;
 
 use std::ffi::OsString;

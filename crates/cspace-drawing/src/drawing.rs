@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use cspace::Point;
+use cspace::part::{Bounds, Edge};
 
 use crate::curve::Curve;
 
@@ -67,6 +68,24 @@ impl Piece {
             Self::Curve(curve) => curve.end(),
         }
     }
+
+    /// The box of the piece, which starts at a point.
+    pub(crate) fn bounds(&self, from: Point) -> Bounds {
+        match self {
+            Self::Edge { to, bulge } => edge(from, *to, *bulge).bounds(),
+            Self::Curve(curve) => curve.bounds(),
+        }
+    }
+}
+
+/// The line or arc of a bulge between two points; the line where both are one, for a bulge then says nothing.
+pub(crate) fn edge(start: Point, end: Point, bulge: f64) -> Edge {
+    Edge {
+        start,
+        end,
+        bulge: if start == end { 0.0 } else { bulge },
+        index: 0,
+    }
 }
 
 impl Path {
@@ -82,6 +101,17 @@ impl Path {
     /// Where the last piece ends.
     pub fn end(&self) -> Point {
         self.pieces.last().map_or(self.start, Piece::end)
+    }
+
+    /// The box of all pieces, and of the start where there are none.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let mut from = self.start;
+        let mut bounds = Bounds::of(from, from);
+        for piece in &self.pieces {
+            bounds = bounds.union(piece.bounds(from));
+            from = piece.end();
+        }
+        bounds
     }
 
     /// Adds a line, or an arc of a bulge.

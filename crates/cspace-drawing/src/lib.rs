@@ -43,7 +43,9 @@ pub use affine::Affine;
 pub use curve::{Curve, EllipseArc, Spline, SplineError};
 pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem, Unit};
 pub use error::DrawingError;
-pub use outlines::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings, Survey};
+pub use outlines::{
+    DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings, Survey, Traced,
+};
 pub use read::{Format, from_bytes, is_drawing, read};
 pub use source::Source;
 pub use write::{Drawn, DxfVersion, dxf, svg};

@@ -16,6 +16,7 @@ use crate::failure::{Failure, note, warning};
 use crate::output::{self, STANDARD};
 use crate::progress::catch_interrupts;
 
+use crate::traces::{self, OTHER, quoted};
 use crate::wording::count;
 use named::named_pair;
 pub(crate) use place::{FeaturePair, near, texts, touching};
@@ -154,6 +155,18 @@ impl Subject {
                 "{} more warnings like these",
                 slips.len() - MOST
             ));
+        }
+    }
+
+    /// Says on stderr of which parts fewer lines and arcs could be made, and how.
+    pub(crate) fn tell_traces(&self) {
+        if let Self::Model { path, model } = self {
+            let file = quoted(path);
+            traces::tell(model, |fit| {
+                format!(
+                    "cspace draw {file} -o parts.dxf && cspace import parts.dxf --trace --fit {fit} -o {OTHER}"
+                )
+            });
         }
     }
 

@@ -295,3 +295,48 @@ fn usage_is_checked() {
         &["--dxf"],
     );
 }
+
+/// A trace of very many points is named with the command that makes few lines and arcs of it, and what it then gives is as said.
+#[test]
+fn traces_are_told_with_a_command_that_works() {
+    let folder = tempfile::tempdir().unwrap();
+    let n = 600;
+    let points: String = (0..n)
+        .map(|k| std::f64::consts::TAU * f64::from(k) / f64::from(n))
+        .map(|t| (t, 20.0 + 4.0 * t.cos() + (2.0 * t).sin()))
+        .map(|(t, r)| format!("10\n{:?}\n20\n{:?}\n", r * t.cos(), r * t.sin()))
+        .collect();
+    let text =
+        format!("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n70\n1\n{points}0\nENDSEC\n0\nEOF\n");
+    fs::write(folder.path().join("cam.dxf"), text).unwrap();
+    let run = |args: &[&str]| cspace(args).current_dir(folder.path()).output().unwrap();
+    let told = |args: &[&str]| String::from_utf8(run(args).stderr).unwrap();
+    // The commands after "trace: ", each in words.
+    let commands = |text: &str| -> Vec<Vec<String>> {
+        let line = text.split("if it is a trace: ").nth(1).unwrap();
+        let line = line.lines().next().unwrap();
+        (line.split(" && "))
+            .map(|c| c.split(' ').skip(1).map(str::to_owned).collect())
+            .collect()
+    };
+    let imported = told(&["import", "cam.dxf", "-o", "cam.toml"]);
+    assert!(imported.contains("has 600 edges"), "{imported}");
+    let pieces: u64 = (imported.split("600 edges; ").nth(1))
+        .and_then(|rest| rest.split(' ').next()?.parse().ok())
+        .unwrap();
+    for asked in [imported, told(&["info", "cam.toml"])] {
+        for command in commands(&asked) {
+            let words: Vec<&str> = command.iter().map(String::as_str).collect();
+            let done = run(&words);
+            assert!(done.status.success(), "{words:?}");
+        }
+        let path = folder.path().join("traced.toml");
+        let info = json(&["info", path.to_str().unwrap()]);
+        let features = &info["parts"][0]["features"];
+        let edges = features["lines"].as_u64().unwrap() + features["arcs"].as_u64().unwrap();
+        assert_eq!(edges, pieces);
+        assert!(pieces < 60);
+        fs::remove_file(path).unwrap();
+    }
+    assert_eq!(told(&["import", "cam.dxf", "--trace"]), "");
+}

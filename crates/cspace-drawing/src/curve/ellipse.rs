@@ -1,7 +1,8 @@
 //! Arcs of ellipses.
 
-use core::f64::consts::{FRAC_PI_4, TAU};
+use core::f64::consts::{FRAC_PI_4, PI, TAU};
 
+use cspace::part::Bounds;
 use cspace::{Point, Vector};
 
 use crate::affine::Affine;
@@ -49,6 +50,23 @@ impl EllipseArc {
             self.center + self.u * cos + self.v * sin,
             (self.v * cos - self.u * sin) * step,
         )
+    }
+
+    /// The box of the ends and of the points on the arc at which a coordinate is greatest or least.
+    pub(super) fn bounds(&self) -> Bounds {
+        let point = |t: f64| self.center + self.u * t.cos() + self.v * t.sin();
+        let (first, last) = (self.from.min(self.to), self.from.max(self.to));
+        let mut bounds = Bounds::of(point(first), point(last));
+        for extreme in [self.v.x.atan2(self.u.x), self.v.y.atan2(self.u.y)] {
+            let mut t = extreme + PI * ((first - extreme) / PI).ceil();
+            for _ in 0..2 {
+                if t <= last {
+                    bounds = bounds.union(Bounds::of(point(t), point(t)));
+                }
+                t += PI;
+            }
+        }
+        bounds
     }
 
     pub(super) fn mapped(&self, map: &Affine) -> Self {

@@ -2,8 +2,10 @@
 
 mod ellipse;
 mod interpolate;
+mod sharp;
 mod spline;
 
+use cspace::part::Bounds;
 use cspace::{Point, Vector};
 
 pub use ellipse::EllipseArc;
@@ -46,6 +48,16 @@ impl Curve {
         match self {
             Self::Ellipse(ellipse) => ellipse.at(span, s),
             Self::Spline(spline) => spline.at(span, s),
+        }
+    }
+
+    /// The box of the curve: exact for an ellipse, of the ends and middles of spans for a spline.
+    pub(crate) fn bounds(&self) -> Bounds {
+        match self {
+            Self::Ellipse(ellipse) => ellipse.bounds(),
+            Self::Spline(_) => (0..self.spans())
+                .flat_map(|span| [0.0, 0.5, 1.0].map(|s| self.at(span, s).0))
+                .fold(Bounds::EMPTY, |all, p| all.union(Bounds::of(p, p))),
         }
     }
 

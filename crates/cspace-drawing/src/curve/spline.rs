@@ -37,6 +37,9 @@ pub enum SplineError {
     /// The knots go down, or are all the same.
     #[error("its knots do not go up")]
     Order,
+    /// A knot has a higher multiplicity than the degree, and the spline goes on elsewhere.
+    #[error("it is in several pieces: a knot in it has a higher multiplicity than its degree")]
+    Broken,
     /// A weight is not positive.
     #[error("a weight is not positive")]
     Weight,
@@ -71,6 +74,12 @@ impl Spline {
             .collect();
         if !is_up || spans.is_empty() || !knots.iter().all(|k| k.is_finite()) {
             return Err(SplineError::Order);
+        }
+        // Where a knot has a higher multiplicity than the degree, the spline goes on elsewhere.
+        let is_broken =
+            |s: &[usize]| s[1] - s[0] > degree && control[s[1] - degree].0 != control[s[0]].0;
+        if spans.windows(2).any(is_broken) {
+            return Err(SplineError::Broken);
         }
         let control = control
             .iter()

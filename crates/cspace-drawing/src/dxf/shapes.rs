@@ -26,6 +26,8 @@ fn radius(record: &Record<'_, '_>, at: Point) -> Result<core::result::Result<f64
     let radius = record.real(40)?.unwrap_or(0.0);
     Ok(if radius > 0.0 {
         Ok(radius)
+    } else if radius == 0.0 {
+        Err(What::Ignored("its radius is 0: it is a point"))
     } else {
         Err(What::problem(
             Some(at),
@@ -57,8 +59,8 @@ pub(super) fn arc(record: &Record<'_, '_>) -> Result<What> {
     };
     let [from, to] = [50, 51].map(|c| record.real(c));
     let (from, to) = (from?.unwrap_or(0.0), to?.unwrap_or(360.0));
-    let sweep = (to - from).rem_euclid(360.0);
-    if sweep == 0.0 {
+    let sweep = sweep(to - from, 360.0);
+    if sweep == 360.0 {
         return Ok(faced(Path::circle(center, radius), behind));
     }
     let mut path = Path::from(center + direction(from) * radius);
@@ -108,16 +110,22 @@ pub(super) fn ellipse(record: &Record<'_, '_>) -> Result<What> {
         u,
         v,
         from,
-        to: from + sweep(to - from),
+        to: from + sweep(to - from, TAU),
     })))
 }
 
-/// The sweep, more than none and at most a turn. Angles in files have some digits.
-fn sweep(angle: f64) -> f64 {
-    const ROUND: f64 = 1e-9;
-    let sweep = angle.rem_euclid(TAU);
-    if sweep < ROUND || TAU - sweep < ROUND {
-        TAU
+/// The sweep, more than none and at most a turn; a whole turn where the angles say that but for their rounding.
+fn sweep(angle: f64, turn: f64) -> f64 {
+    /// Rounding of angles, in turns: no sweep is that small.
+    const NONE: f64 = 1e-10;
+    /// How much less than a turn a turn may be: nearer ends would not say where the circle is.
+    const LESS: f64 = 1e-8;
+    /// How much more than a turn it may be: 2π as files have it with five digits. Arcs end within a turn of their start.
+    const MORE: f64 = 3e-6;
+    let sweep = angle.rem_euclid(turn);
+    let is_over = angle > turn && angle - turn < MORE * turn;
+    if sweep < NONE * turn || turn - sweep < LESS * turn || is_over {
+        turn
     } else {
         sweep
     }

@@ -1,17 +1,25 @@
 //! Loops of lines and arcs from chains that may have curves.
 
-use core::f64::consts::PI;
-
 use cspace::{Point, Vector, Vertex};
 
 use super::deviation::of_others;
+use super::part::Part;
 use super::pieces::fit;
 use super::run::{Band, Run, RunEnd};
-use crate::curve::Curve;
+use crate::drawing::edge;
 use crate::join::{Chain, ChainPiece, Shape};
 
 /// Directions that differ by more than this, in radians, are a corner: files have directions to fewer digits than places.
 const CORNER: f64 = 0.01;
+
+/// Turning by more than this, in radians, is turning back: pieces in other directions than the curve's would cross there.
+const BACK: f64 = 2.8;
+
+/// How often a run is halved that cannot be fitted: by then it is a piece of few tolerances.
+const HALVINGS: u32 = 20;
+
+/// The length within which a curve turns sharply if that is a corner, as a share of the tolerance: nobody sees how it turns.
+const SHARP_WITHIN: f64 = 0.25;
 
 /// On which side of a curve the pieces may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,39 +55,6 @@ enum Stretch<'c> {
     Curves(Vec<Part<'c>>),
 }
 
-/// A span of a curve in the direction of travel.
-#[derive(Clone, Copy)]
-struct Part<'c> {
-    curve: &'c Curve,
-    span: usize,
-    is_backward: bool,
-    piece: &'c ChainPiece<'c>,
-}
-
-impl Part<'_> {
-    /// The point at a fraction of the span, and the direction of travel; the chord's where the derivative vanishes.
-    fn at(&self, s: f64) -> (Point, Vector) {
-        let u = if self.is_backward { 1.0 - s } else { s };
-        let (point, mut velocity) = self.curve.at(self.span, u);
-        let near = |u: f64| self.curve.at(self.span, u).0;
-        if velocity.length() <= 1e-9 * near(0.0).distance(near(1.0)) {
-            /// A step along a span over which a cusp's direction shows.
-            const STEP: f64 = 1e-3;
-            let (a, b) = ((u - STEP).max(0.0), (u + STEP).min(1.0));
-            velocity = near(b) - near(a);
-        }
-        let direction = velocity.unit();
-        (
-            point,
-            if self.is_backward {
-                -direction
-            } else {
-                direction
-            },
-        )
-    }
-}
-
 /// The loop of a chain; its curves fitted within a tolerance.
 pub(crate) fn outline(
     chain: &Chain<'_>,
@@ -87,7 +62,7 @@ pub(crate) fn outline(
     sided: Sided,
 ) -> Result<Outline, NotFitted> {
     let mut outline = Outline::default();
-    let stretches = stretches(chain);
+    let stretches = stretches(chain, SHARP_WITHIN * tolerance);
     let n = stretches.len();
     for (i, stretch) in stretches.iter().enumerate() {
         match stretch {
@@ -100,22 +75,20 @@ pub(crate) fn outline(
             Stretch::Curves(parts) => {
                 let (first, last) = (parts[0], parts[parts.len() - 1]);
                 let is_closed = n == 1 && !turns(last.at(1.0).1, first.at(0.0).1);
-                let before = stretches[(i + n - 1) % n].edge_direction(1);
-                let after = stretches[(i + 1) % n].edge_direction(0);
-                let smooth = |edge: Option<Vector>, own: Vector| match edge {
-                    Some(edge) if !turns(edge, own) => RunEnd::Along(edge),
-                    _ => RunEnd::Free,
-                };
+                let others = [
+                    stretches[(i + n - 1) % n].direction(1),
+                    stretches[(i + 1) % n].direction(0),
+                ];
                 let ends = [
-                    smooth(before, first.at(0.0).1),
-                    smooth(after, last.at(1.0).1),
+                    run_end(others[0], first.at(0.0).1),
+                    run_end(others[1], last.at(1.0).1),
                 ];
                 let band = match sided {
                     Sided::Both => Band::both(tolerance),
                     Sided::Left => Band::one_sided(tolerance, true),
                     Sided::Right => Band::one_sided(tolerance, false),
                 };
-                add_run(&mut outline, parts, is_closed, ends, band)?;
+                add_run(&mut outline, parts, is_closed, ends, band, HALVINGS)?;
             }
         }
     }
@@ -124,35 +97,76 @@ pub(crate) fn outline(
 
 /// Whether two directions of travel make a corner.
 fn turns(a: Vector, b: Vector) -> bool {
-    a.cross(b).atan2(a.dot(b)).abs() > CORNER
+    angle(a, b) > CORNER
 }
 
+fn angle(a: Vector, b: Vector) -> f64 {
+    a.cross(b).atan2(a.dot(b)).abs()
+}
+
+/// What is known of the end of a curve beside another stretch, whose direction is exact if it is an edge's.
+fn run_end((other, is_edge): (Vector, bool), own: Vector) -> RunEnd {
+    match angle(other, own) {
+        turn if turn <= CORNER && is_edge => RunEnd::Along(other),
+        turn if turn > BACK => RunEnd::Along(own),
+        _ => RunEnd::Free,
+    }
+}
+
+/// Fits a run and adds it. What is not fitted as a whole is fitted in two halves that are tangent where they meet: the shorter
+/// a run of a curve, the nearer it is to an arc.
 fn add_run(
     outline: &mut Outline,
     parts: &[Part<'_>],
     is_closed: bool,
     ends: [RunEnd; 2],
     band: Band,
+    halvings: u32,
 ) -> Result<(), NotFitted> {
-    /// Samples of a span at first, and at most.
+    /// Samples of a span at first, when a run is halved that was not fitted, and at most.
     const FIRST: usize = 16;
+    const HALVED: usize = 64;
     const LAST: usize = 1024;
     /// Samples of a piece, that joints at samples are nearly as good as anywhere.
     const ENOUGH: usize = 14;
     let start = parts[0].piece;
-    let not_fitted = NotFitted {
-        entity: start.entity,
-        at: start.start,
-    };
     let mut per_span = FIRST;
     let (fitted, run) = loop {
         let run = sample(parts, per_span, is_closed, ends, band);
-        let fitted = fit(&run);
-        let is_fine = fitted
-            .as_ref()
-            .is_some_and(|f| f.vertices.len() * ENOUGH <= run.points.len());
-        if is_fine || per_span >= LAST || run.points.len() > 200_000 {
-            break (fitted.ok_or(not_fitted)?, run);
+        match fit(&run) {
+            Some(fitted) => {
+                let is_fine = fitted.vertices.len() * ENOUGH <= run.points.len();
+                if is_fine || per_span >= LAST || run.points.len() > 200_000 {
+                    break (fitted, run);
+                }
+            }
+            None if per_span < HALVED => {}
+            None if halvings == 0 && own_ends(parts, ends) == ends => {
+                return Err(NotFitted {
+                    entity: start.entity,
+                    at: start.start,
+                });
+            }
+            None if own_ends(parts, ends) != ends => {
+                // The drawing has a small kink there, that a short run does not take up.
+                let ends = own_ends(parts, ends);
+                return add_run(outline, parts, is_closed, ends, band, halvings);
+            }
+            None => {
+                let mut halves = parts.to_vec();
+                if let [only] = parts {
+                    halves = only.halves().to_vec();
+                }
+                let (first, second) = halves.split_at(halves.len() / 2);
+                let meeting = RunEnd::Along(second[0].at(0.0).1);
+                let ends = match is_closed {
+                    true => [RunEnd::Along(first[0].at(0.0).1); 2],
+                    false => ends,
+                };
+                let [start, end] = ends;
+                add_run(outline, first, false, [start, meeting], band, halvings - 1)?;
+                return add_run(outline, second, false, [meeting, end], band, halvings - 1);
+            }
         }
         per_span *= 2;
     };
@@ -181,6 +195,15 @@ fn add_run(
     Ok(())
 }
 
+/// The ends with the directions that the curve has there, where they are to be tangent.
+fn own_ends(parts: &[Part<'_>], ends: [RunEnd; 2]) -> [RunEnd; 2] {
+    let own = [parts[0].at(0.0).1, parts[parts.len() - 1].at(1.0).1];
+    core::array::from_fn(|i| match ends[i] {
+        RunEnd::Free => RunEnd::Free,
+        RunEnd::Along(_) => RunEnd::Along(own[i]),
+    })
+}
+
 fn sample(
     parts: &[Part<'_>],
     per_span: usize,
@@ -197,12 +220,10 @@ fn sample(
             normals.push(direction.left());
         }
     }
-    // The ends are where they were joined.
-    let (first, last) = (parts[0].piece, parts[parts.len() - 1]);
     if !is_closed {
-        points[0] = first.start;
-        points.push(last.piece.end);
-        normals.push(last.at(1.0).1.left());
+        let (end, direction) = parts[parts.len() - 1].at(1.0);
+        points.push(end);
+        normals.push(direction.left());
     }
     Run {
         points,
@@ -215,24 +236,15 @@ fn sample(
     }
 }
 
-/// The stretches of a chain, beginning at a corner or an edge if there is one.
-fn stretches<'c>(chain: &'c Chain<'c>) -> Vec<Stretch<'c>> {
+/// The stretches of a chain, beginning at a corner or an edge if there is one. What turns sharply within a length is a corner.
+fn stretches<'c>(chain: &'c Chain<'c>, within: f64) -> Vec<Stretch<'c>> {
     let mut all: Vec<Stretch<'c>> = Vec::new();
     for piece in &chain.pieces {
         match piece.shape {
             Shape::Edge(bulge) => all.push(Stretch::Edge(piece, bulge)),
             Shape::Curve(curve) => {
-                let spans = curve.spans();
-                for k in 0..spans {
-                    let span = if piece.is_backward { spans - 1 - k } else { k };
-                    let part = Part {
-                        curve,
-                        span,
-                        is_backward: piece.is_backward,
-                        piece,
-                    };
-                    all.push(Stretch::Curves(vec![part]));
-                }
+                let parts = Part::all(curve, piece, within);
+                all.extend(parts.into_iter().map(|part| Stretch::Curves(vec![part])));
             }
         }
     }
@@ -266,16 +278,25 @@ fn continues(before: &[Part<'_>], next: &[Part<'_>]) -> bool {
 }
 
 impl Stretch<'_> {
-    /// The direction of an edge at its start (0) or end (1).
-    fn edge_direction(&self, side: usize) -> Option<Vector> {
-        let Stretch::Edge(piece, bulge) = self else {
-            return None;
-        };
-        let chord = (piece.end - piece.start).unit();
-        let half = 2.0 * bulge.atan();
-        let turn = if side == 0 { -half } else { half };
-        debug_assert!(turn.abs() <= PI);
-        let (sin, cos) = turn.sin_cos();
-        Some(chord * cos + chord.left() * sin)
+    /// The direction at its start (0) or end (1), and whether it is that of an edge.
+    fn direction(&self, side: usize) -> (Vector, bool) {
+        match self {
+            Self::Edge(piece, bulge) => {
+                let edge = edge(piece.start, piece.end, *bulge);
+                let direction = match side {
+                    0 => edge.start_direction(),
+                    _ => edge.end_direction(),
+                };
+                (direction, true)
+            }
+            Self::Curves(parts) => {
+                let end = if side == 0 {
+                    parts[0]
+                } else {
+                    parts[parts.len() - 1]
+                };
+                (end.at(side as f64).1, false)
+            }
+        }
     }
 }

@@ -4,10 +4,12 @@
 //! angle from the curve's direction at i to the chord; it arrives at j at the angle a − ψ, where ψ is that from the chord to
 //! the curve's direction at j. So a chain of tangent pieces is a path through states (sample, δ), and dynamic programming
 //! finds the one of fewest pieces. Angles are told apart by cells as wide as a small part of the tolerance makes them; of the
-//! ways into a cell the one is kept that stays farther from the edges of the band.
+//! ways into a cell the one is kept that stays farther from the edges of the band. A chain arrives at a given angle but for
+//! part of a cell.
 
 use super::bulges::{Tested, allowed};
 use super::run::{Run, RunEnd};
+use super::tangent::SMOOTH;
 
 /// A run in pieces, each a line or an arc.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +33,8 @@ struct Arcs {
     count: usize,
     /// The number of samples of a closed run.
     around: Option<usize>,
+    /// How much narrower cells are at an end at which a chain arrives at a given angle.
+    exactness: f64,
 }
 
 /// The pieces between two samples.
@@ -57,7 +61,7 @@ const EVEN: f64 = 5.0;
 
 impl Arcs {
     /// The arcs of a run between candidates within a band of this half width.
-    fn new(run: &Run, tested: &Tested, candidates: Vec<usize>, width: f64) -> Self {
+    fn new(run: &Run, tested: &Tested, candidates: Vec<usize>, limits: Limits) -> Self {
         /// After so many ends that no arc reaches the next will not be reached either.
         const MISSES: usize = 3;
         let mut arcs = Self {
@@ -67,6 +71,7 @@ impl Arcs {
                 candidates.len() - 1
             },
             around: run.is_closed.then_some(run.points.len()),
+            exactness: limits.exactness,
             candidates,
             from: Vec::new(),
             cell: Vec::new(),
@@ -82,7 +87,7 @@ impl Arcs {
             let mut misses = 0;
             for on in 1..=most {
                 let to = arcs.sample(i + on);
-                match allowed(run, tested, from, to, width) {
+                match allowed(run, tested, from, to, limits.width) {
                     Some((lo, hi)) => {
                         misses = 0;
                         of_this.push(Arc {
@@ -107,7 +112,7 @@ impl Arcs {
             let leaving = of_this
                 .last()
                 .map_or(0.0, |a| a.angles[0] - f64::midpoint(a.lo, a.hi));
-            arcs.cell.push((CELL * width / length, leaving));
+            arcs.cell.push((CELL * limits.width / length, leaving));
             arcs.from.push(of_this);
         }
         // The end of an open run has no piece of its own.
@@ -137,6 +142,15 @@ impl Arcs {
     /// The cell of an angle at a candidate; none of one that is far off.
     fn cell(&self, candidate: usize, delta: f64) -> Option<i32> {
         let (width, around) = self.of(candidate);
+        Self::cell_of(delta, width, around)
+    }
+
+    /// The cell of an angle at an end that is to be arrived at at another.
+    fn cell_at_end(&self, candidate: usize, delta: f64, arriving: f64) -> Option<i32> {
+        Self::cell_of(delta, self.of(candidate).0 / self.exactness, arriving)
+    }
+
+    fn cell_of(delta: f64, width: f64, around: f64) -> Option<i32> {
         let even = (delta - around) / (EVEN * width);
         let cell = (EVEN * even / (1.0 + even.abs() / EVEN)).round();
         (cell.abs() <= f64::from(CELLS)).then_some(cell as i32)
@@ -253,7 +267,10 @@ fn in_window(
 ) -> Option<Path> {
     let width = (2 * CELLS + 1) as usize;
     let mut states: Vec<Option<State>> = vec![None; (n + 1) * width];
-    let cell_of = |step: usize, delta: f64| arcs.cell(start + step, delta);
+    let cell_of = |step: usize, delta: f64| match arriving {
+        Some(arriving) if step == n => arcs.cell_at_end(start + step, delta, arriving),
+        _ => arcs.cell(start + step, delta),
+    };
     let index = |step: usize, cell: i32| step * width + (cell + CELLS) as usize;
     let seed = |delta: f64| State {
         pieces: 0,
@@ -290,6 +307,11 @@ fn in_window(
                     continue;
                 }
                 let delta = half - arc.angles[1];
+                // A single arc has no joint that could be moved to meet both directions.
+                let is_single = to == n && state.pieces == 0 && leaving.is_some();
+                if is_single && arriving.is_some_and(|a| (delta - a).abs() > SMOOTH) {
+                    continue;
+                }
                 let Some(next) = cell_of(to, delta) else {
                     continue;
                 };
@@ -313,10 +335,7 @@ fn in_window(
     }
     let ends = match arriving {
         // What is left of the angle is taken up by small changes.
-        Some(delta) => {
-            let cell = cell_of(n, delta)?;
-            (cell - 1).max(-CELLS)..=(cell + 1).min(CELLS)
-        }
+        Some(_) => -1..=1,
         None => -CELLS..=CELLS,
     };
     let end = (ends.filter(|&c| states[index(n, c)].is_some_and(|s| s.pieces > 0))).min_by(
@@ -354,12 +373,21 @@ const PER_PIECE: usize = 32;
 const PER_RUN: usize = 96;
 const PER_PROFILE: usize = 400;
 
-/// The best division of a run within a band of this half width, tangent but for what small changes will mend. `pieces` is
-/// about how many there will be.
+/// What a division keeps to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
+    /// Half the width of the band.
+    pub(super) width: f64,
+    /// How much nearer than a cell's width a chain comes to the angle that it is to arrive at.
+    pub(super) exactness: f64,
+}
+
+/// The best division of a run within limits, tangent but for what small changes will mend. `pieces` is about how many there
+/// will be.
 ///
 /// Where there are many samples joints are first sought at some of them, and then again with more of those near the ones found,
 /// down to every one: where a line goes over into an arc it matters at which.
-pub(super) fn divide(run: &Run, pieces: usize, width: f64) -> Option<Division> {
+pub(super) fn divide(run: &Run, pieces: usize, limits: Limits) -> Option<Division> {
     /// How much finer samples are looked at near joints, each time.
     const FINER: usize = 16;
     let n = run.points.len();
@@ -375,7 +403,7 @@ pub(super) fn divide(run: &Run, pieces: usize, width: f64) -> Option<Division> {
     loop {
         candidates.sort_unstable();
         candidates.dedup();
-        let division = over(run, &tested, candidates, width)?;
+        let division = over(run, &tested, candidates, limits)?;
         if stride == 1 {
             return Some(division);
         }
@@ -392,8 +420,8 @@ pub(super) fn divide(run: &Run, pieces: usize, width: f64) -> Option<Division> {
     }
 }
 
-fn over(run: &Run, tested: &Tested, candidates: Vec<usize>, width: f64) -> Option<Division> {
-    let arcs = Arcs::new(run, tested, candidates, width);
+fn over(run: &Run, tested: &Tested, candidates: Vec<usize>, limits: Limits) -> Option<Division> {
+    let arcs = Arcs::new(run, tested, candidates, limits);
     if run.is_closed {
         return closed(&arcs);
     }

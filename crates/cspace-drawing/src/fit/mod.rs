@@ -13,6 +13,7 @@ mod chain;
 mod deviation;
 mod divide;
 mod fitted;
+mod part;
 mod pieces;
 mod profile;
 mod run;

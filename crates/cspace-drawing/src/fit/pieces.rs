@@ -1,5 +1,6 @@
 //! Lines and arcs for a run of samples.
 
+use super::divide::Limits;
 use super::fitted::Fitted;
 use super::run::Run;
 use super::{divide, tangent};
@@ -9,12 +10,19 @@ use super::{divide, tangent};
 const NARROWER: f64 = 0.96;
 const TRIES: usize = 24;
 
+/// How much more exactly, for each next try, pieces arrive in the direction that an end has: the more exactly, the smaller
+/// are the changes that make them tangent there.
+const MORE_EXACTLY: f64 = 2.0;
+
 /// Fits lines and arcs to a run. None if the samples do not allow it: they are too coarse for the tolerance.
 pub(crate) fn fit(run: &Run) -> Option<Fitted> {
     let pieces = divide::roughly(run);
-    let mut width = 0.999 * run.band.width();
+    let mut limits = Limits {
+        width: 0.999 * run.band.width(),
+        exactness: 1.0,
+    };
     for _ in 0..TRIES {
-        if let Some(division) = divide::divide(run, pieces, width) {
+        if let Some(division) = divide::divide(run, pieces, limits) {
             for with_lines in [true, false] {
                 let made = tangent::make(run, &division, with_lines);
                 if let Some(made) = made.filter(|m| run.band.holds(m.range)) {
@@ -22,7 +30,8 @@ pub(crate) fn fit(run: &Run) -> Option<Fitted> {
                 }
             }
         }
-        width *= NARROWER;
+        limits.width *= NARROWER;
+        limits.exactness *= MORE_EXACTLY;
     }
     None
 }

@@ -23,7 +23,7 @@ pub(super) struct Made {
 }
 
 /// Angles below this are no kink: rounding of directions of short pieces.
-const SMOOTH: f64 = 1e-11;
+pub(super) const SMOOTH: f64 = 1e-11;
 
 /// Newton's method has then doubled its digits often enough, or never will.
 const MOST_STEPS: usize = 12;

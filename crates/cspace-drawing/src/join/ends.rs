@@ -82,9 +82,16 @@ fn at_of(pieces: &Pieces<'_>, e: End) -> [f64; 2] {
     [p.x, p.y]
 }
 
-/// Makes two ends one: at the end of a line, whose coordinates the file has, or else between the two.
+/// Makes two ends one: those of one arc by its whole circle, others at the end of a line, whose coordinates the file has, or else between the two.
 fn close(pieces: &mut Pieces<'_>, a: End, b: End, apart: f64, round: f64, joined: &mut Joined<'_>) {
     let (p, q) = (pieces.point(a), pieces.point(b));
+    let piece = of_end(a).0;
+    if piece == of_end(b).0 && pieces.close_circle(piece) {
+        if apart > round {
+            joined.gaps.push((apart, p.midpoint(q)));
+        }
+        return;
+    }
     let is_line = |e: End| pieces.segments[of_end(e).0].is_line();
     let at = match (is_line(a), is_line(b)) {
         (true, false) => p,

@@ -1,6 +1,7 @@
 //! What joining makes of a drawing.
 
 use cspace::Point;
+use cspace::part::Bounds;
 
 use super::pieces::Shape;
 use crate::drawing::{Drawing, Origin, Problem};
@@ -24,24 +25,10 @@ pub(crate) struct ChainPiece<'d> {
 }
 
 impl Chain<'_> {
-    /// The diagonal of the box of all ends and some points of curves.
+    /// The diagonal of the box of all pieces.
     pub(crate) fn size(&self) -> f64 {
-        let mut lo = [f64::INFINITY; 2];
-        let mut hi = [f64::NEG_INFINITY; 2];
-        let mut take = |p: Point| {
-            lo = [lo[0].min(p.x), lo[1].min(p.y)];
-            hi = [hi[0].max(p.x), hi[1].max(p.y)];
-        };
-        for piece in &self.pieces {
-            take(piece.start);
-            if let Shape::Curve(curve) = piece.shape {
-                for span in 0..curve.spans() {
-                    take(curve.at(span, 0.5).0);
-                    take(curve.at(span, 1.0).0);
-                }
-            }
-        }
-        (hi[0] - lo[0]).hypot(hi[1] - lo[1])
+        let boxes = self.pieces.iter().map(|p| p.shape.bounds(p.start, p.end));
+        boxes.fold(Bounds::EMPTY, Bounds::union).diagonal()
     }
 
     /// Whether it goes somewhere and back the same way.

@@ -1,9 +1,10 @@
 //! The pieces of all paths of a drawing, and which ends are one.
 
 use cspace::Point;
+use cspace::part::Bounds;
 
 use crate::curve::Curve;
-use crate::drawing::{Drawing, Piece};
+use crate::drawing::{Drawing, Piece, edge};
 
 /// Rounding of coordinates in files, as a share of the drawing's size: what is nearer than that is one place.
 pub(crate) const ROUND: f64 = 1e-9;
@@ -18,6 +19,16 @@ pub(crate) enum Shape<'d> {
     Edge(f64),
     /// A curve, from its start to its end.
     Curve(&'d Curve),
+}
+
+impl Shape<'_> {
+    /// The box of the shape between its ends.
+    pub(super) fn bounds(&self, start: Point, end: Point) -> Bounds {
+        match self {
+            Self::Edge(bulge) => edge(start, end, *bulge).bounds(),
+            Self::Curve(curve) => curve.bounds().union(Bounds::of(start, end)),
+        }
+    }
 }
 
 /// A piece of a path.
@@ -89,7 +100,7 @@ impl<'d> Pieces<'d> {
         Self { segments }
     }
 
-    /// Removes pieces of no length, and loose ones whose ends would be joined to one another; says how many. The ends that
+    /// Removes pieces of no extent, and loose ones within the distance at which ends are joined; says how many. The ends that
     /// were joined to them are joined.
     pub(super) fn remove_tiny(&mut self, none: f64, join: f64) -> usize {
         let mut removed = 0;
@@ -98,12 +109,10 @@ impl<'d> Pieces<'d> {
             let is_loose = segment.links == [None; 2];
             let is_loop = segment.links[0] == Some(end(i, 1));
             let least = if is_loose { join } else { none };
-            let length = match segment.shape {
-                Shape::Edge(_) => segment.ends[0].distance(segment.ends[1]),
-                // A curve may return to where it starts.
-                Shape::Curve(curve) => curve_extent(curve),
-            };
-            if length > least || (is_loop && length > none) {
+            // What is drawn may return to where it starts.
+            let [start, end] = segment.ends;
+            let extent = segment.shape.bounds(start, end).diagonal();
+            if extent > least || (is_loop && extent > none) {
                 continue;
             }
             removed += 1;
@@ -151,6 +160,37 @@ impl<'d> Pieces<'d> {
         self.segments[piece].ends[side] = to;
     }
 
+    /// Makes a circle of an arc whose ends are one; false of what is no arc of more than half a turn.
+    pub(super) fn close_circle(&mut self, piece: usize) -> bool {
+        let Segment {
+            ends: [start, end_point],
+            shape,
+            entity,
+            ..
+        } = self.segments[piece];
+        let Shape::Edge(bulge) = shape else {
+            return false;
+        };
+        let arc = edge(start, end_point, bulge);
+        if arc.bulge.abs() <= 1.0 {
+            return false;
+        }
+        // The middle of the arc, and the point of its circle opposite to it, between the ends.
+        let middle = start.midpoint(end_point) + (end_point - start).right() * (bulge / 2.0);
+        let opposite = arc.center() + (arc.center() - middle);
+        let other = self.segments.len();
+        let half = |ends: [Point; 2], neighbour: usize| Segment {
+            ends,
+            shape: Shape::Edge(bulge.signum()),
+            entity,
+            is_removed: false,
+            links: [Some(end(neighbour, 1)), Some(end(neighbour, 0))],
+        };
+        self.segments[piece] = half([opposite, middle], other);
+        self.segments.push(half([middle, opposite], piece));
+        true
+    }
+
     /// Removes a piece; the ends that were joined to it are loose.
     pub(super) fn remove(&mut self, piece: usize) {
         self.segments[piece].is_removed = true;
@@ -162,13 +202,4 @@ impl<'d> Pieces<'d> {
             }
         }
     }
-}
-
-/// How far a curve goes from its start.
-fn curve_extent(curve: &Curve) -> f64 {
-    let start = curve.start();
-    let spans = curve.spans();
-    (0..spans)
-        .flat_map(|span| [0.5, 1.0].map(|s| curve.at(span, s).0.distance(start)))
-        .fold(0.0, f64::max)
 }

@@ -3,12 +3,15 @@
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
-use cspace::{Part, Point, Vertex};
+use cspace::{Part, PartError, Point, Vertex};
 
+use super::blunt::blunt;
+use super::crossing::may_be_of_fit;
 use super::names::names;
 use super::refusal::{no_part, too_deep};
 use super::result::{FittedReport, Outlines};
 use super::settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
+use super::trace;
 use crate::drawing::{Drawing, Ignored, Origin, Problem};
 use crate::error::DrawingError;
 use crate::fit::{self, NotFitted, Outline, Sided};
@@ -174,36 +177,85 @@ impl<'d> Making<'d> {
         })
     }
 
-    /// The loop of a chain, checked by itself.
+    /// The loop of a chain, checked by itself. Where pieces cross that were fitted to curves, they are fitted nearer: curves
+    /// that do not cross are apart by more than some fit.
     fn fitted(&mut self, chain: &Chain<'_>, sided: Sided) -> Option<(Outline, Lone)> {
-        let made = if self.drawing.is_measured {
-            let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();
-            let first = NotFitted {
-                entity: chain.pieces[0].entity,
-                at: points[0],
+        /// Shares of the fit that are tried.
+        const NEARER: [f64; 3] = [1.0, 0.125, 0.015_625];
+        let fit = self.fit_of(chain);
+        let mut refused = None;
+        for share in NEARER {
+            let mut outline = match self.lines_and_arcs(chain, share * fit, sided) {
+                Ok(outline) => outline,
+                Err(at) if refused.is_none() => {
+                    self.refuse_fit(chain, at);
+                    return None;
+                }
+                Err(_) => break,
             };
-            fit::profile(&points, self.fit_of(chain), sided, first.entity).ok_or(first)
-        } else {
-            fit::outline(chain, self.fit_of(chain), sided)
+            match checked(&mut outline, fit) {
+                Ok((part, cusps)) => {
+                    self.tell_cusps(&outline, &cusps, fit);
+                    let first = outline.vertices.first()?.point();
+                    return Some((outline, Lone { part, first }));
+                }
+                Err(error) => {
+                    let is_of_fit = !outline.curves.is_empty()
+                        && may_be_of_fit(&outline.vertices, &error, share * fit);
+                    refused.get_or_insert((error, outline));
+                    if !is_of_fit {
+                        break;
+                    }
+                }
+            }
+        }
+        let (error, outline) = refused?;
+        let problem = no_part(self.drawing, &error, &[&outline]);
+        self.unused.extend(&outline.entities);
+        self.refuse(problem);
+        None
+    }
+
+    fn lines_and_arcs(
+        &self,
+        chain: &Chain<'_>,
+        fit: f64,
+        sided: Sided,
+    ) -> Result<Outline, NotFitted> {
+        if self.settings.trace
+            && !self.drawing.is_measured
+            && let Some(edges) = trace::edges(chain)
+        {
+            let first = &chain.pieces[0];
+            return trace::outline(&edges, fit, sided, first.entity).ok_or(NotFitted {
+                entity: first.entity,
+                at: first.start,
+            });
+        }
+        if !self.drawing.is_measured {
+            return fit::outline(chain, fit, sided);
+        }
+        let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();
+        let first = NotFitted {
+            entity: chain.pieces[0].entity,
+            at: points[0],
         };
-        let outline = match made {
-            Ok(outline) => outline,
-            Err(at) => {
-                self.refuse_fit(chain, at);
-                return None;
-            }
-        };
-        match Part::new("", vec![outline.vertices.clone()]) {
-            Ok(part) => {
-                let first = outline.vertices.first()?.point();
-                Some((outline, Lone { part, first }))
-            }
-            Err(error) => {
-                let problem = no_part(self.drawing, &error, &[&outline]);
-                self.unused.extend(&outline.entities);
-                self.refuse(problem);
-                None
-            }
+        fit::profile(&points, fit, sided, first.entity).ok_or(first)
+    }
+
+    /// Lists the tips that were cut off.
+    fn tell_cusps(&mut self, outline: &Outline, cusps: &[usize], fit: f64) {
+        for &vertex in cusps {
+            let entity = outline.entities[vertex] as usize;
+            self.ignored.push(Ignored {
+                origin: self.drawing.entities[entity].origin.clone(),
+                reason: format!(
+                    "the tip of its cusp at {} is cut off, by {} at most: its two sides have one direction",
+                    shown::point(outline.vertices[vertex].point()),
+                    shown::number(fit)
+                )
+                .into(),
+            });
         }
     }
 
@@ -356,5 +408,28 @@ impl<'d> Making<'d> {
             format!("the drawing has no closed outline{left_out}"),
             "draw outlines with lines, arcs, polylines or splines, and check the layers",
         )
+    }
+}
+
+/// The part of one loop, its cusps cut off by a length; and the vertices at which they were.
+fn checked(outline: &mut Outline, by: f64) -> Result<(Part, Vec<usize>), PartError> {
+    /// Cusps of a loop, at most: drawings have few.
+    const MOST_CUSPS: usize = 64;
+    let mut cusps: Vec<usize> = Vec::new();
+    loop {
+        let error = match Part::new("", vec![outline.vertices.clone()]) {
+            Ok(part) => return Ok((part, cusps)),
+            Err(error) => error,
+        };
+        let PartError::Spike { vertex_index, .. } = error else {
+            return Err(error);
+        };
+        if cusps.len() >= MOST_CUSPS || !blunt(outline, vertex_index, by) {
+            return Err(error);
+        }
+        for cusp in cusps.iter_mut().filter(|c| **c >= vertex_index) {
+            *cusp += 1;
+        }
+        cusps.push(vertex_index);
     }
 }

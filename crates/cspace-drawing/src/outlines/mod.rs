@@ -1,20 +1,25 @@
 //! Parts from drawings.
 
+mod blunt;
+mod crossing;
 mod making;
 mod names;
 mod refusal;
 mod result;
 mod settings;
+mod trace;
 
 use std::borrow::Cow;
 
 use cspace::Point;
+use cspace::part::Bounds;
 
 pub use result::{FittedReport, Outlines, Survey};
 pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
+pub use trace::Traced;
 
 use crate::affine::Affine;
-use crate::drawing::{Drawing, Path, Piece};
+use crate::drawing::Drawing;
 use crate::error::DrawingError;
 use making::Making;
 use settings::check;
@@ -75,29 +80,14 @@ impl Drawing {
         Cow::Owned(scaled)
     }
 
-    /// The diagonal of the box of all ends and some points of curves.
+    /// The diagonal of the box of all that is drawn.
     pub fn size(&self) -> f64 {
-        let mut lo = [f64::INFINITY; 2];
-        let mut hi = [f64::NEG_INFINITY; 2];
-        for p in self.entities.iter().flat_map(|e| points(&e.path)) {
-            lo = [lo[0].min(p.x), lo[1].min(p.y)];
-            hi = [hi[0].max(p.x), hi[1].max(p.y)];
-        }
-        if lo[0] <= hi[0] {
-            (hi[0] - lo[0]).hypot(hi[1] - lo[1])
+        let bounds =
+            (self.entities.iter()).fold(Bounds::EMPTY, |all, e| all.union(e.path.bounds()));
+        if bounds.min.x <= bounds.max.x {
+            bounds.diagonal()
         } else {
             0.0
         }
     }
-}
-
-fn points(path: &Path) -> impl Iterator<Item = Point> {
-    let of_piece = |piece: &Piece| match piece {
-        Piece::Edge { to, .. } => vec![*to],
-        Piece::Curve(curve) => (0..curve.spans())
-            .flat_map(|span| [0.5, 1.0].map(|s| curve.at(span, s).0))
-            .collect(),
-    };
-    let pieces: Vec<Point> = path.pieces.iter().flat_map(of_piece).collect();
-    [path.start].into_iter().chain(pieces)
 }

@@ -24,6 +24,8 @@ pub struct Settings {
     pub partial: bool,
     /// One part of this name of all loops, instead of one of every outermost loop.
     pub one_part: Option<String>,
+    /// Whether loops of many edges are traces of something else, which fewer lines and arcs are fitted to.
+    pub trace: bool,
 }
 
 /// On which side of a curve lines and arcs may be that are fitted to it.
@@ -47,6 +49,7 @@ impl Default for Settings {
             side: FitSide::Both,
             partial: false,
             one_part: None,
+            trace: false,
         }
     }
 }

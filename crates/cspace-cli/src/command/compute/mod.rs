@@ -154,6 +154,7 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
 fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
     let subject = Subject::open(common)?;
     subject.warn();
+    subject.tell_traces();
     let pairs = subject.pairs(common, args.window.theta)?;
     let spaces = pairs
         .iter()

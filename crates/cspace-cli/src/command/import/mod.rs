@@ -12,6 +12,7 @@ use cspace_io::{model, shown};
 use crate::args::{Format, ImportArgs, Side};
 use crate::failure::{self, Failure};
 use crate::output;
+use crate::traces::{self, OTHER, quoted};
 
 pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     let output = args.output.as_deref();
@@ -59,6 +60,13 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         failure::note(format_args!(
             "parts overlap as they are drawn: {problem}; if they are one part, or holes, mend the drawing"
         ));
+    }
+    if !args.trace {
+        let files = args.drawings.iter().map(|d| quoted(d));
+        let files = files.collect::<Vec<_>>().join(" ");
+        traces::tell(&mechanism, |fit| {
+            format!("cspace import {files} --trace --fit {fit} -o {OTHER}")
+        });
     }
     let report = report::Report::new(&mechanism, &imported);
     let bytes = match args.format {
@@ -108,6 +116,7 @@ fn read(args: &ImportArgs, path: &Path) -> Result<Outlines, Failure> {
         },
         partial: args.partial,
         one_part: args.part.clone(),
+        trace: args.trace,
     };
     let file = path.display();
     cspace_drawing::read(path, &source)

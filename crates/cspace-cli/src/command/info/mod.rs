@@ -110,6 +110,7 @@ pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
 fn answer(common: &Common, args: &InfoArgs) -> Result<Answer, Failure> {
     let subject = Subject::open(common)?;
     subject.warn();
+    subject.tell_traces();
     let pairs = subject.pairs_if_any(common, args.window.theta)?;
     for pair in &pairs {
         pair.check_window()?;

@@ -1,0 +1,59 @@
+//! Parts of very many edges: by how few lines and arcs they could be drawn, and how.
+
+use std::path::Path;
+
+use cspace::Mechanism;
+use cspace_drawing::Traced;
+
+use crate::failure::{is_quiet, warning};
+
+/// What the model of fewer pieces is called in the commands that are told.
+pub(crate) const OTHER: &str = "traced.toml";
+
+/// The seconds of processor time that computing takes for each pair of edges of two outlines without symmetry: 2e-5 for some hundred
+/// edges each, 3e-5 for a thousand, and more beyond.
+const SECONDS: f64 = 4e-5;
+
+/// Says on stderr of each part of very many edges how few lines and arcs could be fitted to it; `command` tells the command for
+/// a fit.
+pub(crate) fn tell(model: &Mechanism, command: impl Fn(f64) -> String) {
+    if is_quiet() {
+        return;
+    }
+    for entry in &model.parts {
+        let Some(traced) = Traced::of(&entry.part) else {
+            continue;
+        };
+        let edges = entry.part.edges().count();
+        warning(
+            format_args!(
+                "part {} has {edges} edges; {} lines and arcs within {:?} of them would do: a pair of such parts takes about {} s instead of {} s",
+                cspace_io::shown::quoted(entry.part.name()),
+                traced.pieces,
+                traced.fit,
+                seconds(traced.pieces),
+                seconds(edges)
+            ),
+            format_args!("if it is a trace: {}", command(traced.fit)),
+        );
+    }
+}
+
+/// The seconds that a pair of parts of so many edges takes, with one digit.
+fn seconds(edges: usize) -> f64 {
+    let seconds = SECONDS * (edges * edges) as f64;
+    let unit = 10.0_f64.powf(seconds.log10().floor());
+    format!("{:.0e}", (seconds / unit).round() * unit)
+        .parse()
+        .unwrap_or(seconds)
+}
+
+/// A path as a shell takes it.
+pub(crate) fn quoted(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/+".contains(c);
+    match text.chars().all(is_plain) {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}

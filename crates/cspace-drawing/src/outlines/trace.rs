@@ -1,0 +1,103 @@
+//! Traces: loops of many short edges along something smooth, by fewer lines and arcs.
+
+use cspace::part::Edge;
+use cspace::{Part, Point};
+
+use super::settings::DEFAULT_FIT;
+use crate::drawing::edge;
+use crate::fit::{self, Outline, Sided};
+use crate::join::{Chain, Shape};
+
+/// A loop of fewer edges is no trace: it is drawn edge by edge.
+const FEWEST: usize = 64;
+
+/// Large parts by fewer lines and arcs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Traced {
+    /// How near to the edges the lines and arcs are to be.
+    pub fit: f64,
+    /// How many lines and arcs the part then has.
+    pub pieces: usize,
+    /// How far they are from the edges, at most.
+    pub deviation: f64,
+}
+
+/// The edges of a chain, if it may be a trace.
+pub(super) fn edges(chain: &Chain<'_>) -> Option<Vec<Edge>> {
+    let edges: Option<Vec<Edge>> = (chain.pieces.iter())
+        .map(|piece| match piece.shape {
+            Shape::Edge(bulge) => Some(edge(piece.start, piece.end, bulge)),
+            Shape::Curve(_) => None,
+        })
+        .collect();
+    edges.filter(|e| e.len() >= FEWEST)
+}
+
+/// Lines and arcs within a distance of a trace; `entity` is where it comes from.
+pub(super) fn outline(edges: &[Edge], fit: f64, sided: Sided, entity: u32) -> Option<Outline> {
+    fit::profile(&points(edges), fit, sided, entity)
+}
+
+/// Points of all edges, so that what passes them keeps to long edges too.
+fn points(edges: &[Edge]) -> Vec<Point> {
+    /// An edge is long if it is so many times the median, and is cut into as short ones, but not into more than `MOST`.
+    const LONG: f64 = 4.0;
+    const MOST: f64 = 64.0;
+    let mut lengths: Vec<f64> = edges.iter().map(Edge::length).collect();
+    lengths.sort_by(f64::total_cmp);
+    let long = LONG * lengths[lengths.len() / 2];
+    let cut = |e: &Edge| {
+        let bends = if e.is_line() { 1.0 } else { 2.0 };
+        let n = (e.length() / long).ceil().clamp(bends, MOST) as u32;
+        let e = *e;
+        (0..n).map(move |k| e.at(f64::from(k) / f64::from(n)))
+    };
+    edges.iter().flat_map(cut).collect()
+}
+
+impl Traced {
+    /// The largest part of which nothing is to be said, in edges.
+    pub const LARGE: usize = 400;
+
+    /// The lines and arcs of a part of more than [`Traced::LARGE`] edges, all loops that may be traces fitted: within the
+    /// smallest of a few distances that takes at most a third of its edges, from the default of a fit on. None of other parts.
+    pub fn of(part: &Part) -> Option<Self> {
+        /// The distances tried, in units of the default.
+        const TRIED: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
+        const ENOUGH: usize = 3;
+        let edges = part.edges().count();
+        if edges <= Self::LARGE {
+            return None;
+        }
+        (TRIED.iter())
+            .map(|by| rounded(by * DEFAULT_FIT * part.size()))
+            .find_map(|fit| Self::within(part, fit).filter(|t| t.pieces * ENOUGH <= edges))
+    }
+
+    fn within(part: &Part, fit: f64) -> Option<Self> {
+        let mut traced = Self {
+            fit,
+            pieces: 0,
+            deviation: 0.0,
+        };
+        for ring in part.loops() {
+            let edges: Vec<Edge> = ring.edges().collect();
+            if edges.len() < FEWEST {
+                traced.pieces += edges.len();
+                continue;
+            }
+            let outline = outline(&edges, fit, Sided::Both, 0)?;
+            traced.pieces += outline.vertices.len();
+            traced.deviation = traced.deviation.max(outline.deviation);
+        }
+        Some(traced)
+    }
+}
+
+/// A length with one digit, as people give it.
+fn rounded(length: f64) -> f64 {
+    let unit = 10.0_f64.powf(length.log10().floor());
+    let rounded = (length / unit).round() * unit;
+    // The nearest number with few digits, and not a multiple of a power of ten that has its own rounding.
+    format!("{rounded:.0e}").parse().unwrap_or(rounded)
+}
