@@ -234,12 +234,12 @@ impl<'a> Conversion<'a> {
         }
     }
 
-    /// What whoever takes the drawing should know.
-    pub fn note(self) -> Option<String> {
+    /// What whoever takes the drawing should know; `unscaled` is how to have the numbers as they are.
+    pub fn note(self, unscaled: &str) -> Option<String> {
         match self {
             Self::None => None,
             Self::Between(from, to) => Some(format!(
-                "the drawing is in {:?}, the model in {:?}: lengths are multiplied by {:?}",
+                "the drawing is in {:?}, the model in {:?}: lengths are multiplied by {:?}; {unscaled} takes the numbers as they are",
                 from.label(),
                 to.label(),
                 self.factor()

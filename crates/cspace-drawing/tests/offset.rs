@@ -122,7 +122,7 @@ fn holes_that_close_are_told() {
     ] {
         let made = offset(&plate(hole), by, false).unwrap();
         near(made.part.area(), 81.0 + 36.0 * by + PI * by * by);
-        assert_eq!(made.changes, ["of 1 hole there are 0"]);
+        assert_eq!(made.changes, ["1 hole becomes 0"]);
     }
 }
 
@@ -144,7 +144,7 @@ fn a_gap_that_closes_leaves_a_hole() {
         (0.0, 6.0),
     ]);
     let made = offset(&c, 0.3, false).unwrap();
-    assert_eq!(made.changes, ["of 0 holes there is 1"]);
+    assert_eq!(made.changes, ["0 holes become 1"]);
     assert_eq!(made.part.loops().len(), 2);
 }
 
@@ -167,7 +167,7 @@ fn a_part_that_falls_apart_is_an_error_that_says_where() {
     let Err(OffsetError::Apart { what, at, .. }) = offset(&dumbbell, -0.6, false) else {
         panic!("it does not hold together");
     };
-    assert_eq!(what, "of 1 piece there are 2");
+    assert_eq!(what, "1 piece becomes 2");
     let at = at.unwrap();
     assert!(
         (3.4..=6.6).contains(&at.x) && (1.4..=2.6).contains(&at.y),
@@ -184,10 +184,7 @@ fn a_part_that_falls_apart_is_an_error_that_says_where() {
     let outer = outer.map(|(x, y)| Vertex::line(x, y)).to_vec();
     let plate = Part::new("plate", vec![outer, circle(8.5, 5.0, 1.0)]).unwrap();
     let error = offset(&plate, -0.3, false).unwrap_err();
-    assert!(
-        error.to_string().contains("of 1 hole there are 0"),
-        "{error}"
-    );
+    assert!(error.to_string().contains("1 hole becomes 0"), "{error}");
     let part = offset(&plate, -0.3, true).unwrap().part;
     // The disc less the segment beyond the side.
     let half = (1.2_f64 / 1.3).acos();

@@ -228,7 +228,7 @@ fn parts_are_offset() {
         &[
             "part \"bar\"",
             "falls apart",
-            "of 1 piece there are 2",
+            "1 piece becomes 2",
             "near (",
             "--split",
         ],

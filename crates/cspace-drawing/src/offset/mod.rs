@@ -203,11 +203,10 @@ fn changes(from: &Part, to: &Part) -> Vec<String> {
     let words = [["piece", "pieces"], ["hole", "holes"]];
     for ((from, to), words) in counts(from).into_iter().zip(counts(to)).zip(words) {
         if from != to {
-            changes.push(format!(
-                "of {from} {} there {} {to}",
-                words[usize::from(from != 1)],
-                if to == 1 { "is" } else { "are" }
-            ));
+            changes.push(match from {
+                1 => format!("1 {} becomes {to}", words[0]),
+                _ => format!("{from} {} become {to}", words[1]),
+            });
         }
     }
     changes

@@ -93,8 +93,7 @@ pub(super) fn read_drawing(
         Some(scale) => scale,
         None => {
             let conversion = Conversion::new(drawing.unit, setting.unit);
-            if let Some(note) = conversion.note() {
-                let note = format!("{note}; scale = 1 takes the numbers as they are");
+            if let Some(note) = conversion.note("scale = 1") {
                 setting.notes.push(table.error(key, note));
             }
             conversion.factor()

@@ -38,11 +38,8 @@ pub(super) fn factor(args: &ImportArgs, path: &Path, drawing: &Drawing, unit: Op
         return scale;
     }
     let conversion = Conversion::new(drawing.unit, unit);
-    if let Some(note) = conversion.note() {
-        failure::note(format_args!(
-            "{}: {note}; --scale 1 takes the numbers as they are",
-            path.display()
-        ));
+    if let Some(note) = conversion.note("--scale 1") {
+        failure::note(format_args!("{}: {note}", path.display()));
     }
     conversion.factor()
 }
