@@ -639,11 +639,16 @@ pub(crate) struct ImportArgs {
     #[arg(long, value_name = "ID")]
     pub(crate) id: Option<String>,
 
-    /// Multiply all lengths by this
-    #[arg(long, value_name = "F", default_value_t = 1.0, value_parser = scale, allow_negative_numbers = true)]
-    pub(crate) scale: f64,
+    /// Take the outlines of hatches too (DXF)
+    #[arg(long)]
+    pub(crate) hatches: bool,
 
-    /// The unit of length that the model names [default: that of the drawing]
+    /// Multiply all lengths by this; nothing else converts them then [default: from the drawing's unit to the model's]
+    #[arg(long, value_name = "F", value_parser = scale, allow_negative_numbers = true)]
+    pub(crate) scale: Option<f64>,
+
+    /// The unit of length of the model: a drawing that names another is converted, one that names none is taken to be in it
+    /// [default: that of the first drawing that names one]
     #[arg(long, value_name = "LABEL")]
     pub(crate) unit: Option<String>,
 
@@ -663,6 +668,14 @@ pub(crate) struct ImportArgs {
     /// On which side of a curve they may be, seen from the material
     #[arg(long, value_enum, default_value_t = Side::Both, value_name = "SIDE")]
     pub(crate) fit_side: Side,
+
+    /// Make every part larger by this all around, or smaller if it is below 0, after scaling and fitting
+    #[arg(long, value_name = "L", value_parser = offset, allow_negative_numbers = true)]
+    pub(crate) offset: Option<f64>,
+
+    /// Let the offset divide a part: every piece is one
+    #[arg(long, requires = "offset")]
+    pub(crate) split: bool,
 
     /// Make one part of this name of all loops
     #[arg(long, value_name = "NAME")]
@@ -748,6 +761,13 @@ fn length(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|t| t.is_finite() && *t > 0.0)
         .ok_or_else(|| "give a positive length".to_owned())
+}
+
+fn offset(text: &str) -> Result<f64, String> {
+    text.parse::<f64>()
+        .ok()
+        .filter(|t| t.is_finite())
+        .ok_or_else(|| "give a length, below 0 to make parts smaller".to_owned())
 }
 
 fn scale(text: &str) -> Result<f64, String> {

@@ -8,6 +8,7 @@ use cspace::Point;
 use cspace::part::{Bounds, Edge};
 
 use crate::curve::Curve;
+use crate::unit::Unit;
 
 /// The entities of a drawing, flat: blocks are inserted, transforms done, lengths in the file's unit.
 #[derive(Debug, Clone, Default)]
@@ -169,67 +170,6 @@ pub struct Problem {
     pub reason: String,
     /// What to do.
     pub help: String,
-}
-
-/// Units of length that files name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unit {
-    /// 25.4 mm.
-    Inch,
-    /// 304.8 mm.
-    Foot,
-    /// A thousandth of a metre.
-    Millimetre,
-    /// A hundredth of a metre.
-    Centimetre,
-    /// A metre.
-    Metre,
-    /// A millionth of a metre.
-    Micrometre,
-    /// 1/96 inch.
-    Pixel,
-}
-
-impl Unit {
-    /// As a model's `unit` has it.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Inch => "in",
-            Self::Foot => "ft",
-            Self::Millimetre => "mm",
-            Self::Centimetre => "cm",
-            Self::Metre => "m",
-            Self::Micrometre => "um",
-            Self::Pixel => "px",
-        }
-    }
-
-    /// How many millimetres it is.
-    pub fn millimetres(self) -> f64 {
-        match self {
-            Self::Inch => 25.4,
-            Self::Foot => 304.8,
-            Self::Millimetre => 1.0,
-            Self::Centimetre => 10.0,
-            Self::Metre => 1000.0,
-            Self::Micrometre => 1e-3,
-            Self::Pixel => 25.4 / 96.0,
-        }
-    }
-
-    /// The unit of a label.
-    pub fn of_label(label: &str) -> Option<Self> {
-        Some(match label.trim() {
-            "in" | "inch" | "inches" | "\"" => Self::Inch,
-            "ft" | "foot" | "feet" => Self::Foot,
-            "mm" | "millimetre" | "millimeter" | "millimetres" | "millimeters" => Self::Millimetre,
-            "cm" | "centimetre" | "centimeter" | "centimetres" | "centimeters" => Self::Centimetre,
-            "m" | "metre" | "meter" | "metres" | "meters" => Self::Metre,
-            "um" | "µm" | "μm" | "micron" | "microns" => Self::Micrometre,
-            "px" => Self::Pixel,
-            _ => return None,
-        })
-    }
 }
 
 impl Drawing {

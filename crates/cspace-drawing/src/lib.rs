@@ -30,6 +30,7 @@ mod error;
 mod fit;
 mod join;
 mod nest;
+mod offset;
 mod outlines;
 mod path_map;
 mod points;
@@ -37,15 +38,18 @@ mod read;
 mod shown;
 mod source;
 mod svg;
+mod unit;
 mod write;
 
 pub use affine::Affine;
 pub use curve::{Curve, EllipseArc, Spline, SplineError};
-pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem, Unit};
+pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem};
 pub use error::DrawingError;
+pub use offset::{Offset, OffsetError, offset};
 pub use outlines::{
     DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings, Survey, Traced,
 };
 pub use read::{Format, from_bytes, is_drawing, read};
 pub use source::Source;
+pub use unit::{Conversion, Unit};
 pub use write::{Drawn, DxfVersion, dxf, svg};

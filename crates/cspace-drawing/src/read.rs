@@ -76,7 +76,7 @@ pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingE
 /// If the bytes are no drawing of the format.
 pub fn from_bytes(bytes: &[u8], format: Format, source: &Source) -> Result<Drawing, DrawingError> {
     match format {
-        Format::Dxf => dxf::read(bytes, &source.layers).map_err(|e| match dxf::is_binary(bytes) {
+        Format::Dxf => dxf::read(bytes, source).map_err(|e| match dxf::is_binary(bytes) {
             true => DrawingError::file(format!("byte {}: {}", e.line, e.message), e.help),
             false => DrawingError::File {
                 line: Some(e.line),

@@ -7,4 +7,9 @@ pub struct Source {
     pub layers: Vec<String>,
     /// Of an SVG file the element of this id alone.
     pub id: Option<String>,
+    /// Of a DXF file the outlines of hatches too, which usually repeat what is drawn.
+    pub hatches: bool,
 }
+
+/// Why a hatch is left out whose outline can be taken.
+pub(crate) const OFFERED: &str = "a fill, whose outline --hatches takes";

@@ -113,7 +113,11 @@ fn drawings_are_read_as_they_were_made() {
             fit: expected["fit"].as_f64(),
             ..Settings::default()
         };
-        let outlines = read(folder().join(name), &Source::default())
+        let source = Source {
+            hatches: expected["hatches"].as_bool().unwrap_or(false),
+            ..Source::default()
+        };
+        let outlines = read(folder().join(name), &source)
             .and_then(|drawing| drawing.outlines(&settings))
             .unwrap_or_else(|e| panic!("{name}: {e}"));
         check(name, &outlines, expected);

@@ -15,4 +15,4 @@ pub mod write;
 
 pub use angle::{LARGEST_ANGLE, parse_angle};
 pub use model::ModelError;
-pub use saved::{Document, SavedFile, read, read_from};
+pub use saved::{Document, SavedFile, read, read_from, read_from_noting, read_noting};

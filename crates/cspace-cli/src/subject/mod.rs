@@ -59,13 +59,7 @@ pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
 
 /// Reads a model of which all parts are wanted; `why` says so of a file that has none.
 pub(crate) fn read_model(file: &Path, why: &str) -> Result<(PathBuf, Box<Mechanism>), Failure> {
-    let (path, document) = if file == Path::new(STANDARD) {
-        let name = "standard input";
-        let read = cspace_io::read_from(std::io::stdin().lock(), name)?;
-        (PathBuf::from(name), read)
-    } else {
-        (file.to_owned(), cspace_io::read(file)?)
-    };
+    let (path, document) = read(file)?;
     match document {
         Document::Model(model) => Ok((path, model)),
         Document::Space(_) => Err(Failure::input(format_args!(
@@ -74,6 +68,24 @@ pub(crate) fn read_model(file: &Path, why: &str) -> Result<(PathBuf, Box<Mechani
         ))
         .help(format_args!("give the model file: {why}"))),
     }
+}
+
+/// What a file or standard input holds, and what it is called; prints what whoever reads it should know.
+fn read(file: &Path) -> Result<(PathBuf, Document), Failure> {
+    let mut notes = Vec::new();
+    let read = if file == Path::new(STANDARD) {
+        let name = "standard input";
+        let input = std::io::stdin().lock();
+        let document = cspace_io::read_from_noting(input, name, &mut notes)?;
+        (PathBuf::from(name), document)
+    } else {
+        let document = cspace_io::read_noting(file, &mut notes)?;
+        (file.to_owned(), document)
+    };
+    for text in notes {
+        note(format_args!("{text}"));
+    }
+    Ok(read)
 }
 
 /// The model with arcs tangent to lines, and a note of what was moved.
@@ -115,13 +127,7 @@ impl Subject {
         output::check_apart(output, &common.file)?;
         catch_interrupts();
         set_threads(common.threads)?;
-        let mut path = common.file.clone();
-        let document = if common.file == Path::new(STANDARD) {
-            path = PathBuf::from("standard input");
-            cspace_io::read_from(std::io::stdin().lock(), "standard input")?
-        } else {
-            cspace_io::read(&path)?
-        };
+        let (path, document) = read(&common.file)?;
         Ok(match document {
             Document::Model(model) if common.snap => Self::Model {
                 model: snapped(&path, &model),

@@ -151,18 +151,157 @@ fn units_are_told_apart() {
         fs::write(&path, text).unwrap();
         path.to_str().unwrap().to_owned()
     };
+    let area = |keys: &str| {
+        json(&["info", &with(keys)])["parts"][0]["area"]
+            .as_f64()
+            .unwrap()
+    };
+    let inches = std::f64::consts::PI;
+    let converted = inches * 25.4 * 25.4;
+    assert!((area("") - converted).abs() < 1e-9);
+    // A factor is the whole factor.
+    assert!((area("scale = 1\n") - inches).abs() < 1e-12);
+    assert!((area("scale = 2\n") - 4.0 * inches).abs() < 1e-12);
+    let notes = |args: &[&str]| {
+        let output = cspace(args).assert().success().get_output().clone();
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let note = notes(&["info", &with("")]);
+    for words in [
+        "pin.toml:4:",
+        "part 0 \"pin\"",
+        "\"in\"",
+        "\"mm\"",
+        "by 25.4",
+    ] {
+        assert!(note.contains(words), "{words}: {note}");
+    }
+    assert_eq!(notes(&["info", &with("scale = 25.4\n")]), "");
+    let pin = drawing("unit_in.dxf");
+    let imported = |args: &[&str]| {
+        let report = json(&[&["import", &pin][..], args].concat());
+        let area = report["parts"][0]["area"].as_f64().unwrap();
+        (report["unit"].as_str().map(str::to_owned), area)
+    };
+    let mm = || Some("mm".to_owned());
+    let (unit, area) = imported(&["--unit", "mm"]);
+    assert!(unit == mm() && (area - converted).abs() < 1e-9);
+    let (unit, area) = imported(&[]);
+    assert!(unit.as_deref() == Some("in") && (area - inches).abs() < 1e-12);
+    assert_eq!(imported(&["--unit", "mm", "--scale", "1"]), (mm(), area));
+    assert_eq!(imported(&["--scale", "2"]).0, None);
+    let note = notes(&["import", &pin, "--unit", "furlong"]);
+    assert!(note.contains("no known unit"), "{note}");
+    // Of two drawings the second is converted to the unit of the first.
+    let both = json(&["import", &drawing("unit_mm.dxf"), &pin]);
+    assert_eq!(both["unit"], "mm");
+    let area = both["parts"][1]["area"].as_f64().unwrap();
+    assert!((area - converted).abs() < 1e-9, "{both}");
     fails(
-        cspace(&["info", &with("")]),
+        cspace(&["import", &drawing("unit_mm.dxf"), &pin, "--scale", "2"]),
+        2,
+        &["\"mm\"", "\"in\"", "leave out --scale"],
+    );
+}
+
+/// A plate with a slot: as larger or smaller parts, and in pieces.
+#[test]
+fn parts_are_offset() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bar.svg");
+    let body = "<path d=\"M0 0H10V4H6V3H4V4H0Z\"/>";
+    fs::write(
+        &path,
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 10 4\">{body}</svg>"),
+    )
+    .unwrap();
+    let path = path.to_str().unwrap();
+    let parts = |args: &[&str]| {
+        let report = json(&[&["import", path][..], args].concat());
+        report["parts"].as_array().unwrap().clone()
+    };
+    assert_eq!(parts(&["--offset", "0.1"])[0]["bounds"][2], 10.1);
+    assert_eq!(parts(&["--offset=-0.5"])[0]["bounds"][2], 9.5);
+    fails(
+        cspace(&["import", path, "--offset", "-1.6"]),
         2,
         &[
-            "pin.toml:4:",
-            "the drawing is in in, the model in mm",
-            "scale = 25.4",
+            "part \"bar\"",
+            "falls apart",
+            "1 piece becomes 2",
+            "near (",
+            "--split",
         ],
     );
-    let info = json(&["info", &with("scale = 25.4\n")]);
+    fails(cspace(&["import", path, "--offset", "-3"]), 2, &["nothing"]);
+    fails(cspace(&["import", path, "--split"]), 2, &["--offset"]);
+    let pieces = parts(&["--offset", "-1.6", "--split"]);
+    assert_eq!(pieces.len(), 2);
+    assert_eq!(pieces[1]["name"], "bar 2");
+    assert_eq!(
+        parts(&["--offset", "-1.6", "--split", "--part", "one"]).len(),
+        1
+    );
+    let model = folder.path().join("bar.toml");
+    let with = |keys: &str| {
+        let text = format!("[[part]]\nname = \"bar\"\nsvg = \"bar.svg\"\n{keys}\n");
+        fs::write(&model, text).unwrap();
+        model.to_str().unwrap().to_owned()
+    };
+    let info = json(&["info", &with("offset = -1.6\nsplit = true")]);
+    let areas: f64 = pieces.iter().map(|p| p["area"].as_f64().unwrap()).sum();
     let area = info["parts"][0]["area"].as_f64().unwrap();
-    assert!((area - std::f64::consts::PI * 25.4 * 25.4).abs() < 1e-9);
+    assert!((area - areas).abs() < 1e-12);
+    fails(
+        cspace(&["info", &with("offset = -1.6")]),
+        2,
+        &["bar.toml:4:", "falls apart", "split = true"],
+    );
+    fails(
+        cspace(&["info", &with("split = true")]),
+        2,
+        &["`split`", "offset"],
+    );
+}
+
+/// What is left out is printed once for each kind, and listed one by one for programs.
+#[test]
+fn kinds_are_printed_once() {
+    let hatches = drawing("hatches.dxf");
+    fails(
+        cspace(&["import", &hatches]),
+        2,
+        &["no closed outline", "--hatches", "8 hatches"],
+    );
+    let report = json(&["import", &hatches, "--hatches"]);
+    assert_eq!(report["parts"].as_array().unwrap().len(), 8);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("kinds.dxf");
+    let entity = |kind: &str, layer: &str| format!("0\n{kind}\n8\n{layer}\n10\n0\n20\n0\n");
+    let texts = ["A", "B", "B"].map(|layer| entity("TEXT", layer)).concat();
+    let solids = entity("3DSOLID", "A").repeat(40);
+    let with = |body: &str| {
+        let text = format!(
+            "0\nSECTION\n2\nENTITIES\n{body}0\nCIRCLE\n8\nA\n10\n5\n20\n5\n40\n2\n0\nENDSEC\n0\nEOF\n"
+        );
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let text = printed(&["import", &with(&texts)]);
+    assert!(text.contains("3 TEXT on 2 layers: a text"), "{text}");
+    let report = json(&["import", &with(&texts)]);
+    assert_eq!(report["ignored"].as_array().unwrap().len(), 3);
+    let output = cspace(&["import", &with(&solids)])
+        .assert()
+        .code(2)
+        .get_output()
+        .clone();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(told.matches("3DSOLID").count(), 1, "{told}");
+    assert!(
+        told.contains("39 more of this kind") && told.contains("40 things"),
+        "{told}"
+    );
 }
 
 /// What is written as DXF is read again to the last bit; as SVG, to rounding.

@@ -6,6 +6,7 @@ use cspace::Point;
 
 use super::error::{DxfError, Result};
 use super::groups::{Group, Groups};
+use super::hatch::hatch;
 use super::item::{Block, Item, What};
 use super::names::Names;
 use super::polyline::{light_polyline, polyline};
@@ -154,6 +155,7 @@ impl<'r, 'a> Reader<'r, 'a> {
             b"LWPOLYLINE" => light_polyline(&record)?,
             b"ELLIPSE" => ellipse(&record)?,
             b"SPLINE" | b"HELIX" => spline(&record)?,
+            b"HATCH" => hatch(&record)?,
             b"POLYLINE" => {
                 let head: Vec<Group<'a>> = self.present.clone();
                 let vertices = self.attached(b"VERTEX")?;
@@ -205,7 +207,7 @@ fn other(kind: &[u8]) -> What {
         | b"MULTILEADER"
         | b"TOLERANCE" => "a dimension or leader",
         b"POINT" => "a point",
-        b"HATCH" | b"MPOLYGON" => "a fill, which has no outline of its own",
+        b"MPOLYGON" => "a fill, which has no outline of its own",
         b"SOLID" | b"TRACE" => "a filled area, such as the head of an arrow",
         b"XLINE" | b"RAY" => "an endless construction line",
         b"VIEWPORT" | b"IMAGE" | b"WIPEOUT" | b"PDFUNDERLAY" | b"DWFUNDERLAY" | b"DGNUNDERLAY"

@@ -8,7 +8,7 @@ use super::groups::Groups;
 use super::item::{Block, Item};
 use super::names::{Names, folded};
 use super::tables::{Layers, read_header, read_tables};
-use crate::drawing::Unit;
+use crate::unit::Unit;
 
 /// What is in a file, blocks apart.
 pub(super) struct File {

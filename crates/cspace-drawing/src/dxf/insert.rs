@@ -11,6 +11,7 @@ use super::tables::Hidden;
 use crate::affine::Affine;
 use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
 use crate::shown;
+use crate::source::{OFFERED, Source};
 
 /// The most entities that inserting blocks may make, those left out included: ten times what a large drawing has.
 const MOST_ENTITIES: usize = 2_000_000;
@@ -18,11 +19,12 @@ const MOST_ENTITIES: usize = 2_000_000;
 /// The deepest that blocks may be inserted in one another.
 const DEEPEST: usize = 64;
 
-pub(super) fn flatten(mut file: File, layers: &[String]) -> Result<Drawing> {
+pub(super) fn flatten(mut file: File, source: &Source) -> Result<Drawing> {
     let items = core::mem::take(&mut file.items);
     let mut flat = Flat {
         file: &file,
-        layers: layers.iter().map(|l| folded(l)).collect(),
+        layers: source.layers.iter().map(|l| folded(l)).collect(),
+        hatches: source.hatches,
         drawing: Drawing {
             unit: file.unit,
             ..Drawing::default()
@@ -57,6 +59,8 @@ struct Flat<'f> {
     file: &'f File,
     /// Folded names of the layers asked for; all where there are none.
     layers: Vec<String>,
+    /// Whether the outlines of hatches are taken.
+    hatches: bool,
     drawing: Drawing,
     /// The blocks that are being inserted.
     open: Vec<*const Block>,
@@ -117,6 +121,12 @@ impl Flat<'_> {
         }
         match &item.what {
             What::Path(path) => self.draw(origin, path.mapped(&ground.map)),
+            What::Hatch(_) if !self.hatches => self.ignore(origin, OFFERED),
+            What::Hatch(paths) => {
+                for path in paths {
+                    self.draw(origin.clone(), path.mapped(&ground.map));
+                }
+            }
             What::Ignored(reason) => self.ignore(origin, reason),
             What::Insert(insert) => {
                 let hidden = match (hidden, ground.hidden) {

@@ -25,6 +25,8 @@ pub(super) struct Item {
 pub(super) enum What {
     Path(Path),
     Insert(Box<Insert>),
+    /// The outlines of a fill.
+    Hatch(Vec<Path>),
     /// No outline, and why.
     Ignored(&'static str),
     /// An outline that cannot be used.

@@ -1,13 +1,14 @@
 //! Drawings in DXF: text and binary, of R12 to R2018.
 //!
 //! A file is read group by group ([`groups`]). Its tables tell which layers are drawn ([`tables`]), its entities become
-//! paths in coordinates of their own block ([`entity`], [`shapes`], [`polyline`], [`spline`]), and inserting the blocks makes a flat
+//! paths in coordinates of their own block ([`entity`], [`shapes`], [`polyline`], [`spline`], [`hatch`]), and inserting the blocks makes a flat
 //! drawing of them ([`insert`]).
 
 mod entity;
 mod error;
 mod file;
 mod groups;
+mod hatch;
 mod insert;
 mod item;
 mod names;
@@ -21,8 +22,9 @@ pub(crate) use error::DxfError;
 pub(crate) use groups::is_binary;
 
 use crate::drawing::Drawing;
+use crate::source::Source;
 
-/// The drawing in the bytes of a file; of all layers that are drawn, or of those of these names.
-pub(crate) fn read(bytes: &[u8], layers: &[String]) -> Result<Drawing, DxfError> {
-    insert::flatten(file::read(bytes)?, layers)
+/// The drawing in the bytes of a file, or what of it is asked for.
+pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DxfError> {
+    insert::flatten(file::read(bytes)?, source)
 }

@@ -10,22 +10,27 @@ use crate::drawing::Path;
 
 /// LWPOLYLINE: vertices with bulges, one after the other.
 pub(super) fn light_polyline(record: &Record<'_, '_>) -> Result<What> {
-    let mut vertices: Vec<(Point, f64)> = Vec::new();
-    let mut flags = 0;
-    for group in record.groups {
-        match (group.code, vertices.last_mut()) {
-            (10, _) => vertices.push((Point::new(group.real()?, 0.0), 0.0)),
-            (20, Some(last)) => last.0.y = group.real()?,
-            (42, Some(last)) => last.1 = group.real()?,
-            (70, _) => flags = group.integer()?,
-            _ => {}
-        }
-    }
+    let flags = record.integer(70)?.unwrap_or(0);
+    let vertices = vertices(record.groups)?;
     let first = vertices.first().map_or(Point::ORIGIN, |v| v.0);
     let Some(behind) = record.is_from_behind()? else {
         return Ok(tilted(first));
     };
     Ok(drawn(&vertices, flags & 1 != 0, behind))
+}
+
+/// Vertices with bulges, one after the other.
+pub(super) fn vertices(groups: &[Group<'_>]) -> Result<Vec<(Point, f64)>> {
+    let mut vertices: Vec<(Point, f64)> = Vec::new();
+    for group in groups {
+        match (group.code, vertices.last_mut()) {
+            (10, _) => vertices.push((Point::new(group.real()?, 0.0), 0.0)),
+            (20, Some(last)) => last.0.y = group.real()?,
+            (42, Some(last)) => last.1 = group.real()?,
+            _ => {}
+        }
+    }
+    Ok(vertices)
 }
 
 /// POLYLINE, of which every vertex is an entity of its own.
@@ -70,24 +75,29 @@ pub(super) fn polyline(head: &Record<'_, '_>, vertices: &[Vec<Group<'_>>]) -> Re
 }
 
 fn drawn(vertices: &[(Point, f64)], closed: bool, behind: bool) -> What {
-    let [(first, _), rest @ ..] = vertices else {
-        return What::Ignored("it has no vertices");
-    };
-    if rest.is_empty() {
-        return What::Ignored("it has one vertex");
+    match path(vertices, closed) {
+        Some(path) => faced(path, behind),
+        None if vertices.is_empty() => What::Ignored("it has no vertices"),
+        None => What::Ignored("it has one vertex"),
     }
+}
+
+/// The path through vertices; none through fewer than two.
+pub(super) fn path(vertices: &[(Point, f64)], closed: bool) -> Option<Path> {
+    let [(first, _), rest @ .., last] = vertices else {
+        return None;
+    };
     let mut path = Path::from(*first);
     path.pieces.reserve_exact(vertices.len());
-    for (from, to) in vertices.iter().zip(rest) {
+    for (from, to) in vertices.iter().zip(rest.iter().chain([last])) {
         path.edge_to(to.0, from.1);
     }
     if closed {
-        let last = vertices[vertices.len() - 1];
         // Many programs repeat the first vertex in closed polylines.
         if last.0 != *first {
             path.edge_to(*first, last.1);
         }
         path.closed = true;
     }
-    faced(path, behind)
+    Some(path)
 }

@@ -72,7 +72,7 @@ pub(super) fn arc(record: &Record<'_, '_>) -> Result<What> {
 }
 
 /// The direction of an angle in degrees; that of a right angle to the last bit.
-fn direction(degrees: f64) -> Vector {
+pub(super) fn direction(degrees: f64) -> Vector {
     let turned = degrees.rem_euclid(360.0);
     let quarter = (turned / 90.0).round();
     let (sin, cos) = (turned - 90.0 * quarter).to_radians().sin_cos();
@@ -132,7 +132,7 @@ fn sweep(angle: f64, turn: f64) -> f64 {
 }
 
 /// An arc of an ellipse as a path; circles as the arcs they are.
-fn ellipse_path(arc: &EllipseArc) -> Path {
+pub(super) fn ellipse_path(arc: &EllipseArc) -> Path {
     let curve = Curve::Ellipse(*arc);
     let is_whole = (arc.to - arc.from).abs() >= TAU;
     if is_whole {

@@ -3,6 +3,7 @@
 use cspace::{Point, Vector};
 
 use super::error::Result;
+use super::groups::Group;
 use super::item::What;
 use super::record::{Record, heights_differ, not_flat};
 use crate::curve::{Curve, Spline, interpolate};
@@ -57,6 +58,21 @@ pub(super) fn spline(record: &Record<'_, '_>) -> Result<What> {
             "draw it again in the program that made it, or explode it to lines and arcs",
         ),
     })
+}
+
+/// A spline of a hatch's boundary, where degree and weights have other codes.
+pub(super) fn of_hatch(groups: &[Group<'_>]) -> Result<What> {
+    let groups: Vec<Group<'_>> = (groups.iter())
+        .map(|group| Group {
+            code: match group.code {
+                94 => 71,
+                42 => 41,
+                code => code,
+            },
+            ..*group
+        })
+        .collect();
+    spline(&Record::new(&groups))
 }
 
 fn set_y(point: Option<&mut Point>, y: f64) {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::error::Result;
 use super::groups::{Group, Groups};
 use super::names::{Names, folded};
-use crate::drawing::Unit;
+use crate::unit::Unit;
 
 /// Layers that are not drawn, by folded name.
 #[derive(Default)]
@@ -46,24 +46,11 @@ pub(super) fn read_header<'a>(groups: &mut Groups<'a>, names: &mut Names<'a>) ->
         match (group.code, variable) {
             (9, _) => variable = group.text(),
             (3, b"$DWGCODEPAGE") => names.set_code_page(group.text()),
-            (70, b"$INSUNITS") => header.unit = unit(group.integer()?),
+            (70, b"$INSUNITS") => header.unit = Unit::of_dxf(group.integer()?),
             _ => {}
         }
     }
     Ok(header)
-}
-
-/// The unit of a number of `$INSUNITS`.
-fn unit(number: i64) -> Option<Unit> {
-    Some(match number {
-        1 => Unit::Inch,
-        2 => Unit::Foot,
-        4 => Unit::Millimetre,
-        5 => Unit::Centimetre,
-        6 => Unit::Metre,
-        13 => Unit::Micrometre,
-        _ => return None,
-    })
 }
 
 pub(super) fn read_tables<'a>(groups: &mut Groups<'a>, names: &mut Names<'a>) -> Result<Layers> {

@@ -18,6 +18,7 @@ use crate::fit::{self, NotFitted, Outline, Sided};
 use crate::join::{self, Chain, Joined};
 use crate::nest::{Lone, nest};
 use crate::shown;
+use crate::source::OFFERED;
 
 /// A drawing on its way to parts.
 pub(super) struct Making<'d> {
@@ -404,10 +405,18 @@ impl<'d> Making<'d> {
             true => String::new(),
             false => format!("; left out are {}", left_out.join("; ")),
         };
-        DrawingError::file(
-            format!("the drawing has no closed outline{left_out}"),
-            "draw outlines with lines, arcs, polylines or splines, and check the layers",
-        )
+        let hatches = (self.ignored.iter())
+            .filter(|i| i.reason == OFFERED)
+            .count();
+        let help = match hatches {
+            0 => "draw outlines with lines, arcs, polylines or splines, and check the layers"
+                .to_owned(),
+            1 => "--hatches (in a model: hatches = true) takes the outline of 1 hatch".to_owned(),
+            n => {
+                format!("--hatches (in a model: hatches = true) takes the outlines of {n} hatches")
+            }
+        };
+        DrawingError::file(format!("the drawing has no closed outline{left_out}"), help)
     }
 }
 

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use cspace::{Part, Point};
 
-use crate::drawing::{Entity, Ignored, Problem, Unit};
+use crate::drawing::{Entity, Ignored, Problem};
+use crate::unit::Unit;
 
 /// The parts of a drawing, and how they came about.
 #[derive(Debug, Clone)]

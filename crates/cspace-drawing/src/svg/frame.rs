@@ -6,14 +6,14 @@ use cspace::{Point, Vector};
 use roxmltree::Node;
 use svgtypes::{Align, AspectRatio, ViewBox};
 
-use super::length::{physical, user_units};
+use super::length::{View, physical, user_units};
 use crate::affine::Affine;
-use crate::drawing::Unit;
+use crate::unit::Unit;
 
 /// From the coordinates of the root's content to the drawing's, whose y axis points up; and the unit that the page is measured
-/// in. The origin is the lower left corner of the page; of one whose view box does not begin at 0, 0, whoever drew it has
+/// in; and the frame of its percentages. The origin is the lower left corner of the page; of one whose view box does not begin at 0, 0, whoever drew it has
 /// chosen the origin, and it stays.
-pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
+pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>, View) {
     let length = |name| root.attribute(name).and_then(physical);
     let (width, height) = (length("width"), length("height"));
     let unit = width.or(height).and_then(|l| l.1);
@@ -24,7 +24,7 @@ pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
     let side = |l: Option<(f64, Option<Unit>)>| {
         let (number, own) = l?;
         let factor = match (own, unit) {
-            (Some(own), Some(unit)) => own.millimetres() / unit.millimetres(),
+            (Some(own), Some(unit)) => own.ratio(unit),
             _ => 1.0,
         };
         Some(number * factor)
@@ -33,7 +33,7 @@ pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
     let Some(view) = view.filter(|v| v.w > 0.0 && v.h > 0.0) else {
         // User units are pixels.
         let scale = match (unit, root.attribute("viewBox")) {
-            (Some(unit), _) => Unit::Pixel.millimetres() / unit.millimetres(),
+            (Some(unit), _) => Unit::Pixel.ratio(unit),
             _ => 1.0,
         };
         let top = height.unwrap_or(0.0);
@@ -42,7 +42,12 @@ pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
             y: Vector::new(0.0, -scale),
             origin: Point::new(0.0, top),
         };
-        return (map, unit);
+        let user = |name| root.attribute(name).and_then(user_units);
+        let frame = View {
+            width: user("width"),
+            height: user("height"),
+        };
+        return (map, unit, frame);
     };
     let [x, y] = scales(root, view, width, height);
     let map = Affine {
@@ -53,42 +58,56 @@ pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>) {
             _ => Point::ORIGIN,
         },
     };
-    (map, unit)
+    (map, unit, View::of(view))
 }
 
-/// The map of a frame of its own: its corner, and its view box fitted into its sides. A symbol's sides are those of the
-/// element that uses it.
-pub(super) fn frame(node: Node<'_, '_>, used_by: Option<Node<'_, '_>>) -> Affine {
-    let own = |name| node.attribute(name).and_then(user_units);
-    let side = |name| {
-        let by = used_by.and_then(|n| n.attribute(name)).and_then(user_units);
-        by.or_else(|| own(name))
+/// The map of a frame of its own, whose corner and sides are lengths in the frame around: its view box is fitted into its sides;
+/// and what percentages in it are of. A symbol's sides are those of the element that uses it. A side that is not given is that
+/// of the frame around.
+///
+/// # Errors
+/// If a side or a coordinate of the corner is no length.
+pub(super) fn frame(
+    node: Node<'_, '_>,
+    used_by: Option<Node<'_, '_>>,
+    around: View,
+) -> Result<(Affine, View), String> {
+    let own = |name| around.length(node, name);
+    let side = |name, whole: Option<f64>| -> Result<Option<f64>, String> {
+        let by = match used_by {
+            Some(by) => around.length(by, name)?,
+            None => None,
+        };
+        Ok(by.or(own(name)?).or(whole))
     };
     let corner = match used_by {
-        None => Vector::new(own("x").unwrap_or(0.0), own("y").unwrap_or(0.0)),
+        None => Vector::new(own("x")?.unwrap_or(0.0), own("y")?.unwrap_or(0.0)),
         Some(_) => Vector::ZERO,
     };
+    let width = side("width", around.width)?;
+    let height = side("height", around.height)?;
     let view = node
         .attribute("viewBox")
         .and_then(|v| ViewBox::from_str(v).ok());
     let Some(view) = view.filter(|v| v.w > 0.0 && v.h > 0.0) else {
-        return Affine {
+        let map = Affine {
             origin: Point::ORIGIN + corner,
             ..Affine::IDENTITY
         };
+        return Ok((map, View { width, height }));
     };
-    let (width, height) = (side("width"), side("height"));
     let [x, y] = scales(node, view, width, height);
     let align = aspect(node).align;
     let rest = |side: Option<f64>, own: f64, share: f64| side.map_or(0.0, |s| (s - own) * share);
-    Affine {
+    let map = Affine {
         x: Vector::new(x, 0.0),
         y: Vector::new(0.0, y),
         origin: Point::new(
             corner.x + rest(width, view.w * x, across(align)) - view.x * x,
             corner.y + rest(height, view.h * y, down(align)) - view.y * y,
         ),
-    }
+    };
+    Ok((map, View::of(view)))
 }
 
 /// How a view box is fitted into the sides of its frame.

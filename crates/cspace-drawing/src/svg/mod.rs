@@ -10,15 +10,13 @@ mod path;
 mod shapes;
 mod style;
 mod walk;
+mod xml;
 
-use roxmltree::{Document, ParsingOptions};
+use roxmltree::Error;
 
 use crate::drawing::Drawing;
 use crate::error::DrawingError;
 use crate::source::Source;
-
-/// The most elements of a file, those of its own entities included.
-const MOST_NODES: u32 = 4_000_000;
 
 /// The drawing in the bytes of a file; of the element of an id alone, or of layers alone, if that is asked for.
 pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DrawingError> {
@@ -27,13 +25,15 @@ pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DrawingErro
         DrawingError::file(message, "save the drawing again in UTF-8")
     })?;
     let text = text.trim_start_matches('\u{feff}');
-    // Some programs declare entities for their namespaces; the reader bounds what they expand to.
-    let options = ParsingOptions {
-        allow_dtd: true,
-        nodes_limit: MOST_NODES,
-        ..ParsingOptions::default()
+    let whole;
+    let document = match xml::parse(text) {
+        Err(Error::UnknownNamespace(..)) => {
+            whole = xml::declared(text);
+            xml::parse(whole.as_deref().unwrap_or(text))
+        }
+        parsed => parsed,
     };
-    let document = Document::parse_with_options(text, options).map_err(|e| DrawingError::File {
+    let document = document.map_err(|e| DrawingError::File {
         line: Some(e.pos().row as usize),
         message: format!("the file is no XML: {e}"),
         help: "export the drawing again as SVG".to_owned(),

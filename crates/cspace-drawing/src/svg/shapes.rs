@@ -6,7 +6,7 @@ use cspace::{Point, Vector};
 use roxmltree::Node;
 use svgtypes::PointsParser;
 
-use super::length::user_units;
+use super::length::View;
 use super::path::{close, paths};
 use crate::curve::{Curve, EllipseArc};
 use crate::drawing::{Path, Piece};
@@ -15,13 +15,17 @@ use crate::drawing::{Path, Piece};
 ///
 /// # Errors
 /// What is wrong with the element's attributes.
-pub(super) fn shape(node: Node<'_, '_>, is_filled: bool) -> Option<Result<Vec<Path>, String>> {
+pub(super) fn shape(
+    node: Node<'_, '_>,
+    view: View,
+    is_filled: bool,
+) -> Option<Result<Vec<Path>, String>> {
     Some(match node.tag_name().name() {
         "path" => paths(node.attribute("d").unwrap_or_default(), is_filled),
-        "rect" => rectangle(node),
-        "circle" => circle(node),
-        "ellipse" => ellipse(node),
-        "line" => line(node),
+        "rect" => rectangle(node, view),
+        "circle" => circle(node, view),
+        "ellipse" => ellipse(node, view),
+        "line" => line(node, view),
         "polygon" => Ok(polyline(node, true)),
         "polyline" => Ok(polyline(node, is_filled)),
         _ => return None,
@@ -29,23 +33,13 @@ pub(super) fn shape(node: Node<'_, '_>, is_filled: bool) -> Option<Result<Vec<Pa
 }
 
 /// A length that an attribute gives, or 0.
-fn number(node: Node<'_, '_>, name: &str) -> Result<f64, String> {
-    Ok(optional(node, name)?.unwrap_or(0.0))
+fn number(node: Node<'_, '_>, view: View, name: &str) -> Result<f64, String> {
+    Ok(view.length(node, name)?.unwrap_or(0.0))
 }
 
-fn optional(node: Node<'_, '_>, name: &str) -> Result<Option<f64>, String> {
-    match node.attribute(name) {
-        None | Some("auto") => Ok(None),
-        Some(text) => user_units(text).map(Some).ok_or_else(|| {
-            let text: String = text.chars().take(40).collect();
-            format!("{name} is {text:?}, no length that can be told without a font or frame")
-        }),
-    }
-}
-
-fn circle(node: Node<'_, '_>) -> Result<Vec<Path>, String> {
-    let center = Point::new(number(node, "cx")?, number(node, "cy")?);
-    let radius = number(node, "r")?;
+fn circle(node: Node<'_, '_>, view: View) -> Result<Vec<Path>, String> {
+    let center = Point::new(number(node, view, "cx")?, number(node, view, "cy")?);
+    let radius = number(node, view, "r")?;
     Ok(if radius > 0.0 {
         vec![Path::circle(center, radius)]
     } else {
@@ -53,9 +47,9 @@ fn circle(node: Node<'_, '_>) -> Result<Vec<Path>, String> {
     })
 }
 
-fn ellipse(node: Node<'_, '_>) -> Result<Vec<Path>, String> {
-    let center = Point::new(number(node, "cx")?, number(node, "cy")?);
-    let (rx, ry) = radii(node)?;
+fn ellipse(node: Node<'_, '_>, view: View) -> Result<Vec<Path>, String> {
+    let center = Point::new(number(node, view, "cx")?, number(node, view, "cy")?);
+    let (rx, ry) = radii(node, view)?;
     if !(rx > 0.0 && ry > 0.0) {
         return Ok(Vec::new());
     }
@@ -77,17 +71,23 @@ fn ellipse(node: Node<'_, '_>) -> Result<Vec<Path>, String> {
 }
 
 /// One radius stands for both.
-fn radii(node: Node<'_, '_>) -> Result<(f64, f64), String> {
-    Ok(match (optional(node, "rx")?, optional(node, "ry")?) {
+fn radii(node: Node<'_, '_>, view: View) -> Result<(f64, f64), String> {
+    Ok(match (view.length(node, "rx")?, view.length(node, "ry")?) {
         (Some(rx), Some(ry)) => (rx, ry),
         (Some(r), None) | (None, Some(r)) => (r, r),
         (None, None) => (0.0, 0.0),
     })
 }
 
-fn line(node: Node<'_, '_>) -> Result<Vec<Path>, String> {
-    let mut path = Path::from(Point::new(number(node, "x1")?, number(node, "y1")?));
-    path.edge_to(Point::new(number(node, "x2")?, number(node, "y2")?), 0.0);
+fn line(node: Node<'_, '_>, view: View) -> Result<Vec<Path>, String> {
+    let mut path = Path::from(Point::new(
+        number(node, view, "x1")?,
+        number(node, view, "y1")?,
+    ));
+    path.edge_to(
+        Point::new(number(node, view, "x2")?, number(node, view, "y2")?),
+        0.0,
+    );
     Ok(vec![path])
 }
 
@@ -106,13 +106,13 @@ fn polyline(node: Node<'_, '_>, closes: bool) -> Vec<Path> {
 }
 
 /// A rectangle, its corners rounded by quarters of circles or ellipses.
-fn rectangle(node: Node<'_, '_>) -> Result<Vec<Path>, String> {
-    let (x, y) = (number(node, "x")?, number(node, "y")?);
-    let (width, height) = (number(node, "width")?, number(node, "height")?);
+fn rectangle(node: Node<'_, '_>, view: View) -> Result<Vec<Path>, String> {
+    let (x, y) = (number(node, view, "x")?, number(node, view, "y")?);
+    let (width, height) = (number(node, view, "width")?, number(node, view, "height")?);
     if !(width > 0.0 && height > 0.0) {
         return Ok(Vec::new());
     }
-    let (rx, ry) = radii(node)?;
+    let (rx, ry) = radii(node, view)?;
     let (rx, ry) = (rx.clamp(0.0, width / 2.0), ry.clamp(0.0, height / 2.0));
     let (right, bottom) = (x + width, y + height);
     if rx == 0.0 || ry == 0.0 {

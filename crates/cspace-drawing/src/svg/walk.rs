@@ -9,9 +9,10 @@ use roxmltree::{Document, Node};
 use svgtypes::Transform;
 
 use super::frame::{frame, page};
-use super::length::user_units;
+use super::length::View;
 use super::shapes::shape;
 use super::style::{Sheet, Style};
+use super::xml::{INKSCAPE, XLINK};
 use crate::affine::Affine;
 use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
 use crate::error::DrawingError;
@@ -23,12 +24,12 @@ const MOST_ELEMENTS: usize = 2_000_000;
 /// The deepest that elements are nested or used in one another.
 const DEEPEST: usize = 200;
 
-const XLINK: &str = "http://www.w3.org/1999/xlink";
-const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+/// What to do about an element that cannot be read.
+const MEND: &str = "export the drawing again, or mend the element";
 
 pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, DrawingError> {
     let root = document.root_element();
-    let (map, unit) = page(root);
+    let (map, unit, view) = page(root);
     let ids: HashMap<&str, Node<'_, '_>> = (document.descendants())
         .filter_map(|n| Some((n.attribute("id")?, n)))
         .collect();
@@ -55,6 +56,7 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
     };
     let ground = Ground {
         map,
+        view,
         style: walk.sheet.style(root, &Style::default()),
         layer: Arc::from(""),
         names: Arc::from([]),
@@ -69,6 +71,8 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
 #[derive(Clone)]
 struct Ground {
     map: Affine,
+    /// What percentages are of.
+    view: View,
     style: Style,
     layer: Arc<str>,
     /// The names of the elements around, and of the element itself.
@@ -161,8 +165,7 @@ impl<'d, 'i> Walk<'d, 'i> {
                 self.ignore(node, &ground, "it is not displayed");
             }
             "svg" => {
-                ground.map = ground.map.after(&frame(node, None));
-                return self.children(node, &ground);
+                return self.framed(node, None, &ground);
             }
             "use" => return self.used(node, &ground),
             "text" | "image" | "foreignObject" => {
@@ -180,7 +183,7 @@ impl<'d, 'i> Walk<'d, 'i> {
 
     /// A shape, if it is one. What defines, describes or moves others is none.
     fn drawn(&mut self, node: Node<'d, 'i>, ground: &Ground) {
-        let Some(paths) = shape(node, ground.style.is_filled) else {
+        let Some(paths) = shape(node, ground.view, ground.style.is_filled) else {
             return;
         };
         let style = &ground.style;
@@ -221,12 +224,7 @@ impl<'d, 'i> Walk<'d, 'i> {
                     });
                 }
             }
-            Err(reason) => self.problem(
-                node,
-                ground,
-                reason,
-                "export the drawing again, or mend the element",
-            ),
+            Err(reason) => self.problem(node, ground, reason, MEND),
         }
     }
 
@@ -252,19 +250,49 @@ impl<'d, 'i> Walk<'d, 'i> {
             self.problem(node, ground, reason, "remove the `use` element");
             return Ok(());
         }
-        let offset = |name| node.attribute(name).and_then(user_units).unwrap_or(0.0);
+        let offset = |name| Ok(ground.view.length(node, name)?.unwrap_or(0.0));
+        let offset: Result<[f64; 2], String> = offset("x").and_then(|x| Ok([x, offset("y")?]));
+        let [x, y] = match offset {
+            Ok(offset) => offset,
+            Err(reason) => {
+                self.problem(node, ground, reason, MEND);
+                return Ok(());
+            }
+        };
         let mut inner = ground.clone();
         inner.map = inner.map.after(&Affine {
-            origin: Point::new(offset("x"), offset("y")),
+            origin: Point::new(x, y),
             ..Affine::IDENTITY
         });
         if target.tag_name().name() == "symbol" {
-            inner.map = inner.map.after(&frame(target, Some(node)));
             inner.style = self.sheet.style(target, &inner.style);
             inner.depth += 1;
-            return self.children(target, &inner);
+            return self.framed(target, Some(node), &inner);
         }
         self.element(target, &inner)
+    }
+
+    /// The children of an element that is a frame of its own.
+    fn framed(
+        &mut self,
+        node: Node<'d, 'i>,
+        used_by: Option<Node<'d, 'i>>,
+        ground: &Ground,
+    ) -> Result<(), DrawingError> {
+        match frame(node, used_by, ground.view) {
+            Ok((map, view)) => {
+                let inner = Ground {
+                    map: ground.map.after(&map),
+                    view,
+                    ..ground.clone()
+                };
+                self.children(node, &inner)
+            }
+            Err(reason) => {
+                self.problem(used_by.unwrap_or(node), ground, reason, MEND);
+                Ok(())
+            }
+        }
     }
 
     fn origin(&self, node: Node<'_, '_>, ground: &Ground) -> Origin {

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::fmt::Write as _;
 
 use super::Drawn;
-use crate::drawing::Unit;
+use crate::unit::Unit;
 
 /// A version of DXF.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -177,18 +177,7 @@ impl Out {
             self.group(9, "$HANDSEED");
             self.group(5, format_args!("{:X}", 0x1000 + edges + 2 * drawn.len()));
             self.group(9, "$INSUNITS");
-            self.group(
-                70,
-                match unit {
-                    None | Some(Unit::Pixel) => 0,
-                    Some(Unit::Inch) => 1,
-                    Some(Unit::Foot) => 2,
-                    Some(Unit::Millimetre) => 4,
-                    Some(Unit::Centimetre) => 5,
-                    Some(Unit::Metre) => 6,
-                    Some(Unit::Micrometre) => 13,
-                },
-            );
+            self.group(70, unit.map_or(0, Unit::dxf));
         }
         self.end();
     }

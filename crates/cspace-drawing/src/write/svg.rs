@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use cspace::{Point, Vertex};
 
 use super::{Drawn, edges};
-use crate::drawing::Unit;
+use crate::unit::Unit;
 
 /// Outlines as an SVG drawing: each a `path` of its name, its arcs as arcs, in the model's unit, the y axis pointing up.
 ///
@@ -29,7 +29,9 @@ pub fn svg(drawn: &[Drawn], unit: Option<Unit>) -> String {
         Point::new(hi.x + margin, hi.y + margin),
     );
     let (width, height) = (hi.x - lo.x, hi.y - lo.y);
-    let label = unit.filter(|u| !matches!(u, Unit::Foot | Unit::Metre | Unit::Micrometre));
+    // SVG knows these alone.
+    const KNOWN: [Unit; 4] = [Unit::Millimetre, Unit::Centimetre, Unit::Inch, Unit::Pixel];
+    let label = unit.filter(|u| KNOWN.contains(u));
     let label = label.map_or("", Unit::label);
     let mut out = String::new();
     // A String takes everything. The y axis of SVG points down.

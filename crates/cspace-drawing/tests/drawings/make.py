@@ -39,7 +39,7 @@ def text(name, content, parts, within=1e-9, newline="\n", encoding="ascii", **mo
     EXPECTED[path.name] = {"parts": parts, "within": within, **more}
 
 
-def part(area, perimeter, loops=1, lines=None, arcs=None, name=None):
+def part(area, perimeter=None, loops=1, lines=None, arcs=None, name=None):
     return {k: v for k, v in {"area": area, "perimeter": perimeter, "loops": loops,
                               "lines": lines, "arcs": arcs, "name": name}.items() if v is not None}
 
@@ -263,6 +263,56 @@ msp.add_ray((0, 0), (1, 1))
 doc.layout("Layout1").add_line((0, 0), (1, 1))
 save("texts_and_dimensions", doc, [part(1500, 160, lines=4, arcs=0, name="plate")],
      ignored={"TEXT": 1, "MTEXT": 1, "POINT": 1, "HATCH": 1, "DIMENSION": 1, "SOLID": 1, "RAY": 1, "LINE": 1})
+
+# -- outlines of hatches: polylines, and edges of all kinds, some of them clockwise
+doc, msp = new("R2010")
+
+
+def hatch(layer):
+    return msp.add_hatch(dxfattribs={"layer": layer}).paths
+
+
+paths = hatch("plate")
+paths.add_polyline_path([(0, 0), (10, 0), (10, 10), (0, 10)], is_closed=True, flags=1)
+paths.add_edge_path(flags=16).add_arc((5, 5), 2, 0, 360, ccw=False)
+# The box of a text, which is no outline.
+paths.add_polyline_path([(4, 4), (6, 4), (6, 6), (4, 6)], is_closed=True, flags=8)
+edges = hatch("slot").add_edge_path(flags=1)
+edges.add_line((20, 0), (26, 0))
+edges.add_arc((26, 2), 2, 270, 90)
+edges.add_line((26, 4), (20, 4))
+edges.add_arc((20, 2), 2, 90, 270)
+edges = hatch("half").add_edge_path(flags=1)
+edges.add_ellipse((33, 0), (3, 0), 0.5, 0, 180)
+edges.add_line((30, 0), (36, 0))
+edges = hatch("notched").add_edge_path(flags=1)
+edges.add_line((40, 0), (50, 0))
+edges.add_line((50, 0), (50, 10))
+edges.add_line((50, 10), (43, 10))
+edges.add_ellipse((40, 10), (3, 0), 0.5, 270, 360, ccw=False)
+edges.add_line((40, 8.5), (40, 0))
+edges = hatch("mouth").add_edge_path(flags=1)
+edges.add_line((54, 3), (54, 0))
+edges.add_line((54, 0), (62, 0))
+edges.add_line((62, 0), (62, 6))
+edges.add_line((62, 6), (54, 6))
+edges.add_line((54, 6), (54, 5))
+edges.add_arc((54, 4), 1, 270, 90, ccw=False)
+edges = hatch("oblique").add_edge_path(flags=1)
+# A quarter by its parameters, which are not its angles.
+edges.add_ellipse((64, 0), (4, 0), 0.25, math.degrees(math.atan2(0.25, 1)), 90)
+edges.add_line((64, 1), (64, 0))
+edges.add_line((64, 0), (64 + 4 * math.sqrt(0.5), math.sqrt(0.5)))
+edges = hatch("parabola").add_edge_path(flags=1)
+edges.add_spline(control_points=[(70, 0), (75, 10), (80, 0)], degree=2, knot_values=[0, 0, 0, 1, 1, 1])
+edges.add_line((80, 0), (70, 0))
+hatch("disc").add_polyline_path([(84, 0, 1), (88, 0, 1)], is_closed=True)
+save("hatches", doc, [
+    part(100 - 4 * PI, loops=2, name="plate"), part(24 + 4 * PI, name="slot"),
+    part(2.25 * PI, name="half"), part(100 - 1.125 * PI, name="notched"),
+    part(48 - PI / 2, name="mouth"), part(PI / 2, name="oblique"),
+    part(100 / 3, name="parabola"), part(4 * PI, name="disc"),
+], within=1e-3, hatches=True, fitted=4, used={"HATCH": 9})
 
 # -- units
 for number, label in [(1, "in"), (4, "mm"), (6, "m")]:

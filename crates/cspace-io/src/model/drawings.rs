@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cspace::Part;
-use cspace_drawing::{DrawingError, Settings, Source, Unit};
+use cspace_drawing::{Conversion, DrawingError, Settings, Source};
 
 use super::error::ModelError;
 use super::node::Node;
@@ -16,6 +16,8 @@ pub(super) struct Setting<'a> {
     pub(super) folder: &'a Path,
     /// The label of the unit of length.
     pub(super) unit: Option<&'a str>,
+    /// What whoever reads the model should know, at its place.
+    pub(super) notes: Vec<ModelError>,
 }
 
 /// The key that names a drawing; none of a part with loops. A part has one outline, and keys that go with it.
@@ -35,6 +37,7 @@ pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
     let drawings: &[(&str, &[&str])] = &[
         ("layer", &["dxf"]),
         ("id", &["svg"]),
+        ("hatches", &["dxf"]),
         ("scale", &["dxf", "svg", "points"]),
         ("join", &["dxf", "svg"]),
         ("fit", &["dxf", "svg", "points"]),
@@ -64,7 +67,7 @@ pub(super) fn read_drawing(
     table: &Table<'_>,
     name: &str,
     key: &str,
-    setting: &Setting<'_>,
+    setting: &mut Setting<'_>,
 ) -> Result<Part> {
     let file = table.text(key)?.unwrap_or_default();
     let expected = if key == "points" { "csv" } else { key };
@@ -78,6 +81,7 @@ pub(super) fn read_drawing(
     let source = Source {
         layers: layers(table)?,
         id: table.text("id")?.map(str::to_owned),
+        hatches: table.flag("hatches")?,
     };
     let wrong = |e: &DrawingError| {
         table
@@ -85,12 +89,18 @@ pub(super) fn read_drawing(
             .with_help(e.help())
     };
     let drawing = cspace_drawing::read(&path, &source).map_err(|e| wrong(&e))?;
-    let scale = table.number("scale")?;
-    if let (None, Some(own), Some(label)) = (scale, drawing.unit, setting.unit) {
-        check_unit(table, key, own, label)?;
-    }
+    let scale = match table.number("scale")? {
+        Some(scale) => scale,
+        None => {
+            let conversion = Conversion::new(drawing.unit, setting.unit);
+            if let Some(note) = conversion.note("scale = 1") {
+                setting.notes.push(table.error(key, note));
+            }
+            conversion.factor()
+        }
+    };
     let settings = Settings {
-        scale: scale.unwrap_or(1.0),
+        scale,
         join: table.number("join")?,
         fit: table.number("fit")?,
         one_part: Some(name.to_owned()),
@@ -121,19 +131,5 @@ fn layers(table: &Table<'_>) -> Result<Vec<String>> {
             .map(str::to_owned)
             .into_iter()
             .collect()),
-    }
-}
-
-/// A drawing in one unit and a model in another need a factor.
-fn check_unit(table: &Table<'_>, key: &str, own: Unit, label: &str) -> Result<()> {
-    match Unit::of_label(label) {
-        Some(unit) if unit != own => {
-            let factor = own.millimetres() / unit.millimetres();
-            let message = format!("the drawing is in {}, the model in {label}", own.label());
-            Err(table.error(key, message).with_help(format!(
-                "give scale = {factor:?}, or scale = 1.0 to take the numbers as they are"
-            )))
-        }
-        _ => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use cspace::mechanism::PartDynamics;
-use cspace::{Axis, MechanismError, PartEntry, Point, Vector};
+use cspace::{Axis, MechanismError, Part, PartEntry, Point, Vector};
 
 use super::drawings::{Setting, read_drawing, source};
 use super::error::ModelError;
@@ -22,7 +22,7 @@ const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";
 pub(super) fn read_parts(
     place: &Place,
     nodes: &[Node],
-    setting: &Setting<'_>,
+    setting: &mut Setting<'_>,
 ) -> Result<(Vec<PartEntry>, Vec<PartDynamics>)> {
     let mut parts: Vec<PartEntry> = Vec::new();
     let mut dynamics: Vec<PartDynamics> = Vec::new();
@@ -59,11 +59,11 @@ fn name_of(node: &Node) -> Option<&str> {
 fn read_part(
     place: &Place,
     node: &Node,
-    setting: &Setting<'_>,
+    setting: &mut Setting<'_>,
 ) -> Result<(PartEntry, PartDynamics)> {
-    const KEYS: [&str; 12] = [
+    const KEYS: [&str; 15] = [
         "name", "loops", "dxf", "svg", "points", "names", "motion", "symmetry", "layer", "id",
-        "scale", "join",
+        "hatches", "scale", "join", "offset", "split",
     ];
     // It is too like others to be suggested.
     const OTHERS: [&str; 1] = ["fit"];
@@ -87,6 +87,7 @@ fn read_part(
             read_outline(name, &place.key("loops"), nodes)?
         }
     };
+    part = at_offset(&table, part, setting)?;
     if let Some(names) = table.get("names") {
         part = with_names(part, &place.key("names"), names)?;
     }
@@ -102,6 +103,25 @@ fn read_part(
     check_symmetry(&table, &entry)?;
     let dynamics = read_part_dynamics(&table, axis)?;
     Ok((entry, dynamics))
+}
+
+/// The part at the distance that the table gives. What is otherwise in it is noted.
+fn at_offset(table: &Table<'_>, part: Part, setting: &mut Setting<'_>) -> Result<Part> {
+    let split = table.flag("split")?;
+    let Some(by) = table.number("offset")? else {
+        if split {
+            let error = table.error("split", "`split` is given without an offset");
+            return Err(error.with_help("it allows that an `offset` divides the part: remove it"));
+        }
+        return Ok(part);
+    };
+    let made = cspace_drawing::offset(&part, by, split)
+        .map_err(|e| table.error("offset", e.to_string()).with_help(e.help()))?;
+    for change in made.changes {
+        let note = format!("with the offset, {change}");
+        setting.notes.push(table.error("offset", note));
+    }
+    Ok(made.part)
 }
 
 /// Symmetry is found from the outline anyway; what is declared must not contradict it.

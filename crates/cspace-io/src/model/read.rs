@@ -64,6 +64,17 @@ fn largest(path: &Path) -> u64 {
 /// # Errors
 /// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
 pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelError> {
+    read_noting(path, &mut Vec::new())
+}
+
+/// As [`read`], and adds what whoever reads the model should know, such as that a drawing was converted from another unit.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_noting(
+    path: impl AsRef<Path>,
+    notes: &mut Vec<String>,
+) -> core::result::Result<Mechanism, ModelError> {
     let path = path.as_ref();
     let extension = extension(path);
     if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
@@ -81,11 +92,15 @@ pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelErro
             .with_help(help)
             .in_file(&path.display().to_string()));
     }
-    from_text(path, &read_text(path, largest(path))?)
+    from_text(path, &read_text(path, largest(path))?, notes)
 }
 
 /// The model in the text of a file, whose extension tells whether it is JSON.
-pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechanism, ModelError> {
+pub(crate) fn from_text(
+    path: &Path,
+    text: &str,
+    notes: &mut Vec<String>,
+) -> core::result::Result<Mechanism, ModelError> {
     let file = path.display().to_string();
     // It may have been read as a saved space, which may be longer.
     let limit = largest(path);
@@ -94,9 +109,9 @@ pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechani
     }
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut model = if extension(path) == "json" {
-        json_in(text, &file, folder)
+        json_in(text, &file, folder, notes)
     } else {
-        toml_in(text, &file, folder)
+        toml_in(text, &file, folder, notes)
     }?;
     if model.name.is_empty() {
         model.name = path
@@ -122,10 +137,15 @@ pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechani
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    toml_in(text, file, folder_of(file))
+    toml_in(text, file, folder_of(file), &mut Vec::new())
 }
 
-fn toml_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechanism, ModelError> {
+pub(crate) fn toml_in(
+    text: &str,
+    file: &str,
+    folder: &Path,
+    notes: &mut Vec<String>,
+) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = toml::from_str(text).map_err(|e| {
@@ -134,10 +154,13 @@ fn toml_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechan
             .at(e.span().map(|span| line_and_column(text, span.start)))
             .in_file(file)
     })?;
-    from_tree(&tree, folder).map_err(|e| {
+    let placed = |e: ModelError| {
         let position = in_toml(text, e.tree_place());
         e.at(position).in_file(file)
-    })
+    };
+    let (model, told) = from_tree(&tree, folder).map_err(placed)?;
+    notes.extend(told.into_iter().map(|n| placed(n).to_string()));
+    Ok(model)
 }
 
 /// Reads a model from JSON text; `file` is what errors call it.
@@ -152,7 +175,7 @@ fn toml_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechan
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    json_in(text, file, folder_of(file))
+    json_in(text, file, folder_of(file), &mut Vec::new())
 }
 
 /// Where drawings are that a model names.
@@ -160,14 +183,22 @@ fn folder_of(file: &str) -> &Path {
     Path::new(file).parent().unwrap_or(Path::new(""))
 }
 
-fn json_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechanism, ModelError> {
+pub(crate) fn json_in(
+    text: &str,
+    file: &str,
+    folder: &Path,
+    notes: &mut Vec<String>,
+) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    from_tree(&tree, folder).map_err(|e| {
+    let placed = |e: ModelError| {
         let position = in_json(text, e.tree_place());
         e.at(position).in_file(file)
-    })
+    };
+    let (model, told) = from_tree(&tree, folder).map_err(placed)?;
+    notes.extend(told.into_iter().map(|n| placed(n).to_string()));
+    Ok(model)
 }
 
 /// What is wrong with the text as JSON.
@@ -202,7 +233,8 @@ fn not_empty(text: &str) -> Result<()> {
     Ok(())
 }
 
-fn from_tree(tree: &Node, folder: &Path) -> Result<Mechanism> {
+/// The model, and what whoever reads it should know.
+fn from_tree(tree: &Node, folder: &Path) -> Result<(Mechanism, Vec<ModelError>)> {
     let root = Place::default();
     let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
     let parts = table
@@ -218,11 +250,12 @@ fn from_tree(tree: &Node, folder: &Path) -> Result<Mechanism> {
             .with_help("split the model into several files"));
     }
     table.text("$schema")?;
-    let setting = Setting {
+    let mut setting = Setting {
         folder,
         unit: table.text("unit")?,
+        notes: Vec::new(),
     };
-    let (parts, masses) = read_parts(&table.place.key("part"), parts, &setting)?;
+    let (parts, masses) = read_parts(&table.place.key("part"), parts, &mut setting)?;
     let joints = table
         .list("joint", "write each joint as [[joint]], in two brackets")?
         .unwrap_or_default();
@@ -244,5 +277,5 @@ fn from_tree(tree: &Node, folder: &Path) -> Result<Mechanism> {
     };
     mechanism.pairs = pairs.unwrap_or_else(|| mechanism.every_two());
     mechanism.dynamics = read_dynamics(&table, &mechanism, masses, surfaces)?;
-    Ok(mechanism)
+    Ok((mechanism, setting.notes))
 }

@@ -125,6 +125,17 @@ impl SavedFile {
 /// # Errors
 /// If the file cannot be read, or is neither; the error says where and what to do.
 pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
+    read_noting(path, &mut Vec::new())
+}
+
+/// As [`read`], and adds what whoever reads a model should know, such as that a drawing was converted from another unit.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_noting(
+    path: impl AsRef<Path>,
+    notes: &mut Vec<String>,
+) -> Result<Document, ModelError> {
     let path = path.as_ref();
     if extension(path) == "json" {
         let text = read_text(path, LARGEST)?;
@@ -132,9 +143,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
             let file = SavedFile::from_json(&text, &path.display().to_string())?;
             return Ok(Document::Space(Box::new(file)));
         }
-        return model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
+        return model::from_text(path, &text, notes).map(|m| Document::Model(Box::new(m)));
     }
-    model::read(path).map(|m| Document::Model(Box::new(m)))
+    model::read_noting(path, notes).map(|m| Document::Model(Box::new(m)))
 }
 
 /// As [`read`], from what a reader gives; `file` is what errors call it. Text that begins with a brace is JSON, other text TOML.
@@ -142,16 +153,29 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
 /// # Errors
 /// As [`read`].
 pub fn read_from(source: impl std::io::Read, file: &str) -> Result<Document, ModelError> {
+    read_from_noting(source, file, &mut Vec::new())
+}
+
+/// As [`read_from`], and adds what whoever reads a model should know.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from_noting(
+    source: impl std::io::Read,
+    file: &str,
+    notes: &mut Vec<String>,
+) -> Result<Document, ModelError> {
     let text = text_of(source, LARGEST, file)?;
     let is_json = without_mark(&text).trim_start().starts_with('{');
     if is_json && is_saved(&text) {
         let saved = SavedFile::from_json(&text, file)?;
         return Ok(Document::Space(Box::new(saved)));
     }
+    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
     let mut model = if is_json {
-        model::from_json(&text, file)
+        model::json_in(&text, file, folder, notes)
     } else {
-        model::from_toml(&text, file)
+        model::toml_in(&text, file, folder, notes)
     }?;
     if model.name.is_empty() {
         file.clone_into(&mut model.name);

@@ -1,12 +1,15 @@
 //! `cspace import`.
 
+mod offsets;
 mod report;
+mod units;
 
-use std::collections::HashSet;
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use cspace::{Mechanism, Part, PartEntry};
-use cspace_drawing::{DrawingError, FitSide, Outlines, Settings, Source, Unit};
+use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings, Source};
 use cspace_io::{model, shown};
 
 use crate::args::{Format, ImportArgs, Side};
@@ -23,9 +26,18 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     for drawing in &args.drawings {
         output::check_apart(output, drawing)?;
     }
+    let drawings = (args.drawings.iter())
+        .map(|path| read(args, path))
+        .collect::<Result<Vec<Drawing>, _>>()?;
+    let unit = units::of_model(args, &drawings)?;
     let mut imported = Vec::new();
-    for drawing in &args.drawings {
-        imported.push(read(args, drawing)?);
+    for (path, drawing) in args.drawings.iter().zip(drawings) {
+        let scale = units::factor(args, path, &drawing, unit.as_deref());
+        let mut outlines = outlines(args, path, &drawing, scale)?;
+        if let Some(by) = args.offset {
+            offsets::apply(args, path, &mut outlines, by)?;
+        }
+        imported.push(outlines);
     }
     let count: usize = imported.iter().map(|o| o.parts.len()).sum();
     if count > model::MOST_PARTS {
@@ -35,7 +47,6 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         ))
         .help("read some layers alone with --layer, or make one part of all with --part NAME"));
     }
-    let unit = unit(args, &imported)?;
     let mechanism = Mechanism {
         name: name(&args.drawings[0]),
         unit,
@@ -99,14 +110,25 @@ fn name(path: &Path) -> String {
     shown::text(&stem).into_owned()
 }
 
-/// The parts of one drawing. Everything that cannot be used is told.
-fn read(args: &ImportArgs, path: &Path) -> Result<Outlines, Failure> {
+fn read(args: &ImportArgs, path: &Path) -> Result<Drawing, Failure> {
     let source = Source {
         layers: args.layer.clone(),
         id: args.id.clone(),
+        hatches: args.hatches,
     };
+    cspace_drawing::read(path, &source)
+        .map_err(|e| Failure::input(format_args!("{}: {e}", path.display())).help(e.help()))
+}
+
+/// The parts of one drawing. Everything that cannot be used is told.
+fn outlines(
+    args: &ImportArgs,
+    path: &Path,
+    drawing: &Drawing,
+    scale: f64,
+) -> Result<Outlines, Failure> {
     let settings = Settings {
-        scale: args.scale,
+        scale,
         join: args.join,
         fit: args.fit,
         side: match args.fit_side {
@@ -119,61 +141,52 @@ fn read(args: &ImportArgs, path: &Path) -> Result<Outlines, Failure> {
         trace: args.trace,
     };
     let file = path.display();
-    cspace_drawing::read(path, &source)
-        .and_then(|drawing| drawing.outlines(&settings))
-        .map_err(|error| match &error {
-            DrawingError::Entities(problems) if problems.len() > 1 => {
-                /// More are not told one by one.
-                const MOST: usize = 20;
-                for problem in problems.iter().take(MOST) {
-                    Failure::input(format_args!("{file}: {problem}"))
-                        .help(&problem.help)
-                        .print();
-                }
-                let rest = match problems.len().saturating_sub(MOST) {
+    drawing.outlines(&settings).map_err(|error| match &error {
+        DrawingError::Entities(problems) if problems.len() > 1 => {
+            /// More are not told one by one.
+            const MOST: usize = 20;
+            let kinds = alike(problems);
+            for (problem, more) in kinds.iter().take(MOST) {
+                let more = match more {
                     0 => String::new(),
-                    more => format!(", {more} of which are not shown"),
+                    n => format!("; and {n} more of this kind"),
                 };
-                Failure::input(format_args!(
-                    "{file}: {} things cannot be used{rest}",
-                    problems.len()
-                ))
-                .help("mend the drawing, or leave them out with --partial")
+                Failure::input(format_args!("{file}: {problem}{more}"))
+                    .help(&problem.help)
+                    .print();
             }
-            error => Failure::input(format_args!("{file}: {error}")).help(error.help()),
-        })
+            let rest = match kinds.len().saturating_sub(MOST) {
+                0 => String::new(),
+                more => format!(", {more} of which are not shown"),
+            };
+            Failure::input(format_args!(
+                "{file}: {} things cannot be used{rest}",
+                problems.len()
+            ))
+            .help("mend the drawing, or leave them out with --partial")
+        }
+        error => Failure::input(format_args!("{file}: {error}")).help(error.help()),
+    })
 }
 
-/// The unit that the model names: as asked for, or as all drawings say.
-fn unit(args: &ImportArgs, imported: &[Outlines]) -> Result<Option<String>, Failure> {
-    let mut named = imported.iter().filter_map(|o| o.unit);
-    let first = named.next();
-    if let Some(label) = &args.unit {
-        let asked = Unit::of_label(label);
-        if let (Some(own), Some(asked)) = (first, asked)
-            && own != asked
-            && args.scale == 1.0
-        {
-            failure::note(format_args!(
-                "the drawing is in {}; its numbers are taken as {label}, without --scale {:?}",
-                own.label(),
-                own.millimetres() / asked.millimetres()
-            ));
+/// Problems; those that concern one entity alone once for each type and reason, with how many more there are of the kind.
+fn alike(problems: &[Problem]) -> Vec<(&Problem, usize)> {
+    let mut kinds: Vec<(&Problem, usize)> = Vec::new();
+    let mut places: HashMap<(&str, &str), usize> = HashMap::new();
+    for problem in problems {
+        if problem.to.is_some() || !problem.with.is_empty() {
+            kinds.push((problem, 0));
+            continue;
         }
-        return Ok(Some(label.clone()));
+        match places.entry((&problem.origin.kind, &problem.reason)) {
+            Entry::Occupied(at) => kinds[*at.get()].1 += 1,
+            Entry::Vacant(at) => {
+                at.insert(kinds.len());
+                kinds.push((problem, 0));
+            }
+        }
     }
-    if let (Some(first), Some(other)) = (first, named.find(|u| Some(*u) != first)) {
-        return Err(Failure::input(format_args!(
-            "one drawing is in {}, another in {}",
-            first.label(),
-            other.label()
-        ))
-        .help("import them one by one with --scale, or name the unit of all numbers with --unit"));
-    }
-    // What is scaled is no longer in the drawing's unit.
-    Ok(first
-        .filter(|_| args.scale == 1.0)
-        .map(|u| u.label().to_owned()))
+    kinds
 }
 
 /// All parts; where two drawings call theirs the same, with the drawing's number.

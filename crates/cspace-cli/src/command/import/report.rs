@@ -143,17 +143,23 @@ impl Report {
         }
         let used: Vec<String> = self.used.iter().map(|(k, n)| format!("{n} {k}")).collect();
         writeln!(text, "\nused         {}", used.join(", "))?;
-        let mut ignored: BTreeMap<(&str, &str, &str), usize> = BTreeMap::new();
+        // Each kind once, however many there are; the layers of each.
+        let mut ignored: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
         for i in &self.ignored {
-            *ignored.entry((&i.r#type, &i.layer, &i.reason)).or_default() += 1;
+            let kind = ignored.entry((&i.r#type, &i.reason)).or_default();
+            kind.push(&i.layer);
         }
-        for (at, ((kind, layer, reason), n)) in ignored.into_iter().enumerate() {
+        for (at, ((kind, reason), mut layers)) in ignored.into_iter().enumerate() {
             let head = if at == 0 { "left out" } else { "" };
-            let layer = match layer {
-                "" => String::new(),
-                layer => format!(" on layer {layer:?}"),
+            let n = layers.len();
+            layers.sort_unstable();
+            layers.dedup();
+            let on = match layers[..] {
+                [""] => String::new(),
+                [layer] => format!(" on layer {layer:?}"),
+                _ => format!(" on {} layers", layers.len()),
             };
-            writeln!(text, "{head:<13}{n} {kind}{layer}: {reason}")?;
+            writeln!(text, "{head:<13}{n} {kind}{on}: {reason}")?;
         }
         if let Some(widest) = self.joined.iter().max_by(|a, b| a.gap.total_cmp(&b.gap)) {
             writeln!(

@@ -1,0 +1,65 @@
+//! The curves at a distance from single edges and vertices, of which the offset outline is made.
+
+use cspace::{Edge, Part, Vector};
+
+use super::tolerance::SMOOTH;
+
+/// A curve at the distance from an edge, or about a vertex.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Raw {
+    pub(super) curve: Edge,
+    /// The loop and the edge of the part that it belongs to: of a vertex the edge that comes before it.
+    pub(super) of: (usize, usize),
+}
+
+/// The edges of each loop with what is to be grown on the left: the material, or for a distance below 0 what is around it.
+pub(super) fn around(part: &Part, by: f64) -> Vec<Vec<Edge>> {
+    (part.loops().iter())
+        .map(|l| {
+            let edges: Vec<Edge> = l.edges().collect();
+            if by > 0.0 {
+                edges
+            } else {
+                edges.iter().rev().map(Edge::reversed).collect()
+            }
+        })
+        .collect()
+}
+
+/// The curves at a distance to the right of all edges. Those of concave arcs of a smaller radius are nowhere the nearest, and
+/// left out; between the curves of edges that meet in a convex corner is an arc about the corner.
+pub(super) fn raw(loops: &[Vec<Edge>], distance: f64, near: f64) -> Vec<Raw> {
+    let mut raw = Vec::new();
+    for (number, edges) in loops.iter().enumerate() {
+        for (i, edge) in edges.iter().enumerate() {
+            let of = (number, edge.index);
+            let is_left = edge.bulge < 0.0 && edge.radius() - distance > near;
+            if edge.bulge >= 0.0 || is_left {
+                let curve = Edge {
+                    start: edge.start + edge.start_direction().right() * distance,
+                    end: edge.end + edge.end_direction().right() * distance,
+                    ..*edge
+                };
+                raw.push(Raw { curve, of });
+            }
+            let next = &edges[(i + 1) % edges.len()];
+            let (before, after) = (edge.end_direction(), next.start_direction());
+            let turn = turn(before, after);
+            if turn > SMOOTH {
+                let curve = Edge {
+                    start: edge.end + before.right() * distance,
+                    end: edge.end + after.right() * distance,
+                    bulge: (turn / 4.0).tan(),
+                    index: edge.index,
+                };
+                raw.push(Raw { curve, of });
+            }
+        }
+    }
+    raw
+}
+
+/// The angle from one direction to another, positive to the left.
+fn turn(from: Vector, to: Vector) -> f64 {
+    from.cross(to).atan2(from.dot(to))
+}
