@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use cspace::Point;
+use cspace_drawing::Pick;
 
 use crate::angle;
 use crate::failure::Failure;
@@ -684,6 +686,11 @@ pub(crate) struct ImportArgs {
     /// Leave out what cannot be used, and list it
     #[arg(long)]
     pub(crate) partial: bool,
+
+    /// Make a part of the face at a point, with its holes, after scaling; several points of one part are joined by `;`, and a
+    /// part is given its name as NAME=X,Y. May be given several times
+    #[arg(long, value_name = "X,Y", value_parser = pick, allow_hyphen_values = true, conflicts_with_all = ["part", "partial", "trace"])]
+    pub(crate) pick: Vec<Pick>,
 }
 
 /// On which side of a curve lines and arcs may be.
@@ -761,6 +768,25 @@ fn length(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|t| t.is_finite() && *t > 0.0)
         .ok_or_else(|| "give a positive length".to_owned())
+}
+
+fn pick(text: &str) -> Result<Pick, String> {
+    let (name, points) = match text.rsplit_once('=') {
+        Some((name, points)) if name.trim().is_empty() => {
+            return Err(format!("give a name before `={points}`"));
+        }
+        Some((name, points)) => (Some(name.trim().to_owned()), points),
+        None => (None, text),
+    };
+    let number = |x: &str| x.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    let at = points.split(';').map(|point| {
+        let (x, y) = point.split_once(',')?;
+        Some(Point::new(number(x)?, number(y)?))
+    });
+    match at.collect() {
+        Some(at) => Ok(Pick { name, at }),
+        None => Err("give a point as X,Y, such as 12.5,-3, and several joined by `;`".to_owned()),
+    }
 }
 
 fn offset(text: &str) -> Result<f64, String> {

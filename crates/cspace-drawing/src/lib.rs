@@ -47,7 +47,8 @@ pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem};
 pub use error::DrawingError;
 pub use offset::{Offset, OffsetError, offset};
 pub use outlines::{
-    DEFAULT_FIT, DEFAULT_JOIN, FitSide, FittedReport, Outlines, Settings, Survey, Traced,
+    DEFAULT_FIT, DEFAULT_JOIN, DrawnFace, DrawnFaces, FitSide, FittedReport, Outlines, Pick,
+    Settings, Survey, Traced,
 };
 pub use read::{Format, from_bytes, is_drawing, read};
 pub use source::Source;

@@ -97,9 +97,8 @@ impl Faces {
         const LINES: usize = 15;
         let edges: Vec<Edge> = self.edges(face).collect();
         let bounds = self.bounds(face);
-        let room = |p: &Point| (edges.iter().map(|e| e.distance(*p))).fold(f64::INFINITY, f64::min);
         let wider = |places: Vec<Point>| {
-            (places.into_iter().map(|p| (room(&p), p))).max_by(|a, b| a.0.total_cmp(&b.0))
+            (places.into_iter().map(|p| (nearest(&edges, p), p))).max_by(|a, b| a.0.total_cmp(&b.0))
         };
         let mut best: Option<(f64, Point)> = None;
         for i in 0..LINES {
@@ -116,6 +115,12 @@ impl Faces {
             }
         }
         best.map(|(_, p)| p)
+    }
+
+    /// The distance of a point from the boundary of a face.
+    pub(crate) fn room(&self, face: usize, p: Point) -> f64 {
+        let edges: Vec<Edge> = self.edges(face).collect();
+        nearest(&edges, p)
     }
 
     /// The edges of a face's outer boundary.
@@ -184,7 +189,10 @@ impl Faces {
     }
 }
 
-/// The middles of the stretches inside of edges on the line through a point, along one axis or the other.
+/// The widest stretches of a line, of which the middles are looked at.
+const WIDEST: usize = 8;
+
+/// The middles of the widest stretches inside of edges on the line through a point, along one axis or the other.
 fn stretches(edges: &[Edge], through: Point, bounds: Bounds, upright: bool) -> Vec<Point> {
     let beyond = bounds.diagonal();
     let [start, end] = [-1.0, 1.0].map(|side| match upright {
@@ -202,8 +210,16 @@ fn stretches(edges: &[Edge], through: Point, bounds: Bounds, upright: bool) -> V
         .map(|p| line.fraction_at(p))
         .collect();
     places.sort_by(f64::total_cmp);
-    (places.windows(2))
-        .map(|pair| line.at(0.5 * (pair[0] + pair[1])))
+    let mut pairs: Vec<[f64; 2]> = places.windows(2).map(|p| [p[0], p[1]]).collect();
+    pairs.sort_by(|a, b| (b[1] - b[0]).total_cmp(&(a[1] - a[0])));
+    pairs.truncate(WIDEST);
+    (pairs.iter())
+        .map(|[from, to]| line.at(0.5 * (from + to)))
         .filter(|&p| edges.iter().filter(|e| e.toggles(p)).count() % 2 == 1)
         .collect()
+}
+
+/// The distance of a point from the nearest of some edges.
+fn nearest(edges: &[Edge], p: Point) -> f64 {
+    (edges.iter().map(|e| e.distance(p))).fold(f64::INFINITY, f64::min)
 }

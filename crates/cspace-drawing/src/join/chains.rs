@@ -38,6 +38,8 @@ pub(super) fn collect<'d>(
         let chain = follow(pieces, end(i, side), &mut is_done);
         let entities = chain.iter().map(|&e| pieces.segments[of_end(e).0].entity);
         joined.unused.extend(entities);
+        let of_chain = chain.iter().map(|&e| piece(pieces, e)).collect();
+        joined.open.push(Chain { pieces: of_chain });
         let last = chain[chain.len() - 1];
         let ends = [end(i, side), last ^ 1];
         if !ends.iter().any(|&e| ambiguous.contains(&of_end(e).0)) {

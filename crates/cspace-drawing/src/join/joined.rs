@@ -6,7 +6,7 @@ use cspace::part::Bounds;
 use super::pieces::Shape;
 use crate::drawing::{Drawing, Origin, Problem};
 
-/// Pieces end to end, the last ending where the first starts.
+/// Pieces end to end; of a closed chain, the last ends where the first starts.
 #[derive(Debug)]
 pub(crate) struct Chain<'d> {
     pub(crate) pieces: Vec<ChainPiece<'d>>,
@@ -50,6 +50,8 @@ impl Chain<'_> {
 #[derive(Debug, Default)]
 pub(crate) struct Joined<'d> {
     pub(crate) loops: Vec<Chain<'d>>,
+    /// Chains that are not closed.
+    pub(crate) open: Vec<Chain<'d>>,
     /// The gaps that were closed, wider than rounding, and where.
     pub(crate) gaps: Vec<(f64, Point)>,
     /// How many pieces were drawn twice, or lay within others.

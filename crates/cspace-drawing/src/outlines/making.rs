@@ -22,19 +22,19 @@ use crate::source::OFFERED;
 
 /// A drawing on its way to parts.
 pub(super) struct Making<'d> {
-    drawing: &'d Drawing,
-    settings: &'d Settings,
+    pub(super) drawing: &'d Drawing,
+    pub(super) settings: &'d Settings,
     /// The size of the drawing.
     size: f64,
-    joined: Joined<'d>,
+    pub(super) joined: Joined<'d>,
     /// What cannot be used, and is an error.
     problems: Vec<Problem>,
     /// What cannot be used, and is left out.
     pub(super) told: Vec<Problem>,
     /// Entities that would be outlines.
     pub(super) unused: Vec<u32>,
-    ignored: Vec<Ignored>,
-    report: FittedReport,
+    pub(super) ignored: Vec<Ignored>,
+    pub(super) report: FittedReport,
 }
 
 impl<'d> Making<'d> {
@@ -46,7 +46,7 @@ impl<'d> Making<'d> {
             let help = "check the file, and its unit of length";
             return Err(DrawingError::file(message, help));
         }
-        let mut joined = join::join(drawing, size, settings.join.unwrap_or(DEFAULT_JOIN * size));
+        let mut joined = join::join(drawing, size, join_within(settings, size));
         let mut problems = drawing.problems.clone();
         problems.append(&mut joined.problems);
         let mut making = Self {
@@ -116,10 +116,20 @@ impl<'d> Making<'d> {
         if parts.is_empty() {
             return Err(self.nothing());
         }
-        Ok(Outlines {
+        Ok(self.result(parts, &outlines, crossing))
+    }
+
+    /// What was made, of which loops.
+    pub(super) fn result(
+        self,
+        parts: Vec<Part>,
+        outlines: &[Outline],
+        crossing: Option<Problem>,
+    ) -> Outlines {
+        Outlines {
             parts,
             unit: self.drawing.unit,
-            used: self.used(&outlines),
+            used: self.used(outlines),
             ignored: self.ignored,
             joined: self.joined.gaps,
             crossing,
@@ -127,7 +137,12 @@ impl<'d> Making<'d> {
             duplicates: self.joined.duplicates,
             merged: self.joined.merged,
             tiny: self.joined.tiny,
-        })
+        }
+    }
+
+    /// Ends nearer than this are one.
+    pub(super) fn join_within(&self) -> f64 {
+        join_within(self.settings, self.size)
     }
 
     /// The loops, and which are parts together.
@@ -156,19 +171,13 @@ impl<'d> Making<'d> {
             self.refit(&mut loops, &mut lone, &groups);
         }
         for (outline, _) in &loops {
-            self.report.pieces += outline.pieces;
-            self.report.deviation = self.report.deviation.max(outline.deviation);
-            self.report.kink = self.report.kink.max(outline.kink);
+            self.report.add(outline);
         }
-        let curves: HashSet<u32> = (loops.iter())
-            .flat_map(|l| l.0.curves.iter().copied())
-            .collect();
-        self.report.curves = curves.len();
         (loops.into_iter().map(|l| l.0).collect(), groups)
     }
 
     /// How near a loop is to be to what it is fitted to: it may be a small part of a large drawing.
-    fn fit_of(&self, chain: &Chain<'_>) -> f64 {
+    pub(super) fn fit_of(&self, chain: &Chain<'_>) -> f64 {
         self.settings.fit.unwrap_or_else(|| {
             let size = match self.settings.one_part {
                 Some(_) => self.size,
@@ -217,7 +226,7 @@ impl<'d> Making<'d> {
         None
     }
 
-    fn lines_and_arcs(
+    pub(super) fn lines_and_arcs(
         &self,
         chain: &Chain<'_>,
         fit: f64,
@@ -261,7 +270,7 @@ impl<'d> Making<'d> {
     }
 
     /// Says that nothing was fitted, and of points that scatter how much they do.
-    fn refuse_fit(&mut self, chain: &Chain<'_>, at: NotFitted) {
+    pub(super) fn refuse_fit(&mut self, chain: &Chain<'_>, at: NotFitted) {
         /// Of points that scatter independently few are farther off than that many times the median.
         const FARTHEST: f64 = 4.0;
         let fit = self.fit_of(chain);
@@ -441,4 +450,8 @@ fn checked(outline: &mut Outline, by: f64) -> Result<(Part, Vec<usize>), PartErr
         }
         cusps.push(vertex_index);
     }
+}
+
+fn join_within(settings: &Settings, size: f64) -> f64 {
+    settings.join.unwrap_or(DEFAULT_JOIN * size)
 }

@@ -2,6 +2,7 @@
 
 mod blunt;
 mod crossing;
+mod faces;
 mod making;
 mod names;
 mod refusal;
@@ -14,6 +15,7 @@ use std::borrow::Cow;
 use cspace::Point;
 use cspace::part::Bounds;
 
+pub use faces::{DrawnFace, DrawnFaces, Pick};
 pub use result::{FittedReport, Outlines, Survey};
 pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
 pub use trace::Traced;
@@ -35,7 +37,26 @@ impl Drawing {
     /// if loops cross or touch.
     pub fn outlines(&self, settings: &Settings) -> Result<Outlines, DrawingError> {
         check(settings)?;
-        Making::new(&self.scaled(settings.scale), settings)?.make()
+        let scaled = self.scaled(settings.scale);
+        if settings.picks.is_empty() {
+            return Making::new(&scaled, settings)?.make();
+        }
+        check_divisible(self)?;
+        let partial = settings.partially();
+        Making::new(&scaled, &partial)?.picked()
+    }
+
+    /// The faces into which all that is drawn divides the plane: for a choice among them, where [`Drawing::outlines`] refuses
+    /// the drawing because its curves cross, meet in threes or end freely.
+    ///
+    /// # Errors
+    /// If the settings or the coordinates are beyond use, or the curves cross too often.
+    pub fn faces(&self, settings: &Settings) -> Result<DrawnFaces, DrawingError> {
+        check(settings)?;
+        check_divisible(self)?;
+        let scaled = self.scaled(settings.scale);
+        let partial = settings.partially();
+        Making::new(&scaled, &partial)?.faces()
     }
 
     /// The parts that the drawing shows, and what of it cannot be used: for a picture of both.
@@ -44,10 +65,7 @@ impl Drawing {
     /// If the settings or the coordinates are beyond use.
     pub fn survey(&self, settings: &Settings) -> Result<Survey, DrawingError> {
         check(settings)?;
-        let settings = Settings {
-            partial: true,
-            ..settings.clone()
-        };
+        let settings = settings.partially();
         let scaled = self.scaled(settings.scale);
         let mut making = Making::new(&scaled, &settings)?;
         let outlines = making.outlines();
@@ -89,5 +107,16 @@ impl Drawing {
         } else {
             0.0
         }
+    }
+}
+
+/// That curves bound faces, and not measured points.
+fn check_divisible(drawing: &Drawing) -> Result<(), DrawingError> {
+    match drawing.is_measured {
+        false => Ok(()),
+        true => Err(DrawingError::file(
+            "measured points are one outline, without faces to pick",
+            "leave the picks out",
+        )),
     }
 }

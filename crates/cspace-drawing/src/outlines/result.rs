@@ -1,10 +1,11 @@
 //! What is made of a drawing.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use cspace::{Part, Point};
 
 use crate::drawing::{Entity, Ignored, Problem};
+use crate::fit::Outline;
 use crate::unit::Unit;
 
 /// The parts of a drawing, and how they came about.
@@ -54,4 +55,15 @@ pub struct FittedReport {
     pub deviation: f64,
     /// The largest angle between neighbours that should be tangent, in radians; rounding.
     pub kink: f64,
+}
+
+impl FittedReport {
+    /// Adds the curves of a loop; a curve is in one loop.
+    pub(super) fn add(&mut self, outline: &Outline) {
+        let curves: HashSet<u32> = outline.curves.iter().copied().collect();
+        self.curves += curves.len();
+        self.pieces += outline.pieces;
+        self.deviation = self.deviation.max(outline.deviation);
+        self.kink = self.kink.max(outline.kink);
+    }
 }

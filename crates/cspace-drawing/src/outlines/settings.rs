@@ -1,5 +1,6 @@
 //! How parts are made of a drawing.
 
+use super::faces::Pick;
 use crate::error::DrawingError;
 
 /// How near ends are that are one, as a share of the drawing's size, unless it is said.
@@ -26,6 +27,10 @@ pub struct Settings {
     pub one_part: Option<String>,
     /// Whether loops of many edges are traces of something else, which fewer lines and arcs are fitted to.
     pub trace: bool,
+    /// The parts are the faces at points, instead of one of every outermost loop; see [`Drawing::faces`].
+    ///
+    /// [`Drawing::faces`]: crate::Drawing::faces
+    pub picks: Vec<Pick>,
 }
 
 /// On which side of a curve lines and arcs may be that are fitted to it.
@@ -50,6 +55,17 @@ impl Default for Settings {
             partial: false,
             one_part: None,
             trace: false,
+            picks: Vec::new(),
+        }
+    }
+}
+
+impl Settings {
+    /// These settings, with what cannot be used left out.
+    pub(super) fn partially(&self) -> Self {
+        Self {
+            partial: true,
+            ..self.clone()
         }
     }
 }

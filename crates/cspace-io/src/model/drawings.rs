@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use cspace::Part;
-use cspace_drawing::{Conversion, DrawingError, Settings, Source};
+use cspace::{Part, Point};
+use cspace_drawing::{Conversion, DrawingError, Pick, Settings, Source};
 
 use super::error::ModelError;
 use super::node::Node;
-use super::table::{Result, Table};
+use super::table::{Result, Table, number};
 use crate::shown::quoted;
 
 /// What a model says for all of its parts.
@@ -38,6 +38,7 @@ pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
         ("layer", &["dxf"]),
         ("id", &["svg"]),
         ("hatches", &["dxf"]),
+        ("pick", &["dxf", "svg"]),
         ("scale", &["dxf", "svg", "points"]),
         ("join", &["dxf", "svg"]),
         ("fit", &["dxf", "svg", "points"]),
@@ -86,7 +87,14 @@ pub(super) fn read_drawing(
     let wrong = |e: &DrawingError| {
         table
             .error(key, format!("{}: {e}", path.display()))
-            .with_help(e.help())
+            .with_help(match e {
+                DrawingError::Entities(_) => format!(
+                    "{}; or make the part of closed faces with pick = [[x, y]]: `cspace import {}` lists them",
+                    e.help(),
+                    quoted(file)
+                ),
+                DrawingError::File { .. } => e.help().to_owned(),
+            })
     };
     let drawing = cspace_drawing::read(&path, &source).map_err(|e| wrong(&e))?;
     let scale = match table.number("scale")? {
@@ -103,12 +111,38 @@ pub(super) fn read_drawing(
         scale,
         join: table.number("join")?,
         fit: table.number("fit")?,
+        picks: picks(table)?,
         one_part: Some(name.to_owned()),
         ..Settings::default()
     };
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
     (outlines.parts.into_iter().next())
         .ok_or_else(|| table.error(key, "the drawing has no outline"))
+}
+
+/// The faces that the part is made of: a point in each.
+fn picks(table: &Table<'_>) -> Result<Vec<Pick>> {
+    let Some(node) = table.get("pick") else {
+        return Ok(Vec::new());
+    };
+    let point = |node: &Node| match node {
+        Node::List(pair) if pair.len() == 2 => {
+            let [x, y] = [number(&pair[0])?, number(&pair[1])?];
+            Some(Point::new(x, y)).filter(|p| p.is_finite())
+        }
+        _ => None,
+    };
+    let at = match node {
+        Node::List(points) if !points.is_empty() => points.iter().map(point).collect(),
+        _ => None,
+    };
+    match at {
+        Some(at) => Ok(vec![Pick { name: None, at }]),
+        None => {
+            let help = "give a point in each face, such as pick = [[12.5, -3]]";
+            Err(table.wrong("pick", node, "a list of points [x, y]", help))
+        }
+    }
 }
 
 /// One layer, or several.

@@ -57,7 +57,7 @@ impl<'a> Table<'a> {
         ModelError::new(&self.place.key(key), message)
     }
 
-    fn wrong(&self, key: &str, node: &Node, expected: &str, help: &str) -> ModelError {
+    pub(super) fn wrong(&self, key: &str, node: &Node, expected: &str, help: &str) -> ModelError {
         let found = node.describe();
         self.error(
             key,

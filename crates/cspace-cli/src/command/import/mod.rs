@@ -1,5 +1,6 @@
 //! `cspace import`.
 
+mod faces;
 mod offsets;
 mod report;
 mod units;
@@ -16,6 +17,7 @@ use crate::args::{Format, ImportArgs, Side};
 use crate::failure::{self, Failure};
 use crate::output;
 use crate::traces::{self, OTHER, quoted};
+use faces::Choice;
 
 pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     let output = args.output.as_deref();
@@ -139,10 +141,19 @@ fn outlines(
         partial: args.partial,
         one_part: args.part.clone(),
         trace: args.trace,
+        picks: args.pick.clone(),
     };
     let file = path.display();
-    drawing.outlines(&settings).map_err(|error| match &error {
-        DrawingError::Entities(problems) if problems.len() > 1 => {
+    drawing.outlines(&settings).map_err(|error| {
+        let choice = Choice::of(args, drawing, &settings);
+        let problems = match &error {
+            DrawingError::Entities(problems) if problems.len() > 1 => problems,
+            error => {
+                return Failure::input(format_args!("{file}: {error}{}", choice.lines()))
+                    .help(choice.help(error.help()));
+            }
+        };
+        {
             /// More are not told one by one.
             const MOST: usize = 20;
             let kinds = alike(problems);
@@ -160,12 +171,12 @@ fn outlines(
                 more => format!(", {more} of which are not shown"),
             };
             Failure::input(format_args!(
-                "{file}: {} things cannot be used{rest}",
-                problems.len()
+                "{file}: {} things cannot be used{rest}{}",
+                problems.len(),
+                choice.lines()
             ))
-            .help("mend the drawing, or leave them out with --partial")
+            .help(choice.help("mend the drawing"))
         }
-        error => Failure::input(format_args!("{file}: {error}")).help(error.help()),
     })
 }
 

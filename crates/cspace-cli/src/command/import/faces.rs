@@ -1,0 +1,81 @@
+//! The faces of a drawing that is refused, and what a user can do with them.
+
+use cspace_drawing::{Drawing, DrawnFaces, Settings};
+
+use crate::args::ImportArgs;
+use crate::wording::{count, length};
+
+/// Faces that are printed, at most.
+const MOST: usize = 12;
+
+/// What is printed after the problems of a drawing: its largest faces with the option that picks each, and the parts that
+/// `--partial` gives.
+pub(super) struct Choice {
+    faces: DrawnFaces,
+    /// The number of parts without what cannot be used; 0 where that was asked for already.
+    parts: usize,
+}
+
+impl Choice {
+    /// The faces of a drawing; nothing where none are asked for or found.
+    pub(super) fn of(args: &ImportArgs, drawing: &Drawing, settings: &Settings) -> Self {
+        let is_asked = !drawing.is_measured && args.pick.is_empty();
+        Self {
+            faces: match is_asked {
+                true => drawing.faces(settings).unwrap_or_default(),
+                false => DrawnFaces::default(),
+            },
+            parts: match args.partial || !is_asked {
+                true => 0,
+                false => drawing.survey(settings).map_or(0, |s| s.parts.len()),
+            },
+        }
+    }
+
+    /// The faces, a line each.
+    pub(super) fn lines(&self) -> String {
+        let mut text = String::new();
+        let faces = &self.faces.faces;
+        if faces.is_empty() {
+            return text;
+        }
+        text += &match self.faces.count {
+            n if n <= MOST => format!("\n{}:", count(n, "face is closed", "faces are closed")),
+            n => format!("\n{n} faces are closed; the largest:"),
+        };
+        for face in faces.iter().take(MOST) {
+            let [lo, hi] = [face.bounds.min, face.bounds.max];
+            text += &format!(
+                "\n  --pick {},{}  area {}, x {} to {}, y {} to {}",
+                face.inside.x,
+                face.inside.y,
+                length(face.area),
+                length(lo.x),
+                length(hi.x),
+                length(lo.y),
+                length(hi.y)
+            );
+        }
+        text
+    }
+
+    /// What to do.
+    pub(super) fn help(&self, otherwise: &str) -> String {
+        let mut ways = Vec::new();
+        if self.parts > 0 {
+            ways.push(format!(
+                "leave them out with --partial, which gives {}",
+                count(self.parts, "part", "parts")
+            ));
+        }
+        if !self.faces.faces.is_empty() {
+            ways.push(
+                "make a part of a face with --pick X,Y, once for each part (several faces of one part: --pick 'X,Y;X,Y')".to_owned(),
+            );
+        }
+        match ways.is_empty() {
+            true => otherwise.to_owned(),
+            false => format!("mend the drawing; or {}", ways.join("; or ")),
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Parts of the faces into which all that is drawn divides the plane, for drawings whose curves cross, meet in threes or end freely.
+
+use std::collections::HashSet;
+
+use cspace::part::Bounds;
+use cspace::{Edge, Part, Point, Vertex};
+
+use super::making::Making;
+use super::names::names;
+use super::refusal::no_part;
+use super::result::Outlines;
+use crate::arrange::{self, boundary, split};
+use crate::drawing::{Ignored, edge};
+use crate::error::DrawingError;
+use crate::fit::{Outline, Sided};
+use crate::join::{Chain, ChainPiece, Shape};
+use crate::shown;
+
+/// Faces that are listed, at most: the largest.
+const MOST_LISTED: usize = 1000;
+
+/// A face of a drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnFace {
+    /// A point inside, far from the boundary where that is simple to find, in few digits.
+    pub inside: Point,
+    /// The area, without what lies within.
+    pub area: f64,
+    /// The box.
+    pub bounds: Bounds,
+    /// The outer boundary, then those of what lies within; material on the left.
+    pub loops: Vec<Vec<Vertex>>,
+}
+
+/// The faces of a drawing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct DrawnFaces {
+    /// The faces, the largest first; of very many the largest only.
+    pub faces: Vec<DrawnFace>,
+    /// The number of faces.
+    pub count: usize,
+}
+
+/// Faces that are one part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pick {
+    /// The name of the part; the one that import gives where there is none.
+    pub name: Option<String>,
+    /// A point in each face, in lengths after scaling.
+    pub at: Vec<Point>,
+}
+
+/// All that is drawn, divided.
+struct Divided {
+    faces: arrange::Faces,
+    /// The entity of each edge.
+    entities: Vec<u32>,
+}
+
+impl Making<'_> {
+    /// The faces of all lines and arcs, curves fitted.
+    fn divided(&mut self) -> Result<Divided, DrawingError> {
+        let open = core::mem::take(&mut self.joined.open);
+        let closed = core::mem::take(&mut self.joined.loops);
+        let mut edges: Vec<Edge> = Vec::new();
+        let mut entities = Vec::new();
+        let chains =
+            (closed.into_iter().map(|c| (c, false))).chain(open.into_iter().map(closed_by_a_line));
+        for (chain, has_closing_line) in chains {
+            let outline = match self.lines_and_arcs(&chain, self.fit_of(&chain), Sided::Both) {
+                Ok(outline) => outline,
+                Err(at) => {
+                    self.refuse_fit(&chain, at);
+                    continue;
+                }
+            };
+            self.report.add(&outline);
+            let n = outline.vertices.len();
+            for i in 0..n - usize::from(has_closing_line) {
+                let (from, to) = (outline.vertices[i], outline.vertices[(i + 1) % n]);
+                edges.push(edge(from.point(), to.point(), from.bulge));
+                entities.push(outline.entities[i]);
+            }
+        }
+        let arrangement = split(&edges, self.join_within()).map_err(|_| {
+            DrawingError::file(
+                "what is drawn crosses itself too often to find the faces between",
+                "read the layers of outlines alone with --layer",
+            )
+        })?;
+        Ok(Divided {
+            faces: arrange::Faces::of(arrangement),
+            entities,
+        })
+    }
+
+    /// The faces, for a choice among them.
+    pub(super) fn faces(mut self) -> Result<DrawnFaces, DrawingError> {
+        let divided = self.divided()?;
+        let faces = &divided.faces;
+        let count = faces.faces.len();
+        let listed = (0..count.min(MOST_LISTED)).filter_map(|face| {
+            Some(DrawnFace {
+                inside: in_few_digits(faces, face, faces.inside(face)?),
+                area: faces.faces[face].area,
+                bounds: faces.bounds(face),
+                loops: (boundary(faces, &[face]).iter())
+                    .map(|l| l.iter().map(vertex).collect())
+                    .collect(),
+            })
+        });
+        Ok(DrawnFaces {
+            faces: listed.collect(),
+            count,
+        })
+    }
+
+    /// The parts of picked faces.
+    pub(super) fn picked(mut self) -> Result<Outlines, DrawingError> {
+        let divided = self.divided()?;
+        let faces = &divided.faces;
+        let mut outlines: Vec<Outline> = Vec::new();
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        let mut taken: HashSet<usize> = HashSet::new();
+        for pick in &self.settings.picks {
+            let mut chosen = Vec::new();
+            for &at in &pick.at {
+                let face = faces.at(at).ok_or_else(|| no_face(faces, at))?;
+                if !taken.insert(face) {
+                    return Err(DrawingError::file(
+                        format!("the face at {} is picked twice", shown::point(at)),
+                        "pick every face once",
+                    ));
+                }
+                chosen.push(face);
+            }
+            let loops = boundary(faces, &chosen);
+            groups.push((outlines.len()..outlines.len() + loops.len()).collect());
+            outlines.extend(loops.iter().map(|l| {
+                Outline {
+                    vertices: l.iter().map(vertex).collect(),
+                    entities: l
+                        .iter()
+                        .map(|e| divided.entities[e.edge as usize])
+                        .collect(),
+                    ..Outline::default()
+                }
+            }));
+        }
+        let one_part = self.settings.one_part.as_deref();
+        let given = names(self.drawing, one_part, &outlines, &groups);
+        let mut parts = Vec::with_capacity(groups.len());
+        for ((pick, group), given) in self.settings.picks.iter().zip(&groups).zip(given) {
+            let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
+            let loops = of.iter().map(|o| o.vertices.clone()).collect();
+            let name = pick.name.clone().unwrap_or(given);
+            let part = Part::new(name, loops).map_err(|error| {
+                DrawingError::Entities(vec![no_part(self.drawing, &error, &of)])
+            })?;
+            parts.push(part);
+        }
+        self.list_other_entities(&outlines);
+        Ok(self.result(parts, &outlines, None))
+    }
+
+    /// Lists what bounds none of the picked faces.
+    fn list_other_entities(&mut self, outlines: &[Outline]) {
+        let used: HashSet<u32> = outlines.iter().flat_map(|o| &o.entities).copied().collect();
+        let others = self.drawing.entities.iter().enumerate();
+        let others = others.filter(|(i, _)| !used.contains(&(*i as u32)));
+        self.ignored = self.drawing.ignored.clone();
+        self.ignored.extend(others.map(|(_, entity)| Ignored {
+            origin: entity.origin.clone(),
+            reason: "it bounds none of the faces that are picked".into(),
+        }));
+    }
+}
+
+fn vertex(e: &arrange::BoundaryEdge) -> Vertex {
+    Vertex::new(e.start.x, e.start.y, e.bulge)
+}
+
+/// An open chain with a line from its end to its start, and whether there is one: not if it ends where it starts.
+fn closed_by_a_line(mut chain: Chain<'_>) -> (Chain<'_>, bool) {
+    let (Some(first), Some(last)) = (chain.pieces.first(), chain.pieces.last()) else {
+        return (chain, false);
+    };
+    let (start, end, entity) = (last.end, first.start, last.entity);
+    let is_open = start != end;
+    if is_open {
+        chain.pieces.push(ChainPiece {
+            start,
+            end,
+            shape: Shape::Edge(0.0),
+            is_backward: false,
+            entity,
+        });
+    }
+    (chain, is_open)
+}
+
+/// The point with the fewest digits that is in the face well inside, as near to the point found as its room allows.
+fn in_few_digits(faces: &arrange::Faces, face: usize, inside: Point) -> Point {
+    /// How far the point may move, as a share of its distance from the boundary.
+    const SHARE: f64 = 0.5;
+    let room = SHARE * faces.room(face, inside);
+    let mut unit = 10.0_f64.powf(room.log10().floor() + 1.0);
+    for _ in 0..3 {
+        let round = |x: f64| {
+            let rounded = (x / unit).round() * unit;
+            // The number that is written with these digits, not a multiple of a power of ten with its rounding.
+            let digits = (-unit.log10()).round().max(0.0) as usize;
+            format!("{rounded:.digits$}").parse().unwrap_or(rounded)
+        };
+        let rounded = Point::new(round(inside.x), round(inside.y));
+        if rounded.distance(inside) <= room && faces.at(rounded) == Some(face) {
+            return rounded;
+        }
+        unit /= 10.0;
+    }
+    inside
+}
+
+/// That no face is at a point, and which is the nearest.
+fn no_face(faces: &arrange::Faces, at: Point) -> DrawingError {
+    let nearest = (0..faces.faces.len())
+        .map(|face| (faces.room(face, at), face))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .and_then(|(_, face)| Some(in_few_digits(faces, face, faces.inside(face)?)));
+    let message = format!("no face is at {}", shown::point(at));
+    match nearest {
+        Some(p) => DrawingError::file(
+            message,
+            format!(
+                "pick a point within closed curves, such as {},{} in the nearest face",
+                p.x, p.y
+            ),
+        ),
+        None => DrawingError::file(
+            message,
+            "nothing that is drawn encloses a face: check the layers",
+        ),
+    }
+}
