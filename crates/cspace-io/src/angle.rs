@@ -1,12 +1,5 @@
 //! Angles with a unit, such as `"18deg"`.
 
-/// The largest angle that model files and commands take, in radians, either way: about 160 thousand turns.
-///
-/// An angle is brought to the first turn by taking off whole turns, and a turn in `f64` is off by 2.4·10⁻¹⁶. At 10⁶ rad
-/// neighbouring doubles are 1.2·10⁻¹⁰ rad apart and the turns taken off are wrong by 4·10⁻¹¹ rad; both are still near the
-/// 1.2·10⁻¹⁰ rad to which critical orientations are told apart. Far beyond, an angle says nothing about where a part is.
-pub const LARGEST_ANGLE: f64 = 1e6;
-
 /// Units of angle, each with its size as a fraction of a turn; radians are handled apart.
 const UNITS: [(&str, f64); 3] = [("deg", 1.0 / 360.0), ("°", 1.0 / 360.0), ("turn", 1.0)];
 

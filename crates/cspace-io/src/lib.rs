@@ -13,6 +13,7 @@ pub mod saved;
 pub mod shown;
 pub mod write;
 
-pub use angle::{LARGEST_ANGLE, parse_angle};
+pub use angle::parse_angle;
+pub use cspace::LARGEST_ANGLE;
 pub use model::ModelError;
 pub use saved::{Document, SavedFile, read, read_from, read_from_noting, read_noting};

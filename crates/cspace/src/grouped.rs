@@ -21,11 +21,14 @@ impl Grouped {
         Self { first, items }
     }
 
-    /// The items of a group.
+    /// The items of a group; none if there is no such group.
     #[inline]
     pub(crate) fn of(&self, group: u32) -> &[u32] {
         let g = group as usize;
-        &self.items[self.first[g] as usize..self.first[g + 1] as usize]
+        match self.first.get(g..=g + 1) {
+            Some(&[first, end]) => &self.items[first as usize..end as usize],
+            _ => &[],
+        }
     }
 }
 

@@ -120,13 +120,13 @@ pub use contact::{
 
 pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
-pub use geometry::{Configuration, Point, Rotation, Vector};
+pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
 pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
 pub use number::{Dual, Scalar, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
-    LowerPair, Metric, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
-    Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
+    LowerPair, Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion,
+    PairSpace, PatchId, Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
     ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,

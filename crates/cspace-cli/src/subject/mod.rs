@@ -19,7 +19,7 @@ use crate::progress::catch_interrupts;
 use crate::traces::{self, OTHER, quoted};
 use crate::wording::count;
 use named::named_pair;
-pub(crate) use place::{FeaturePair, near, texts, touching};
+pub(crate) use place::{FeaturePair, pair_of, texts, touching};
 
 /// The file a command was given.
 pub(crate) enum Subject {

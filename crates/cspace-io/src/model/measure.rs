@@ -6,7 +6,7 @@ use super::error::ModelError;
 use super::node::Node;
 use super::place::Place;
 use super::table::{Result, angle_of, number};
-use crate::angle::LARGEST_ANGLE;
+use crate::LARGEST_ANGLE;
 use crate::shown;
 
 /// What a number measures, which decides how it may be written.

@@ -6,8 +6,8 @@ use super::error::ModelError;
 use super::node::Node;
 use super::place::Place;
 use super::suggest::nearest;
-use crate::angle::{LARGEST_ANGLE, parse_angle};
 use crate::shown::{self, quoted};
+use crate::{LARGEST_ANGLE, angle::parse_angle};
 
 /// A table of the file, with its place.
 pub(super) struct Table<'a> {

@@ -4,7 +4,7 @@ use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, PairSpace};
 
 use super::error::wrong;
-use crate::angle::LARGEST_ANGLE;
+use crate::LARGEST_ANGLE;
 use crate::{ModelError, shown};
 
 /// Names go to terminals, which obey control characters, and into XML, which has no place for them.

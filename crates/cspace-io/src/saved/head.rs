@@ -77,6 +77,8 @@ pub(super) struct Head<'t> {
     pub(super) name: Option<&'t RawValue>,
     #[serde(borrow)]
     pub(super) unit: Option<&'t RawValue>,
+    #[serde(borrow)]
+    pub(super) checksum: Option<&'t RawValue>,
 }
 
 /// Whether the text is meant to be a saved contact space: models have no format.

@@ -3,11 +3,13 @@
 //! A saved space is JSON. Its format is called `contact-space`, `fixed-axes-space` or `lower-pair`, its version is
 //! [`SAVED_VERSION`](cspace::space::SAVED_VERSION); schemas of the same names in the folder `docs` of the project's repository describe every field and
 //! its unit. Numbers are read back as the very numbers that were written. Two optional keys, `name` and `unit`, repeat what
-//! the model said of itself.
+//! the model said of itself. The key `checksum` tells whether anything else was changed since: what was, or has none, is computed
+//! again from the parts in the file.
 
 mod check;
 mod error;
 mod head;
+mod trust;
 
 use std::path::Path;
 
@@ -22,6 +24,7 @@ use crate::{ModelError, model};
 use check::{check_angles, check_names, is_plain};
 use error::{AGAIN, wrong};
 use head::{as_text, cut, head, is_saved};
+use trust::{checksum, trusted};
 
 /// The largest file read, in bytes: that many take some gigabytes of memory, whatever they say.
 const LARGEST: u64 = 1 << 30;
@@ -71,9 +74,12 @@ impl SavedFile {
 
     /// What [`to_json`](Self::to_json) has written; `file` is what errors call it.
     ///
+    /// The space is as it was written if the file's checksum says so; otherwise it is computed from the file's parts, which takes as
+    /// long as it took before.
+    ///
     /// # Errors
-    /// If the text is no JSON, of another format or version, or damaged; or if a name or the unit has control characters,
-    /// or an orientation is beyond [`LARGEST_ANGLE`](crate::LARGEST_ANGLE).
+    /// If the text is no JSON, of another format or version, or damaged; if a name or the unit has control characters,
+    /// or an orientation is beyond [`LARGEST_ANGLE`](crate::LARGEST_ANGLE); or if what was changed cannot be computed again.
     pub fn from_json(text: &str, file: &str) -> Result<Self, ModelError> {
         let text = without_mark(text);
         let (format, head) = head(text, file, &[CONTACT_SPACE, FIXED_AXES, LOWER_PAIR])?;
@@ -88,6 +94,8 @@ impl SavedFile {
         };
         check_names(&space, file)?;
         check_angles(&space, file)?;
+        let told = head.checksum.and_then(as_text);
+        let space = trusted(space, told.as_deref()).map_err(|e| wrong(&e.to_string(), file))?;
         let label = |key: &str, value: Option<&RawValue>| {
             let Some(value) = value else {
                 return Ok(None);
@@ -236,10 +244,7 @@ fn data<T: serde::de::DeserializeOwned>(text: &str, file: &str) -> Result<T, Mod
 ///
 /// For an example see [`from_json`].
 pub fn to_json(space: &ContactSpace) -> String {
-    // Plain data with text for keys can always be written.
-    let mut text = serde_json::to_string_pretty(space.data()).unwrap_or_default();
-    text.push('\n');
-    text
+    labelled(PairData::Planar(space.data()), None, None)
 }
 
 /// The configuration space of a pair of any class as indented JSON text, with a line break at the end.
@@ -252,11 +257,17 @@ pub fn pair_to_json(space: &PairSpace) -> String {
 /// The configuration space of a pair of any class, with what its model is called and the label of its unit of length, as
 /// indented JSON text with a line break at the end. [`SavedFile`] is both together, as they are read.
 pub fn with_labels(space: &PairSpace, name: Option<&str>, unit: Option<&str>) -> String {
+    labelled(space.data(), name, unit)
+}
+
+fn labelled(space: PairData<'_>, name: Option<&str>, unit: Option<&str>) -> String {
     let labelled = Labelled {
         name,
         unit,
-        space: space.data(),
+        checksum: checksum(&space),
+        space,
     };
+    // Plain data with text for keys can always be written.
     let mut text = serde_json::to_string_pretty(&labelled).unwrap_or_default();
     text.push('\n');
     text
@@ -268,6 +279,7 @@ struct Labelled<'a> {
     name: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     unit: Option<&'a str>,
+    checksum: String,
     #[serde(flatten)]
     space: PairData<'a>,
 }

@@ -4,4 +4,5 @@
 mod glb;
 mod saved_axes;
 mod saved_damage;
+mod saved_lies;
 mod saved_schema;

@@ -292,7 +292,7 @@ fn generic(pieces: &[FramedEdge], wishes: &[[f64; 3]]) -> Option<Vec<FramedEdge>
             bulge: start.bulge.to_f64(),
             index: p.edge.index,
         };
-        FramedEdge::of(edge, place(start), place(end), start.bulge)
+        FramedEdge::of(edge, p.drawn, (place(start), place(end)), start.bulge)
     });
     Some(pieces.collect())
 }

@@ -2,7 +2,7 @@
 
 use super::tolerance::{LARGEST_CIRCLE, SAME_CARRIER, SMOOTH, STRAIGHT};
 use super::types::Near;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use crate::number::Dd;
 use crate::number::plane::{Xy, dot, left, length, minus, negative, plus, times, turned};
 use crate::part::Edge;
@@ -18,6 +18,8 @@ pub(super) struct FramedEdge {
     pub(super) near: Option<Near>,
     pub(super) start_direction: Xy<Dd>,
     pub(super) end_direction: Xy<Dd>,
+    /// The directions in which the edge as it is drawn begins and ends, before it is taken for its chord or moved.
+    pub(super) drawn: [Vector; 2],
     pub(super) sweep: f64,
 }
 
@@ -29,6 +31,7 @@ impl FramedEdge {
         };
         let near = |p: Point| Point::ORIGIN + (p - center) * scale;
         let (start, end) = (place(edge.start), place(edge.end));
+        let drawn = [edge.start_direction(), edge.end_direction()];
         let mut edge = Edge {
             start: near(edge.start),
             end: near(edge.end),
@@ -39,11 +42,16 @@ impl FramedEdge {
         if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < SAME_CARRIER) {
             edge.bulge = 0.0;
         }
-        Self::of(edge, start, end, Dd::from(edge.bulge))
+        Self::of(edge, drawn, (start, end), Dd::from(edge.bulge))
     }
 
     /// From its ends and its bulge in double-double; of the edge itself rough lengths are taken.
-    pub(super) fn of(edge: Edge, start: Xy<Dd>, end: Xy<Dd>, b: Dd) -> Self {
+    pub(super) fn of(
+        edge: Edge,
+        drawn: [Vector; 2],
+        (start, end): (Xy<Dd>, Xy<Dd>),
+        b: Dd,
+    ) -> Self {
         let chord = minus(end, start);
         let span = length(chord);
         let (one, square) = (Dd::ONE, b * b);
@@ -75,6 +83,7 @@ impl FramedEdge {
             near,
             start_direction: turned(direction, cos, -sin),
             end_direction: turned(direction, cos, sin),
+            drawn,
             sweep: edge.sweep(),
         }
     }

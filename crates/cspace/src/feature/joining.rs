@@ -74,14 +74,14 @@ pub(super) fn corner(before: &FramedEdge, after: &FramedEdge) -> Corner {
     if beside || turn.abs() < smooth(before, after) {
         return Corner::Smooth { beside };
     }
-    if turn.abs() > PI - SMOOTH {
-        // A cusp: material lies between the edges if the one arriving, seen backwards, bends further left.
-        return if -before.curvature() > after.curvature() {
-            Corner::Convex { turn: PI }
-        } else {
-            Corner::Concave { turn: -PI }
-        };
-    }
+    // Where travel all but turns back, material is between the edges or beside them. What they are moved by, and an arc that is
+    // taken for its chord, may tell it wrongly; the drawing tells it surely, for a part has no finer angle than its resolution.
+    let [back, on] = [before.drawn[1], after.drawn[0]];
+    let turn = if turn.abs() > PI - SMOOTH {
+        turn.abs().copysign(back.cross(on))
+    } else {
+        turn
+    };
     if turn > 0.0 {
         Corner::Convex { turn }
     } else {

@@ -10,7 +10,7 @@ use super::motion::Motion;
 use super::patches::AxesBranch;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
-use crate::geometry::Point;
+use crate::geometry::{Point, time_of_known_angle};
 use crate::query::Classification;
 use crate::query::MotionError;
 use core::f64::consts::TAU;
@@ -56,7 +56,8 @@ impl FixedAxesSpace {
     /// The time this takes grows with the number of turns until the contact.
     ///
     /// # Errors
-    /// If numbers are not finite, or the motion begins in blocked space or outside the ranges.
+    /// If numbers are not finite, the motion begins in blocked space or outside the ranges, or a part turns farther than
+    /// [`LARGEST_ANGLE`](crate::LARGEST_ANGLE) before it touches.
     ///
     /// ```
     /// use cspace::fixed_axes::AxesMotionOutcome;
@@ -87,7 +88,11 @@ impl FixedAxesSpace {
         };
         let way = self.way(from, rates);
         let leaves = self.time_in_ranges(&way).filter(|&t| t < duration);
-        let end = leaves.unwrap_or(duration);
+        let all = leaves.unwrap_or(duration);
+        let end = all.min(self.time_known(&way));
+        if end < 0.0 {
+            return Err(MotionError::TurnsTooFar);
+        }
         let mut first: Option<(f64, u32)> = None;
         let mut look = |b: &AxesBranch| {
             let until = first.map_or(end, |f| f.0);
@@ -105,6 +110,7 @@ impl FixedAxesSpace {
                 at: (from.0 + rates.0 * time, from.1 + rates.1 * time),
                 patch,
             }),
+            (None, _) if end < all => return Err(MotionError::TurnsTooFar),
             (None, Some(time)) => AxesMotionOutcome::Leaves { time },
             (None, None) => AxesMotionOutcome::Free,
         })
@@ -116,7 +122,8 @@ impl FixedAxesSpace {
     /// Roots are found as those of [`first_contact`](Self::first_contact); a motion that only touches comes through nothing.
     ///
     /// # Errors
-    /// If numbers are not finite, or the motion begins outside the ranges.
+    /// If numbers are not finite, the motion begins outside the ranges, or a part turns farther than
+    /// [`LARGEST_ANGLE`](crate::LARGEST_ANGLE).
     pub fn crossings(
         &self,
         from: (f64, f64),
@@ -131,6 +138,9 @@ impl FixedAxesSpace {
         let end = self
             .time_in_ranges(&way)
             .map_or(duration, |t| t.min(duration));
+        if self.time_known(&way) < end {
+            return Err(MotionError::TurnsTooFar);
+        }
         // What rises on the way falls on the way back.
         let back = Way {
             x: way.x + way.dx * end,
@@ -184,6 +194,15 @@ impl FixedAxesSpace {
             },
             None => Way { x, y, dx, dy },
         }
+    }
+
+    /// When an angle of a part that turns without limits is no longer known.
+    fn time_known(&self, way: &Way) -> f64 {
+        let of = |extent: &Extent, angle: f64, rate: f64| match extent.is_circle() {
+            true => time_of_known_angle(angle, rate),
+            false => f64::INFINITY,
+        };
+        of(&self.setting.x, way.x, way.dx).min(of(&self.setting.y, way.y, way.dy))
     }
 
     /// When the motion leaves the ranges, if it does.

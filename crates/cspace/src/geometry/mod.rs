@@ -7,8 +7,8 @@ mod rotation;
 
 pub use configuration::Configuration;
 pub use point::{Point, Vector};
-pub use rotation::Rotation;
-pub(crate) use rotation::{images, unwrap_near, wrap};
+pub use rotation::{LARGEST_ANGLE, Rotation};
+pub(crate) use rotation::{images, time_of_known_angle, unwrap_near, wrap};
 
 #[cfg(test)]
 mod tests;

@@ -119,7 +119,13 @@ impl Vector {
     /// The length.
     #[inline]
     pub fn length(self) -> f64 {
-        self.length_squared().sqrt()
+        let square = self.length_squared();
+        // Beyond the numbers whose squares are normal numbers, some 1e±154.
+        if square.is_normal() {
+            square.sqrt()
+        } else {
+            self.x.hypot(self.y)
+        }
     }
 
     /// The vector of length one in this direction. Not finite for the zero vector.

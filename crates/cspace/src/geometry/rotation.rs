@@ -5,6 +5,13 @@ use core::ops::Mul;
 
 use super::{Point, Vector};
 
+/// The largest angle that is brought to the first turn, in radians, either way: about 160 thousand turns.
+///
+/// An angle is brought there by taking off whole turns, and a turn in `f64` is off by 2.4·10⁻¹⁶. At 10⁶ rad
+/// neighbouring doubles are 1.2·10⁻¹⁰ rad apart and the turns taken off are wrong by 4·10⁻¹¹ rad; both are still near the
+/// 1.2·10⁻¹⁰ rad to which critical orientations are told apart. Far beyond, an angle says nothing about where a part is.
+pub const LARGEST_ANGLE: f64 = 1e6;
+
 /// A rotation about the origin, kept as the cosine and sine of its angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -72,4 +79,16 @@ pub(crate) fn wrap(angle: f64) -> f64 {
 /// The angle that differs from `angle` by whole turns and is nearest to `near`.
 pub(crate) fn unwrap_near(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
+}
+
+/// The time at which an angle of a constant rate (radians per unit of time) leaves what [`LARGEST_ANGLE`] allows: −∞ if it is beyond
+/// at the start, ∞ if it never leaves.
+pub(crate) fn time_of_known_angle(angle: f64, rate: f64) -> f64 {
+    if angle.abs() > LARGEST_ANGLE {
+        f64::NEG_INFINITY
+    } else if rate == 0.0 {
+        f64::INFINITY
+    } else {
+        (LARGEST_ANGLE - angle * rate.signum()) / rate.abs()
+    }
 }

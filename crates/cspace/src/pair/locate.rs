@@ -1,5 +1,6 @@
 //! Where a configuration is: in which free region, blocked, or outside what was computed; and how far the parts are apart.
 
+use crate::geometry::Configuration;
 use crate::part::distance_of;
 
 use super::answers::QueryError;
@@ -79,16 +80,16 @@ impl PairSpace {
         match self.classify(at)? {
             Classification::Contact => Ok(0.0),
             Classification::Blocked => Err(QueryError::Blocked),
-            Classification::Free => {
-                let placed = match (self, at) {
-                    (Self::FixedAxes(space), Coordinates::Axes { u, v }) => {
-                        space.configuration(u, v)
-                    }
-                    (_, Coordinates::Planar(c)) => c,
-                    _ => return Err(self.wrong(at)),
-                };
-                Ok(distance_of(self.fixed(), self.moving(), placed))
-            }
+            Classification::Free => Ok(distance_of(self.fixed(), self.moving(), self.placed(at)?)),
+        }
+    }
+
+    /// Where the moving part is in the fixed part's frame.
+    pub(super) fn placed(&self, at: Coordinates) -> Result<Configuration, QueryError> {
+        match (self, at) {
+            (Self::FixedAxes(space), Coordinates::Axes { u, v }) => Ok(space.configuration(u, v)),
+            (Self::Planar(_) | Self::Lower(_), Coordinates::Planar(c)) => Ok(c),
+            _ => Err(self.wrong(at)),
         }
     }
 }

@@ -206,7 +206,7 @@ impl Edge {
     }
 
     /// Whether a point of the line or circle that carries the edge lies on the edge.
-    pub(super) fn covers(&self, p: Point) -> bool {
+    pub(crate) fn covers(&self, p: Point) -> bool {
         self.covers_way(p - self.start)
     }
 

@@ -1,6 +1,6 @@
 //! The first contact along a motion of constant rates.
 
-use crate::geometry::{Configuration, Vector};
+use crate::geometry::{Configuration, LARGEST_ANGLE, Vector};
 use crate::space::ContactSpace;
 
 use super::classify::Classification;
@@ -58,6 +58,11 @@ pub enum MotionError {
     /// It begins at an orientation outside the window of the space.
     #[error("the motion begins outside the orientations of the space")]
     StartsOutside,
+    /// A part turns farther from 0 than [`LARGEST_ANGLE`] while contact is possible, and has not touched before.
+    #[error(
+        "the motion turns to more than {LARGEST_ANGLE:e} rad from 0, too far to tell where it is on the circle: take off whole turns, or divide the motion"
+    )]
+    TurnsTooFar,
 }
 
 impl ContactSpace {
@@ -81,7 +86,8 @@ impl ContactSpace {
     /// The time this takes grows with the number of turns made while contact is possible.
     ///
     /// # Errors
-    /// If numbers are not finite, or the motion begins in blocked space or outside the window.
+    /// If numbers are not finite, the motion begins in blocked space or outside the window, or it turns farther than
+    /// [`LARGEST_ANGLE`] before it touches.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
@@ -118,6 +124,9 @@ impl ContactSpace {
             _ => (duration, false),
         };
         let found = Search::new(self, path, starts_in_contact).first(end);
+        if found.is_none() && path.turns_too_far(end) {
+            return Err(MotionError::TurnsTooFar);
+        }
         if starts_in_contact && let Some(patch) = self.enters_at_once(&path, found.as_ref(), end) {
             return Ok(MotionOutcome::Contact(FirstContact {
                 time: 0.0,
@@ -162,7 +171,8 @@ impl ContactSpace {
     /// both may be told.
     ///
     /// # Errors
-    /// If numbers are not finite, or the motion begins outside the window.
+    /// If numbers are not finite, the motion begins outside the window, or it turns farther than [`LARGEST_ANGLE`] while contact is
+    /// possible.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part};
@@ -192,6 +202,9 @@ impl ContactSpace {
         let end = path
             .time_in_window(self.window())
             .map_or(duration, |t| t.min(duration));
+        if path.turns_too_far(end) {
+            return Err(MotionError::TurnsTooFar);
+        }
         Ok(Search::new(self, path, false).all(end))
     }
 }

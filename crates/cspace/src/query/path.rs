@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::feature::PairFrame;
-use crate::geometry::{Configuration, Point, Vector};
+use crate::geometry::{Configuration, Point, Vector, time_of_known_angle};
 use crate::number::{Ball, Jet, Real};
 use crate::space::{ContactSpace, Window};
 
@@ -105,7 +105,7 @@ impl Path {
     }
 
     /// The times up to `end` at which contact is possible: the position without its turning share is within the reach,
-    /// and the length of that share, of the centre of the fixed part.
+    /// and the length of that share, of the centre of the fixed part. Of a motion that turns in place, only the first turn matters.
     pub(super) fn times_in_reach(&self, end: f64) -> Option<(f64, f64)> {
         let start = self.from.position() - self.frame.fixed_center;
         let drawn = self.frame.moving_center.to_vector().length();
@@ -113,7 +113,12 @@ impl Path {
         let radius = (self.frame.outer_length(self.reach) + drawn) * (1.0 + 1e-9);
         let speed = self.velocity.length();
         if speed == 0.0 {
-            return (start.length() <= radius).then_some((0.0, end));
+            let turn = if self.turning == 0.0 {
+                f64::INFINITY
+            } else {
+                1.01 * TAU / self.turning.abs()
+            };
+            return (start.length() <= radius).then_some((0.0, end.min(turn)));
         }
         let along = self.velocity * (1.0 / speed);
         let (at, aside) = (start.dot(along), start.cross(along));
@@ -127,16 +132,21 @@ impl Path {
         (lo <= hi).then_some((lo, hi))
     }
 
-    /// Pieces of the times from `lo` to `hi` in which it turns by a radian at most; of a motion that turns in place, only
-    /// the first turn matters.
+    /// When its orientation is no longer known.
+    pub(super) fn time_known(&self) -> f64 {
+        time_of_known_angle(self.from.theta, self.turning)
+    }
+
+    /// Whether contact is possible up to `end` when its orientation is no longer known.
+    pub(super) fn turns_too_far(&self, end: f64) -> bool {
+        self.times_in_reach(end)
+            .is_some_and(|(_, hi)| self.time_known() < hi)
+    }
+
+    /// Pieces of the times from `lo` to `hi` in which it turns by a radian at most.
     pub(super) fn pieces(self, lo: f64, hi: f64) -> impl Iterator<Item = (f64, f64)> {
         /// So much of a turn is searched at once, radians.
         const PIECE: f64 = 1.0;
-        let hi = if self.velocity == Vector::ZERO && self.turning != 0.0 {
-            hi.min(lo + 1.01 * TAU / self.turning.abs())
-        } else {
-            hi
-        };
         let count = ((hi - lo) * self.turning.abs() / PIECE).ceil().max(1.0);
         let at = move |i: f64| {
             if i < count {

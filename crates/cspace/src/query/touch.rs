@@ -68,13 +68,17 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The first contact at a time from 0 to `end`.
+    /// The first contact at a time from 0 to `end`, as long as its orientation is known.
     pub(super) fn first(&self, end: f64) -> Best {
         let (lo, hi) = self.path.times_in_reach(end)?;
+        let known = hi.min(self.path.time_known());
+        if known < lo {
+            return None;
+        }
         self.path
-            .pieces(lo, hi)
+            .pieces(lo, known)
             .find_map(|(lo, hi)| self.first_between(lo, hi))
-            .or_else(|| self.squeezed_in(hi))
+            .or_else(|| self.squeezed_in(known))
     }
 
     /// Every contact that the motion comes through up to `end`: when, which patch, and whether it goes into blocked space there.

@@ -215,25 +215,25 @@ impl ContactSpace {
         &self.data.vertical_links
     }
 
-    /// The side links at the right boundary of a patch, in order of orientation.
+    /// The side links at the right boundary of a patch, in order of orientation; none if there is no such patch.
     pub fn links_after(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
         let links = self.walk.after(patch).iter();
         links.map(|&l| &self.data.side_links[l as usize])
     }
 
-    /// The side links at the left boundary of a patch, in order of orientation.
+    /// The side links at the left boundary of a patch, in order of orientation; none if there is no such patch.
     pub fn links_before(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
         let links = self.walk.before(patch).iter();
         links.map(|&l| &self.data.side_links[l as usize])
     }
 
-    /// The vertical links at the last orientation of a patch.
+    /// The vertical links at the last orientation of a patch; none if there is no such patch.
     pub fn links_above(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
         let links = self.walk.above(patch).iter();
         links.map(|&l| &self.data.vertical_links[l as usize])
     }
 
-    /// The vertical links at the first orientation of a patch.
+    /// The vertical links at the first orientation of a patch; none if there is no such patch.
     pub fn links_below(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
         let links = self.walk.below(patch).iter();
         links.map(|&l| &self.data.vertical_links[l as usize])

@@ -254,3 +254,30 @@ fn gaps_are_free() {
         assert!(asked > 0, "{}", m.name);
     }
 }
+
+/// Turns that are farther than an angle is known end in an answer, if the parts touch before, or in an error.
+#[test]
+fn motions_that_turn_too_far_end() {
+    let disc = |x: f64, r: f64| cspace::Part::circle("disc", (x, 0.0), r).unwrap();
+    let turning = Axis::revolute(cspace::Point::new(0.0, 0.0));
+    let too_far = Err(cspace::MotionError::TurnsTooFar);
+    for (stop, touches) in [(disc(12.0, 0.5), false), (disc(-12.0, 1.5), true)] {
+        let space = FixedAxesSpace::compute(&stop, Axis::FIXED, &disc(10.0, 1.0), turning).unwrap();
+        for (v, rate, duration) in [(0.0, 1e8, 1.0), (0.0, -1.0, 1e150), (0.0, 1e12, 1e100)] {
+            let found = space.first_contact((0.0, v), (0.0, rate), duration);
+            if touches {
+                assert!(
+                    matches!(found, Ok(AxesMotionOutcome::Contact(c)) if c.at.1.abs() < 3.2),
+                    "{found:?}"
+                );
+            } else {
+                assert_eq!(found, too_far, "{rate}");
+            }
+            let all = space.crossings((0.0, v), (0.0, rate), duration);
+            assert_eq!(all, Err(cspace::MotionError::TurnsTooFar), "{rate}");
+        }
+        for v in [1e17, -1.1e6] {
+            assert_eq!(space.first_contact((0.0, v), (0.0, 1.0), 1.0), too_far);
+        }
+    }
+}

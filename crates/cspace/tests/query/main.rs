@@ -7,6 +7,7 @@ mod classifier;
 mod contact;
 mod lower;
 mod motion;
+mod near;
 mod nearest;
 mod pairs;
 mod project;

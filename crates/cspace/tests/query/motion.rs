@@ -145,6 +145,59 @@ fn what_cannot_be_followed() {
     assert_eq!(go(free, [-1.0, 0.0, 0.0], 0.0), Ok(MotionOutcome::Free));
 }
 
+/// Motions that turn farther than an orientation is known end in an answer, if they touch before, or in an error.
+#[test]
+fn motions_that_turn_too_far_end() {
+    let space = space(&square(2.0), &square(2.0));
+    let too_far = Err(MotionError::TurnsTooFar);
+    let near = at(2.2, 0.0, 0.0);
+    for theta in [1e17, -1e17, 1e300_f64.sqrt(), 1.1e6] {
+        let from = at(5.0, 0.0, theta);
+        assert_eq!(
+            space.first_contact(at(2.6, 0.0, theta), [0.0; 3], 1.0),
+            too_far
+        );
+        assert_eq!(
+            space.crossings(at(2.6, 0.0, theta), [0.0; 3], 1.0),
+            Err(MotionError::TurnsTooFar)
+        );
+        // Out of reach of contact any orientation is as good.
+        let away = space.first_contact(from, [1.0, 0.0, 0.0], 1.0);
+        assert_eq!(away, Ok(MotionOutcome::Free));
+    }
+    for rates in [[0.0, 1e-12, 1e8], [0.0, 1e-12, -1e12], [0.0, 1e-150, 1.0]] {
+        let far = at(2.6, 0.0, 0.0);
+        assert_eq!(space.first_contact(far, rates, 1e150), too_far, "{rates:?}");
+        assert_eq!(
+            space.crossings(far, rates, 1e150),
+            Err(MotionError::TurnsTooFar)
+        );
+        // It touches within the first turn.
+        let touching = space.first_contact(near, rates, 1e150).unwrap().contact();
+        assert!(
+            touching.is_some_and(|c| c.configuration.theta.abs() < 1.6),
+            "{rates:?}"
+        );
+    }
+    // In place only the first turn matters.
+    assert_eq!(
+        space.first_contact(at(2.6, 0.0, 0.0), [0.0, 0.0, 1e12], 1e100),
+        Ok(MotionOutcome::Free)
+    );
+    // There is no such patch, and it has no links.
+    let none = space.patches().len() as u32;
+    for patch in [none, u32::MAX] {
+        assert_eq!(
+            space.links_after(patch).count() + space.links_before(patch).count(),
+            0
+        );
+        assert_eq!(
+            space.links_above(patch).count() + space.links_below(patch).count(),
+            0
+        );
+    }
+}
+
 #[test]
 fn leaves_the_window() {
     let options = Options {

@@ -9,5 +9,6 @@ mod oracle;
 mod random;
 mod regions;
 mod slice_oracle;
+mod slivers;
 mod symmetry;
 mod windows;

@@ -53,11 +53,14 @@ pub(crate) fn answers(item: &Item) -> Answers {
     })
 }
 
-/// The saved space without the seconds that it took.
+/// The saved space without the seconds that it took, and without the checksum, which these go into.
 fn without_times(space: &PairSpace) -> Value {
     let mut value: Value = serde_json::from_str(&saved::pair_to_json(space)).unwrap_or(Value::Null);
     if let Some(statistics) = value.get_mut("statistics").and_then(Value::as_object_mut) {
         statistics.remove("seconds");
+    }
+    if let Some(fields) = value.as_object_mut() {
+        fields.remove("checksum");
     }
     value
 }

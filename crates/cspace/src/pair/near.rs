@@ -1,0 +1,322 @@
+//! Which features of two parts touch, or nearly do: distances between the features themselves, without the space's patches.
+//!
+//! Two features are a pair where one line is at right angles to both, from a point of the one to a point of the other, and
+//! their outward normals face each other along it: there their distance is least, seen from nearby. Normals of a vertex are
+//! those between its two edges, so that the parts' own distance is always among the pairs.
+
+use core::f64::consts::TAU;
+
+use crate::boxes::Boxes;
+use crate::contact::{FeatureShape, Placement, Touching, touching_place};
+use crate::feature::tolerance::{SMOOTH, STRAIGHT};
+use crate::feature::{FeatureKind, FeatureName, PairFrame};
+use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::part::{Bounds, Edge, Part};
+use crate::query::Classification;
+
+use super::answers::QueryError;
+use super::ids::FeatureId;
+use super::relation::Coordinates;
+use super::space::PairSpace;
+
+/// Directions nearer to each other than this are one (radians): what is drawn flush is turned by the rounding of its
+/// coordinates and of its orientation, some 1e-15, and more where it is short.
+const ALIGNED: f64 = 1e-9;
+
+/// Two features that touch or nearly do, with where they are nearest to each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearFeatures {
+    /// The feature of the fixed part.
+    pub fixed: FeatureId,
+    /// The feature of the moving part.
+    pub moving: FeatureId,
+    /// How far they are apart, in the model's unit of length. Less than 0 if they overlap, by as much: where the parts do, or touch
+    /// within the resolution.
+    pub distance: f64,
+    /// The points of the two features that are nearest to each other, and the outward normal of the fixed part there.
+    pub touching: Touching,
+}
+
+impl PairSpace {
+    /// The pairs of features that are no farther than `within` (model length) apart at a configuration, or overlap by no
+    /// more, and face each other; the nearest first.
+    ///
+    /// While the parts do not overlap, the first pair is as far apart as they are ([`clearance`](Self::clearance)). Both points
+    /// of a pair lie on its features: on line segments, arcs and convex vertices, not on their lines and circles. Patches are not asked, so
+    /// neither critical nor doubtful orientations make a difference.
+    ///
+    /// # Errors
+    /// If the configuration is in the coordinates of another class, or outside; and of lower pairs, whose parts are in contact for ever.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
+    /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+    /// let coin = Part::circle("coin", (0.0, 0.0), 1.0)?;
+    /// let space = PairSpace::compute(&table, &coin, Relation::Planar, &Options::default())?;
+    /// // Beside the table's corner (2, 2): 5 − 1 from it, and beyond the ends of both sides.
+    /// let near = space.near_features(Coordinates::Planar(Configuration::new(5.0, 6.0, 0.0)), 10.0)?;
+    /// assert_eq!(near[0].fixed.name.to_string(), "vertex 2 of loop 0");
+    /// assert!((near[0].distance - 4.0).abs() < 1e-12);
+    /// assert!((near[0].touching.normal.x - 0.6).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn near_features(
+        &self,
+        at: Coordinates,
+        within: f64,
+    ) -> Result<Vec<NearFeatures>, QueryError> {
+        let class = self.classify(at)?;
+        if matches!(self, Self::Lower(_)) {
+            return Err(QueryError::Permanent);
+        }
+        let deepest = match class {
+            Classification::Blocked => within,
+            Classification::Contact => self.resolution(),
+            Classification::Free => 0.0,
+        };
+        let (fixed, moving) = (self.fixed(), self.moving());
+        let placed = self.placed(at)?;
+        let slack = rounding(fixed, moving, placed);
+        let sought = Sought {
+            within,
+            deepest: deepest + slack,
+            slack,
+        };
+        let mut found = sought.among(
+            &features(fixed, Configuration::default()),
+            &features(moving, placed),
+        );
+        found.sort_by(|a, b| {
+            let nearer = a.distance.abs().total_cmp(&b.distance.abs());
+            let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
+            nearer.then(names(a).cmp(&names(b)))
+        });
+        Ok(found)
+    }
+}
+
+/// More than the rounding error of points of the two parts, in the model's unit of length.
+fn rounding(fixed: &Part, moving: &Part, at: Configuration) -> f64 {
+    /// Of the few sums in which the configuration's position enters.
+    const PLACED: f64 = 8.0 * f64::EPSILON;
+    let frame = PairFrame::new(fixed, moving);
+    frame.outer_length(frame.rounding()) + PLACED * at.x.hypot(at.y)
+}
+
+/// A line, an arc or a convex vertex of a part that is placed in the fixed part's frame.
+struct Feature {
+    name: FeatureName,
+    shape: FeatureShape<f64>,
+    /// None of a vertex.
+    edge: Option<Edge>,
+    /// The angle of the first of its outward normals, and how far the others turn from it counter-clockwise (radians).
+    normals: (f64, f64),
+    bounds: Bounds,
+}
+
+/// The features of a part that is placed.
+fn features(part: &Part, at: Configuration) -> Vec<Feature> {
+    let turn = Rotation::by(at.theta);
+    let place = |p: Point| turn * p + at.position().to_vector();
+    let mut features = Vec::new();
+    for (loop_index, outline) in (0u32..).zip(part.loops()) {
+        let edges: Vec<Edge> = (outline.edges())
+            .map(|e| Edge {
+                start: place(e.start),
+                end: place(e.end),
+                ..e
+            })
+            .collect();
+        for (i, edge) in edges.iter().enumerate() {
+            let next = &edges[(i + 1) % edges.len()];
+            let named = |kind, index: usize| FeatureName {
+                kind,
+                loop_index,
+                index: index as u32,
+            };
+            features.push(Feature::of_edge(edge, |kind| named(kind, edge.index)));
+            let turns_by = turn_between(edge, next);
+            if turns_by > smooth(edge, next) {
+                // The vertex is the one that `next` leaves as given, or `edge` if travelled backwards.
+                let index = if outline.is_reversed() { edge } else { next }.index;
+                let name = named(FeatureKind::Vertex, index);
+                features.push(Feature::of_vertex(edge, turns_by, name));
+            }
+        }
+    }
+    features
+}
+
+/// By how much travel turns to the left from an edge to the next one (radians).
+fn turn_between(before: &Edge, after: &Edge) -> f64 {
+    let (d1, d2) = (before.end_direction(), after.start_direction());
+    d1.cross(d2).atan2(d1.dot(d2))
+}
+
+/// The angle up to which two edges are joined smoothly.
+fn smooth(before: &Edge, after: &Edge) -> f64 {
+    if before.is_line() && after.is_line() {
+        2.0 * STRAIGHT
+    } else {
+        SMOOTH
+    }
+}
+
+impl Feature {
+    fn of_edge(edge: &Edge, named: impl Fn(FeatureKind) -> FeatureName) -> Self {
+        let kind = match edge.bulge {
+            b if b > 0.0 => FeatureKind::ConvexArc,
+            b if b < 0.0 => FeatureKind::ConcaveArc,
+            _ => FeatureKind::Line,
+        };
+        let first = if edge.bulge < 0.0 {
+            edge.end_direction()
+        } else {
+            edge.start_direction()
+        };
+        Self {
+            name: named(kind),
+            shape: FeatureShape::Edge {
+                start: [edge.start.x, edge.start.y],
+                end: [edge.end.x, edge.end.y],
+                bulge: edge.bulge,
+            },
+            edge: Some(*edge),
+            normals: (first.right().angle(), edge.sweep().abs()),
+            bounds: edge.bounds(),
+        }
+    }
+
+    fn of_vertex(before: &Edge, turns_by: f64, name: FeatureName) -> Self {
+        let at = before.end;
+        Self {
+            name,
+            shape: FeatureShape::Vertex { at: [at.x, at.y] },
+            edge: None,
+            normals: (before.end_direction().right().angle(), turns_by),
+            bounds: Bounds::of(at, at),
+        }
+    }
+
+    /// 0 of a vertex, less than 0 of a concave arc, infinite of a line.
+    fn radius(&self) -> f64 {
+        (self.edge).map_or(0.0, |e| e.radius() * if e.bulge < 0.0 { -1.0 } else { 1.0 })
+    }
+
+    /// Whether a direction is one of the outward normals.
+    fn has_normal(&self, direction: Vector) -> bool {
+        let (first, turn) = self.normals;
+        let from_first = (direction.angle() - first + ALIGNED).rem_euclid(TAU);
+        from_first <= turn + 2.0 * ALIGNED
+    }
+
+    /// The point that lies on the feature itself, of one that lies on its line or circle; not if it is farther than `slack` beyond its ends.
+    fn onto(&self, p: Point, slack: f64) -> Option<Point> {
+        let Some(edge) = &self.edge else {
+            return Some(self.bounds.center());
+        };
+        if edge.covers(p) {
+            return Some(p);
+        }
+        let ends = [edge.start, edge.end].map(|end| (end, end.distance(p)));
+        let (end, beyond) = if ends[0].1 < ends[1].1 {
+            ends[0]
+        } else {
+            ends[1]
+        };
+        (beyond <= slack).then_some(end)
+    }
+
+    /// The point at which an outward normal is as given.
+    fn at_normal(&self, normal: Vector) -> Point {
+        let Some(edge) = &self.edge else {
+            return self.bounds.center();
+        };
+        let to = normal.left();
+        match edge.fraction_heading(to) {
+            Some(u) => edge.at(u),
+            // Beyond an end by the rounding of directions.
+            None if edge.start_direction().dot(to) > edge.end_direction().dot(to) => edge.start,
+            None => edge.end,
+        }
+    }
+}
+
+/// What is looked for.
+struct Sought {
+    within: f64,
+    /// Features may overlap by so much.
+    deepest: f64,
+    /// Points nearer to each other are one.
+    slack: f64,
+}
+
+impl Sought {
+    fn among(&self, fixed: &[Feature], moving: &[Feature]) -> Vec<NearFeatures> {
+        let boxes = Boxes::new(fixed.iter().map(|f| f.bounds));
+        let mut found = Vec::new();
+        for g in moving {
+            let reaches = |b: &Bounds| !b.is_apart(g.bounds, self.within + self.slack);
+            boxes.any(reaches, |i| {
+                found.extend(self.pair(&fixed[i as usize], g));
+                false
+            });
+        }
+        found
+    }
+
+    /// Two features, if they face each other and are near enough.
+    fn pair(&self, f: &Feature, g: &Feature) -> Option<NearFeatures> {
+        // Lines side by side are told by their ends, and nothing touches a concave arc but what is rounder.
+        let sum = f.radius() + g.radius();
+        let rolls = match (f.name.kind, g.name.kind) {
+            (FeatureKind::Line, FeatureKind::Line) => false,
+            (FeatureKind::ConcaveArc, _) | (_, FeatureKind::ConcaveArc) => sum < 0.0,
+            _ => true,
+        };
+        if !rolls {
+            return None;
+        }
+        let place = touching_place(&f.shape, &g.shape, &Placement::identity());
+        let point = |[x, y]: [f64; 2]| Point::new(x, y);
+        let normal = Vector::new(place.normal[0], place.normal[1]);
+        // The centres are so far apart, of circles and vertices.
+        let apart = if sum.is_finite() {
+            (place.gap + sum).abs()
+        } else {
+            f64::INFINITY
+        };
+        let (normal, on_fixed, on_moving) = if apart > self.slack {
+            let on_fixed = f.onto(point(place.on_fixed), self.slack)?;
+            let on_moving = g.onto(point(place.on_moving), self.slack)?;
+            (normal, on_fixed, on_moving)
+        } else {
+            // About one centre they are as near in every direction.
+            let normal = common_normal(f, g)?;
+            (normal, f.at_normal(normal), g.at_normal(-normal))
+        };
+        if !(f.has_normal(normal) && g.has_normal(-normal)) {
+            return None;
+        }
+        let distance = (on_moving - on_fixed).dot(normal);
+        let near = (-self.deepest..=self.within).contains(&distance);
+        near.then_some(NearFeatures {
+            fixed: FeatureId::of_fixed(f.name),
+            moving: FeatureId::of_moving(g.name),
+            distance,
+            touching: Touching {
+                on_fixed,
+                on_moving,
+                normal,
+            },
+        })
+    }
+}
+
+/// An outward normal of one feature whose opposite is one of the other.
+fn common_normal(f: &Feature, g: &Feature) -> Option<Vector> {
+    let ends = |(first, turn): (f64, f64)| [first, first + 0.5 * turn, first + turn];
+    let of_f = ends(f.normals).map(Vector::from_angle);
+    let of_g = ends(g.normals).map(|angle| -Vector::from_angle(angle));
+    (of_f.into_iter().chain(of_g)).find(|&n| f.has_normal(n) && g.has_normal(-n))
+}
