@@ -5,6 +5,23 @@ use std::path::Path;
 
 use crate::ModelError;
 
+/// The reason why a file is not to be opened, and what to do about it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refused {
+    /// The reason.
+    pub message: String,
+    /// Advice.
+    pub help: String,
+}
+
+/// A question that is asked of every file before it is opened: a model, and each drawing that it names.
+pub type Guard<'a> = &'a dyn Fn(&Path) -> Result<(), Refused>;
+
+/// The guard that lets every file be opened.
+pub(crate) fn any(_: &Path) -> Result<(), Refused> {
+    Ok(())
+}
+
 /// The text of a file of at most `limit` bytes.
 ///
 /// Only regular files are opened: a pipe might never say anything, a device might never end.

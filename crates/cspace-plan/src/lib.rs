@@ -7,6 +7,7 @@
 mod answer;
 mod apart;
 pub mod assembly;
+pub mod clash;
 mod check;
 mod ends;
 pub mod escape;

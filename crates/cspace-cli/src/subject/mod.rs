@@ -13,11 +13,12 @@ use cspace_io::{Document, SavedFile};
 
 use crate::args::Common;
 use crate::failure::{Failure, note, warning};
-use crate::output::{self, STANDARD};
-use crate::progress::catch_interrupts;
+use crate::input;
+use crate::interrupt::catch_interrupts;
+use crate::output;
 
 use crate::wording::count;
-use named::named_pair;
+pub(crate) use named::named_pair;
 pub(crate) use place::{FeaturePair, near, texts, touching};
 
 /// The file a command was given.
@@ -58,13 +59,7 @@ pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
 
 /// Reads a model of which all parts are wanted; `why` says so of a file that has none.
 pub(crate) fn read_model(file: &Path, why: &str) -> Result<(PathBuf, Box<Mechanism>), Failure> {
-    let (path, document) = if file == Path::new(STANDARD) {
-        let name = "standard input";
-        let read = cspace_io::read_from(std::io::stdin().lock(), name)?;
-        (PathBuf::from(name), read)
-    } else {
-        (file.to_owned(), cspace_io::read(file)?)
-    };
+    let (path, document) = input::document(file)?;
     match document {
         Document::Model(model) => Ok((path, model)),
         Document::Space(_) => Err(Failure::input(format_args!(
@@ -111,16 +106,9 @@ impl Subject {
     pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
         let output = common.result.output.as_deref();
         output::check(output)?;
-        output::check_apart(output, &common.file)?;
         catch_interrupts();
         set_threads(common.threads)?;
-        let mut path = common.file.clone();
-        let document = if common.file == Path::new(STANDARD) {
-            path = PathBuf::from("standard input");
-            cspace_io::read_from(std::io::stdin().lock(), "standard input")?
-        } else {
-            cspace_io::read(&path)?
-        };
+        let (path, document) = input::document(&common.file)?;
         Ok(match document {
             Document::Model(model) if common.snap => Self::Model {
                 model: snapped(&path, &model),

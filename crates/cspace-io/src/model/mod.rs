@@ -32,7 +32,7 @@ mod toml_values;
 pub(crate) use read::no_json;
 
 pub use error::ModelError;
-pub(crate) use read::from_text;
+pub(crate) use read::{Files, from_text, json_in, read_guarded, toml_in};
 pub use read::{MOST_PARTS, from_json, from_toml, read};
 pub use slips::{Slip, slips};
 pub use snap::{Snapped, snap};

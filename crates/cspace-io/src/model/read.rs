@@ -13,7 +13,7 @@ use super::parts::read_parts;
 use super::place::Place;
 use super::relations::{read_joints, read_pairs};
 use super::table::{Result, Table};
-use crate::file::{extension, read_text, too_large, without_mark};
+use crate::file::{Guard, any, extension, read_text, too_large, without_mark};
 use crate::shown;
 
 /// The largest models read, in bytes: either takes some 2 GB of memory and ten seconds to tell what is in it. A part may have
@@ -64,7 +64,14 @@ fn largest(path: &Path) -> u64 {
 /// # Errors
 /// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
 pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelError> {
-    let path = path.as_ref();
+    read_guarded(path.as_ref(), &any)
+}
+
+/// As [`read`], with a guard that is asked before a drawing is opened; of the model it has been asked.
+pub(crate) fn read_guarded(
+    path: &Path,
+    guard: Guard<'_>,
+) -> core::result::Result<Mechanism, ModelError> {
     let extension = extension(path);
     if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
         let message = match extension.as_str() {
@@ -81,22 +88,29 @@ pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelErro
             .with_help(help)
             .in_file(&path.display().to_string()));
     }
-    from_text(path, &read_text(path, largest(path))?)
+    from_text(path, &read_text(path, largest(path))?, guard)
 }
 
 /// The model in the text of a file, whose extension tells whether it is JSON.
-pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechanism, ModelError> {
+pub(crate) fn from_text(
+    path: &Path,
+    text: &str,
+    guard: Guard<'_>,
+) -> core::result::Result<Mechanism, ModelError> {
     let file = path.display().to_string();
     // It may have been read as a saved space, which may be longer.
     let limit = largest(path);
     if text.len() as u64 > limit {
         return Err(too_large(path, limit));
     }
-    let folder = path.parent().unwrap_or(Path::new(""));
+    let files = Files {
+        folder: path.parent().unwrap_or(Path::new("")),
+        guard,
+    };
     let mut model = if extension(path) == "json" {
-        json_in(text, &file, folder)
+        json_in(text, &file, &files)
     } else {
-        toml_in(text, &file, folder)
+        toml_in(text, &file, &files)
     }?;
     if model.name.is_empty() {
         model.name = path
@@ -122,10 +136,14 @@ pub(crate) fn from_text(path: &Path, text: &str) -> core::result::Result<Mechani
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    toml_in(text, file, folder_of(file))
+    toml_in(text, file, &Files::beside(file, &any))
 }
 
-fn toml_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechanism, ModelError> {
+pub(crate) fn toml_in(
+    text: &str,
+    file: &str,
+    files: &Files<'_>,
+) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = toml::from_str(text).map_err(|e| {
@@ -134,7 +152,7 @@ fn toml_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechan
             .at(e.span().map(|span| line_and_column(text, span.start)))
             .in_file(file)
     })?;
-    from_tree(&tree, folder).map_err(|e| {
+    from_tree(&tree, files).map_err(|e| {
         let position = in_toml(text, e.tree_place());
         e.at(position).in_file(file)
     })
@@ -152,19 +170,36 @@ fn toml_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechan
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    json_in(text, file, folder_of(file))
+    json_in(text, file, &Files::beside(file, &any))
 }
 
-/// Where drawings are that a model names.
-fn folder_of(file: &str) -> &Path {
-    Path::new(file).parent().unwrap_or(Path::new(""))
+/// Where drawings are that a model names, and which of them may be opened.
+#[derive(Clone, Copy)]
+pub(crate) struct Files<'a> {
+    /// The folder that the names of drawings are relative to.
+    pub(super) folder: &'a Path,
+    pub(super) guard: Guard<'a>,
 }
 
-fn json_in(text: &str, file: &str, folder: &Path) -> core::result::Result<Mechanism, ModelError> {
+impl<'a> Files<'a> {
+    /// Drawings relative to the folder of a file.
+    pub(crate) fn beside(file: &'a str, guard: Guard<'a>) -> Self {
+        Self {
+            folder: Path::new(file).parent().unwrap_or(Path::new("")),
+            guard,
+        }
+    }
+}
+
+pub(crate) fn json_in(
+    text: &str,
+    file: &str,
+    files: &Files<'_>,
+) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    from_tree(&tree, folder).map_err(|e| {
+    from_tree(&tree, files).map_err(|e| {
         let position = in_json(text, e.tree_place());
         e.at(position).in_file(file)
     })
@@ -202,7 +237,7 @@ fn not_empty(text: &str) -> Result<()> {
     Ok(())
 }
 
-fn from_tree(tree: &Node, folder: &Path) -> Result<Mechanism> {
+fn from_tree(tree: &Node, files: &Files<'_>) -> Result<Mechanism> {
     let root = Place::default();
     let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
     let parts = table
@@ -219,7 +254,7 @@ fn from_tree(tree: &Node, folder: &Path) -> Result<Mechanism> {
     }
     table.text("$schema")?;
     let setting = Setting {
-        folder,
+        files,
         unit: table.text("unit")?,
     };
     let (parts, masses) = read_parts(&table.place.key("part"), parts, &setting)?;

@@ -15,8 +15,8 @@ use cspace::pair::PairData;
 use cspace::{ContactSpace, FixedAxesSpace, LowerPair, Mechanism, PairSpace};
 use serde_json::value::RawValue;
 
-use crate::file::{extension, read_text, text_of, without_mark};
-use crate::model::no_json;
+use crate::file::{Guard, any, extension, read_text, text_of, without_mark};
+use crate::model::{Files, no_json};
 use crate::{ModelError, model};
 
 use check::{check_angles, check_names, is_plain};
@@ -125,16 +125,29 @@ impl SavedFile {
 /// # Errors
 /// If the file cannot be read, or is neither; the error says where and what to do.
 pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
+    read_guarded(path, &any)
+}
+
+/// As [`read`], with a guard that is asked before a file is opened: the file itself, and each drawing that a model names.
+///
+/// # Errors
+/// As [`read`]; and where the guard refuses.
+pub fn read_guarded(path: impl AsRef<Path>, guard: Guard<'_>) -> Result<Document, ModelError> {
     let path = path.as_ref();
+    guard(path).map_err(|refused| {
+        ModelError::of_file(refused.message)
+            .with_help(refused.help)
+            .in_file(&path.display().to_string())
+    })?;
     if extension(path) == "json" {
         let text = read_text(path, LARGEST)?;
         if is_saved(&text) {
             let file = SavedFile::from_json(&text, &path.display().to_string())?;
             return Ok(Document::Space(Box::new(file)));
         }
-        return model::from_text(path, &text).map(|m| Document::Model(Box::new(m)));
+        return model::from_text(path, &text, guard).map(|m| Document::Model(Box::new(m)));
     }
-    model::read(path).map(|m| Document::Model(Box::new(m)))
+    model::read_guarded(path, guard).map(|m| Document::Model(Box::new(m)))
 }
 
 /// As [`read`], from what a reader gives; `file` is what errors call it. Text that begins with a brace is JSON, other text TOML.
@@ -142,6 +155,18 @@ pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
 /// # Errors
 /// As [`read`].
 pub fn read_from(source: impl std::io::Read, file: &str) -> Result<Document, ModelError> {
+    read_from_guarded(source, file, &any)
+}
+
+/// As [`read_from`], with a guard that is asked before a drawing is opened that the model names.
+///
+/// # Errors
+/// As [`read_from`]; and where the guard refuses.
+pub fn read_from_guarded(
+    source: impl std::io::Read,
+    file: &str,
+    guard: Guard<'_>,
+) -> Result<Document, ModelError> {
     let text = text_of(source, LARGEST, file)?;
     let is_json = without_mark(&text).trim_start().starts_with('{');
     if is_json && is_saved(&text) {
@@ -149,9 +174,9 @@ pub fn read_from(source: impl std::io::Read, file: &str) -> Result<Document, Mod
         return Ok(Document::Space(Box::new(saved)));
     }
     let mut model = if is_json {
-        model::from_json(&text, file)
+        model::json_in(&text, file, &Files::beside(file, guard))
     } else {
-        model::from_toml(&text, file)
+        model::toml_in(&text, file, &Files::beside(file, guard))
     }?;
     if model.name.is_empty() {
         file.clone_into(&mut model.name);

@@ -1,6 +1,6 @@
 //! Branch and bound over pairs of discs and over time.
 
-use cspace::FeatureName;
+use cspace::{FeatureName, Point};
 
 use super::apart::Apart;
 use super::meet::meet;
@@ -105,6 +105,16 @@ impl<'a> Search<'a> {
         self.at_but(time, None)
     }
 
+    /// The distance at one time if it is less than a limit; else infinite.
+    pub(super) fn at_below(&self, time: f64, limit: f64) -> Nearest {
+        let mut best = Best {
+            relative: 0.0,
+            ..Best::least(limit)
+        };
+        self.visit(&self.over(time, time), self.roots(), &mut best);
+        best.found
+    }
+
     /// The distance at one time, but for two features that are passed over.
     pub(super) fn at_but(&self, time: f64, passed: Option<(FeatureName, FeatureName)>) -> Nearest {
         let mut best = Best {
@@ -129,6 +139,30 @@ impl<'a> Search<'a> {
         }
         self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
         best.found
+    }
+
+    /// The least distance for times from 0 to 1 if it is less than a limit; else infinite.
+    pub(super) fn least_below(&self, limit: f64) -> Nearest {
+        let mut best = Best::least(limit);
+        self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
+        best.found
+    }
+
+    /// The points of the boundaries that are nearest at the start, of the fixed and of the moving part, in the frame of the
+    /// assembly; none where the boundaries meet.
+    pub(super) fn nearest_points(&self) -> Option<(Point, Point)> {
+        /// More than rounding.
+        const SLACK: f64 = 1e-6;
+        let distance = self.at(0.0).distance;
+        let mut nearest: Option<Near> = None;
+        self.within(distance * (1.0 + SLACK) + self.rounding, |near| {
+            if nearest.is_none_or(|n| near.distance < n.distance) {
+                nearest = Some(near);
+            }
+        });
+        let near = nearest?;
+        let on_fixed = self.poses.0.at(0.0).point(near.points.0).at;
+        Some((on_fixed, on_fixed + near.direction * near.distance))
     }
 
     /// Whether the distance is more than a limit for times from 0 to 1.

@@ -11,6 +11,7 @@ use cspace_io::{model, shown};
 
 use crate::args::{Format, ImportArgs, Side};
 use crate::failure::{self, Failure};
+use crate::input;
 use crate::output;
 
 pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
@@ -19,9 +20,6 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         check_name(path)?;
     }
     output::check(output)?;
-    for drawing in &args.drawings {
-        output::check_apart(output, drawing)?;
-    }
     let mut imported = Vec::new();
     for drawing in &args.drawings {
         imported.push(read(args, drawing)?);
@@ -110,7 +108,7 @@ fn read(args: &ImportArgs, path: &Path) -> Result<Outlines, Failure> {
         one_part: args.part.clone(),
     };
     let file = path.display();
-    cspace_drawing::read(path, &source)
+    input::drawing(path, &source)?
         .and_then(|drawing| drawing.outlines(&settings))
         .map_err(|error| match &error {
             DrawingError::Entities(problems) if problems.len() > 1 => {
