@@ -9,7 +9,7 @@ const MOST_EDGE_PAIRS: usize = 1 << 20;
 
 /// The shortest translation of the second part after which two parts do not overlap.
 pub(super) struct Separated {
-    /// Its length; 0 if they do not overlap.
+    /// Its length.
     pub(super) depth: f64,
     /// The points that touch then, in the assembly's frame: the second where it is before.
     pub(super) points: [Point; 2],
@@ -20,7 +20,8 @@ pub(super) struct Separated {
 /// edges for it.
 ///
 /// At the orientation that the second part has relative to the first, the boundary of free space is a slice of their contact
-/// space. The nearest point of it to where the second part is, is where it is moved to.
+/// space. The nearest point of it to where the second part is, is where it is moved to. Places at which the part would fit without
+/// any play are no free space.
 pub(super) fn separated(parts: [&Part; 2], at: [Configuration; 2]) -> Option<Separated> {
     let [first, second] = parts;
     if first.edges().count() * second.edges().count() > MOST_EDGE_PAIRS {
@@ -42,9 +43,8 @@ pub(super) fn separated(parts: [&Part; 2], at: [Configuration; 2]) -> Option<Sep
     let assembly = |p: Point| at[0].fixed_from_moving(p);
     let translation = Rotation::by(at[0].theta) * (there - here);
     let on_first = assembly(touch.on_fixed);
-    let is_apart = slice.is_free(here);
     Some(Separated {
-        depth: if is_apart { 0.0 } else { there.distance(here) },
+        depth: there.distance(here),
         points: [on_first, on_first - translation],
         features: [curve.fixed, curve.moving],
     })

@@ -2,7 +2,7 @@
 
 use crate::legs::{Between, Body, Coords};
 
-use super::depth::{Separated, separated};
+use super::depth::separated;
 use super::{Clash, State};
 
 /// Two parts that are asked about.
@@ -29,46 +29,37 @@ impl<'a> Pair<'a> {
         let between = self.between(at, at);
         let nearest = between.distance_below(within.max(self.touch));
         let is_near = nearest.distance <= self.touch;
-        // Parts that are in each other may have boundaries that are far apart.
-        if is_near || self.boxes_meet(at) && between.overlaps() {
-            return Some(self.met(at, !is_near));
+        let overlaps = if is_near {
+            between.overlaps_deeper(self.touch)
+        } else {
+            // Parts that are in each other may have boundaries that are far apart.
+            self.boxes_meet(at) && between.overlaps()
+        };
+        if overlaps {
+            return Some(self.overlap(at));
         }
-        (nearest.distance < within).then(|| Clash {
+        (is_near || nearest.distance < within).then(|| Clash {
             gap: Some(nearest.distance),
             features: nearest.features.map(|(a, b)| [a, b]),
             points: between.nearest_points(),
-            ..self.clash(State::Clear)
+            ..self.clash(if is_near {
+                State::Touching
+            } else {
+                State::Clear
+            })
         })
     }
 
-    /// What parts are to each other that touch or overlap; `overlaps` if it is known that they overlap.
-    fn met(&self, at: [Coords; 2], overlaps: bool) -> Clash {
+    /// How deep two parts overlap at a place at which they do.
+    fn overlap(&self, at: [Coords; 2]) -> Clash {
         let [a, b] = [0, 1].map(|i| self.bodies[i].configuration(at[i]));
-        let parts = [self.bodies[0].part(), self.bodies[1].part()];
-        match separated(parts, [a, b]) {
-            Some(Separated {
-                depth,
-                points,
-                features,
-            }) => {
-                let is_overlap = depth > self.touch;
-                Clash {
-                    gap: (!is_overlap).then_some(0.0),
-                    depth: is_overlap.then_some(depth),
-                    points: Some(points),
-                    features: Some(features),
-                    ..self.clash(if is_overlap {
-                        State::Overlap
-                    } else {
-                        State::Touching
-                    })
-                }
-            }
-            None if overlaps || self.between(at, at).overlaps() => self.clash(State::Overlap),
-            None => Clash {
-                gap: Some(0.0),
-                ..self.clash(State::Touching)
-            },
+        let parts = self.bodies.map(Body::part);
+        let found = separated(parts, [a, b]);
+        Clash {
+            depth: found.as_ref().map(|s| s.depth),
+            points: found.as_ref().map(|s| s.points),
+            features: found.as_ref().map(|s| s.features),
+            ..self.clash(State::Overlap)
         }
     }
 

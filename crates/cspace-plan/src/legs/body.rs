@@ -5,7 +5,8 @@ use cspace::{Axis, AxisMotion, Configuration, Part, PartEntry, Point, Vector};
 
 use super::at::At;
 use super::near::Coords;
-use super::overlap::overlap;
+use super::depth::{NORMALS, is_deep};
+use super::overlap::{coincide, overlap};
 use super::pose::{Pose, origin};
 use super::search::{Nearest, Search};
 use super::shape::Piece;
@@ -119,7 +120,7 @@ impl Between<'_> {
         self.search().least_below(limit)
     }
 
-    /// The nearest points of the boundaries at the start, in the assembly's frame; none where the boundaries meet.
+    /// The nearest points of the boundaries at the start, in the assembly's frame.
     pub(crate) fn nearest_points(&self) -> Option<[Point; 2]> {
         (self.search().nearest_points()).map(|(p, q)| [p, q])
     }
@@ -129,6 +130,16 @@ impl Between<'_> {
         let [a, b] = self.bodies;
         let (at_a, at_b) = (a.placed(self.from[0]), b.placed(self.from[1]));
         overlap(&self.search(), &at_a, &at_b)
+    }
+
+    /// Whether the parts overlap at the start deeper than a depth, also where their boundaries coincide. What overlaps five times as
+    /// deep is always found.
+    pub(crate) fn overlaps_deeper(&self, depth: f64) -> bool {
+        let [a, b] = self.bodies;
+        let (at_a, at_b) = (a.placed(self.from[0]), b.placed(self.from[1]));
+        let mut feet = Vec::new();
+        (self.search()).within(NORMALS * depth, |near| feet.push(near.points));
+        is_deep(&at_a, &at_b, &feet, depth) || coincide(&at_a, &at_b, depth)
     }
 
     /// The bodies part of the way, as a share of it, and at rest there.

@@ -4,6 +4,8 @@ use cspace::{Edge, Part, Point};
 
 use super::at::At;
 
+/// Points of one boundary that are deepest in the other are looked for on common normals up to so many depths long.
+pub(super) const NORMALS: f64 = 8.0;
 /// Pieces of the boundary are halved down to so many of the depths that are asked for.
 const SHORTEST: f64 = 4.0;
 

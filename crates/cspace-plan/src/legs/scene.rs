@@ -6,7 +6,7 @@ use cspace::{
 };
 
 use super::at::At;
-use super::depth::is_deep;
+use super::depth::{NORMALS, is_deep};
 use super::near::{Coords, Near};
 use super::overlap::overlap;
 use super::pose::{Pose, origin};
@@ -14,8 +14,6 @@ use super::search::{Nearest, Search};
 use super::shape::Piece;
 use super::tree::Tree;
 
-/// Points of one boundary that are deepest in the other are looked for on common normals up to so many depths long.
-const NORMALS: f64 = 8.0;
 const UNLIMITED: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Two parts and how their coordinates move them.
