@@ -41,7 +41,8 @@ pub(crate) fn drawing(
 ///
 /// A pipe might never say anything, a device might never end.
 pub(crate) fn bytes(path: &Path, limit: u64, help: &str) -> Result<Vec<u8>, Failure> {
-    let wrong = |what: String| Failure::input(format_args!("{}: {what}", path.display())).help(help);
+    let wrong =
+        |what: String| Failure::input(format_args!("{}: {what}", path.display())).help(help);
     let unreadable = |e: std::io::Error| wrong(format!("it cannot be read: {e}"));
     output::before_reading(path)?;
     let meta = std::fs::metadata(path).map_err(unreadable)?;
@@ -53,7 +54,9 @@ pub(crate) fn bytes(path: &Path, limit: u64, help: &str) -> Result<Vec<u8>, Fail
     if meta.len() > limit {
         return Err(too_large());
     }
-    taken(file, limit).map_err(unreadable)?.ok_or_else(too_large)
+    taken(file, limit)
+        .map_err(unreadable)?
+        .ok_or_else(too_large)
 }
 
 /// The bytes of standard input, of at most `limit`; `help` says what to do if there are more.

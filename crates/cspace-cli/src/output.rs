@@ -229,7 +229,9 @@ fn stdin_identity() -> Option<Identity> {
 
 /// What is known of a regular file.
 fn regular(path: &Path) -> Option<std::fs::Metadata> {
-    std::fs::metadata(path).ok().filter(std::fs::Metadata::is_file)
+    std::fs::metadata(path)
+        .ok()
+        .filter(std::fs::Metadata::is_file)
 }
 
 fn is_replaceable(path: &Path) -> bool {

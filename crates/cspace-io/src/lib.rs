@@ -13,7 +13,7 @@ pub mod saved;
 pub mod shown;
 pub mod write;
 
-pub use file::{Guard, Refused};
 pub use angle::{LARGEST_ANGLE, parse_angle};
+pub use file::{Guard, Refused};
 pub use model::ModelError;
 pub use saved::{Document, SavedFile, read, read_from, read_from_guarded, read_guarded};

@@ -7,8 +7,8 @@
 mod answer;
 mod apart;
 pub mod assembly;
-pub mod clash;
 mod check;
+pub mod clash;
 mod ends;
 pub mod escape;
 pub mod legs;

@@ -76,7 +76,10 @@ fn boxes_by_their_sides() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     for _ in 0..200 {
         let mut number = |lo: f64, hi: f64| rng.random_range(lo..hi);
-        let (w, h) = ((number(0.2, 2.0), number(0.2, 2.0)), (number(0.2, 2.0), number(0.2, 2.0)));
+        let (w, h) = (
+            (number(0.2, 2.0), number(0.2, 2.0)),
+            (number(0.2, 2.0), number(0.2, 2.0)),
+        );
         let (x, y) = (number(-2.0, 2.0), number(-2.0, 2.0));
         let found = two(square("a", (0.0, 0.0), w), square("b", (x, y), h));
         let across = x.abs() - 0.5 * (w.0 + h.0);
@@ -93,17 +96,33 @@ fn boxes_by_their_sides() {
 /// Places where boundaries coincide and nothing crosses.
 #[test]
 fn what_is_flush_touches_and_what_coincides_overlaps() {
-    let flush = two(square("a", (0.0, 0.0), (2.0, 2.0)), square("b", (2.0, 0.5), (2.0, 2.0)));
+    let flush = two(
+        square("a", (0.0, 0.0), (2.0, 2.0)),
+        square("b", (2.0, 0.5), (2.0, 2.0)),
+    );
     assert_eq!(flush.state, State::Touching);
     assert!(flush.gap.unwrap() < 1e-12 && apart(&flush) < 1e-12);
-    let same = two(square("a", (0.0, 0.0), (2.0, 2.0)), square("b", (0.0, 0.0), (2.0, 2.0)));
+    let same = two(
+        square("a", (0.0, 0.0), (2.0, 2.0)),
+        square("b", (0.0, 0.0), (2.0, 2.0)),
+    );
     assert_eq!(same.state, State::Overlap);
     assert!((same.depth.unwrap() - 2.0).abs() < 1e-9);
     // A plug in its hole, and one of another size in it, off its middle.
-    let circle = |r: f64| Part::circle("c", [0.0, 0.0], r).unwrap().loops()[0].vertices().to_vec();
+    let circle = |r: f64| {
+        Part::circle("c", [0.0, 0.0], r).unwrap().loops()[0]
+            .vertices()
+            .to_vec()
+    };
     let ring = || Part::new("ring", vec![circle(3.0), circle(2.0)]).unwrap();
-    assert_eq!(two(ring(), disc("plug", 0.0, 0.0, 2.0)).state, State::Touching);
-    assert_eq!(two(disc("plug", 0.0, 0.0, 2.0), ring()).state, State::Touching);
+    assert_eq!(
+        two(ring(), disc("plug", 0.0, 0.0, 2.0)).state,
+        State::Touching
+    );
+    assert_eq!(
+        two(disc("plug", 0.0, 0.0, 2.0), ring()).state,
+        State::Touching
+    );
     let loose = two(ring(), disc("plug", 0.5, 0.0, 1.0));
     assert!((loose.gap.unwrap() - 0.5).abs() < 1e-12);
     // A pin within the material: out through the nearer side, which is the hole's.
@@ -147,7 +166,10 @@ fn random_parts_beside_points_and_shorter_translations() {
                 let spacing = (a.edges().chain(b.edges()))
                     .map(|e| e.length() / 64.0)
                     .fold(0.0, f64::max);
-                assert!(least >= gap - 1e-12 && least <= gap + spacing, "{least} {gap}");
+                assert!(
+                    least >= gap - 1e-12 && least <= gap + spacing,
+                    "{least} {gap}"
+                );
                 assert!((apart(found) - gap).abs() < 1e-12);
             }
             State::Overlap => {
@@ -163,7 +185,10 @@ fn random_parts_beside_points_and_shorter_translations() {
                     let way = cspace::Vector::from_angle(TAU * f64::from(k) / 90.0);
                     for share in [0.25, 0.5, 0.75, 0.95, 0.999] {
                         let by = way * (depth * share);
-                        assert!(oracle.judge(moved(by.x, by.y)).overlap, "{number} {k} {share}");
+                        assert!(
+                            oracle.judge(moved(by.x, by.y)).overlap,
+                            "{number} {k} {share}"
+                        );
                     }
                 }
             }
@@ -191,20 +216,23 @@ fn motions_beside_dense_times() {
         };
         let both = mechanism(vec![a, b]);
         let assembly = Assembly::new(&both);
-        let told = |samples: &[Sample]| assembly.along(samples, &Question::default()).pairs[0].clone();
+        let told =
+            |samples: &[Sample]| assembly.along(samples, &Question::default()).pairs[0].clone();
         let whole = told(&[sample(10.0, ends[0]), sample(12.0, ends[1])]);
         let dense: Vec<Clash> = (0..=400)
             .map(|k| {
                 let share = f64::from(k) / 400.0;
-                let between = |i: usize, j: usize| {
-                    ends[0][i][j] + (ends[1][i][j] - ends[0][i][j]) * share
-                };
+                let between =
+                    |i: usize, j: usize| ends[0][i][j] + (ends[1][i][j] - ends[0][i][j]) * share;
                 let parts = [0, 1].map(|i| core::array::from_fn(|j| between(i, j)));
                 told(&[sample(10.0 + 2.0 * share, parts)])
             })
             .collect();
         let gap = |c: &Clash| c.gap.unwrap_or(0.0);
-        let nearest = dense.iter().min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap();
+        let nearest = dense
+            .iter()
+            .min_by(|a, b| gap(a).total_cmp(&gap(b)))
+            .unwrap();
         if nearest.state == State::Clear && whole.state == State::Clear {
             assert!(gap(&whole) <= gap(nearest) * (1.0 + 1e-6));
             assert!(gap(&whole) > gap(nearest) - 0.05);

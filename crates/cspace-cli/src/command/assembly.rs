@@ -12,8 +12,8 @@ use serde::Serialize;
 
 use crate::args::{AssemblyArgs, Format};
 use crate::failure::Failure;
-use crate::output;
 use crate::interrupt::catch_interrupts;
+use crate::output;
 use crate::progress::Bar;
 use crate::subject::{read_model, set_threads};
 use crate::wording::{count, degrees, length};

@@ -111,8 +111,7 @@ fn told(
             gap: clash.gap,
             depth: clash.depth,
             points: clash.points.map(|p| p.map(|Point { x, y }| [x, y])),
-            features: (clash.features)
-                .map(|[f, g]| [a.feature_text(f), b.feature_text(g)]),
+            features: (clash.features).map(|[f, g]| [a.feature_text(f), b.feature_text(g)]),
             time: clash.time,
         }
     };
@@ -163,7 +162,11 @@ fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
     if let (true, Some(within)) = (told.beyond > 0, told.within) {
         let more = if counts.is_empty() { ": " } else { ", " };
         let within = length(within);
-        write!(line, "{more}{} clear by {within}{unit} or more", told.beyond)?;
+        write!(
+            line,
+            "{more}{} clear by {within}{unit} or more",
+            told.beyond
+        )?;
     }
     writeln!(text, "{line}")?;
     for pair in &told.pairs {

@@ -5,8 +5,8 @@ use cspace_view::{ServeError, Server};
 use super::page;
 use crate::args::ViewArgs;
 use crate::failure::{Failure, note};
-use crate::output;
 use crate::interrupt::until_interrupted;
+use crate::output;
 use crate::subject::Subject;
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {

@@ -1,8 +1,6 @@
 //! How deep two parts overlap.
 
-use cspace::{
-    Configuration, FeatureName, Part, Placement, Point, Rotation, Slice, touching,
-};
+use cspace::{Configuration, FeatureName, Part, Placement, Point, Rotation, Slice, touching};
 
 /// The most pairs of edges of two parts of which a slice is computed: it takes about a second.
 const MOST_EDGE_PAIRS: usize = 1 << 20;

@@ -30,8 +30,8 @@ use cspace::{FeatureName, Mechanism, Point};
 
 use crate::legs::{Body, Coords};
 use broad::{Boxed, near};
-use pair::Pair;
 pub(crate) use depth::depth;
+use pair::Pair;
 
 /// Parts nearer than this share of the larger one's size touch, and so do parts that overlap by less: a little more than
 /// contacts are known to, 7·10⁻¹² of the size.
@@ -156,7 +156,9 @@ impl<'a> Assembly<'a> {
             })
             .collect();
         self.all(question, boxes, |pair| {
-            let way = samples.iter().map(|s| (s.time, pair.parts.map(|i| at(s, i))));
+            let way = samples
+                .iter()
+                .map(|s| (s.time, pair.parts.map(|i| at(s, i))));
             along::along(pair, way, question.within)
         })
     }

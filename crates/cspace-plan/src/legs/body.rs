@@ -4,8 +4,8 @@ use cspace::part::Bounds;
 use cspace::{Axis, AxisMotion, Configuration, Part, PartEntry, Point, Vector};
 
 use super::at::At;
-use super::near::Coords;
 use super::depth::{NORMALS, is_deep};
+use super::near::Coords;
 use super::overlap::{coincide, overlap};
 use super::pose::{Pose, origin};
 use super::search::{Nearest, Search};
@@ -145,9 +145,7 @@ impl Between<'_> {
     /// The bodies part of the way, as a share of it, and at rest there.
     pub(crate) fn at(&self, share: f64) -> Self {
         let there = [0, 1].map(|i| {
-            core::array::from_fn(|k| {
-                self.from[i][k] + (self.to[i][k] - self.from[i][k]) * share
-            })
+            core::array::from_fn(|k| self.from[i][k] + (self.to[i][k] - self.from[i][k]) * share)
         });
         Self {
             from: there,

@@ -14,12 +14,7 @@ const SHORTEST: f64 = 4.0;
 ///
 /// A boundary is deepest in a corner, on a common normal, of which `feet` are the ends, or where two places of the other boundary are
 /// equally near. The last are found if they are deep enough for pieces of the boundary to show it.
-pub(super) fn is_deep(
-    a: &At<'_>,
-    b: &At<'_>,
-    feet: &[(Point, Point)],
-    depth: f64,
-) -> bool {
+pub(super) fn is_deep(a: &At<'_>, b: &At<'_>, feet: &[(Point, Point)], depth: f64) -> bool {
     let of_a = feet.iter().map(|&(p, _)| p + a.origin);
     let of_b = feet.iter().map(|&(_, q)| q + b.origin);
     within(a, b, of_a, depth) || within(b, a, of_b, depth)

@@ -21,7 +21,7 @@ mod search;
 mod shape;
 mod tree;
 
-pub(crate) use body::{Body, Between};
+pub(crate) use body::{Between, Body};
 pub use near::{Coords, Near};
 pub use scene::Scene;
 pub use search::Nearest;

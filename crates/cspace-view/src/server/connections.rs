@@ -19,10 +19,7 @@ pub(super) const PATIENCE: Duration = Duration::from_secs(20);
 const BACK_OFF: Duration = Duration::from_millis(100);
 
 /// Answers on every connection until the process ends.
-pub(super) async fn serve(
-    listener: TcpListener,
-    router: Router,
-) -> Result<Infallible, ServeError> {
+pub(super) async fn serve(listener: TcpListener, router: Router) -> Result<Infallible, ServeError> {
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
     loop {

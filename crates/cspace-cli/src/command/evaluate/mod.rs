@@ -13,8 +13,8 @@ use cspace_baseline::paper::{self, PaperPair};
 
 use crate::args::{EvaluateArgs, Format};
 use crate::failure::Failure;
-use crate::output;
 use crate::interrupt::catch_interrupts;
+use crate::output;
 use crate::progress::Steps;
 use crate::subject::set_threads;
 

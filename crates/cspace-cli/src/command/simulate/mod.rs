@@ -17,9 +17,9 @@ use cspace_motion::{Report, Settings, SimulateError, Simulation};
 
 use crate::args::{Format, Mode, SimulateArgs};
 use crate::failure::{Failure, note};
+use crate::interrupt::catch_interrupts;
 use crate::output;
 use crate::picture::format;
-use crate::interrupt::catch_interrupts;
 use crate::progress::Bar;
 use crate::subject::{read_model, set_threads};
 
