@@ -54,6 +54,9 @@ pub(crate) enum Command {
     /// Take the parts of a model apart: in which order, by which motions, or tell which lock each other
     #[command(after_long_help = ASSEMBLY)]
     Assembly(AssemblyArgs),
+    /// Tell which parts overlap, touch or come near each other, as drawn or over a simulation
+    #[command(after_long_help = CLASH)]
+    Clash(ClashArgs),
     /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
     #[command(after_long_help = SIMULATE)]
     Simulate(SimulateArgs),
@@ -423,6 +426,30 @@ pub(crate) struct AssemblyArgs {
     /// How far parts that touch are opened, in the model's unit [default: a millionth of the assembly's size]
     #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
     pub(crate) gap: Option<f64>,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ClashArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    /// This pair alone: names of its two parts
+    #[arg(long, value_name = "FIRST,SECOND")]
+    pub(crate) pair: Option<String>,
+    /// Over the motion that `cspace simulate` wrote to this file with -o, CSV or JSON, in place of the parts as drawn
+    #[arg(long, value_name = "RECORD")]
+    pub(crate) along: Option<PathBuf>,
+    /// List pairs nearer than this, in the model's unit, and count the others [default: all; of more than 200 parts a tenth of the
+    /// largest part's size]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
+    pub(crate) within: Option<f64>,
+    /// Parts touch that are nearer than this, or overlap by less, in the model's unit [default: 1e-11 of the larger part's size]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
+    pub(crate) touch: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
@@ -937,6 +964,34 @@ Parts with a motion other than planar stay where they are drawn; parts joined
 by a joint move as one. All parts are taken to lie in one plane, whichever
 pairs the model lists. Parts may touch as drawn: every boundary is moved inward
 by half of --gap. Parts that overlap by more are an error.";
+
+const CLASH: &str = "\
+Examples:
+  cspace clash models/latch_box.toml
+  cspace clash models/ratchet_mechanism.toml --within 2
+  cspace simulate models/geneva.toml --time 2 -o run.csv
+  cspace clash models/geneva.toml --along run.csv --format json
+
+Every two parts as they are drawn, the worst first; no contact space is computed.
+
+  overlap   with the depth: the length of the shortest translation of the second
+            part that separates the two, neither of them turned
+  meets     with --along: the boundaries meet between two samples at which the
+            parts are apart
+  touching  the gap or the depth is --touch or less
+  clear     with the gap: the least distance
+  joined    a joint connects the two, so they may overlap: they are not judged
+
+Features and points are those that are nearest, in the assembly's frame; of an
+overlap those that touch after the translation, the point of the second part
+where it is before. All parts are taken to lie in one plane, whichever pairs the
+model lists.
+
+With --along the gap is the least over the whole motion, with its time: between
+two samples all coordinates are taken to change at constant rates, and the gap
+is bounded there, not sampled. Depths are those at the samples.
+
+All findings are answers, so the exit code is 0. docs/clash.md tells more.";
 
 const SIMULATE: &str = "\
 Examples:

@@ -4,6 +4,8 @@ mod angle;
 mod args;
 mod command;
 mod failure;
+mod input;
+mod interrupt;
 mod output;
 mod picture;
 mod progress;
@@ -34,6 +36,9 @@ fn finish(result: Result<(), Failure>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure.print();
+            if interrupt::is_interrupted() {
+                return interrupt::end();
+            }
             failure.exit_code()
         }
     }
@@ -69,6 +74,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Plan(args) => command::plan::run(&args),
         Command::Escape(args) => command::escape::run(&args),
         Command::Assembly(args) => command::assembly::run(&args),
+        Command::Clash(args) => command::clash::run(&args),
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),
         Command::View(args) => command::view::run(&args),

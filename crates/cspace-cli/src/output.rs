@@ -38,6 +38,7 @@ pub(crate) fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
 
 /// Into a temporary file beside it, which then takes its name.
 fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    check_apart(path)?;
     let failed = |e: std::io::Error| Failure::writing(path, &e);
     if !is_replaceable(path) {
         // A device or a pipe cannot be replaced.
@@ -51,34 +52,52 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         // Whoever ends the process waits until it is known what is to be removed.
         let mut known = pending();
         let file = builder.tempfile_in(directory(&path)).map_err(failed)?;
-        *known = Some(file.path().to_owned());
+        known.unnamed = Some(file.path().to_owned());
         file
     };
     let written = (file.write_all(bytes)).and_then(|()| file.as_file().sync_all());
+    // An interrupt comes before the file has its name, or after.
+    let mut known = pending();
     let result = written.and_then(|()| file.persist(&path).map(|_| ()).map_err(|e| e.error));
-    *pending() = None;
+    known.unnamed = None;
+    known.is_written |= result.is_ok();
     result.map_err(failed)
 }
 
-/// A file that does not have its name yet.
-static PENDING: Mutex<Option<PathBuf>> = Mutex::new(None);
+/// How far the writing has come.
+pub(crate) struct Pending {
+    /// A file that does not have its name yet.
+    unnamed: Option<PathBuf>,
+    is_written: bool,
+}
 
-fn pending() -> MutexGuard<'static, Option<PathBuf>> {
+impl Pending {
+    /// Whether a result has been written.
+    pub(crate) fn is_written(&self) -> bool {
+        self.is_written
+    }
+}
+
+static PENDING: Mutex<Pending> = Mutex::new(Pending {
+    unnamed: None,
+    is_written: false,
+});
+
+fn pending() -> MutexGuard<'static, Pending> {
     PENDING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes what was not written to the end. No file is begun as long as the result is held, which is to be until the
-/// process has ended: whoever waits to begin one would leave it behind.
-#[must_use]
-pub(crate) fn abandon() -> impl Sized {
+/// Removes what was not written to the end. No file is begun, and none gets its name, as long as the result is held, which is to
+/// be until the process has ended: whoever waits to begin one would leave it behind.
+pub(crate) fn abandon() -> MutexGuard<'static, Pending> {
     let mut pending = pending();
-    if let Some(path) = pending.take() {
+    if let Some(path) = pending.unnamed.take() {
         let _ = std::fs::remove_file(path);
     }
     pending
 }
 
-/// That the output can be written is found out before the work is done.
+/// That the output can be written is found out before the work is done, and before anything is read.
 pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
     let Some(path) = file(path) else {
         return Ok(());
@@ -98,6 +117,18 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
         ))
         .help("create the directory first, or give another path after -o"));
     }
+    if let Some(replaced) = regular(path) {
+        // What is protected is not replaced, although a name in the directory could be.
+        let writable = std::fs::File::options().write(true).open(path);
+        if replaced.permissions().readonly() || writable.is_err() {
+            let message = format_args!("{}: the file is read-only", path.display());
+            return Err(Failure::input(message).help(
+                "give another path after -o, or allow writing to the file; nothing was written",
+            ));
+        }
+    }
+    files().output = Some(path.to_owned());
+    check_apart(path)?;
     if is_replaceable(path) {
         // Only trying tells whether a file may be made there. Where it needs a name for that, the process does not end meanwhile.
         let target = target(path);
@@ -107,64 +138,100 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// That the output is not the file that is read, under whatever name: writing would destroy it.
-pub(crate) fn check_apart(path: Option<&Path>, input: &Path) -> Result<(), Failure> {
-    match file(path) {
-        Some(path) if is_same_file(path, input) => Err(over_input(path, "the file that is read")),
-        _ => Ok(()),
-    }
+/// The files of the command: what is read is not written over.
+#[derive(Debug)]
+struct Files {
+    output: Option<PathBuf>,
+    read: Vec<Identity>,
 }
 
-/// That the output is not the file that standard input comes from.
-#[cfg(unix)]
-pub(crate) fn check_apart_from_stdin(path: Option<&Path>) -> Result<(), Failure> {
-    use std::fs::File;
-    use std::os::fd::AsFd;
-    let Some(path) = file(path) else {
-        return Ok(());
+static FILES: Mutex<Files> = Mutex::new(Files {
+    output: None,
+    read: Vec::new(),
+});
+
+fn files() -> MutexGuard<'static, Files> {
+    FILES.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// That a file may be read, under whatever name: it is refused if the output would be written over it.
+///
+/// Every file is asked about before it is read. It is known from then on, so that no output is written over it.
+pub(crate) fn before_reading(path: &Path) -> Result<(), Failure> {
+    reading(identity(path))
+}
+
+/// That standard input may be read, which may come from a file.
+pub(crate) fn before_reading_stdin() -> Result<(), Failure> {
+    reading(stdin_identity())
+}
+
+fn reading(read: Option<Identity>) -> Result<(), Failure> {
+    let Some(read) = read else { return Ok(()) };
+    let output = {
+        let mut files = files();
+        files.read.push(read);
+        files.output.clone()
     };
-    let stdin = std::io::stdin().as_fd().try_clone_to_owned();
-    let input = stdin.and_then(|fd| File::from(fd).metadata());
-    match (std::fs::metadata(path), input) {
-        (Ok(output), Ok(input)) if is_same(&output, &input) => {
-            Err(over_input(path, "the file that standard input comes from"))
-        }
-        _ => Ok(()),
+    output.map_or(Ok(()), |path| check_apart(&path))
+}
+
+/// That the output is none of the files that are read.
+fn check_apart(path: &Path) -> Result<(), Failure> {
+    let is_read = identity(path).is_some_and(|output| files().read.contains(&output));
+    if !is_read {
+        return Ok(());
     }
+    let message = format_args!("{}: {}", path.display(), OVER_INPUT);
+    Err(Failure::input(message).help(ANOTHER))
+}
+
+/// The reason why an output is refused, and what to do.
+pub(crate) const OVER_INPUT: &str = "the output is the file that is read";
+pub(crate) const ANOTHER: &str = "give another path after -o; nothing was written";
+
+/// A regular file under whatever name; of others, such as a terminal, nothing is destroyed.
+#[cfg(unix)]
+type Identity = (u64, u64);
+
+#[cfg(unix)]
+fn identified(meta: &std::fs::Metadata) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    meta.is_file().then(|| (meta.dev(), meta.ino()))
+}
+
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<Identity> {
+    identified(&regular(path)?)
+}
+
+#[cfg(unix)]
+fn stdin_identity() -> Option<Identity> {
+    use std::os::fd::AsFd;
+    let stdin = std::io::stdin().as_fd().try_clone_to_owned().ok()?;
+    identified(&std::fs::File::from(stdin).metadata().ok()?)
+}
+
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<Identity> {
+    regular(path)?;
+    path.canonicalize().ok()
 }
 
 /// Which file it is cannot be known.
 #[cfg(not(unix))]
-pub(crate) fn check_apart_from_stdin(_: Option<&Path>) -> Result<(), Failure> {
-    Ok(())
+fn stdin_identity() -> Option<Identity> {
+    None
 }
 
-fn over_input(path: &Path, what: &str) -> Failure {
-    let message = format_args!("{}: the output is {what}", path.display());
-    Failure::input(message).help("give another path after -o; nothing was written")
-}
-
-/// Of what is no regular file, such as a terminal, nothing is destroyed.
-#[cfg(unix)]
-fn is_same_file(a: &Path, b: &Path) -> bool {
-    match (std::fs::metadata(a), std::fs::metadata(b)) {
-        (Ok(a), Ok(b)) => is_same(&a, &b),
-        _ => false,
-    }
-}
-
-#[cfg(unix)]
-fn is_same(a: &std::fs::Metadata, b: &std::fs::Metadata) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino())
-}
-
-#[cfg(not(unix))]
-fn is_same_file(a: &Path, b: &Path) -> bool {
-    match (a.canonicalize(), b.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b && a.is_file(),
-        _ => false,
-    }
+/// What is known of a regular file.
+fn regular(path: &Path) -> Option<std::fs::Metadata> {
+    std::fs::metadata(path)
+        .ok()
+        .filter(std::fs::Metadata::is_file)
 }
 
 fn is_replaceable(path: &Path) -> bool {

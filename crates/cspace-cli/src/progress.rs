@@ -1,59 +1,17 @@
-//! What a long computation shows, and how it is stopped.
+//! What a long computation shows.
 
-use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Progress, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::failure::is_quiet;
-use crate::output;
+use crate::interrupt;
 
 /// Nothing is shown for work that is done by then.
 const PATIENCE: Duration = Duration::from_secs(1);
-
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-/// Whether an interrupt is how the work comes to its end.
-static ENDLESS: AtomicBool = AtomicBool::new(false);
-/// Whether a computation is going on that looks at [`INTERRUPTED`].
-static WATCHED: AtomicBool = AtomicBool::new(false);
-
-/// Lets an interrupt (Ctrl-C) end the computation at the next stage, or the process if that takes long. A second one, or
-/// one at any other time, ends the process at once.
-pub(crate) fn catch_interrupts() {
-    /// A stage may take much longer than somebody who wants to stop likes to wait.
-    const GRACE: Duration = Duration::from_millis(300);
-    static ONCE: OnceLock<()> = OnceLock::new();
-    ONCE.get_or_init(|| {
-        // Without a handler an interrupt ends the process, which is good enough.
-        let _ = ctrlc::set_handler(|| {
-            if ENDLESS.load(Ordering::Relaxed) {
-                std::process::exit(0);
-            }
-            if !INTERRUPTED.swap(true, Ordering::Relaxed) && WATCHED.load(Ordering::Relaxed) {
-                std::thread::sleep(GRACE);
-            }
-            let _until_the_end = output::abandon();
-            let mut err = std::io::stderr();
-            // The bar may stand on the line.
-            let line_break = if err.is_terminal() { "\n" } else { "" };
-            let _ = writeln!(err, "{line_break}error: interrupted");
-            std::process::exit(1);
-        });
-    });
-}
-
-/// Whether the user wants no more of it.
-pub(crate) fn is_interrupted() -> bool {
-    INTERRUPTED.load(Ordering::Relaxed)
-}
-
-/// From here on the work has no end but an interrupt, which is none that failed.
-pub(crate) fn until_interrupted() {
-    ENDLESS.store(true, Ordering::Relaxed);
-}
 
 /// A bar on stderr with the stages, if stderr is a terminal and the work takes more than a second.
 pub(crate) struct Bar {
@@ -83,9 +41,7 @@ impl Bar {
                     self.draw();
                 }
             });
-            WATCHED.store(true, Ordering::Relaxed);
-            let result = work(self);
-            WATCHED.store(false, Ordering::Relaxed);
+            let result = interrupt::watched(|| work(self));
             done.store(true, Ordering::Relaxed);
             ticker.thread().unpark();
             result
@@ -165,7 +121,7 @@ impl Drop for Steps {
 impl Progress for Bar {
     fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
         *self.stage.lock().unwrap_or_else(PoisonError::into_inner) = Some(stage);
-        if INTERRUPTED.load(Ordering::Relaxed) {
+        if interrupt::is_interrupted() {
             return Err(ComputeError::Interrupted);
         }
         Ok(())

@@ -5,6 +5,33 @@ use std::path::Path;
 
 use crate::ModelError;
 
+/// The reason why a file is not to be opened, and what to do about it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refused {
+    /// The reason.
+    pub message: String,
+    /// Advice.
+    pub help: String,
+}
+
+/// The program on whose behalf a file is read.
+pub struct Host<'a> {
+    /// A question that is asked of every file before it is opened: a model, and each drawing that it names.
+    pub guard: &'a dyn Fn(&Path) -> Result<(), Refused>,
+    /// The receiver of remarks for whoever reads the model, such as that a drawing is converted from another unit.
+    pub note: &'a dyn Fn(&str),
+}
+
+impl Default for Host<'_> {
+    /// Every file may be opened, and remarks are dropped.
+    fn default() -> Self {
+        Self {
+            guard: &|_| Ok(()),
+            note: &|_| (),
+        }
+    }
+}
+
 /// The text of a file of at most `limit` bytes.
 ///
 /// Only regular files are opened: a pipe might never say anything, a device might never end.

@@ -15,5 +15,6 @@ pub mod write;
 
 pub use angle::parse_angle;
 pub use cspace::LARGEST_ANGLE;
+pub use file::{Host, Refused};
 pub use model::ModelError;
-pub use saved::{Document, SavedFile, read, read_from, read_from_noting, read_noting};
+pub use saved::{Document, SavedFile, read, read_from, read_from_hosted, read_hosted};

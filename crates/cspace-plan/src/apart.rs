@@ -49,20 +49,13 @@ pub(crate) fn blocked(
     let metric = Metric {
         length_per_radian: if turning > 0.0 { turning } else { 1.0 },
     };
-    let mut nearest: Option<(cspace::Projection, cspace::PatchId)> = None;
-    for patch in space.patches() {
-        let found = space.project(at, patch.id(), metric)?;
-        if nearest.is_none_or(|(n, _)| found.distance < n.distance) {
-            nearest = Some((found, patch.id()));
-        }
-    }
-    Ok(match nearest {
+    Ok(match space.nearest_patch(at, metric)? {
         None => Blocked {
             depth: f64::INFINITY,
             nearest: None,
             features: None,
         },
-        Some((found, patch)) => {
+        Some((patch, found)) => {
             let (fixed, moving) = space.patch(patch)?.features()?;
             Blocked {
                 depth: found.distance,

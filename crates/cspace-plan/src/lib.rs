@@ -8,6 +8,7 @@ mod answer;
 mod apart;
 pub mod assembly;
 mod check;
+pub mod clash;
 mod ends;
 pub mod escape;
 pub mod legs;

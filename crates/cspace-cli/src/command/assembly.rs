@@ -12,8 +12,9 @@ use serde::Serialize;
 
 use crate::args::{AssemblyArgs, Format};
 use crate::failure::Failure;
+use crate::interrupt::catch_interrupts;
 use crate::output;
-use crate::progress::{Bar, catch_interrupts};
+use crate::progress::Bar;
 use crate::subject::{read_model, set_threads};
 use crate::wording::{count, degrees, length};
 
@@ -56,7 +57,6 @@ pub(crate) fn run(args: &AssemblyArgs) -> Result<(), Failure> {
     args.result.check_answer()?;
     let output = args.result.output.as_deref();
     output::check(output)?;
-    output::check_apart(output, &args.file)?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (path, model) = read_model(&args.file, "an assembly is all of its parts")?;

@@ -1,6 +1,7 @@
 //! The commands.
 
 pub(crate) mod assembly;
+pub(crate) mod clash;
 pub(crate) mod classify;
 pub(crate) mod completions;
 pub(crate) mod compute;
@@ -17,6 +18,7 @@ pub(crate) mod new;
 mod page;
 pub(crate) mod plan;
 pub(crate) mod play;
+mod record;
 mod regions;
 mod rows;
 mod several;

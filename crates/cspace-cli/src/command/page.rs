@@ -4,18 +4,13 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use cspace::PairEntry;
-use cspace_io::shown;
 use cspace_view::{Opened, Page, PageError, Scene, ScenePair, SceneRecord};
-use serde_json::Value;
 
 use crate::args::ExportArgs;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::output;
-use crate::progress;
 use crate::subject::{Chosen, Subject};
-
-/// The largest record read, in bytes: some million samples.
-const LARGEST_RECORD: u64 = 1 << 27;
 
 /// The page that was bundled with the program.
 pub(super) fn bundled() -> Result<Page, Failure> {
@@ -40,10 +35,11 @@ pub(super) fn entries(chosen: &[Chosen<'_>]) -> Vec<PairEntry> {
 pub(super) fn file(args: &ExportArgs) -> Result<Vec<u8>, Failure> {
     let common = &args.common;
     let page = bundled()?;
-    for record in &args.with {
-        output::check_apart(common.result.output.as_deref(), record)?;
-    }
     let subject = Subject::open(common)?;
+    // Before anything is computed.
+    for record in &args.with {
+        output::before_reading(record)?;
+    }
     let chosen = subject.pairs(common, args.window.theta)?;
     let mut known = Vec::new();
     if !matches!(subject, Subject::Saved(_)) {
@@ -80,7 +76,7 @@ fn computed(chosen: &[Chosen<'_>]) -> Result<Vec<Result<ScenePair, String>>, Fai
                 let pair = ScenePair::known(&entry, &space, seconds);
                 pairs.push(Ok(pair.map_err(Failure::work)?));
             }
-            Err(failure) if progress::is_interrupted() => return Err(failure),
+            Err(failure) if interrupt::is_interrupted() => return Err(failure),
             Err(failure) => {
                 pairs.push(Err(failure.message().to_owned()));
                 failures.push(failure);
@@ -103,36 +99,9 @@ pub(super) fn records(files: &[PathBuf], opened: &Opened) -> Result<Vec<SceneRec
 }
 
 fn record(file: &Path, opened: &Opened) -> Result<SceneRecord, Failure> {
-    const HELP: &str = "give what `cspace plan` or `cspace simulate` writes with -o OUT.json";
-    let wrong = |what: &str| Failure::input(format_args!("{}: {what}", file.display())).help(HELP);
-    let meta = std::fs::metadata(file).map_err(|e| wrong(&format!("it cannot be read: {e}")))?;
-    if !meta.is_file() {
-        return Err(wrong("it is no regular file"));
-    }
-    if meta.len() > LARGEST_RECORD {
-        return Err(wrong(&format!(
-            "it is too large: at most {LARGEST_RECORD} bytes are read"
-        )));
-    }
-    let bytes = std::fs::read(file).map_err(|e| wrong(&format!("it cannot be read: {e}")))?;
-    let record: Value =
-        serde_json::from_slice(&bytes).map_err(|e| wrong(&format!("it is no JSON: {e}")))?;
-    let is_plan = record["verdict"].is_string() && record["path"].is_array();
-    let is_motion = record["status"].is_string() && record["samples"].is_array();
-    if !is_plan && !is_motion {
-        return Err(wrong("it is no answer of `plan` or `simulate`"));
-    }
-    let parts = record["parts"].as_array().into_iter().flatten();
-    for name in parts.filter_map(Value::as_str) {
-        if opened.model.part_index(name).is_none() {
-            let name = shown::quoted(name);
-            let what = format!("it moves a part {name}, which the model does not have");
-            return Err(wrong(&what).help("give a record of the same model"));
-        }
-    }
     let name = file.file_name().unwrap_or(file.as_os_str());
     Ok(SceneRecord {
         name: name.to_string_lossy().into_owned(),
-        record,
+        record: super::record::json(file, &opened.model, true)?,
     })
 }

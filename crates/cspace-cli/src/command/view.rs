@@ -5,8 +5,8 @@ use cspace_view::{ServeError, Server};
 use super::page;
 use crate::args::ViewArgs;
 use crate::failure::{Failure, note};
+use crate::interrupt::until_interrupted;
 use crate::output;
-use crate::progress::until_interrupted;
 use crate::subject::Subject;
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
             )),
         }
     }
-    server.run().map_err(failure)
+    match server.run().map_err(failure)? {}
 }
 
 fn failure(error: ServeError) -> Failure {

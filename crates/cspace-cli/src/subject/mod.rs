@@ -13,12 +13,13 @@ use cspace_io::{Document, SavedFile};
 
 use crate::args::Common;
 use crate::failure::{Failure, note, warning};
-use crate::output::{self, STANDARD};
-use crate::progress::catch_interrupts;
+use crate::input;
+use crate::interrupt::catch_interrupts;
+use crate::output;
 
 use crate::traces::{self, OTHER, quoted};
 use crate::wording::count;
-use named::named_pair;
+pub(crate) use named::named_pair;
 pub(crate) use place::{FeaturePair, pair_of, texts, touching};
 
 /// The file a command was given.
@@ -59,7 +60,7 @@ pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
 
 /// Reads a model of which all parts are wanted; `why` says so of a file that has none.
 pub(crate) fn read_model(file: &Path, why: &str) -> Result<(PathBuf, Box<Mechanism>), Failure> {
-    let (path, document) = read(file)?;
+    let (path, document) = input::document(file)?;
     match document {
         Document::Model(model) => Ok((path, model)),
         Document::Space(_) => Err(Failure::input(format_args!(
@@ -68,24 +69,6 @@ pub(crate) fn read_model(file: &Path, why: &str) -> Result<(PathBuf, Box<Mechani
         ))
         .help(format_args!("give the model file: {why}"))),
     }
-}
-
-/// What a file or standard input holds, and what it is called; prints what whoever reads it should know.
-fn read(file: &Path) -> Result<(PathBuf, Document), Failure> {
-    let mut notes = Vec::new();
-    let read = if file == Path::new(STANDARD) {
-        let name = "standard input";
-        let input = std::io::stdin().lock();
-        let document = cspace_io::read_from_noting(input, name, &mut notes)?;
-        (PathBuf::from(name), document)
-    } else {
-        let document = cspace_io::read_noting(file, &mut notes)?;
-        (file.to_owned(), document)
-    };
-    for text in notes {
-        note(format_args!("{text}"));
-    }
-    Ok(read)
 }
 
 /// The model with arcs tangent to lines, and a note of what was moved.
@@ -124,10 +107,9 @@ impl Subject {
     pub(crate) fn open(common: &Common) -> Result<Self, Failure> {
         let output = common.result.output.as_deref();
         output::check(output)?;
-        output::check_apart(output, &common.file)?;
         catch_interrupts();
         set_threads(common.threads)?;
-        let (path, document) = read(&common.file)?;
+        let (path, document) = input::document(&common.file)?;
         Ok(match document {
             Document::Model(model) if common.snap => Self::Model {
                 model: snapped(&path, &model),

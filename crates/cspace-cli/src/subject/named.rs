@@ -7,7 +7,7 @@ use cspace::{Mechanism, PairEntry};
 use crate::failure::Failure;
 
 /// The pair with the parts of these names; its window is that of the file where it lists the pair, either way around.
-pub(super) fn named_pair(
+pub(crate) fn named_pair(
     path: &Path,
     model: &Mechanism,
     names: &str,

@@ -107,6 +107,11 @@ fn taking_apart() {
 }
 
 #[test]
+fn clashes() {
+    is_true("clash.md", 1);
+}
+
+#[test]
 fn cages_and_escape() {
     is_true("escape.md", 2);
 }

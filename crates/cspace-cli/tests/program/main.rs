@@ -3,6 +3,7 @@
 
 mod answers;
 mod assembly;
+mod clash;
 mod classes;
 mod command;
 #[cfg(unix)]

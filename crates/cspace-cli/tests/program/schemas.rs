@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::helpers::{json, mechanism, model};
+use crate::helpers::{cspace, json, mechanism, model};
 
 fn schema(command: &str) -> Value {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/answers");
@@ -133,6 +133,18 @@ fn answers_are_as_their_schemas_say() {
     is_told(
         "simulate",
         &json(&["simulate", jam, "--time", "9", "--rates"]),
+    );
+    for name in ["latch_box", "ratchet_mechanism"] {
+        is_told("clash", &json(&["clash", &model(name)]));
+    }
+    let record = dir.path().join("record.json");
+    let record = record.to_str().unwrap();
+    cspace(&["simulate", &driven[0], "--time", "0.2", "-o", record])
+        .assert()
+        .success();
+    is_told(
+        "clash",
+        &json(&["clash", &driven[0], "--along", record, "--within", "9"]),
     );
     for name in ["latch_box", "fixture_plate"] {
         is_told("assembly", &json(&["assembly", &model(name)]));

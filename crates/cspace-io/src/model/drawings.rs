@@ -1,19 +1,18 @@
 //! Outlines of parts that a model takes from drawings.
 
-use std::path::Path;
-
 use cspace::{Part, Point};
 use cspace_drawing::{Conversion, DrawingError, Pick, Settings, Source};
 
 use super::error::ModelError;
 use super::node::Node;
+use super::read::Files;
 use super::table::{Result, Table, number};
 use crate::shown::quoted;
 
 /// What a model says for all of its parts.
 pub(super) struct Setting<'a> {
-    /// The folder that the names of drawings are relative to.
-    pub(super) folder: &'a Path,
+    /// The drawings that it may name.
+    pub(super) files: &'a Files<'a>,
     /// The label of the unit of length.
     pub(super) unit: Option<&'a str>,
     /// What whoever reads the model should know, at its place.
@@ -72,7 +71,7 @@ pub(super) fn read_drawing(
 ) -> Result<Part> {
     let file = table.text(key)?.unwrap_or_default();
     let expected = if key == "points" { "csv" } else { key };
-    let path = setting.folder.join(file);
+    let path = setting.files.folder.join(file);
     let extension = path.extension().unwrap_or_default();
     if !extension.eq_ignore_ascii_case(expected) {
         let message = format!("the name {} does not end in .{expected}", quoted(file));
@@ -84,6 +83,11 @@ pub(super) fn read_drawing(
         id: table.text("id")?.map(str::to_owned),
         hatches: table.flag("hatches")?,
     };
+    (setting.files.host.guard)(&path).map_err(|refused| {
+        table
+            .error(key, format!("{}: {}", path.display(), refused.message))
+            .with_help(refused.help)
+    })?;
     let wrong = |e: &DrawingError| {
         table
             .error(key, format!("{}: {e}", path.display()))

@@ -13,7 +13,7 @@ use super::parts::read_parts;
 use super::place::Place;
 use super::relations::{read_joints, read_pairs};
 use super::table::{Result, Table};
-use crate::file::{extension, read_text, too_large, without_mark};
+use crate::file::{Host, extension, read_text, too_large, without_mark};
 use crate::shown;
 
 /// The largest models read, in bytes: either takes some 2 GB of memory and ten seconds to tell what is in it. A part may have
@@ -64,18 +64,14 @@ fn largest(path: &Path) -> u64 {
 /// # Errors
 /// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
 pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelError> {
-    read_noting(path, &mut Vec::new())
+    read_hosted(path.as_ref(), &Host::default())
 }
 
-/// As [`read`], and adds what whoever reads the model should know, such as that a drawing was converted from another unit.
-///
-/// # Errors
-/// As [`read`].
-pub fn read_noting(
-    path: impl AsRef<Path>,
-    notes: &mut Vec<String>,
+/// As [`read`], on behalf of a program that has been asked about the model already.
+pub(crate) fn read_hosted(
+    path: &Path,
+    host: &Host<'_>,
 ) -> core::result::Result<Mechanism, ModelError> {
-    let path = path.as_ref();
     let extension = extension(path);
     if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
         let message = match extension.as_str() {
@@ -92,14 +88,14 @@ pub fn read_noting(
             .with_help(help)
             .in_file(&path.display().to_string()));
     }
-    from_text(path, &read_text(path, largest(path))?, notes)
+    from_text(path, &read_text(path, largest(path))?, host)
 }
 
 /// The model in the text of a file, whose extension tells whether it is JSON.
 pub(crate) fn from_text(
     path: &Path,
     text: &str,
-    notes: &mut Vec<String>,
+    host: &Host<'_>,
 ) -> core::result::Result<Mechanism, ModelError> {
     let file = path.display().to_string();
     // It may have been read as a saved space, which may be longer.
@@ -107,11 +103,14 @@ pub(crate) fn from_text(
     if text.len() as u64 > limit {
         return Err(too_large(path, limit));
     }
-    let folder = path.parent().unwrap_or(Path::new(""));
+    let files = Files {
+        folder: path.parent().unwrap_or(Path::new("")),
+        host,
+    };
     let mut model = if extension(path) == "json" {
-        json_in(text, &file, folder, notes)
+        json_in(text, &file, &files)
     } else {
-        toml_in(text, &file, folder, notes)
+        toml_in(text, &file, &files)
     }?;
     if model.name.is_empty() {
         model.name = path
@@ -137,14 +136,13 @@ pub(crate) fn from_text(
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    toml_in(text, file, folder_of(file), &mut Vec::new())
+    toml_in(text, file, &Files::beside(file, &Host::default()))
 }
 
 pub(crate) fn toml_in(
     text: &str,
     file: &str,
-    folder: &Path,
-    notes: &mut Vec<String>,
+    files: &Files<'_>,
 ) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
@@ -158,8 +156,10 @@ pub(crate) fn toml_in(
         let position = in_toml(text, e.tree_place());
         e.at(position).in_file(file)
     };
-    let (model, told) = from_tree(&tree, folder).map_err(placed)?;
-    notes.extend(told.into_iter().map(|n| placed(n).to_string()));
+    let (model, notes) = from_tree(&tree, files).map_err(placed)?;
+    for note in notes {
+        (files.host.note)(&placed(note).to_string());
+    }
     Ok(model)
 }
 
@@ -175,19 +175,31 @@ pub(crate) fn toml_in(
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    json_in(text, file, folder_of(file), &mut Vec::new())
+    json_in(text, file, &Files::beside(file, &Host::default()))
 }
 
-/// Where drawings are that a model names.
-fn folder_of(file: &str) -> &Path {
-    Path::new(file).parent().unwrap_or(Path::new(""))
+/// Where drawings are that a model names, and on whose behalf they are read.
+#[derive(Clone, Copy)]
+pub(crate) struct Files<'a> {
+    /// The folder that the names of drawings are relative to.
+    pub(super) folder: &'a Path,
+    pub(super) host: &'a Host<'a>,
+}
+
+impl<'a> Files<'a> {
+    /// Drawings relative to the folder of a file.
+    pub(crate) fn beside(file: &'a str, host: &'a Host<'a>) -> Self {
+        Self {
+            folder: Path::new(file).parent().unwrap_or(Path::new("")),
+            host,
+        }
+    }
 }
 
 pub(crate) fn json_in(
     text: &str,
     file: &str,
-    folder: &Path,
-    notes: &mut Vec<String>,
+    files: &Files<'_>,
 ) -> core::result::Result<Mechanism, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
@@ -196,8 +208,10 @@ pub(crate) fn json_in(
         let position = in_json(text, e.tree_place());
         e.at(position).in_file(file)
     };
-    let (model, told) = from_tree(&tree, folder).map_err(placed)?;
-    notes.extend(told.into_iter().map(|n| placed(n).to_string()));
+    let (model, notes) = from_tree(&tree, files).map_err(placed)?;
+    for note in notes {
+        (files.host.note)(&placed(note).to_string());
+    }
     Ok(model)
 }
 
@@ -234,7 +248,7 @@ fn not_empty(text: &str) -> Result<()> {
 }
 
 /// The model, and what whoever reads it should know.
-fn from_tree(tree: &Node, folder: &Path) -> Result<(Mechanism, Vec<ModelError>)> {
+fn from_tree(tree: &Node, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
     let root = Place::default();
     let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
     let parts = table
@@ -251,7 +265,7 @@ fn from_tree(tree: &Node, folder: &Path) -> Result<(Mechanism, Vec<ModelError>)>
     }
     table.text("$schema")?;
     let mut setting = Setting {
-        folder,
+        files,
         unit: table.text("unit")?,
         notes: Vec::new(),
     };

@@ -17,8 +17,8 @@ use cspace::pair::PairData;
 use cspace::{ContactSpace, FixedAxesSpace, LowerPair, Mechanism, PairSpace};
 use serde_json::value::RawValue;
 
-use crate::file::{extension, read_text, text_of, without_mark};
-use crate::model::no_json;
+use crate::file::{Host, extension, read_text, text_of, without_mark};
+use crate::model::{Files, no_json};
 use crate::{ModelError, model};
 
 use check::{check_angles, check_names, is_plain};
@@ -133,27 +133,29 @@ impl SavedFile {
 /// # Errors
 /// If the file cannot be read, or is neither; the error says where and what to do.
 pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
-    read_noting(path, &mut Vec::new())
+    read_hosted(path, &Host::default())
 }
 
-/// As [`read`], and adds what whoever reads a model should know, such as that a drawing was converted from another unit.
+/// As [`read`], on behalf of a program.
 ///
 /// # Errors
-/// As [`read`].
-pub fn read_noting(
-    path: impl AsRef<Path>,
-    notes: &mut Vec<String>,
-) -> Result<Document, ModelError> {
+/// As [`read`]; and where the program's guard refuses a file.
+pub fn read_hosted(path: impl AsRef<Path>, host: &Host<'_>) -> Result<Document, ModelError> {
     let path = path.as_ref();
+    (host.guard)(path).map_err(|refused| {
+        ModelError::of_file(refused.message)
+            .with_help(refused.help)
+            .in_file(&path.display().to_string())
+    })?;
     if extension(path) == "json" {
         let text = read_text(path, LARGEST)?;
         if is_saved(&text) {
             let file = SavedFile::from_json(&text, &path.display().to_string())?;
             return Ok(Document::Space(Box::new(file)));
         }
-        return model::from_text(path, &text, notes).map(|m| Document::Model(Box::new(m)));
+        return model::from_text(path, &text, host).map(|m| Document::Model(Box::new(m)));
     }
-    model::read_noting(path, notes).map(|m| Document::Model(Box::new(m)))
+    model::read_hosted(path, host).map(|m| Document::Model(Box::new(m)))
 }
 
 /// As [`read`], from what a reader gives; `file` is what errors call it. Text that begins with a brace is JSON, other text TOML.
@@ -161,17 +163,17 @@ pub fn read_noting(
 /// # Errors
 /// As [`read`].
 pub fn read_from(source: impl std::io::Read, file: &str) -> Result<Document, ModelError> {
-    read_from_noting(source, file, &mut Vec::new())
+    read_from_hosted(source, file, &Host::default())
 }
 
-/// As [`read_from`], and adds what whoever reads a model should know.
+/// As [`read_from`], on behalf of a program, whose guard is asked before a drawing is opened that the model names.
 ///
 /// # Errors
-/// As [`read`].
-pub fn read_from_noting(
+/// As [`read_from`]; and where the guard refuses.
+pub fn read_from_hosted(
     source: impl std::io::Read,
     file: &str,
-    notes: &mut Vec<String>,
+    host: &Host<'_>,
 ) -> Result<Document, ModelError> {
     let text = text_of(source, LARGEST, file)?;
     let is_json = without_mark(&text).trim_start().starts_with('{');
@@ -179,11 +181,10 @@ pub fn read_from_noting(
         let saved = SavedFile::from_json(&text, file)?;
         return Ok(Document::Space(Box::new(saved)));
     }
-    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
     let mut model = if is_json {
-        model::json_in(&text, file, folder, notes)
+        model::json_in(&text, file, &Files::beside(file, host))
     } else {
-        model::toml_in(&text, file, folder, notes)
+        model::toml_in(&text, file, &Files::beside(file, host))
     }?;
     if model.name.is_empty() {
         file.clone_into(&mut model.name);

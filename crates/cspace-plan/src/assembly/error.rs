@@ -46,15 +46,15 @@ pub enum AssemblyError {
     },
     /// Two parts overlap as they are drawn.
     #[error(
-        "parts {first} and {second} overlap as they are drawn, by {depth:.6}, which is more than the gap of {gap:.2e}; move them apart in the model, or give a larger gap"
+        "parts {first} and {second} overlap as they are drawn, by {}more than the gap of {gap:.2e}; move them apart in the model, or give a larger gap", by(*.depth)
     )]
     Overlap {
         /// The one's name.
         first: String,
         /// The other's.
         second: String,
-        /// How far it is to the nearest place where they do not, in the model's unit.
-        depth: f64,
+        /// The length of the shortest translation that separates them, in the model's unit; none if they have too many edges for it.
+        depth: Option<f64>,
         /// The gap.
         gap: f64,
     },
@@ -70,4 +70,9 @@ pub enum AssemblyError {
     /// A way cannot be asked for.
     #[error(transparent)]
     Plan(#[from] PlanError),
+}
+
+/// How much an overlap is, where that is known.
+fn by(depth: Option<f64>) -> String {
+    depth.map_or(String::new(), |d| format!("{d:.6}, which is "))
 }

@@ -1,10 +1,9 @@
 //! What moves as one.
 
-use cspace::{AxisMotion, Mechanism, Options, PairSpace, Part, Relation, pair::Joint};
+use cspace::{AxisMotion, Mechanism, Part, pair::Joint};
 
-use crate::answer::Verdict;
+use crate::clash::depth;
 use crate::legs::Scene;
-use crate::planner::{Clearance, Planner, Wishes};
 
 use super::answer::PartFeature;
 use super::error::AssemblyError;
@@ -114,7 +113,7 @@ impl Units {
                     return Err(AssemblyError::Overlap {
                         first: a.name().to_owned(),
                         second: b.name().to_owned(),
-                        depth: depth(drawn[i], drawn[j])?,
+                        depth: depth(drawn[i], drawn[j]),
                         gap,
                     });
                 }
@@ -180,19 +179,4 @@ fn extent<'a>(parts: impl Iterator<Item = &'a Part>) -> f64 {
         max = [max[0].max(b.max.x), max[1].max(b.max.y)];
     }
     (max[0] - min[0]).hypot(max[1] - min[1])
-}
-
-/// How deep two parts overlap as they are drawn.
-fn depth(a: &Part, b: &Part) -> Result<f64, AssemblyError> {
-    let space = PairSpace::compute(a, b, Relation::Planar, &Options::default())?;
-    let at = cspace::Coordinates::Planar(cspace::Configuration::default());
-    let wishes = Wishes {
-        clearance: Clearance::Quick,
-        ..Wishes::default()
-    };
-    let answer = Planner::new(&space)?.plan(at, at, &wishes)?;
-    Ok(match answer.verdict {
-        Verdict::FromBlocked(blocked) => blocked.depth,
-        _ => 0.0,
-    })
 }

@@ -1,43 +1,22 @@
 //! Whether parts overlap deeply.
 
-use cspace::{Edge, Part, Point, Vector};
+use cspace::{Edge, Part, Point};
 
-use super::pose::Placed;
+use super::at::At;
 
+/// Points of one boundary that are deepest in the other are looked for on common normals up to so many depths long.
+pub(super) const NORMALS: f64 = 8.0;
 /// Pieces of the boundary are halved down to so many of the depths that are asked for.
 const SHORTEST: f64 = 4.0;
-
-/// A part at a place.
-pub(super) struct At<'a> {
-    pub(super) part: &'a Part,
-    pub(super) placed: Placed,
-    /// What the placed frame's points are less than the part's own.
-    pub(super) origin: Vector,
-}
-
-impl At<'_> {
-    fn out(&self, q: Point) -> Point {
-        self.placed.point(q - self.origin).at
-    }
-
-    fn back(&self, p: Point) -> Point {
-        self.placed.back(p) + self.origin
-    }
-}
 
 /// Whether some point of one part's boundary lies deeper in the other's material than a depth: then the parts overlap wherever no
 /// point of them has moved farther than that against the other.
 ///
 /// A boundary is deepest in a corner, on a common normal, of which `feet` are the ends, or where two places of the other boundary are
 /// equally near. The last are found if they are deep enough for pieces of the boundary to show it.
-pub(super) fn is_deep(
-    (a, b): (&At<'_>, &At<'_>),
-    (origin_a, origin_b): (Vector, Vector),
-    feet: &[(Point, Point)],
-    depth: f64,
-) -> bool {
-    let of_a = feet.iter().map(|&(p, _)| p + origin_a);
-    let of_b = feet.iter().map(|&(_, q)| q + origin_b);
+pub(super) fn is_deep(a: &At<'_>, b: &At<'_>, feet: &[(Point, Point)], depth: f64) -> bool {
+    let of_a = feet.iter().map(|&(p, _)| p + a.origin);
+    let of_b = feet.iter().map(|&(_, q)| q + b.origin);
     within(a, b, of_a, depth) || within(b, a, of_b, depth)
 }
 

@@ -5,12 +5,15 @@
 //! alone, and nothing of their contact space: a path that it passes is free whatever the space says.
 
 mod apart;
+mod at;
+mod body;
 mod depth;
 mod flat;
 mod flats;
 mod meet;
 mod near;
 mod normals;
+mod overlap;
 mod pieces;
 mod pose;
 mod scene;
@@ -18,6 +21,7 @@ mod search;
 mod shape;
 mod tree;
 
+pub(crate) use body::{Between, Body};
 pub use near::{Coords, Near};
 pub use scene::Scene;
 pub use search::Nearest;

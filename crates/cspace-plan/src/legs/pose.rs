@@ -1,6 +1,8 @@
 //! Where a part is along a leg.
 
-use cspace::{Point, Rotation, Vector};
+use cspace::{AxisMotion, Point, Rotation, Vector};
+
+use super::near::Coords;
 
 /// A motion of constant rates for times from 0 to 1: the part's point q is at from + velocity t + R(angle + turning t) q.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,6 +13,14 @@ pub(super) struct Pose {
     pub(super) angle: f64,
     /// Radians for the whole leg.
     pub(super) turning: f64,
+}
+
+/// The point of a part that is the origin of its placed frame: what it turns about on an axis.
+pub(super) fn origin(motion: AxisMotion) -> Vector {
+    match motion {
+        AxisMotion::Revolute { center } => center.to_vector(),
+        _ => Vector::ZERO,
+    }
 }
 
 /// The pose at one time.
@@ -24,6 +34,45 @@ pub(super) struct Placed {
 }
 
 impl Pose {
+    /// The pose of a part that does not move, whose frame is that of the assembly.
+    pub(super) const STILL: Self = Self {
+        from: Point::ORIGIN,
+        velocity: Vector::ZERO,
+        angle: 0.0,
+        turning: 0.0,
+    };
+
+    /// A part in the plane, at x, y and θ.
+    pub(super) fn planar(from: Coords, to: Coords) -> Self {
+        Self {
+            from: Point::new(from[0], from[1]),
+            velocity: Vector::new(to[0] - from[0], to[1] - from[1]),
+            angle: from[2],
+            turning: to[2] - from[2],
+        }
+    }
+
+    /// A part on an axis. What turns does so about the origin of its placed frame, see [`origin`].
+    pub(super) fn on_axis(motion: AxisMotion, from: f64, to: f64) -> Self {
+        match motion {
+            AxisMotion::Fixed => Self::STILL,
+            AxisMotion::Revolute { center } => Self {
+                from: center,
+                angle: from,
+                turning: to - from,
+                ..Self::STILL
+            },
+            AxisMotion::Prismatic { direction } => {
+                let d = direction.unit();
+                Self {
+                    from: Point::ORIGIN + d * from,
+                    velocity: d * (to - from),
+                    ..Self::STILL
+                }
+            }
+        }
+    }
+
     pub(super) fn at(&self, t: f64) -> Placed {
         let angle = self.angle + self.turning * t;
         Placed {

@@ -5,15 +5,15 @@ use cspace::{
     Vector,
 };
 
-use super::depth::{At, is_deep};
+use super::at::At;
+use super::depth::{NORMALS, is_deep};
 use super::near::{Coords, Near};
-use super::pose::Pose;
+use super::overlap::overlap;
+use super::pose::{Pose, origin};
 use super::search::{Nearest, Search};
 use super::shape::Piece;
 use super::tree::Tree;
 
-/// Points of one boundary that are deepest in the other are looked for on common normals up to so many depths long.
-const NORMALS: f64 = 8.0;
 const UNLIMITED: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Two parts and how their coordinates move them.
@@ -127,48 +127,18 @@ impl Scene {
     /// Whether the parts overlap at a configuration at which they do not just touch: their boundaries cross, or a loop of one is
     /// within the other.
     pub fn overlaps(&self, at: Coords) -> bool {
-        if self.search(at, at).crosses() {
-            return true;
-        }
-        let (a, b) = self.poses(at, at);
-        let (a, b) = (a.at(0.0), b.at(0.0));
-        let (origin_a, origin_b) = origins(self.motions);
-        let (fixed, moving) = &self.parts;
-        let starts = |part: &Part| -> Vec<Point> {
-            (part.loops().iter())
-                .filter_map(|l| l.vertices().first().map(|v| v.point()))
-                .collect()
-        };
-        // A point q of a part is at its placed frame's image of q less the origin of its axis.
-        let mut within = starts(moving).into_iter().any(|q| {
-            let at = b.point(q - origin_b).at;
-            fixed.contains(a.back(at) + origin_a)
-        });
-        within |= starts(fixed).into_iter().any(|q| {
-            let at = a.point(q - origin_a).at;
-            moving.contains(b.back(at) + origin_b)
-        });
-        within
+        let (a, b) = self.placed(at);
+        overlap(&self.search(at, at), &a, &b)
     }
 
     /// Whether the parts overlap at a configuration, and at all others from which no point of them has moved farther than `depth`
     /// against the other. What overlaps five times as deep is always found,
     /// and most of what overlaps deeper.
     pub fn overlaps_deeply(&self, at: Coords, depth: f64) -> bool {
-        let (a, b) = self.poses(at, at);
-        let (origin_a, origin_b) = origins(self.motions);
-        let placed = |part, pose: Pose, origin| At {
-            part,
-            placed: pose.at(0.0),
-            origin,
-        };
-        let (a, b) = (
-            placed(&self.parts.0, a, origin_a),
-            placed(&self.parts.1, b, origin_b),
-        );
+        let (a, b) = self.placed(at);
         let mut feet = Vec::new();
         (self.search(at, at)).within(NORMALS * depth, |near| feet.push(near.points));
-        is_deep((&a, &b), (origin_a, origin_b), &feet, depth)
+        is_deep(&a, &b, &feet, depth)
     }
 
     /// How far a point of a part moves at most, for a unit of each coordinate: lengths, in the model's unit.
@@ -212,39 +182,28 @@ impl Scene {
     }
 
     fn poses(&self, from: Coords, to: Coords) -> (Pose, Pose) {
-        let still = Pose {
-            from: Point::ORIGIN,
-            velocity: Vector::ZERO,
-            angle: 0.0,
-            turning: 0.0,
+        match self.motions {
+            None => (Pose::STILL, Pose::planar(from, to)),
+            Some((a, b)) => (
+                Pose::on_axis(a, from[0], to[0]),
+                Pose::on_axis(b, from[1], to[1]),
+            ),
+        }
+    }
+
+    /// Both parts at a configuration.
+    fn placed(&self, at: Coords) -> (At<'_>, At<'_>) {
+        let (a, b) = self.poses(at, at);
+        let (origin_a, origin_b) = origins(self.motions);
+        let placed = |part, pose: Pose, origin| At {
+            part,
+            placed: pose.at(0.0),
+            origin,
         };
-        let Some((a, b)) = self.motions else {
-            let moving = Pose {
-                from: Point::new(from[0], from[1]),
-                velocity: Vector::new(to[0] - from[0], to[1] - from[1]),
-                angle: from[2],
-                turning: to[2] - from[2],
-            };
-            return (still, moving);
-        };
-        let along = |motion: AxisMotion, s: f64, t: f64| match motion {
-            AxisMotion::Fixed => still,
-            AxisMotion::Revolute { center } => Pose {
-                from: center,
-                angle: s,
-                turning: t - s,
-                ..still
-            },
-            AxisMotion::Prismatic { direction } => {
-                let d = direction.unit();
-                Pose {
-                    from: Point::ORIGIN + d * s,
-                    velocity: d * (t - s),
-                    ..still
-                }
-            }
-        };
-        (along(a, from[0], to[0]), along(b, from[1], to[1]))
+        (
+            placed(&self.parts.0, a, origin_a),
+            placed(&self.parts.1, b, origin_b),
+        )
     }
 
     fn search(&self, from: Coords, to: Coords) -> Search<'_> {
@@ -273,15 +232,7 @@ impl Scene {
 
     /// The points of the boundaries that are nearest, of the fixed and of the moving part, in the frame of the assembly.
     pub fn nearest_points(&self, at: Coords) -> Option<(Point, Point)> {
-        /// More than rounding.
-        const SLACK: f64 = 1e-6;
-        let distance = self.clearance(at);
-        let near = (self.near(at, distance * (1.0 + SLACK) + self.size * f64::EPSILON))
-            .into_iter()
-            .min_by(|a, b| a.distance.total_cmp(&b.distance))?;
-        let (a, _) = self.poses(at, at);
-        let on_fixed = a.at(0.0).point(near.points.0).at;
-        Some((on_fixed, on_fixed + near.direction * near.distance))
+        self.search(at, at).nearest_points()
     }
 
     /// The least distance of the boundaries along a leg, right to a millionth.
@@ -323,12 +274,8 @@ impl Scene {
     }
 }
 
-/// The points of the two parts that are the origins of their placed frames: what they turn about.
+/// The points of the two parts that are the origins of their placed frames.
 fn origins(motions: Option<(AxisMotion, AxisMotion)>) -> (Vector, Vector) {
-    let origin = |motion: AxisMotion| match motion {
-        AxisMotion::Revolute { center } => center.to_vector(),
-        _ => Vector::ZERO,
-    };
     motions.map_or((Vector::ZERO, Vector::ZERO), |(a, b)| {
         (origin(a), origin(b))
     })

@@ -1,6 +1,6 @@
 //! Branch and bound over pairs of discs and over time.
 
-use cspace::FeatureName;
+use cspace::{FeatureName, Point};
 
 use super::apart::Apart;
 use super::meet::meet;
@@ -105,6 +105,16 @@ impl<'a> Search<'a> {
         self.at_but(time, None)
     }
 
+    /// The distance at one time if it is less than a limit; else infinite.
+    pub(super) fn at_below(&self, time: f64, limit: f64) -> Nearest {
+        let mut best = Best {
+            relative: 0.0,
+            ..Best::least(limit)
+        };
+        self.visit(&self.over(time, time), self.roots(), &mut best);
+        best.found
+    }
+
     /// The distance at one time, but for two features that are passed over.
     pub(super) fn at_but(&self, time: f64, passed: Option<(FeatureName, FeatureName)>) -> Nearest {
         let mut best = Best {
@@ -129,6 +139,29 @@ impl<'a> Search<'a> {
         }
         self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
         best.found
+    }
+
+    /// The least distance for times from 0 to 1 if it is less than a limit; else infinite.
+    pub(super) fn least_below(&self, limit: f64) -> Nearest {
+        let mut best = Best::least(limit);
+        self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
+        best.found
+    }
+
+    /// The points of the boundaries that are nearest at the start, of the fixed and of the moving part, in the frame of the
+    /// assembly; of boundaries that cross those that are nearest to a touch.
+    pub(super) fn nearest_points(&self) -> Option<(Point, Point)> {
+        /// More than rounding.
+        const SLACK: f64 = 1e-6;
+        let distance = self.at(0.0).distance;
+        let limit = distance * (1.0 + SLACK) + LEAST * self.rounding;
+        let mut nearest: Option<(Point, Point)> = None;
+        self.normals_within(limit, |_, (p, q)| {
+            if nearest.is_none_or(|(a, b)| p.distance(q) < a.distance(b)) {
+                nearest = Some((p, q));
+            }
+        });
+        nearest
     }
 
     /// Whether the distance is more than a limit for times from 0 to 1.
@@ -247,6 +280,30 @@ impl<'a> Search<'a> {
     /// Calls `with` for every two pieces nearer than a distance at the start.
     pub(super) fn within(&self, distance: f64, mut with: impl FnMut(Near)) {
         let over = self.over(0.0, 0.0);
+        self.normals_within(distance, |features, (p, q)| {
+            let way = q - p;
+            let length = way.length();
+            if length == 0.0 {
+                return;
+            }
+            with(Near {
+                distance: length,
+                gradient: [0.0; 3],
+                features,
+                points: (over.fixed.back(p), over.moving.back(q)),
+                direction: way * (1.0 / length),
+            });
+        });
+    }
+
+    /// Calls `with` for every common normal of two pieces that is shorter than a distance at the start: with the features, and
+    /// its ends in the frame of the assembly.
+    fn normals_within(
+        &self,
+        distance: f64,
+        mut with: impl FnMut((FeatureName, FeatureName), (Point, Point)),
+    ) {
+        let over = self.over(0.0, 0.0);
         let mut stack = vec![self.roots()];
         while let Some(pair) = stack.pop() {
             if self.bound(&over, pair) >= distance {
@@ -255,33 +312,17 @@ impl<'a> Search<'a> {
             let (a, b) = self.node(pair);
             match (a.holds, b.holds) {
                 (Holds::Piece(i), Holds::Piece(j)) => {
-                    self.normals(&over, (i, j), distance, &mut with);
+                    let a = &self.fixed.pieces[i as usize];
+                    let b = &self.moving.pieces[j as usize];
+                    for (p, q) in normals((&over.fixed, &a.shape), (&over.moving, &b.shape)) {
+                        if p.distance(q) < distance {
+                            with((a.name, b.name), (p, q));
+                        }
+                    }
                 }
                 (Holds::Nodes(c, d), _) => stack.extend([(c, pair.1), (d, pair.1)]),
                 (_, Holds::Nodes(c, d)) => stack.extend([(pair.0, c), (pair.0, d)]),
             }
-        }
-    }
-
-    /// The common normals of two pieces that are shorter than a distance.
-    fn normals(&self, over: &Over, pair: (u32, u32), distance: f64, with: &mut impl FnMut(Near)) {
-        let (a, b) = (
-            &self.fixed.pieces[pair.0 as usize],
-            &self.moving.pieces[pair.1 as usize],
-        );
-        for (p, q) in normals((&over.fixed, &a.shape), (&over.moving, &b.shape)) {
-            let way = q - p;
-            let length = way.length();
-            if length >= distance || length == 0.0 {
-                continue;
-            }
-            with(Near {
-                distance: length,
-                gradient: [0.0; 3],
-                features: (a.name, b.name),
-                points: (over.fixed.back(p), over.moving.back(q)),
-                direction: way * (1.0 / length),
-            });
         }
     }
 }

@@ -142,6 +142,7 @@ fn overlaps_are_refused_by_name_and_depth() {
             ..
         }) => {
             assert_eq!((first.as_str(), second.as_str()), ("left", "right"));
+            let depth = depth.unwrap();
             assert!((depth - 0.1).abs() < 1e-9, "{depth}");
         }
         other => panic!("{other:?}"),

@@ -4,12 +4,14 @@
 //! (`guard.rs`). It knows the routes in `routes.rs` and no others, reads and writes no files, and computes on threads of its
 //! own (`work.rs`).
 
+mod connections;
 mod guard;
 mod newest;
 mod reply;
 mod routes;
 mod work;
 
+use core::convert::Infallible;
 use std::io::ErrorKind;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 
@@ -82,19 +84,20 @@ impl Server {
     /// Answers requests until the process ends.
     ///
     /// # Errors
-    /// If the system does not let it.
-    pub fn run(self) -> Result<(), ServeError> {
+    /// If the system does not let it begin.
+    pub fn run(self) -> Result<Infallible, ServeError> {
         /// Requests are few, and what takes long is done by other threads.
         const THREADS: usize = 2;
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(THREADS)
             .enable_io()
+            .enable_time()
             .build()?;
         runtime.block_on(async {
             self.listener.set_nonblocking(true)?;
             let listener = tokio::net::TcpListener::from_std(self.listener)?;
             let router = routes::router(&self.token, self.address.port(), self.work);
-            Ok(axum::serve(routes::without_delay(listener), router).await?)
+            connections::serve(listener, router).await
         })
     }
 }

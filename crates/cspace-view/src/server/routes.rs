@@ -11,10 +11,11 @@ use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::from_fn_with_state;
 use axum::response::Response;
 use axum::routing::{get, post};
-use axum::serve::{Listener, ListenerExt};
 use serde::de::DeserializeOwned;
 use tokio::task::spawn_blocking;
+use tokio::time::timeout;
 
+use super::connections::PATIENCE;
 use super::guard::{Names, guard};
 use super::reply::{Fault, json, of_type};
 use super::work::{EditRequest, ModelRequest, Work};
@@ -40,16 +41,6 @@ pub(super) fn router(token: &str, port: u16, work: Work) -> Router {
         .fallback(async || nothing_here())
         .layer(from_fn_with_state(Names::of(port), guard))
         .with_state(Arc::new(work))
-}
-
-/// Small answers are sent at once, and not kept until there is more to send.
-pub(super) fn without_delay(
-    listener: tokio::net::TcpListener,
-) -> impl Listener<Addr = std::net::SocketAddr> {
-    listener.tap_io(|stream| {
-        // It would only be slower.
-        let _ = stream.set_nodelay(true);
-    })
 }
 
 fn nothing_here() -> Fault {
@@ -116,7 +107,12 @@ async fn parsed<T: DeserializeOwned>(request: Request) -> Result<T, Fault> {
     if length.is_some_and(|l| l > LONGEST_BODY) {
         return Err(too_long());
     }
-    let body = to_bytes(request.into_body(), LONGEST_BODY).await;
+    let body = timeout(PATIENCE, to_bytes(request.into_body(), LONGEST_BODY));
+    let body = body.await.map_err(|_| {
+        let seconds = PATIENCE.as_secs();
+        let message = format!("the body did not come within {seconds} s");
+        Fault::new(StatusCode::REQUEST_TIMEOUT, message)
+    })?;
     // If it is the connection that fails, nobody gets the answer.
     let bytes = body.map_err(|_| too_long())?;
     serde_json::from_slice(&bytes).map_err(|e| {

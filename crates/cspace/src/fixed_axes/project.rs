@@ -24,12 +24,13 @@ impl FixedAxesSpace {
     /// radian being as far as `length_per_radian`. Coordinates of parts that turn without limits are taken modulo a turn:
     /// the answer's are those images that are nearest to the ones given.
     ///
-    /// `None` if there is no such patch, or a part that does not move is not at 0.
+    /// `None` if there is no such patch, a part that does not move is not at 0, or it is not nearer than `known`.
     pub(crate) fn project(
         &self,
         (u, v): (f64, f64),
         patch: usize,
         length_per_radian: f64,
+        known: f64,
     ) -> Option<((f64, f64), f64)> {
         let (x, y) = self.setting.map.inner(u, v);
         let scale = self.setting.map.frame.scale;
@@ -42,7 +43,8 @@ impl FixedAxesSpace {
             weight(self.setting.motions.first, x)?,
             weight(self.setting.motions.second, y)?,
         );
-        let mut best: Found = ((x, y), f64::INFINITY);
+        let known = known * scale;
+        let mut best: Found = ((x, y), known);
         for branch in self.data.patches.get(patch)?.branches.clone() {
             let cell = self.data.branches[branch as usize].cell;
             if let Some(share) = self.setting.on_one_line() {
@@ -61,7 +63,7 @@ impl FixedAxesSpace {
             }
         }
         let (a, b) = best.0;
-        Some((self.setting.outer(a, b), best.1 / scale))
+        (best.1 < known).then(|| (self.setting.outer(a, b), best.1 / scale))
     }
 
     /// The nearest place of a cell, if it is nearer than what is known.

@@ -7,6 +7,9 @@ use std::collections::BinaryHeap;
 const ACCURACY: f64 = 1.0 / (1u64 << 37) as f64;
 /// And to this share of itself: more than the rounding of large values.
 const SHARE: f64 = 1e-12;
+/// Intervals are not halved below this (radians, or lengths of a pair's frame, about 5.7e-14): over less, distances change by less
+/// than [`ACCURACY`], and what rounding hides, as where a curve begins, no halving shows.
+const NARROWEST: f64 = 1.0 / (1u64 << 44) as f64;
 
 /// A function that is not negative, with bounds over intervals.
 pub(crate) trait Bounded {
@@ -42,7 +45,7 @@ pub(crate) fn least(f: &impl Bounded, (lo, hi): (f64, f64), known: f64) -> Optio
         }
         let (lo, hi): (f64, f64) = parts[number];
         let mid = 0.5 * (lo + hi);
-        if mid <= lo || mid >= hi {
+        if hi - lo <= NARROWEST || mid <= lo || mid >= hi {
             continue;
         }
         look(mid, &mut best);
@@ -108,5 +111,27 @@ mod tests {
             assert!(value > sampled - 1e-4, "{rate}");
             assert_eq!(least(&f, (lo, hi), value), None);
         }
+    }
+
+    /// t² + 1, of which nothing is known close to 0, where floating-point numbers are dense.
+    struct Hidden(core::cell::Cell<u32>);
+
+    impl Bounded for Hidden {
+        fn at(&self, t: f64) -> f64 {
+            t * t + 1.0
+        }
+
+        fn below(&self, lo: f64, hi: f64) -> f64 {
+            self.0.set(self.0.get() + 1);
+            if lo < 1e-13 && hi > -1e-13 { 0.0 } else { 1.0 }
+        }
+    }
+
+    #[test]
+    fn what_is_hidden_by_rounding_is_not_halved_without_end() {
+        let hidden = Hidden(core::cell::Cell::new(0));
+        let (t, value) = least(&hidden, (-2e-13, 3.0), f64::INFINITY).unwrap();
+        assert!(t.abs() < 1e-6 && value == 1.0);
+        assert!(hidden.0.get() < 200, "{}", hidden.0.get());
     }
 }

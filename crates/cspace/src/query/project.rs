@@ -22,8 +22,39 @@ const NO_BETTER: f64 = 4.0;
 const STEPS: usize = 6;
 
 impl ContactSpace {
+    /// The patch that comes nearest to a configuration, with its nearest configuration and the distance of that, as
+    /// [`project`](Self::project) has them; none if there is no patch.
+    pub(crate) fn nearest_patch(
+        &self,
+        from: Configuration,
+        length_per_radian: f64,
+    ) -> Option<(usize, Configuration, f64)> {
+        // What seems near first, so that of the others little is looked at.
+        let mut order: Vec<(f64, usize)> = (self.patches().iter().enumerate())
+            .map(|(i, patch)| {
+                let near = images(from.theta, (patch.lo, patch.hi))
+                    .map(|theta| {
+                        let t = theta.clamp(patch.lo, patch.hi);
+                        let q = self.curve(patch, t).nearest(from.position());
+                        q.distance(from.position())
+                            .hypot(length_per_radian * (t - theta))
+                    })
+                    .fold(f64::INFINITY, f64::min);
+                (near, i)
+            })
+            .collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut best: Option<(usize, Configuration, f64)> = None;
+        for (_, i) in order {
+            let known = best.map_or(f64::INFINITY, |b| b.2);
+            let found = self.project(from, &self.patches()[i], length_per_radian, known);
+            best = found.map(|(at, distance)| (i, at, distance)).or(best);
+        }
+        best
+    }
+
     /// The configuration of a patch that is nearest to another, and its distance in the model's unit of length, turning by a
-    /// radian being as far as `length_per_radian`.
+    /// radian being as far as `length_per_radian`; none if it is not nearer than `known`.
     ///
     /// Orientations are taken modulo a turn. The answer's is that image which is nearest to the one given; of a space with a
     /// window, that in the window.
@@ -32,11 +63,13 @@ impl ContactSpace {
         from: Configuration,
         patch: &Patch,
         length_per_radian: f64,
-    ) -> (Configuration, f64) {
+        known: f64,
+    ) -> Option<(Configuration, f64)> {
         let frame = &self.data.frame;
         let at = Point::ORIGIN + (from.position() - frame.fixed_center) * frame.scale;
         let seat = Spiral::new(at, frame.moving_center.to_vector() * frame.scale);
-        let mut best = (from, f64::INFINITY);
+        let known = known * frame.scale;
+        let mut best = (from, known);
         for theta in images(from.theta, (patch.lo, patch.hi)) {
             let search = Search {
                 space: self,
@@ -60,7 +93,7 @@ impl ContactSpace {
                 best = (Configuration::new(q.x, q.y, shown), distance);
             }
         }
-        (best.0, frame.outer_length(best.1))
+        (best.1 < known).then(|| (best.0, frame.outer_length(best.1)))
     }
 }
 
@@ -192,15 +225,18 @@ impl Bounded for Search<'_> {
 
     fn below(&self, lo: f64, hi: f64) -> f64 {
         let (turned, turn) = Expansion::angle(lo, hi, self.theta);
+        let over = |e: Expansion| e.over.value;
+        let low = |b: Ball| b.mid - b.radius;
         let ways = self.ways(turn);
         let squares = self.squares(self.off(turn), ways, turned);
+        // An end lies on the carrier, and is no nearer than its foot.
+        let foot = low(squares[0].over.value);
         // Over the interval no better than in the middle.
         let hidden = |[x, y]: [Expansion; 2]| {
             let better = |e: Expansion| e.over.value.radius > NO_BETTER * e.at.value.radius;
             hi - lo <= HIDDEN && !(better(x) || better(y))
         };
         let [start, end] = ways;
-        let over = |e: Expansion| e.over.value;
         let skipped = [
             self.is_beside(
                 (over(turn.0), over(turn.1)),
@@ -211,7 +247,7 @@ impl Bounded for Search<'_> {
         ];
         (squares.into_iter().zip(skipped))
             .filter(|(_, skipped)| !skipped)
-            .map(|(square, _)| square.least().max(0.0).sqrt())
+            .map(|(square, _)| square.least().max(foot).max(0.0).sqrt())
             .fold(f64::INFINITY, f64::min)
     }
 }

@@ -3,7 +3,6 @@
 mod columns;
 
 use core::f64::consts::TAU;
-use std::io::Read;
 use std::path::Path;
 
 use cspace::{Configuration, Coordinates, PairSpace, QueryError};
@@ -13,6 +12,7 @@ use rayon::prelude::*;
 use crate::args::{ClassifyArgs, Column, Format};
 use crate::command::rows::{Rows, read};
 use crate::failure::Failure;
+use crate::input;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
@@ -27,23 +27,14 @@ const MOST_BYTES: u64 = 1 << 30;
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     args.common.result.check_answer()?;
     let common = &args.common;
-    output::check_apart_from_stdin(common.result.output.as_deref())?;
     if common.file == Path::new(output::STANDARD) {
         let failure = Failure::input("the model and the rows both come from standard input");
         return Err(failure.help("give the model as a file, and the rows on standard input"));
     }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .lock()
-        .take(MOST_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|e| Failure::input(format_args!("standard input: {e}")))?;
-    if bytes.len() as u64 > MOST_BYTES {
-        let failure = Failure::input("standard input: more than 1 GiB of rows");
-        return Err(failure.help("divide them, and classify one part after the other"));
-    }
+    let help = "divide the rows, and classify one part after the other";
+    let bytes = input::stdin(MOST_BYTES, help)?;
     let columns = columns(args)?;
     let rows = read(
         ("standard input", &bytes),

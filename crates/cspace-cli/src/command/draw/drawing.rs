@@ -8,6 +8,7 @@ use cspace_drawing::{Entity, Piece, Settings, Source};
 
 use crate::args::DrawArgs;
 use crate::failure::{Failure, warning};
+use crate::input;
 use crate::picture::{self, Plane};
 use crate::wording::count;
 
@@ -28,7 +29,7 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
     let failed = |e: cspace_drawing::DrawingError| {
         Failure::input(format_args!("{}: {e}", file.display())).help(e.help())
     };
-    let drawing = cspace_drawing::read(file, &Source::default()).map_err(failed)?;
+    let drawing = input::drawing(file, &Source::default())?.map_err(failed)?;
     let survey = drawing.survey(&Settings::default()).map_err(failed)?;
     if let [first, ..] = &survey.problems[..] {
         warning(

@@ -41,7 +41,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
         }
     };
     if is_drawing {
-        output::check_apart(output, &common.file)?;
+        output::check(output)?;
         return drawing::run(args, format);
     }
     let subject = Subject::open(common)?;

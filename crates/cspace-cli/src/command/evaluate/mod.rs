@@ -13,8 +13,9 @@ use cspace_baseline::paper::{self, PaperPair};
 
 use crate::args::{EvaluateArgs, Format};
 use crate::failure::Failure;
+use crate::interrupt::catch_interrupts;
 use crate::output;
-use crate::progress::{Steps, catch_interrupts};
+use crate::progress::Steps;
 use crate::subject::set_threads;
 
 use averages::Averages;

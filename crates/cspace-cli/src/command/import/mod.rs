@@ -15,6 +15,7 @@ use cspace_io::{model, shown};
 
 use crate::args::{Format, ImportArgs, Side};
 use crate::failure::{self, Failure};
+use crate::input;
 use crate::output;
 use crate::traces::{self, OTHER, quoted};
 use faces::Choice;
@@ -25,9 +26,6 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         check_name(path)?;
     }
     output::check(output)?;
-    for drawing in &args.drawings {
-        output::check_apart(output, drawing)?;
-    }
     let drawings = (args.drawings.iter())
         .map(|path| read(args, path))
         .collect::<Result<Vec<Drawing>, _>>()?;
@@ -118,7 +116,7 @@ fn read(args: &ImportArgs, path: &Path) -> Result<Drawing, Failure> {
         id: args.id.clone(),
         hatches: args.hatches,
     };
-    cspace_drawing::read(path, &source)
+    input::drawing(path, &source)?
         .map_err(|e| Failure::input(format_args!("{}: {e}", path.display())).help(e.help()))
 }
 

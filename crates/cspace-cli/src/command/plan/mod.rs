@@ -15,6 +15,7 @@ use cspace_plan::{Clearance, PlanError, Planner, Wishes, check};
 use crate::args::{Format, PlanArgs};
 use crate::command::rows;
 use crate::failure::Failure;
+use crate::input;
 use crate::output;
 use crate::picture::format;
 use crate::progress::Bar;
@@ -25,6 +26,9 @@ use answer::{Name, Parts, Told};
 
 /// Why there is no proof where there is a way that is too narrow.
 const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";
+
+/// The largest path that is judged: as much as of rows that are classified.
+const MOST_BYTES: u64 = 1 << 30;
 
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -143,10 +147,8 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
 fn checked(pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
     pair.check_window()?;
     let source = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|e| {
-        Failure::input(format_args!("{source}: {e}"))
-            .help("give a file as `cspace plan -o PATH.csv` writes it")
-    })?;
+    let help = "give a file as `cspace plan -o PATH.csv` writes it";
+    let bytes = input::bytes(path, MOST_BYTES, help)?;
     let rows = rows::read((&source, &bytes), pair, Format::Text, &[])?;
     if rows.configurations.is_empty() {
         return Err(

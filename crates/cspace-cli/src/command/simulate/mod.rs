@@ -17,9 +17,10 @@ use cspace_motion::{Report, Settings, SimulateError, Simulation};
 
 use crate::args::{Format, Mode, SimulateArgs};
 use crate::failure::{Failure, note};
+use crate::interrupt::catch_interrupts;
 use crate::output;
 use crate::picture::format;
-use crate::progress::{Bar, catch_interrupts};
+use crate::progress::Bar;
 use crate::subject::{read_model, set_threads};
 
 use answer::{Told, Wanted};
@@ -32,7 +33,6 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         check_name(output)?;
     }
     output::check(output)?;
-    output::check_apart(output, &args.file)?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (path, model) = read_model(&args.file, "a simulation is of all of its parts")?;

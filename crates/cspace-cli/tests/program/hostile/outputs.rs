@@ -197,6 +197,86 @@ fn inputs_are_not_written_over() {
     );
 }
 
+/// Whatever else a command reads is not written over either: a model on standard input, a drawing that a model names, records,
+/// paths that are judged.
+#[cfg(unix)]
+#[test]
+fn what_is_read_besides_is_not_written_over() {
+    let dir = tempfile::tempdir().unwrap();
+    let place = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let refused = |args: &[&str], stdin: Stdio, kept: &str| {
+        let before = std::fs::read(place(kept)).unwrap();
+        let output = Command::new(PROGRAM)
+            .args(args)
+            .stdin(stdin)
+            .current_dir(dir.path())
+            .output()
+            .unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {said}");
+        let words = [kept, "the output is the file that is read", "  help: "];
+        assert!(words.iter().all(|w| said.contains(w)), "{args:?}: {said}");
+        assert!(output.stdout.is_empty(), "{args:?}");
+        assert_eq!(std::fs::read(place(kept)).unwrap(), before, "{args:?}");
+    };
+    for name in ["peg_hole", "geneva"] {
+        let file = place(&format!("{name}.toml"));
+        std::fs::copy(model(name), file).unwrap();
+    }
+    let from = |name: &str| Stdio::from(File::open(place(name)).unwrap());
+    for args in [
+        &["compute", "-"][..],
+        &["info", "-"],
+        &["slice", "-", "--theta", "0"],
+        &["contacts", "-", "--at", "0,0,0"],
+        &["move", "-", "--from", "0,60,0", "--by", "0,-80,0"],
+        &["play", "-"],
+        &["assembly", "-"],
+        &["clash", "-"],
+    ] {
+        let args = [args, &["-o", "peg_hole.toml"]].concat();
+        refused(&args, from("peg_hole.toml"), "peg_hole.toml");
+    }
+    // A drawing that the model names, also through a link to its folder.
+    let drawing = r#"<svg xmlns="http://www.w3.org/2000/svg"><rect width="4" height="2"/></svg>"#;
+    std::fs::write(place("d.svg"), drawing).unwrap();
+    std::fs::write(place("m.toml"), "[[part]]\nname = \"a\"\nsvg = \"d.svg\"\n").unwrap();
+    std::os::unix::fs::symlink(dir.path(), place("here")).unwrap();
+    refused(&["draw", "m.toml", "-o", "d.svg"], Stdio::null(), "d.svg");
+    let linked = ["draw", "m.toml", "-o", "here/d.svg"];
+    refused(&linked, Stdio::null(), "d.svg");
+    refused(&["draw", "d.svg", "-o", "d.svg"], Stdio::null(), "d.svg");
+    // A path and a record.
+    std::fs::write(place("p.csv"), "x,y,theta\n0,60,0\n0,50,0\n").unwrap();
+    let judged = ["plan", "peg_hole.toml", "--check", "p.csv", "-o", "p.csv"];
+    refused(&judged, Stdio::null(), "p.csv");
+    std::fs::write(place("r.csv"), "t,wheel.u\n0,0\n1,1\n").unwrap();
+    let along = ["clash", "geneva.toml", "--along", "r.csv", "-o", "./r.csv"];
+    let along = along.map(|a| if a == "./r.csv" { "here/r.csv" } else { a });
+    refused(&along, Stdio::null(), "r.csv");
+    // The second of several files: the answer about the first is not written over it.
+    let several = ["info", "m.toml", "peg_hole.toml", "-o", "peg_hole.toml"];
+    refused(&several, Stdio::null(), "peg_hole.toml");
+}
+
+/// A file that is protected is not replaced, although its folder would let it be.
+#[test]
+fn read_only_files_are_not_replaced() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.txt");
+    std::fs::write(&out, "before").unwrap();
+    let mut permissions = std::fs::metadata(&out).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&out, permissions).unwrap();
+    fails(
+        &["info", &model("peg_hole"), "-o", out.to_str().unwrap()],
+        2,
+        &["out.txt", "read-only", "  help: "],
+    );
+    assert_eq!(std::fs::read_to_string(&out).unwrap(), "before");
+    assert_eq!(names(dir.path()), ["out.txt"]);
+}
+
 /// Whenever an interrupt comes, what is there is whole: the old file or the new one, and nothing beside it.
 #[test]
 fn an_interrupt_while_writing_leaves_a_whole_file() {
@@ -232,11 +312,20 @@ fn an_interrupt_while_writing_leaves_a_whole_file() {
             .status();
         let output = child.wait_with_output().unwrap();
         let text = std::fs::read_to_string(&out).unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
         if text == OLD {
             old += 1;
-            assert_ne!(output.status.code(), Some(0), "{attempt}");
+            // A shell that runs it in a loop stops by that.
+            #[cfg(unix)]
+            assert_eq!(
+                std::os::unix::process::ExitStatusExt::signal(&output.status),
+                Some(if signal == "INT" { 2 } else { 15 }),
+                "{attempt}: {said}"
+            );
         } else {
             new += 1;
+            assert_eq!(output.status.code(), Some(0), "{attempt}: {said}");
+            assert!(!said.contains("interrupted"), "{attempt}: {said}");
             let value: Value = serde_json::from_str(&text).unwrap();
             assert_eq!(value["format"], "contact-space", "{attempt}");
         }

@@ -1,0 +1,190 @@
+//! `cspace clash`.
+
+use std::fmt::{self, Write};
+use std::time::Instant;
+
+use cspace::{Mechanism, Part, Point};
+use cspace_io::shown;
+use cspace_plan::clash::{Assembly, Clash, Clashes, Question, State};
+use serde::Serialize;
+
+use super::record;
+use crate::args::{ClashArgs, Format};
+use crate::failure::Failure;
+use crate::interrupt::catch_interrupts;
+use crate::output;
+use crate::subject::{named_pair, read_model, set_threads};
+use crate::wording::{count, length};
+
+/// Of more parts not every pair is told: so many make some 20,000.
+const MANY: usize = 200;
+/// Then those are told that are nearer than this share of the largest part's size, if the user does not say.
+const NEARBY: f64 = 0.1;
+
+/// The whole answer.
+#[derive(Debug, Serialize)]
+struct Told {
+    parts: usize,
+    /// The worst first.
+    pairs: Vec<Row>,
+    /// Pairs that are clear of each other by `within` or more.
+    beyond: usize,
+    within: Option<f64>,
+    /// The first and the last time of the record.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    along: Option<[f64; 2]>,
+    seconds: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Row {
+    first: String,
+    second: String,
+    state: State,
+    gap: Option<f64>,
+    depth: Option<f64>,
+    points: Option<[[f64; 2]; 2]>,
+    features: Option<[String; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time: Option<f64>,
+}
+
+pub(crate) fn run(args: &ClashArgs) -> Result<(), Failure> {
+    args.result.check_answer()?;
+    let output = args.result.output.as_deref();
+    output::check(output)?;
+    catch_interrupts();
+    set_threads(args.threads)?;
+    let (path, model) = read_model(&args.file, "what clashes is told of all of its parts")?;
+    let pair = (args.pair.as_ref())
+        .map(|names| named_pair(&path, &model, names))
+        .transpose()?;
+    let samples = (args.along.as_ref())
+        .map(|file| record::samples(file, &model))
+        .transpose()?;
+    let begin = Instant::now();
+    let assembly = Assembly::new(&model);
+    let within = args.within.unwrap_or_else(|| default_within(&model));
+    let question = Question {
+        within,
+        touch: args.touch,
+        pair: pair.map(|p| [p.fixed, p.moving]),
+    };
+    let found = match &samples {
+        Some(samples) => assembly.along(samples, &question),
+        None => assembly.drawn(&question),
+    };
+    let along = samples.and_then(|s| Some([s.first()?.time, s.last()?.time]));
+    let told = told(&model, found, (within, along), begin);
+    let answer = match args.result.format() {
+        Format::Json => super::json(&told)?,
+        Format::Text => {
+            let mut text = String::new();
+            describe(&mut text, model.unit.as_deref(), &told).map_err(Failure::work)?;
+            text.into_bytes()
+        }
+    };
+    output::write(output, &answer)
+}
+
+fn default_within(model: &Mechanism) -> f64 {
+    if model.parts.len() <= MANY {
+        return f64::INFINITY;
+    }
+    let sizes = model.parts.iter().map(|p| p.part.size());
+    NEARBY * sizes.fold(0.0, f64::max)
+}
+
+fn told(
+    model: &Mechanism,
+    found: Clashes,
+    (within, along): (f64, Option<[f64; 2]>),
+    begin: Instant,
+) -> Told {
+    let part = |i: usize| -> &Part { &model.parts[i].part };
+    let row = |clash: Clash| {
+        let [a, b] = clash.parts.map(part);
+        Row {
+            first: a.name().to_owned(),
+            second: b.name().to_owned(),
+            state: clash.state,
+            gap: clash.gap,
+            depth: clash.depth,
+            points: clash.points.map(|p| p.map(|Point { x, y }| [x, y])),
+            features: (clash.features).map(|[f, g]| [a.feature_text(f), b.feature_text(g)]),
+            time: clash.time,
+        }
+    };
+    Told {
+        parts: model.parts.len(),
+        pairs: found.pairs.into_iter().map(row).collect(),
+        beyond: found.beyond,
+        within: Some(within).filter(|w| w.is_finite()),
+        along,
+        seconds: begin.elapsed().as_secs_f64(),
+    }
+}
+
+fn word(state: State) -> &'static str {
+    match state {
+        State::Overlap => "overlap",
+        State::Meets => "meets",
+        State::Touching => "touching",
+        State::Clear => "clear",
+        State::Joined => "joined",
+    }
+}
+
+fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
+    const STATES: [State; 5] = [
+        State::Overlap,
+        State::Meets,
+        State::Touching,
+        State::Clear,
+        State::Joined,
+    ];
+    let unit = unit.map_or(String::new(), |u| format!(" {}", shown::text(u)));
+    let counts: Vec<String> = (STATES.iter())
+        .filter_map(|&state| {
+            let n = told.pairs.iter().filter(|p| p.state == state).count();
+            (n > 0).then(|| format!("{n} {}", word(state)))
+        })
+        .collect();
+    let pairs = told.pairs.len() + told.beyond;
+    let mut line = format!(
+        "{}, {}",
+        count(told.parts, "part", "parts"),
+        count(pairs, "pair", "pairs")
+    );
+    if !counts.is_empty() {
+        write!(line, ": {}", counts.join(", "))?;
+    }
+    if let (true, Some(within)) = (told.beyond > 0, told.within) {
+        let more = if counts.is_empty() { ": " } else { ", " };
+        let within = length(within);
+        write!(
+            line,
+            "{more}{} clear by {within}{unit} or more",
+            told.beyond
+        )?;
+    }
+    writeln!(text, "{line}")?;
+    for pair in &told.pairs {
+        let [a, b] = [&pair.first, &pair.second].map(|name| shown::text(name));
+        let far = match (pair.depth, pair.gap) {
+            (Some(l), _) | (None, Some(l)) => format!("{}{unit}", length(l)),
+            (None, None) => String::new(),
+        };
+        write!(text, "{:<8} {far:>14}  {a}, {b}", word(pair.state))?;
+        if let Some(time) = pair.time {
+            write!(text, "  t {}", length(time))?;
+        }
+        if let (Some([f, g]), Some([p, q])) = (&pair.features, pair.points) {
+            let at = |[x, y]: [f64; 2]| format!("({}, {})", length(x), length(y));
+            let (f, g) = (shown::text(f), shown::text(g));
+            write!(text, "  {f} at {}, {g} at {}", at(p), at(q))?;
+        }
+        writeln!(text)?;
+    }
+    Ok(())
+}

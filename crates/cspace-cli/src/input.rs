@@ -1,0 +1,81 @@
+//! Files that are read, each of which is known to [`output`](crate::output) before.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use cspace_drawing::{Drawing, DrawingError, Source};
+use cspace_io::{Document, Host, Refused};
+
+use crate::failure::{Failure, note};
+use crate::output::{self, ANOTHER, OVER_INPUT, STANDARD};
+
+/// The name of standard input in messages.
+const STDIN: &str = "standard input";
+
+/// The model or saved space that FILE names, and how messages call it.
+pub(crate) fn document(file: &Path) -> Result<(PathBuf, Document), Failure> {
+    let refused = |_: Failure| Refused {
+        message: OVER_INPUT.to_owned(),
+        help: ANOTHER.to_owned(),
+    };
+    let guard = |path: &Path| output::before_reading(path).map_err(refused);
+    let host = Host {
+        guard: &guard,
+        note: &|text| note(format_args!("{text}")),
+    };
+    if file == Path::new(STANDARD) {
+        output::before_reading_stdin()?;
+        let read = cspace_io::read_from_hosted(std::io::stdin().lock(), STDIN, &host)?;
+        Ok((PathBuf::from(STDIN), read))
+    } else {
+        Ok((file.to_owned(), cspace_io::read_hosted(file, &host)?))
+    }
+}
+
+/// A drawing. An error of what is in it is for the caller to tell.
+pub(crate) fn drawing(
+    path: &Path,
+    source: &Source,
+) -> Result<Result<Drawing, DrawingError>, Failure> {
+    output::before_reading(path)?;
+    Ok(cspace_drawing::read(path, source))
+}
+
+/// The bytes of a regular file, of at most `limit` bytes; `help` says what the file is to be.
+///
+/// A pipe might never say anything, a device might never end.
+pub(crate) fn bytes(path: &Path, limit: u64, help: &str) -> Result<Vec<u8>, Failure> {
+    let wrong =
+        |what: String| Failure::input(format_args!("{}: {what}", path.display())).help(help);
+    let unreadable = |e: std::io::Error| wrong(format!("it cannot be read: {e}"));
+    output::before_reading(path)?;
+    let meta = std::fs::metadata(path).map_err(unreadable)?;
+    if !meta.is_file() {
+        return Err(wrong("it is no regular file".to_owned()));
+    }
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    let too_large = || wrong(format!("it is too large: at most {limit} bytes are read"));
+    if meta.len() > limit {
+        return Err(too_large());
+    }
+    taken(file, limit)
+        .map_err(unreadable)?
+        .ok_or_else(too_large)
+}
+
+/// The bytes of standard input, of at most `limit`; `help` says what to do if there are more.
+pub(crate) fn stdin(limit: u64, help: &str) -> Result<Vec<u8>, Failure> {
+    output::before_reading_stdin()?;
+    let wrong = |what: String| Failure::input(format_args!("{STDIN}: {what}"));
+    let too_large = || wrong(format!("it is too large: at most {limit} bytes are read")).help(help);
+    taken(std::io::stdin().lock(), limit)
+        .map_err(|e| wrong(e.to_string()))?
+        .ok_or_else(too_large)
+}
+
+/// All that a reader gives; nothing if that is more than the limit.
+fn taken(source: impl Read, limit: u64) -> std::io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    source.take(limit + 1).read_to_end(&mut bytes)?;
+    Ok((bytes.len() as u64 <= limit).then_some(bytes))
+}

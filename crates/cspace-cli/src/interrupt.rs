@@ -1,0 +1,115 @@
+//! Interrupts: how a command is stopped from outside.
+
+use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use crate::output;
+
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Whether an interrupt is how the work comes to its end.
+static ENDLESS: AtomicBool = AtomicBool::new(false);
+/// Whether a computation is going on that looks at [`INTERRUPTED`].
+static WATCHED: AtomicBool = AtomicBool::new(false);
+
+/// Lets an interrupt (Ctrl-C, or a request to terminate) end the computation at the next stage, or the process if that takes
+/// long. A second one, or one at any other time, ends the process at once. A result that has been written stays, and the
+/// command then ends as if there had been no interrupt.
+pub(crate) fn catch_interrupts() {
+    static ONCE: OnceLock<()> = OnceLock::new();
+    ONCE.get_or_init(|| system::listen(interrupted));
+}
+
+/// Whether the user wants no more of it.
+pub(crate) fn is_interrupted() -> bool {
+    INTERRUPTED.load(Ordering::Relaxed)
+}
+
+/// From here on the work has no end but an interrupt, which is none that failed.
+pub(crate) fn until_interrupted() {
+    ENDLESS.store(true, Ordering::Relaxed);
+}
+
+/// Does work that ends soon after an interrupt by itself.
+pub(crate) fn watched<T>(work: impl FnOnce() -> T) -> T {
+    WATCHED.store(true, Ordering::Relaxed);
+    let result = work();
+    WATCHED.store(false, Ordering::Relaxed);
+    result
+}
+
+/// Ends the process as an interrupt does where nothing catches it, so that a shell stops what it does next; returns the exit code
+/// where the system knows no such end.
+pub(crate) fn end() -> ExitCode {
+    let _until_the_end = output::abandon();
+    system::end();
+    ExitCode::FAILURE
+}
+
+fn interrupted() {
+    /// A stage may take much longer than somebody who wants to stop likes to wait.
+    const GRACE: Duration = Duration::from_millis(300);
+    if ENDLESS.load(Ordering::Relaxed) {
+        std::process::exit(0);
+    }
+    let is_first = !INTERRUPTED.swap(true, Ordering::Relaxed);
+    if is_first && WATCHED.load(Ordering::Relaxed) {
+        std::thread::sleep(GRACE);
+    }
+    let abandoned = output::abandon();
+    if abandoned.is_written() && is_first {
+        return;
+    }
+    let mut err = std::io::stderr();
+    // The bar may stand on the line.
+    let line_break = if err.is_terminal() { "\n" } else { "" };
+    let _ = writeln!(err, "{line_break}error: interrupted");
+    system::end();
+    std::process::exit(1);
+}
+
+#[cfg(unix)]
+mod system {
+    use core::ffi::c_int;
+    use core::sync::atomic::{AtomicI32, Ordering};
+
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    use signal_hook::low_level::emulate_default_handler;
+
+    /// The signal that came last.
+    static LAST: AtomicI32 = AtomicI32::new(SIGINT);
+
+    /// Calls `interrupted` for every signal, on a thread of its own.
+    pub(super) fn listen(interrupted: fn()) {
+        // Without a handler an interrupt ends the process, which is good enough.
+        let Ok(mut signals) = Signals::new([SIGINT, SIGTERM, SIGHUP]) else {
+            return;
+        };
+        let listening = move || {
+            for signal in &mut signals {
+                LAST.store(c_int::from(signal), Ordering::Relaxed);
+                interrupted();
+            }
+        };
+        let _ = std::thread::Builder::new().spawn(listening);
+    }
+
+    /// Ends the process by the signal that came last.
+    pub(super) fn end() {
+        let _ = emulate_default_handler(LAST.load(Ordering::Relaxed));
+    }
+}
+
+#[cfg(not(unix))]
+mod system {
+    /// Calls `interrupted` for every interrupt, on a thread of its own.
+    pub(super) fn listen(interrupted: fn()) {
+        let _ = ctrlc::set_handler(interrupted);
+    }
+
+    /// Processes end by no signals here.
+    pub(super) fn end() {}
+}

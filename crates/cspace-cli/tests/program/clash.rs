@@ -1,0 +1,135 @@
+//! `cspace clash`: what overlaps, touches and is clear, as drawn and along a record.
+
+use serde_json::Value;
+
+use crate::helpers::{cspace, fails, json, model, printed};
+
+/// The row of a pair.
+fn row<'a>(answer: &'a Value, first: &str, second: &str) -> &'a Value {
+    let mut rows = answer["pairs"].as_array().unwrap().iter();
+    rows.find(|r| r["first"] == first && r["second"] == second)
+        .unwrap()
+}
+
+#[track_caller]
+fn is_near(value: &Value, expected: f64) {
+    let found = value.as_f64().unwrap();
+    assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+}
+
+fn written(text: &str) -> (tempfile::TempDir, String) {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("model.toml");
+    std::fs::write(&file, text).unwrap();
+    let name = file.to_str().unwrap().to_owned();
+    (dir, name)
+}
+
+const PARTS: &str = r#"
+[[part]]
+name = "plate"
+loops = [[[-30, -10], [30, -10], [30, 0], [-30, 0]]]
+motion = { type = "fixed" }
+[[part]]
+name = "block"
+loops = [[[-10, 0], [10, 0], [10, 10], [-10, 10]]]
+motion = { type = "prismatic", direction = [1, 0] }
+[[part]]
+name = "pin"
+loops = [{ circle = 2, at = [15, 6] }]
+[[part]]
+name = "hand"
+loops = [[[40, -1], [60, -1], [60, 1], [40, 1]]]
+motion = { type = "revolute", center = [40, 0] }
+[[part]]
+name = "bump"
+loops = [{ circle = 2, at = [20, 13] }]
+[[joint]]
+type = "revolute"
+parts = ["pin", "hand"]
+at = [40, 0]
+"#;
+
+#[test]
+fn states_and_lengths_as_drawn() {
+    let (_dir, file) = written(PARTS);
+    let answer = json(&["clash", &file]);
+    let states: Vec<&str> = (answer["pairs"].as_array().unwrap().iter())
+        .map(|r| r["state"].as_str().unwrap())
+        .collect();
+    assert_eq!(
+        states,
+        [
+            "touching", "clear", "clear", "clear", "clear", "clear", "clear", "clear", "clear",
+            "joined"
+        ]
+    );
+    assert_eq!(row(&answer, "plate", "block")["state"], "touching");
+    is_near(&row(&answer, "block", "pin")["gap"], 3.0);
+    let points = &row(&answer, "block", "pin")["points"];
+    is_near(&points[0][0], 10.0);
+    is_near(&points[1][0], 13.0);
+    is_near(&row(&answer, "plate", "pin")["gap"], 4.0);
+    is_near(&row(&answer, "plate", "hand")["gap"], 10.0);
+    let near = json(&["clash", &file, "--within", "3.5"]);
+    assert_eq!(near["pairs"].as_array().unwrap().len(), 3);
+    assert_eq!(near["beyond"], 7);
+    let one = json(&["clash", &file, "--pair", "pin,block"]);
+    assert_eq!(one["pairs"].as_array().unwrap().len(), 1);
+    is_near(&one["pairs"][0]["gap"], 3.0);
+    let said = printed(&["clash", &file]);
+    assert!(said.starts_with("5 parts, 10 pairs: 1 touching, 8 clear, 1 joined\n"));
+}
+
+/// The block passes through the pin and below the bump between two samples.
+#[test]
+fn the_least_gap_over_a_record() {
+    let (dir, file) = written(PARTS);
+    let record = dir.path().join("run.csv");
+    let rows = "t,block.u,hand.u\n0,0,0\n1,40,0.5\n2,40,0\n";
+    std::fs::write(&record, rows).unwrap();
+    let answer = json(&["clash", &file, "--along", record.to_str().unwrap()]);
+    let through = row(&answer, "block", "pin");
+    assert_eq!(through["state"], "meets");
+    // It is met when the block has gone three of the forty.
+    assert!((0.074..=0.5).contains(&through["time"].as_f64().unwrap()));
+    assert_eq!(answer["along"], serde_json::json!([0.0, 2.0]));
+    // It passes below the bump, of which it is clear by sqrt(109) - 2 at the samples.
+    let below = row(&answer, "block", "bump");
+    assert_eq!(below["state"], "clear");
+    let gap = below["gap"].as_f64().unwrap();
+    assert!((gap - 1.0).abs() < 2e-6, "{gap}");
+    assert!((0.25..=0.75).contains(&below["time"].as_f64().unwrap()));
+    assert_eq!(row(&answer, "plate", "block")["state"], "touching");
+    // JSON says the same.
+    let record = dir.path().join("run.json");
+    let samples = r#"{"status": "done", "parts": ["block", "hand"], "samples": [
+        {"t": 0, "block": 0, "hand": 0}, {"t": 1, "block": 40, "hand": 0.5}, {"t": 2, "block": 40, "hand": 0}]}"#;
+    std::fs::write(&record, samples).unwrap();
+    let again = json(&["clash", &file, "--along", record.to_str().unwrap()]);
+    assert_eq!(again["pairs"], answer["pairs"]);
+}
+
+#[test]
+fn records_that_are_wrong_are_told() {
+    let (dir, file) = written(PARTS);
+    let record = dir.path().join("run.csv");
+    let name = record.to_str().unwrap();
+    for (rows, words) in [
+        ("x,y\n0,0\n", &["first column", "help: "][..]),
+        ("t,nut.u\n0,0\n", &["nut", "does not have"]),
+        ("t,pin.u\n0,0\n", &["pin", "does not move"]),
+        ("t,block.u\n0,a\n", &["sample 0", "no number"]),
+        ("t,block.u\n1,0\n0,0\n", &["sample 1", "earlier"]),
+        ("t,block.u\n", &["no sample"]),
+        ("t,block.u\n0\n", &["run.csv"]),
+    ] {
+        std::fs::write(&record, rows).unwrap();
+        fails(cspace(&["clash", &file, "--along", name]), 2, words);
+    }
+    fails(
+        cspace(&["clash", &model("geneva"), "--pair", "disc,none"]),
+        2,
+        &["none", "the parts are"],
+    );
+}

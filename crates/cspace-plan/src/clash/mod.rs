@@ -1,0 +1,226 @@
+//! Clashes: which parts of an assembly overlap, touch, or come near each other, as they are drawn and over a motion.
+//!
+//! Boxes first: parts whose boxes are farther apart than is asked for are not looked at. Of the others the distance of the boundaries
+//! is found by branch and bound ([`legs`](crate::legs)), and of those that overlap or touch the *depth*: the length of the shortest
+//! translation of the second part, at the orientation that it has, after which the two do not overlap. It is read off the slice of
+//! the pair at that orientation, so no contact space is computed.
+//!
+//! ```
+//! use cspace::{Mechanism, Part, mechanism::PartEntry};
+//! use cspace_plan::clash::{Assembly, Question, State};
+//! let mut mechanism = Mechanism::new("three discs");
+//! for (name, x) in [("a", 0.0), ("b", 1.5), ("c", 4.0)] {
+//!     mechanism.parts.push(PartEntry::planar(Part::circle(name, [x, 0.0], 1.0)?));
+//! }
+//! let found = Assembly::new(&mechanism).drawn(&Question::default());
+//! let told: Vec<_> = found.pairs.iter().map(|p| (p.parts, p.state)).collect();
+//! assert_eq!(told, [([0, 1], State::Overlap), ([1, 2], State::Clear), ([0, 2], State::Clear)]);
+//! assert!((found.pairs[0].depth.ok_or("no depth")? - 0.5).abs() < 1e-9);
+//! assert!((found.pairs[1].gap.ok_or("no gap")? - 0.5).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod along;
+mod broad;
+mod depth;
+mod pair;
+
+use cspace::part::Bounds;
+use cspace::{FeatureName, Mechanism, Point};
+
+use crate::legs::{Body, Coords};
+use broad::{Boxed, near};
+pub(crate) use depth::depth;
+use pair::Pair;
+
+/// Parts nearer than this share of the larger one's size touch, and so do parts that overlap by less: a little more than
+/// contacts are known to, 7·10⁻¹² of the size.
+const TOUCHING: f64 = 1e-11;
+
+/// The parts of a mechanism, prepared for questions.
+#[derive(Debug)]
+pub struct Assembly<'a> {
+    bodies: Vec<Body<'a>>,
+    joined: Vec<[usize; 2]>,
+}
+
+/// What is asked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Question {
+    /// Parts that are clear of each other by this or more are counted, not listed; in the model's unit of length.
+    pub within: f64,
+    /// Parts nearer than this touch, and so do parts that overlap by less; a little more than the resolution unless it is given.
+    pub touch: Option<f64>,
+    /// The one pair that is asked about, by the numbers of its parts; every two parts if there is none.
+    pub pair: Option<[usize; 2]>,
+}
+
+impl Default for Question {
+    fn default() -> Self {
+        Self {
+            within: f64::INFINITY,
+            touch: None,
+            pair: None,
+        }
+    }
+}
+
+/// What two parts are to each other, the worst first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum State {
+    /// The parts overlap.
+    Overlap,
+    /// The boundaries meet between two samples of a motion, at neither of which the parts overlap or touch.
+    Meets,
+    /// The parts touch.
+    Touching,
+    /// There is a gap between the parts.
+    Clear,
+    /// A joint connects the parts. They may overlap as drawn, and are not looked at.
+    Joined,
+}
+
+/// Two parts and what they are to each other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clash {
+    /// The parts' numbers in the mechanism.
+    pub parts: [usize; 2],
+    /// What they are to each other.
+    pub state: State,
+    /// The least distance of parts that do not overlap, in the model's unit of length.
+    pub gap: Option<f64>,
+    /// The length of the shortest translation that separates parts that overlap; none if the parts have too many edges for it.
+    pub depth: Option<f64>,
+    /// A point of each part, in the assembly's frame: the nearest points of parts that are apart; of parts that overlap the points
+    /// that touch after the translation, the second where it is before.
+    pub points: Option<[Point; 2]>,
+    /// The features of the two parts at these points.
+    pub features: Option<[FeatureName; 2]>,
+    /// When that is, over a motion.
+    pub time: Option<f64>,
+}
+
+/// All pairs that were asked about, the worst first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clashes {
+    /// The pairs that are listed.
+    pub pairs: Vec<Clash>,
+    /// How many pairs are clear of each other by more than was asked for.
+    pub beyond: usize,
+}
+
+/// All parts at a time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// The time.
+    pub time: f64,
+    /// Of every part x, y and θ, or its motion on its axis and twice 0.
+    pub parts: Vec<Coords>,
+}
+
+impl<'a> Assembly<'a> {
+    /// Prepares the parts of a mechanism.
+    pub fn new(mechanism: &'a Mechanism) -> Self {
+        Self {
+            bodies: mechanism.parts.iter().map(Body::new).collect(),
+            joined: (mechanism.joints.iter())
+                .map(|j| [j.parts.0.min(j.parts.1), j.parts.0.max(j.parts.1)])
+                .collect(),
+        }
+    }
+
+    /// What the parts are to each other as they are drawn, at zero motion.
+    pub fn drawn(&self, question: &Question) -> Clashes {
+        let boxes = self.bodies.iter().map(|b| b.part().bounds()).collect();
+        self.all(question, boxes, |pair| {
+            pair.there([[0.0; 3]; 2], question.within)
+        })
+    }
+
+    /// What the parts are to each other over a motion that is given by samples in order of time: between two of them every
+    /// coordinate changes at a constant rate.
+    ///
+    /// The gap is the least over all of the motion, samples and what is between them, right to a millionth. Overlap and its depth are
+    /// those at samples; where the boundaries meet between two samples, at which the parts are apart, that is told.
+    ///
+    /// Samples with fewer places than there are parts have the others where they are drawn.
+    pub fn along(&self, samples: &[Sample], question: &Question) -> Clashes {
+        let at = |s: &Sample, i: usize| s.parts.get(i).copied().unwrap_or_default();
+        let boxes = (self.bodies.iter().enumerate())
+            .map(|(i, body)| {
+                (samples.iter())
+                    .map(|s| body.around(at(s, i)))
+                    .reduce(Bounds::union)
+                    .unwrap_or_else(|| body.part().bounds())
+            })
+            .collect();
+        self.all(question, boxes, |pair| {
+            let way = samples
+                .iter()
+                .map(|s| (s.time, pair.parts.map(|i| at(s, i))));
+            along::along(pair, way, question.within)
+        })
+    }
+
+    /// Looks at every pair that is asked about and whose boxes are near.
+    fn all(
+        &self,
+        question: &Question,
+        boxes: Vec<Bounds>,
+        look: impl Fn(&Pair<'_>) -> Option<Clash>,
+    ) -> Clashes {
+        let n = self.bodies.len();
+        let (asked, count) = match question.pair {
+            Some(one) => (vec![one], 1),
+            None => {
+                let boxed = Boxed::new(boxes);
+                (near(&boxed, question.within), n * n.saturating_sub(1) / 2)
+            }
+        };
+        let mut joined = Vec::new();
+        let mut pairs = Vec::new();
+        for parts in asked {
+            let [a, b] = parts;
+            if self.joined.contains(&[a.min(b), a.max(b)]) {
+                joined.push(parts);
+                continue;
+            }
+            let bodies = [&self.bodies[a], &self.bodies[b]];
+            let size = bodies[0].size().max(bodies[1].size());
+            let pair = Pair {
+                parts,
+                bodies,
+                touch: question.touch.unwrap_or(TOUCHING * size),
+            };
+            pairs.extend(look(&pair));
+        }
+        // Those that are joined are listed wherever they are.
+        if question.pair.is_none() {
+            joined = self.joined.clone();
+            joined.sort_unstable();
+            joined.dedup();
+        }
+        pairs.extend(joined.into_iter().map(|parts| Clash {
+            parts,
+            state: State::Joined,
+            gap: None,
+            depth: None,
+            points: None,
+            features: None,
+            time: None,
+        }));
+        pairs.sort_by(|a, b| {
+            let deeper = |c: &Clash| c.depth.map_or(f64::INFINITY, |d| d);
+            let gap = |c: &Clash| c.gap.unwrap_or(0.0);
+            (a.state.cmp(&b.state))
+                .then(deeper(b).total_cmp(&deeper(a)))
+                .then(gap(a).total_cmp(&gap(b)))
+                .then(a.parts.cmp(&b.parts))
+        });
+        Clashes {
+            beyond: count - pairs.len(),
+            pairs,
+        }
+    }
+}

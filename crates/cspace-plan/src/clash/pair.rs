@@ -1,0 +1,88 @@
+//! Two parts at one place.
+
+use crate::legs::{Between, Body, Coords};
+
+use super::depth::separated;
+use super::{Clash, State};
+
+/// Two parts that are asked about.
+pub(super) struct Pair<'a> {
+    /// Their numbers.
+    pub(super) parts: [usize; 2],
+    pub(super) bodies: [&'a Body<'a>; 2],
+    /// Parts nearer than this touch.
+    pub(super) touch: f64,
+}
+
+impl<'a> Pair<'a> {
+    /// The two during a motion of constant rates.
+    pub(super) fn between(&self, from: [Coords; 2], to: [Coords; 2]) -> Between<'a> {
+        Between {
+            bodies: self.bodies,
+            from,
+            to,
+        }
+    }
+
+    /// What the two are to each other at a place; none if they are clear by `within` or more.
+    pub(super) fn there(&self, at: [Coords; 2], within: f64) -> Option<Clash> {
+        let between = self.between(at, at);
+        let nearest = between.distance_below(within.max(self.touch));
+        let is_near = nearest.distance <= self.touch;
+        let overlaps = if is_near {
+            between.overlaps_deeper(self.touch)
+        } else {
+            // Parts that are in each other may have boundaries that are far apart.
+            self.boxes_meet(at) && between.overlaps()
+        };
+        if overlaps {
+            return Some(self.overlap(at));
+        }
+        (is_near || nearest.distance < within).then(|| Clash {
+            gap: Some(nearest.distance),
+            features: nearest.features.map(|(a, b)| [a, b]),
+            points: between.nearest_points(),
+            ..self.clash(if is_near {
+                State::Touching
+            } else {
+                State::Clear
+            })
+        })
+    }
+
+    /// How deep two parts overlap at a place at which they do.
+    fn overlap(&self, at: [Coords; 2]) -> Clash {
+        let [a, b] = [0, 1].map(|i| self.bodies[i].configuration(at[i]));
+        let parts = self.bodies.map(Body::part);
+        let found = separated(parts, [a, b]);
+        Clash {
+            depth: found.as_ref().map(|s| s.depth),
+            points: found.as_ref().map(|s| s.points),
+            features: found.as_ref().map(|s| s.features),
+            ..self.clash(State::Overlap)
+        }
+    }
+
+    pub(super) fn clash(&self, state: State) -> Clash {
+        Clash {
+            parts: self.parts,
+            state,
+            gap: None,
+            depth: None,
+            points: None,
+            features: None,
+            time: None,
+        }
+    }
+
+    /// Whether boxes around the parts meet.
+    fn boxes_meet(&self, at: [Coords; 2]) -> bool {
+        let [a, b] = self.bodies;
+        let is_drawn = at == [[0.0; 3]; 2];
+        let around = |body: &Body<'_>, at: Coords| match is_drawn {
+            true => body.part().bounds(),
+            false => body.around(at),
+        };
+        !around(a, at[0]).is_apart(around(b, at[1]), 0.0)
+    }
+}

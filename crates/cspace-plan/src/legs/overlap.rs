@@ -1,0 +1,33 @@
+//! Whether two parts overlap at a configuration at which they do not just touch.
+
+use cspace::{Part, Point};
+
+use super::at::At;
+use super::search::Search;
+
+/// Whether the boundaries cross at the start of a search, or a loop of one part is within the other.
+pub(super) fn overlap(search: &Search<'_>, a: &At<'_>, b: &At<'_>) -> bool {
+    search.crosses() || within(a, b) || within(b, a)
+}
+
+/// Whether some loop of a part begins in the material of another.
+fn within(loops: &At<'_>, material: &At<'_>) -> bool {
+    starts(loops.part).any(|q| material.part.contains(material.back(loops.out(q))))
+}
+
+fn starts(part: &Part) -> impl Iterator<Item = Point> {
+    (part.loops().iter()).filter_map(|l| l.vertices().first().map(|v| v.point()))
+}
+
+/// Whether material of two parts overlaps along boundaries that coincide: no place of either boundary is then in the material of
+/// the other, but what is just beside them is in both. A boundary of which that is true of a place of an edge is so all along the
+/// edge, or else leaves the other, which [`is_deep`](super::depth::is_deep) finds.
+pub(super) fn coincide(a: &At<'_>, b: &At<'_>, depth: f64) -> bool {
+    /// How far beside the boundary, in the depths that count.
+    const BESIDE: f64 = 4.0;
+    a.part.edges().any(|edge| {
+        let inward = edge.direction_at(0.5).left();
+        let beside = edge.at(0.5) + inward * (BESIDE * depth);
+        b.part.contains(b.back(a.out(beside)))
+    })
+}

@@ -1,0 +1,37 @@
+//! Connections: taken one after the other, dropped when nothing comes.
+
+use core::convert::Infallible;
+use core::time::Duration;
+
+use axum::Router;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use tokio::net::TcpListener;
+
+use super::ServeError;
+
+/// A connection on which no whole request head comes within this time is dropped, and so is a body that takes longer. A page on
+/// this machine sends either at once, and connects again when it has something to ask.
+pub(super) const PATIENCE: Duration = Duration::from_secs(20);
+
+/// How long nothing is taken after the system refused to: it has no more open files for connections until some are dropped.
+const BACK_OFF: Duration = Duration::from_millis(100);
+
+/// Answers on every connection until the process ends.
+pub(super) async fn serve(listener: TcpListener, router: Router) -> Result<Infallible, ServeError> {
+    let mut http = http1::Builder::new();
+    http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
+    loop {
+        let Ok((stream, _)) = listener.accept().await else {
+            tokio::time::sleep(BACK_OFF).await;
+            continue;
+        };
+        // Small answers are sent at once, and not kept until there is more to send; without that it would only be slower.
+        let _ = stream.set_nodelay(true);
+        let service = TowerToHyperService::new(router.clone());
+        let connection = http.serve_connection(TokioIo::new(stream), service);
+        // A connection that ends early, or does not speak HTTP, is no concern of the others.
+        tokio::spawn(async move { drop(connection.await) });
+    }
+}
