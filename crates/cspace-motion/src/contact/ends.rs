@@ -94,15 +94,15 @@ impl Contact {
 }
 
 /// An edge with material on its left, and the directions of travel at its ends.
-struct Edge {
+pub(super) struct Edge {
     start: Vector,
     end: Vector,
-    leaves: Vector,
-    arrives: Vector,
+    pub(super) leaves: Vector,
+    pub(super) arrives: Vector,
 }
 
 impl Edge {
-    fn of(part: &Part, name: FeatureName) -> Option<Self> {
+    pub(super) fn of(part: &Part, name: FeatureName) -> Option<Self> {
         let FeatureShape::Edge { start, end, bulge } = part.feature_shape(name)? else {
             return None;
         };

@@ -1,6 +1,7 @@
 //! What holds a motion on: contacts and ends of ranges, where contacts end, and whether a step meets others.
 
 mod bound;
+mod corner;
 mod describe;
 mod ends;
 mod meeting;
@@ -10,6 +11,7 @@ mod pinch;
 mod watch;
 
 pub(crate) use bound::{Bound, SAME_PLACE, limit_tolerance, limits, nearly_touching, touching};
+pub(crate) use corner::one_is_enough;
 pub(crate) use describe::named;
 pub(crate) use ends::{PAST_END, ends};
 pub(crate) use overlap::{is_long, overlapping};

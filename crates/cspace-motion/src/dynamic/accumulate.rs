@@ -4,8 +4,6 @@
 const LEFT: f64 = 1e-10;
 /// Or when the ways between impacts are shorter than this share of the size: rounding leaves little of them.
 const WAY: f64 = 1e-12;
-/// Its ratio is the same from one interval to the next but for this.
-const STEADY: f64 = 1e-2;
 /// Intervals are compared with those so many impacts before: two feet of a block strike in turn.
 const TURNS: usize = 2;
 
@@ -50,10 +48,8 @@ impl Impacts {
         let sum = |i: usize| d[i + 1 - TURNS..=i].iter().sum::<f64>();
         let (last, before, first) = (sum(n - 1), sum(n - 1 - TURNS), sum(n - 2));
         let ratio = last / before;
-        let falls = d
-            .windows(2)
-            .skip(n - 1 - TURNS)
-            .all(|w| w[1] < w[0] * (1.0 + STEADY));
+        // Each of those that strike in turn has its own intervals.
+        let falls = (n - TURNS..n).all(|i| d[i] < d[i - TURNS]);
         let left = last * ratio / (1.0 - ratio);
         let is_over = left < LEFT * span || way * last < WAY;
         // What does not part does not strike again.

@@ -104,6 +104,7 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
     pub(super) fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
+        let closed = self.in_the_way(closed);
         let sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
         if sets.len() < 2 {
             return self.settle_with(closed, at);
@@ -134,6 +135,24 @@ impl<W: World + ?Sized> Run<'_, W> {
             }
         }
         Err(failed.unwrap_or(Ended::Stuck { contacts: closed }))
+    }
+
+    /// The closed contacts without those that would strike while another at the same convex corner does not: parts pass each other there.
+    fn in_the_way(&self, mut closed: Vec<usize>) -> Vec<usize> {
+        let (hits, others): (Vec<usize>, Vec<usize>) =
+            closed.iter().partition(|&&i| self.strikes(i));
+        let world = self.flow.world;
+        let is_passed = |hit: usize| {
+            (others.iter()).any(|&o| world.one_is_enough(hit, o) && self.is_same(hit, o))
+        };
+        closed.retain(|i| !(hits.contains(i) && is_passed(*i)));
+        closed
+    }
+
+    /// Whether a closed contact has a rate that closes it.
+    fn strikes(&self, contact: usize) -> bool {
+        let (rate, still) = self.opening(contact);
+        rate < -still
     }
 
     /// Whether a very short step, as far as a share of the size, meets nothing.
@@ -173,11 +192,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
         let (mut struck, mut rested) = (Vec::new(), Vec::new());
         for round in 0..=MOST {
-            let strikes = |i: &usize| {
-                let (rate, still) = self.opening(*i);
-                rate < -still
-            };
-            let hits: Vec<usize> = closed.iter().copied().filter(strikes).collect();
+            let hits: Vec<usize> = closed.iter().copied().filter(|&i| self.strikes(i)).collect();
             if hits.is_empty() {
                 break;
             }

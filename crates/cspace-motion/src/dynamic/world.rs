@@ -147,6 +147,11 @@ pub trait World {
         a == b
     }
 
+    /// Whether parts are apart where either of two contacts at one place is open: at corners that are convex.
+    fn one_is_enough(&self, _a: usize, _b: usize) -> bool {
+        false
+    }
+
     /// Whether one contact may take another's place there, where parts overlap by a way: as one that passes from feature to feature.
     fn passes(&self, a: usize, b: usize, t: f64, q: &DVector<f64>, _way: f64) -> bool {
         self.is_same(a, b, t, q)

@@ -8,8 +8,8 @@ use cspace::mechanism::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
-    Bound, LONGEST, PAST_END, Path, SAME_PLACE, Watch, ends, is_long, nearly_touching, overlapping,
-    touching,
+    Bound, LONGEST, PAST_END, Path, SAME_PLACE, Watch, ends, is_long, nearly_touching,
+    one_is_enough, overlapping, touching,
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
@@ -321,6 +321,13 @@ impl World for Mechanical<'_> {
 
     fn is_same(&self, a: usize, b: usize, t: f64, q: &DVector<f64>) -> bool {
         self.passes(a, b, t, q, SAME_PLACE * self.size())
+    }
+
+    fn one_is_enough(&self, a: usize, b: usize) -> bool {
+        let (Bound::Contact(s), Bound::Contact(t)) = (self.bound(a), self.bound(b)) else {
+            return false;
+        };
+        s.pair == t.pair && one_is_enough(&self.pairs.list()[s.pair], &s, &t)
     }
 
     fn passes(&self, a: usize, b: usize, t: f64, q: &DVector<f64>, way: f64) -> bool {

@@ -1,0 +1,60 @@
+//! Contacts of which one is enough, because they meet at a corner that is convex.
+//!
+//! ```text
+//!            | box
+//!   _________|____       The box has come to the seam of two tiles that are level. Its corner touches the top of the next
+//!    tile    |           tile, and the side of it, which ends there. Two convex corners overlap only where all of their
+//!            | next      contacts do: while the one with the top is not overlapping, the side is no obstacle.
+//! ```
+
+use cspace::{FeatureId, FeatureKind, FeatureName, Part};
+
+use crate::pairs::{MovingPair, Touch};
+
+use super::ends::Edge;
+
+/// Whether two contacts of a pair, which are at one place, are of one feature of each part or of two that meet at a convex corner: the
+/// parts are apart there where either of them is open.
+pub(crate) fn one_is_enough(pair: &MovingPair, a: &Touch, b: &Touch) -> bool {
+    let of = |part: &Part, a: FeatureId, b: FeatureId| is_convex(part, a.name, b.name);
+    of(pair.space.fixed(), a.features.0, b.features.0)
+        && of(pair.space.moving(), a.features.1, b.features.1)
+}
+
+/// Whether two features of a part are one, or meet at a convex corner and nowhere else.
+fn is_convex(part: &Part, a: FeatureName, b: FeatureName) -> bool {
+    if a.loop_index != b.loop_index {
+        return false;
+    }
+    if a.index == b.index && a.kind == b.kind {
+        return true;
+    }
+    let Some(of) = part.loops().get(a.loop_index as usize) else {
+        return false;
+    };
+    let count = of.vertices().len() as u32;
+    let next = |i: u32| (i + 1) % count;
+    let is_vertex = |name: FeatureName| name.kind == FeatureKind::Vertex;
+    // Vertices are features only where they are convex, and each begins the edge of its number.
+    match (is_vertex(a), is_vertex(b)) {
+        (true, true) => false,
+        (true, false) => a.index == b.index || a.index == next(b.index),
+        (false, true) => a.index == b.index || b.index == next(a.index),
+        (false, false) => {
+            let (before, after) = match (next(a.index) == b.index, next(b.index) == a.index) {
+                (true, false) => (a, b),
+                (false, true) => (b, a),
+                _ => return false,
+            };
+            let edges = Edge::of(part, before).zip(Edge::of(part, after));
+            edges.is_some_and(|(before, after)| {
+                let (before, after) = if of.is_reversed() {
+                    (after, before)
+                } else {
+                    (before, after)
+                };
+                before.arrives.cross(after.leaves) >= 0.0
+            })
+        }
+    }
+}
