@@ -1,5 +1,7 @@
 //! The motion while the contacts stay what they are.
 
+use std::collections::HashMap;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::linear::{Cholesky, Rows, length};
@@ -27,6 +29,8 @@ pub(super) struct Flow<'a, W: World + ?Sized> {
     factor: Cholesky,
     /// If that is diagonal.
     lightness: Option<Lightness>,
+    /// The gaps at which contacts that bear are held, where these are not 0.
+    pub(super) seats: HashMap<usize, f64>,
 }
 
 impl<'a, W: World + ?Sized> Flow<'a, W> {
@@ -39,6 +43,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             inverse,
             factor,
             lightness: Lightness::of(world.mass()),
+            seats: HashMap::new(),
         })
     }
 
@@ -130,8 +135,8 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         rows.determinant()
     }
 
-    /// The nearest state, in the metric of the masses, in which joints hold and the contacts that bear are closed; and how far they
-    /// were open.
+    /// The nearest state, in the metric of the masses, in which joints hold and the contacts that bear are at their seats; and how far
+    /// they were off.
     pub(super) fn projected(&self, mut state: State, bearings: &Bearings) -> Option<(State, f64)> {
         let world = self.world;
         let mut open = 0.0;
@@ -144,7 +149,8 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             return Some((state, open));
         }
         for round in 0..PROJECTIONS {
-            let gaps = touches.iter().map(|t| t.gap);
+            let seat = |contact: usize| self.seats.get(&contact).copied().unwrap_or(0.0);
+            let gaps = (touches.iter().zip(bearings)).map(|(t, b)| t.gap - seat(b.0));
             let off = DVector::from_iterator(
                 joints.values.len() + touches.len(),
                 joints.values.iter().copied().chain(gaps),

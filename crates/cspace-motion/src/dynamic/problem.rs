@@ -106,6 +106,19 @@ impl Problem<'_> {
         (force * self.zero, (rate * self.zero).max(terms * ROUNDING))
     }
 
+    /// Whether a contact has neither a force nor an acceleration.
+    pub(super) fn is_tied(&self, s: &Solution) -> bool {
+        // What forces other than those of contacts would give the rates, were there no contacts.
+        let free = |b: &Bearing| -> f64 {
+            let terms = b.normal.iter().zip(self.h.iter()).enumerate();
+            terms.map(|(k, (n, h))| (n * h / self.mass[(k, k)]).abs()).sum()
+        };
+        let terms = self.bearings.iter().map(free).fold(0.0, f64::max);
+        let (force, rate) = self.nothing(s, terms);
+        let mut each = s.normal.iter().zip(&s.rates);
+        each.any(|(normal, (a_n, _))| normal.abs() <= force && a_n.abs() <= rate)
+    }
+
     /// Whether the inequalities of a solution's modes hold.
     pub(super) fn holds(&self, s: &Solution, terms: f64) -> bool {
         let (force, rate) = self.nothing(s, terms);

@@ -1,5 +1,7 @@
 //! What happens at an event, and what each contact does from then on.
 
+use std::collections::HashMap;
+
 use nalgebra::DVector;
 
 use super::STILL;
@@ -8,7 +10,7 @@ use super::modes::{Mode, Problem, Solution};
 use super::motion::{Ended, Event, EventKind};
 use super::run::{Reached, Run};
 use super::step::Watched;
-use super::world::{Step, Touch, World};
+use super::world::{State, Step, Touch, World};
 
 /// Trials of one of several sets of contacts go as far as this, as shares of the size: beyond what contacts are known to, and less than
 /// what follows next. A shorter one is made where something follows at once.
@@ -105,7 +107,17 @@ impl<W: World + ?Sized> Run<'_, W> {
     /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
     pub(super) fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
         let closed = self.in_the_way(closed);
-        let sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
+        let mut sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
+        let is_one = sets.len() < 2;
+        let ending = self.ending(&closed);
+        if !ending.is_empty() {
+            let goes_on = |set: &Vec<usize>| -> Vec<usize> {
+                let all = set.iter().copied();
+                all.filter(|i| !ending.contains(i)).collect()
+            };
+            let others: Vec<Vec<usize>> = sets.iter().map(goes_on).collect();
+            sets.extend(others);
+        }
         if sets.len() < 2 {
             return self.settle_with(closed, at);
         }
@@ -134,18 +146,50 @@ impl<W: World + ?Sized> Run<'_, W> {
                 failed = failed.or(settled.err());
             }
         }
+        if is_one {
+            return self.settle_with(closed, at);
+        }
         Err(failed.unwrap_or(Ended::Stuck { contacts: closed }))
     }
 
-    /// The closed contacts without those that would strike while another at the same convex corner does not: parts pass each other there.
+    /// Of closed contacts of which none strikes, those of which the features do not touch any more a very little later although they do not
+    /// part: as the edge of a notch, once what bridges the notch rests on its other side.
+    fn ending(&self, closed: &[usize]) -> Vec<usize> {
+        let State { t, q, v } = &self.state;
+        let world = self.flow.world;
+        let speed = world.reach(v);
+        if speed == 0.0 || closed.iter().any(|&i| self.strikes(i)) {
+            return Vec::new();
+        }
+        let h = TRIALS[0] * world.size() / speed;
+        let ahead = (t + h, q + v * h);
+        let ends = |&i: &usize| {
+            let (rate, still) = self.opening(i);
+            rate <= still && !world.is_there(i, ahead.0, &ahead.1)
+        };
+        closed.iter().copied().filter(ends).collect()
+    }
+
+    /// The closed contacts without those that would strike while another at the same convex corner does not and is not overlapping: parts
+    /// pass each other there. And without those that are yet to close.
     fn in_the_way(&self, mut closed: Vec<usize>) -> Vec<usize> {
+        let world = self.flow.world;
         let (hits, others): (Vec<usize>, Vec<usize>) =
             closed.iter().partition(|&&i| self.strikes(i));
-        let world = self.flow.world;
-        let is_passed = |hit: usize| {
-            (others.iter()).any(|&o| world.one_is_enough(hit, o) && self.is_same(hit, o))
+        let overlaps = |&i: &usize| {
+            let gap = self.touch(i).gap;
+            world.seat(i, gap).is_some_and(|seat| gap < seat)
         };
-        closed.retain(|i| !(hits.contains(i) && is_passed(*i)));
+        let apart: Vec<usize> = others.into_iter().filter(|i| !overlaps(i)).collect();
+        let is_passed = |hit: usize| {
+            let mut apart = apart.iter();
+            apart.any(|&o| world.one_is_enough(hit, o) && self.is_same(hit, o))
+        };
+        let is_closed = |i: usize| {
+            let bears = self.bearings.iter().any(|b| b.0 == i);
+            bears || world.seat(i, self.touch(i).gap).is_some()
+        };
+        closed.retain(|&i| is_closed(i) && !(hits.contains(&i) && is_passed(i)));
         closed
     }
 
@@ -265,10 +309,12 @@ impl<W: World + ?Sized> Run<'_, W> {
             problem.bearings[k].lets_go = is_among(&at.loose);
         }
         let solution = self.one(problem.solutions(), &resting)?;
+        let goes_on = self.goes_on(&problem, &solution, &resting);
         self.bearings = (resting.iter().copied())
-            .zip(solution.modes)
+            .zip(goes_on.unwrap_or(solution.modes))
             .filter(|(_, mode)| *mode != Mode::Open)
             .collect();
+        self.flow.seats = self.seats();
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &self.bearings) {
             self.state = state;
         }
@@ -283,12 +329,58 @@ impl<W: World + ?Sized> Run<'_, W> {
         Ok(())
     }
 
+    /// The gaps at which the contacts that bear are held: those at which they have been, or with which they are found.
+    fn seats(&self) -> HashMap<usize, f64> {
+        let seat = |i: usize| {
+            let known = self.flow.seats.get(&i).copied();
+            known.or_else(|| self.flow.world.seat(i, self.touch(i).gap))
+        };
+        (self.bearings.iter())
+            .filter_map(|b| seat(b.0).map(|seat| (b.0, seat)))
+            .collect()
+    }
+
+    /// The modes of contacts of which some have neither a force nor an acceleration, by the forces a little later: which of them bear is
+    /// not told by what is now, as where a box comes to be balanced on the edge of a step. `None` if all of them have one, or what is later
+    /// is not one thing.
+    fn goes_on(
+        &self,
+        problem: &Problem<'_>,
+        solution: &Solution,
+        resting: &[usize],
+    ) -> Option<Vec<Mode>> {
+        let state = &self.state;
+        let speed = self.flow.world.reach(&state.v);
+        if speed == 0.0 || !problem.is_tied(solution) {
+            return None;
+        }
+        let h = (TRIALS[0] * self.flow.world.size() / speed).min(1e-3 * self.span);
+        let ahead = State {
+            t: state.t + h,
+            q: &state.q + &state.v * h + &solution.x * (0.5 * h * h),
+            v: &state.v + &solution.x * h,
+        };
+        let mut later = self.problem_at(&ahead, resting);
+        for (later, now) in later.bearings.iter_mut().zip(&problem.bearings) {
+            later.slides = now.slides;
+            later.lets_go = now.lets_go;
+        }
+        match &later.solutions()[..] {
+            [only] => Some(only.modes.clone()),
+            _ => None,
+        }
+    }
+
     pub(super) fn problem(&self, contacts: &[usize]) -> Problem<'_> {
-        let mut problem = self.flow.problem(&self.state, contacts, 0.0);
-        let far = self.flow.world.longest(&self.state);
+        self.problem_at(&self.state, contacts)
+    }
+
+    fn problem_at(&self, state: &State, contacts: &[usize]) -> Problem<'_> {
+        let mut problem = self.flow.problem(state, contacts, 0.0);
+        let far = self.flow.world.longest(state);
         for (k, &i) in contacts.iter().enumerate() {
-            let touch = self.touch(i);
-            let rate = touch.sliding(&self.state.v);
+            let touch = self.flow.world.touch(i, state.t, &state.q);
+            let rate = touch.sliding(&state.v);
             if problem.bearings[k].b.abs() * far * far < SLIGHT * self.flow.world.size() {
                 problem.bearings[k].b = 0.0;
             }
@@ -310,6 +402,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         let modes: Vec<Mode> = closed.iter().map(mode).collect();
         let solution = self.impulses(closed, &|_| (0.0, 0.0)).within(&modes);
         self.pass(&solution.ok_or_else(|| self.stuck())?, closed);
+        self.flow.seats.clear();
         let bearings = closed.iter().copied().zip(modes).collect();
         let state = self.flow.projected(self.state.clone(), &bearings);
         self.state = state.ok_or_else(|| self.stuck())?.0;

@@ -147,6 +147,12 @@ pub trait World {
         a == b
     }
 
+    /// The gap at which a contact is held that is closed with some gap: parts that touch as well as contacts are known are level as they
+    /// are. `None` if the gap is larger, and has yet to close; 0 if parts overlap by more. 0 of all gaps unless a world knows better.
+    fn seat(&self, _contact: usize, _gap: f64) -> Option<f64> {
+        Some(0.0)
+    }
+
     /// Whether parts are apart where either of two contacts at one place is open: at corners that are convex.
     fn one_is_enough(&self, _a: usize, _b: usize) -> bool {
         false

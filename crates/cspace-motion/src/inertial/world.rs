@@ -20,6 +20,9 @@ use super::forces::{drives, forces, kinetic};
 use super::joints::{Constraint, constraints};
 use super::rates::Rates;
 
+/// Contacts are held at the gaps with which they were found up to this share of what parts count as touching with: so they are on
+/// their patches all along.
+const LEVEL: f64 = 0.5;
 /// More sets of contacts than that are not gone through.
 const MOST_SETS: usize = 64;
 
@@ -321,6 +324,20 @@ impl World for Mechanical<'_> {
 
     fn is_same(&self, a: usize, b: usize, t: f64, q: &DVector<f64>) -> bool {
         self.passes(a, b, t, q, SAME_PLACE * self.size())
+    }
+
+    fn seat(&self, contact: usize, gap: f64) -> Option<f64> {
+        let Bound::Contact(touch) = self.bound(contact) else {
+            return Some(0.0);
+        };
+        let level = LEVEL * self.pairs.list()[touch.pair].touch;
+        if gap > level {
+            None
+        } else if gap < -level {
+            Some(0.0)
+        } else {
+            Some(gap)
+        }
     }
 
     fn one_is_enough(&self, a: usize, b: usize) -> bool {
