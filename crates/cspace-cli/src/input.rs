@@ -24,6 +24,7 @@ pub(crate) fn document(file: &Path) -> Result<(PathBuf, Document), Failure> {
         let read = cspace_io::read_from_guarded(std::io::stdin().lock(), STDIN, &guard)?;
         Ok((PathBuf::from(STDIN), read))
     } else {
+        output::before_reading(file)?;
         Ok((file.to_owned(), cspace_io::read_guarded(file, &guard)?))
     }
 }
