@@ -972,10 +972,11 @@ Examples:
   cspace simulate models/geneva.toml --time 2 -o run.csv
   cspace clash models/geneva.toml --along run.csv --format json
 
-Every two parts as they are drawn, the worst first; no contact space is computed.
+Every two parts as they are drawn, the worst first. No contact space is
+computed.
 
-  overlap   with the depth: the length of the shortest translation of the second
-            part that separates the two, neither of them turned
+  overlap   with the depth: the length of the shortest translation of the
+            second part that separates the two, neither of them turned
   meets     with --along: the boundaries meet between two samples at which the
             parts are apart
   touching  the gap or the depth is --touch or less
@@ -984,8 +985,8 @@ Every two parts as they are drawn, the worst first; no contact space is computed
 
 Features and points are those that are nearest, in the assembly's frame; of an
 overlap those that touch after the translation, the point of the second part
-where it is before. All parts are taken to lie in one plane, whichever pairs the
-model lists.
+where it is before. All parts are taken to lie in one plane, whichever pairs
+the model lists.
 
 With --along the gap is the least over the whole motion, with its time: between
 two samples all coordinates are taken to change at constant rates, and the gap

@@ -28,6 +28,7 @@ pub(crate) fn document(file: &Path) -> Result<(PathBuf, Document), Failure> {
         let read = cspace_io::read_from_hosted(std::io::stdin().lock(), STDIN, &host)?;
         Ok((PathBuf::from(STDIN), read))
     } else {
+        output::before_reading(file)?;
         Ok((file.to_owned(), cspace_io::read_hosted(file, &host)?))
     }
 }

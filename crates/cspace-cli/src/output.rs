@@ -142,7 +142,8 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
 #[derive(Debug)]
 struct Files {
     output: Option<PathBuf>,
-    read: Vec<Identity>,
+    /// With what it is.
+    read: Vec<(Identity, &'static str)>,
 }
 
 static FILES: Mutex<Files> = Mutex::new(Files {
@@ -158,19 +159,22 @@ fn files() -> MutexGuard<'static, Files> {
 ///
 /// Every file is asked about before it is read. It is known from then on, so that no output is written over it.
 pub(crate) fn before_reading(path: &Path) -> Result<(), Failure> {
-    reading(identity(path))
+    reading(identity(path), OVER_INPUT)
 }
 
 /// That standard input may be read, which may come from a file.
 pub(crate) fn before_reading_stdin() -> Result<(), Failure> {
-    reading(stdin_identity())
+    reading(
+        stdin_identity(),
+        "the output is the file that standard input comes from",
+    )
 }
 
-fn reading(read: Option<Identity>) -> Result<(), Failure> {
+fn reading(read: Option<Identity>, what: &'static str) -> Result<(), Failure> {
     let Some(read) = read else { return Ok(()) };
     let output = {
         let mut files = files();
-        files.read.push(read);
+        files.read.push((read, what));
         files.output.clone()
     };
     output.map_or(Ok(()), |path| check_apart(&path))
@@ -178,11 +182,15 @@ fn reading(read: Option<Identity>) -> Result<(), Failure> {
 
 /// That the output is none of the files that are read.
 fn check_apart(path: &Path) -> Result<(), Failure> {
-    let is_read = identity(path).is_some_and(|output| files().read.contains(&output));
-    if !is_read {
+    let known = |output: Identity| {
+        let files = files();
+        let read = files.read.iter().find(|(read, _)| *read == output);
+        read.map(|(_, what)| *what)
+    };
+    let Some(what) = identity(path).and_then(known) else {
         return Ok(());
-    }
-    let message = format_args!("{}: {}", path.display(), OVER_INPUT);
+    };
+    let message = format_args!("{}: {what}", path.display());
     Err(Failure::input(message).help(ANOTHER))
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, json, printed};
 
 /// The row of a pair.
 fn row<'a>(answer: &'a Value, first: &str, second: &str) -> &'a Value {
@@ -128,7 +128,7 @@ fn records_that_are_wrong_are_told() {
         fails(cspace(&["clash", &file, "--along", name]), 2, words);
     }
     fails(
-        cspace(&["clash", &model("geneva"), "--pair", "disc,none"]),
+        cspace(&["clash", &file, "--pair", "plate,none"]),
         2,
         &["none", "the parts are"],
     );

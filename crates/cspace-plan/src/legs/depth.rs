@@ -4,6 +4,8 @@ use cspace::{Edge, Part, Point};
 
 use super::at::At;
 
+/// A piece whose ends are close to an edge goes along it all the way if it is shorter than this share of the radii of both.
+const LONGEST: f64 = 0.25;
 /// Points of one boundary that are deepest in the other are looked for on common normals up to so many depths long.
 pub(super) const NORMALS: f64 = 8.0;
 /// Pieces of the boundary are halved down to so many of the depths that are asked for.
@@ -68,7 +70,7 @@ impl Pieces<'_> {
         }
         // Along one edge the whole piece is about as near to it as its ends, and on the side of its middle.
         let ends = [lo, hi].map(|u| seen(e.at(u)));
-        let bent = half * half * (e.curvature().abs() + edge.curvature().abs());
+        let bent = half * half * self.bend(e, &edge, ends);
         let along = if inside {
             let farther = ends.map(|q| edge.distance(q));
             farther[0].max(farther[1]) + bent <= self.depth
@@ -83,6 +85,26 @@ impl Pieces<'_> {
             return false;
         }
         self.any_deep(e, (lo, middle), seen) || self.any_deep(e, (middle, hi), seen)
+    }
+}
+
+impl Pieces<'_> {
+    /// How much the distance from an edge bends at most along a piece of a boundary with these ends: the second derivative.
+    fn bend(&self, piece: &Edge, edge: &Edge, ends: [Point; 2]) -> f64 {
+        let (k, m) = (piece.curvature(), edge.curvature());
+        let most = k.abs().max(m.abs());
+        let is_long = ends[0].distance(ends[1]) * most > LONGEST;
+        if is_long || ends.iter().any(|&q| edge.distance(q) > self.depth) {
+            return k.abs() + m.abs();
+        }
+        // Both ends are close to the edge, so the piece goes along it, and bends from it by the difference of the curvatures.
+        let along = if edge.is_line() {
+            edge.end - edge.start
+        } else {
+            (ends[0].midpoint(ends[1]) - edge.center()).left() * edge.bulge
+        };
+        let same_way = (ends[1] - ends[0]).dot(along) >= 0.0;
+        (k - if same_way { m } else { -m }).abs() + most * most * self.depth
     }
 }
 
