@@ -166,7 +166,8 @@ fn motions_that_turn_too_far_end() {
         assert_eq!(away, Ok(MotionOutcome::Free));
     }
     for rates in [[0.0, 1e-12, 1e8], [0.0, 1e-12, -1e12], [0.0, 1e-150, 1.0]] {
-        let far = at(2.6, 0.0, 0.0);
+        // A few turns are left.
+        let far = at(2.6, 0.0, 999_980.0_f64.copysign(rates[2]));
         assert_eq!(space.first_contact(far, rates, 1e150), too_far, "{rates:?}");
         assert_eq!(
             space.crossings(far, rates, 1e150),

@@ -66,7 +66,7 @@ fn distances_are_between_features() {
         let space = planar(fixed, moving);
         let size = fixed.size().max(moving.size());
         let mut rng = ChaCha8Rng::seed_from_u64(8);
-        let mut left = 40;
+        let mut left = 20;
         while left > 0 {
             let mut on = || rng.random_range(-1.5..1.5) * size;
             let c = Configuration::new(on(), on(), rng.random_range(-3.0..3.0));
@@ -118,7 +118,7 @@ fn distances_are_between_features() {
             }
         }
     }
-    assert!(told > 1000, "{told}");
+    assert!(told > 200, "{told}");
 }
 
 /// Two triangles, one with a flat arc, whose nearest places are a vertex and a side; of circle and arc ends nothing is told.
