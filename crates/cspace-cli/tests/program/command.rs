@@ -731,7 +731,7 @@ fn a_closed_pipe_ends_quietly() {
     }
 }
 
-/// An interrupt ends the work soon, with code 1 and nothing written.
+/// An interrupt ends the work soon, by the signal and with nothing written.
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_nothing_behind() {

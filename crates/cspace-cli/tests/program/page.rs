@@ -386,3 +386,41 @@ fn it_is_served_until_it_is_interrupted() {
         assert_eq!(rest, "", "the address is all that is printed");
     }
 }
+
+/// More connections than there may be open files, one with half of a request: when they are gone, the page is answered.
+#[cfg(unix)]
+#[test]
+fn idle_connections_do_not_end_the_view() {
+    use std::io::{BufRead, BufReader, Read, Write};
+    use std::net::TcpStream;
+    use std::process::{Command, Stdio};
+    if !is_bundled() {
+        return;
+    }
+    let program = assert_cmd::cargo::cargo_bin("cspace");
+    let mut child = Command::new("sh")
+        .args(["-c", "ulimit -n 40; exec \"$0\" view \"$1\" --no-open"])
+        .arg(program)
+        .arg(model("knee"))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut url = String::new();
+    let mut lines = BufReader::new(child.stdout.take().unwrap());
+    lines.read_line(&mut url).unwrap();
+    let (host, path) = url.trim()["http://".len()..].split_once('/').unwrap();
+    let mut idle: Vec<TcpStream> = (0..60).map(|_| TcpStream::connect(host).unwrap()).collect();
+    idle[0].write_all(b"GET / HT").unwrap();
+    // One that the system has not given to the server yet is answered once the others are gone.
+    let mut asking = TcpStream::connect(host).unwrap();
+    let request = format!("GET /{path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n");
+    asking.write_all(request.as_bytes()).unwrap();
+    drop(idle);
+    let mut answer = String::new();
+    asking.read_to_string(&mut answer).unwrap();
+    assert!(answer.starts_with("HTTP/1.1 200 OK"), "{answer}");
+    assert!(child.try_wait().unwrap().is_none());
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
