@@ -5,9 +5,8 @@ use cspace::{Axis, AxisMotion, Configuration, Part, PartEntry, Point, Vector};
 
 use super::at::At;
 use super::depth::{NORMALS, is_deep};
-use super::near::Coords;
 use super::overlap::{coincide, overlap};
-use super::pose::{Pose, origin};
+use super::pose::{Coords, Pose, origin};
 use super::search::{Nearest, Search};
 use super::shape::Piece;
 use super::tree::Tree;
@@ -41,11 +40,6 @@ impl<'a> Body<'a> {
 
     pub(crate) fn part(&self) -> &'a Part {
         self.part
-    }
-
-    /// How the part moves; none if it does so in the plane.
-    pub(crate) fn motion(&self) -> Option<AxisMotion> {
-        self.motion
     }
 
     /// The size of the part: the diameter of a disc around it.
