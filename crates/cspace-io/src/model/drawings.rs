@@ -1,13 +1,33 @@
 //! Outlines of parts that a model takes from drawings.
 
+use std::path::Path;
+
 use cspace::Part;
 use cspace_drawing::{DrawingError, Settings, Source, Unit};
 
 use super::error::ModelError;
 use super::node::Node;
-use super::read::Files;
 use super::table::{Result, Table};
+use crate::file::Guard;
 use crate::shown::quoted;
+
+/// Where drawings are that a model names, and which of them may be opened.
+#[derive(Clone, Copy)]
+pub(crate) struct Files<'a> {
+    /// The folder that the names of drawings are relative to.
+    pub(super) folder: &'a Path,
+    pub(super) guard: Guard<'a>,
+}
+
+impl<'a> Files<'a> {
+    /// Drawings relative to the folder of a file.
+    pub(crate) fn beside(file: &'a str, guard: Guard<'a>) -> Self {
+        Self {
+            folder: Path::new(file).parent().unwrap_or(Path::new("")),
+            guard,
+        }
+    }
+}
 
 /// What a model says for all of its parts.
 pub(super) struct Setting<'a> {
