@@ -1,13 +1,33 @@
 //! Outlines of parts that a model takes from drawings.
 
+use std::path::Path;
+
 use cspace::{Part, Point};
 use cspace_drawing::{Conversion, DrawingError, Pick, Settings, Source};
 
 use super::error::ModelError;
 use super::node::Node;
-use super::read::Files;
 use super::table::{Result, Table, number};
+use crate::file::Host;
 use crate::shown::quoted;
+
+/// Where drawings are that a model names, and on whose behalf they are read.
+#[derive(Clone, Copy)]
+pub(crate) struct Files<'a> {
+    /// The folder that the names of drawings are relative to.
+    pub(super) folder: &'a Path,
+    pub(super) host: &'a Host<'a>,
+}
+
+impl<'a> Files<'a> {
+    /// Drawings relative to the folder of a file.
+    pub(crate) fn beside(file: &'a str, host: &'a Host<'a>) -> Self {
+        Self {
+            folder: Path::new(file).parent().unwrap_or(Path::new("")),
+            host,
+        }
+    }
+}
 
 /// What a model says for all of its parts.
 pub(super) struct Setting<'a> {

@@ -31,9 +31,10 @@ mod toml_values;
 
 pub(crate) use read::no_json;
 
+pub(crate) use drawings::Files;
 pub use error::ModelError;
-pub(crate) use read::{Files, from_text, json_in, read_hosted, toml_in};
 pub use read::{MOST_PARTS, from_json, from_toml, read};
+pub(crate) use read::{from_text, json_in, read_hosted, toml_in};
 pub use slips::{Slip, slips};
 pub use snap::{Snapped, snap};
 pub use to_json::to_json;

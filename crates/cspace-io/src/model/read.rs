@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cspace::Mechanism;
 
-use super::drawings::Setting;
+use super::drawings::{Files, Setting};
 use super::dynamics::read_dynamics;
 use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column};
@@ -176,24 +176,6 @@ pub(crate) fn toml_in(
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
     json_in(text, file, &Files::beside(file, &Host::default()))
-}
-
-/// Where drawings are that a model names, and on whose behalf they are read.
-#[derive(Clone, Copy)]
-pub(crate) struct Files<'a> {
-    /// The folder that the names of drawings are relative to.
-    pub(super) folder: &'a Path,
-    pub(super) host: &'a Host<'a>,
-}
-
-impl<'a> Files<'a> {
-    /// Drawings relative to the folder of a file.
-    pub(crate) fn beside(file: &'a str, host: &'a Host<'a>) -> Self {
-        Self {
-            folder: Path::new(file).parent().unwrap_or(Path::new("")),
-            host,
-        }
-    }
 }
 
 pub(crate) fn json_in(

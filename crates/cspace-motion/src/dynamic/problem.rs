@@ -111,7 +111,9 @@ impl Problem<'_> {
         // What forces other than those of contacts would give the rates, were there no contacts.
         let free = |b: &Bearing| -> f64 {
             let terms = b.normal.iter().zip(self.h.iter()).enumerate();
-            terms.map(|(k, (n, h))| (n * h / self.mass[(k, k)]).abs()).sum()
+            terms
+                .map(|(k, (n, h))| (n * h / self.mass[(k, k)]).abs())
+                .sum()
         };
         let terms = self.bearings.iter().map(free).fold(0.0, f64::max);
         let (force, rate) = self.nothing(s, terms);

@@ -236,7 +236,11 @@ impl<W: World + ?Sized> Run<'_, W> {
         let known: Vec<usize> = self.bearings.iter().map(|b| b.0).collect();
         let (mut struck, mut rested) = (Vec::new(), Vec::new());
         for round in 0..=MOST {
-            let hits: Vec<usize> = closed.iter().copied().filter(|&i| self.strikes(i)).collect();
+            let hits: Vec<usize> = closed
+                .iter()
+                .copied()
+                .filter(|&i| self.strikes(i))
+                .collect();
             if hits.is_empty() {
                 break;
             }

@@ -2,8 +2,8 @@
 
 use crate::legs::Coords;
 
+use super::answer::{Clash, State};
 use super::pair::Pair;
-use super::{Clash, State};
 
 /// What two parts are to each other over a motion: the worst of its samples, and of what is between them; none if they are clear
 /// by `within` or more all along.

@@ -2,8 +2,8 @@
 
 use crate::legs::{Between, Body, Coords};
 
+use super::answer::{Clash, State};
 use super::depth::separated;
-use super::{Clash, State};
 
 /// Two parts that are asked about.
 pub(super) struct Pair<'a> {

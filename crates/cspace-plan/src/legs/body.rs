@@ -5,9 +5,8 @@ use cspace::{Axis, AxisMotion, Configuration, Part, PartEntry, Point, Vector};
 
 use super::at::At;
 use super::depth::{NORMALS, is_deep};
-use super::near::Coords;
 use super::overlap::{coincide, overlap};
-use super::pose::{Pose, origin};
+use super::pose::{Coords, Pose, origin};
 use super::search::{Nearest, Search};
 use super::shape::Piece;
 use super::tree::Tree;

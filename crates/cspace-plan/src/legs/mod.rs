@@ -22,6 +22,7 @@ mod shape;
 mod tree;
 
 pub(crate) use body::{Between, Body};
-pub use near::{Coords, Near};
+pub use near::Near;
+pub use pose::Coords;
 pub use scene::Scene;
 pub use search::Nearest;

@@ -2,10 +2,7 @@
 
 use cspace::{FeatureName, Point, Vector};
 
-use super::pose::Pose;
-
-/// Coordinates as numbers: x, y and θ, or u, v and 0.
-pub type Coords = [f64; 3];
+use super::pose::{Coords, Pose};
 
 /// Two pieces that are near each other.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,8 @@
 
 use cspace::{AxisMotion, Point, Rotation, Vector};
 
-use super::near::Coords;
+/// Coordinates as numbers: x, y and θ, or u, v and 0.
+pub type Coords = [f64; 3];
 
 /// A motion of constant rates for times from 0 to 1: the part's point q is at from + velocity t + R(angle + turning t) q.
 #[derive(Debug, Clone, Copy, PartialEq)]

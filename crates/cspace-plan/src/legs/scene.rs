@@ -7,9 +7,9 @@ use cspace::{
 
 use super::at::At;
 use super::depth::{NORMALS, is_deep};
-use super::near::{Coords, Near};
+use super::near::Near;
 use super::overlap::overlap;
-use super::pose::{Pose, origin};
+use super::pose::{Coords, Pose, origin};
 use super::search::{Nearest, Search};
 use super::shape::Piece;
 use super::tree::Tree;
