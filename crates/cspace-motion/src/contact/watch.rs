@@ -128,12 +128,14 @@ impl<'a> Watch<'a> {
                 Ok(touches) => touches,
                 Err(error) => return Some(outside(error)),
             };
+            let gap = |touch: &Touch| pair.function(touch, self.system, to).value;
+            let deep = held.clone().map(gap).fold(0.0, f64::min).abs() + pair.space.resolution();
             let has =
                 |all: &[Touch], touch: &Touch| all.iter().any(|t| t.features == touch.features);
             let stays = |touch: &Touch| {
                 if has(&touches, touch) {
                     self.stays(pair, touch, [from, to], pair.touch)
-                } else if self.is_level(pair, touch, to) {
+                } else if self.is_level(pair, touch, to, deep) {
                     true
                 } else {
                     let near = SAME_PLACE * self.system.size();
@@ -192,8 +194,8 @@ impl<'a> Watch<'a> {
     }
 
     /// Whether two features still touch as well as contacts are known, although others keep the parts from touching there by less than that:
-    /// as on the lower of two tiles. The parts do not overlap by more.
-    fn is_level(&self, pair: &MovingPair, touch: &Touch, q: &[f64]) -> bool {
+    /// as on the lower of two tiles. The parts do not overlap by more than a depth.
+    fn is_level(&self, pair: &MovingPair, touch: &Touch, q: &[f64], deep: f64) -> bool {
         let PairSpace::Planar(_) = &pair.space else {
             return false;
         };
@@ -207,7 +209,7 @@ impl<'a> Watch<'a> {
         match pair.space.classify(at) {
             Ok(Classification::Blocked) => {
                 let nearest = pair.space.nearest_contact(at).ok().flatten();
-                nearest.is_some_and(|nearest| nearest.distance <= pair.touch)
+                nearest.is_some_and(|nearest| nearest.distance <= deep)
             }
             class => class.is_ok(),
         }
