@@ -167,7 +167,9 @@ impl MovingPair {
         tolerance: f64,
     ) -> Result<Vec<Touch>, QueryError> {
         let at = self.coordinates(system, q);
-        self.touches_beside(index, at, tolerance, BESIDE)
+        // A part that lies level on two others, one of which is lower by less than is told, would touch that where it is turned so much.
+        let level = tolerance.min(self.touch) / self.space.moving().size();
+        self.touches_beside(index, at, tolerance, level.max(BESIDE))
     }
 
     /// The contacts within a way where the parts touch or overlap, those included that touch at orientations as near; none where the

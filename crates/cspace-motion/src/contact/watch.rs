@@ -6,6 +6,7 @@ use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::{System, reach};
 
 use super::bound::{Bound, SAME_PLACE, limits};
+use super::ends::{PAST_END, ends};
 use super::meeting::Meeting;
 use super::path::Path;
 use super::pinch::pinching;
@@ -127,11 +128,15 @@ impl<'a> Watch<'a> {
                 Ok(touches) => touches,
                 Err(error) => return Some(outside(error)),
             };
+            let gap = |touch: &Touch| pair.function(touch, self.system, to).value;
+            let deep = held.clone().map(gap).fold(0.0, f64::min).abs() + pair.space.resolution();
             let has =
                 |all: &[Touch], touch: &Touch| all.iter().any(|t| t.features == touch.features);
             let stays = |touch: &Touch| {
                 if has(&touches, touch) {
                     self.stays(pair, touch, [from, to], pair.touch)
+                } else if self.is_level(pair, touch, to, deep) {
+                    true
                 } else {
                     let near = SAME_PLACE * self.system.size();
                     has(&pinching(self.system, self.pairs, index, to), touch)
@@ -186,6 +191,28 @@ impl<'a> Watch<'a> {
             let at = pair.coordinates(self.system, q);
             pair.space.is_on(patch, at, pair.touch) == Ok(true)
         })
+    }
+
+    /// Whether two features still touch as well as contacts are known, although others keep the parts from touching there by less than that:
+    /// as on the lower of two tiles. The parts do not overlap by more than a depth.
+    fn is_level(&self, pair: &MovingPair, touch: &Touch, q: &[f64], deep: f64) -> bool {
+        let PairSpace::Planar(_) = &pair.space else {
+            return false;
+        };
+        let gap = pair.function(touch, self.system, q).value;
+        let turn = (pair.touch / pair.space.moving().size()).max(PAST_END);
+        let all = ends(pair, touch, self.system, q);
+        if gap.abs() > pair.touch || all.is_empty() || all.iter().any(|end| *end < -turn) {
+            return false;
+        }
+        let at = pair.coordinates(self.system, q);
+        match pair.space.classify(at) {
+            Ok(Classification::Blocked) => {
+                let nearest = pair.space.nearest_contact(at).ok().flatten();
+                nearest.is_some_and(|nearest| nearest.distance <= deep)
+            }
+            class => class.is_ok(),
+        }
     }
 
     /// Whether a contact that is closed at both ends of a step was closed all the way.

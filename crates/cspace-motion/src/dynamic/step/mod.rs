@@ -142,9 +142,15 @@ impl<W: World + ?Sized> Flow<'_, W> {
             (0..before.len()).find(|k| !ignored.contains(k) && before[*k].falls(&end.watches[*k]))
         {
             let (watch, last) = (&before[k], end.watches[k].value);
-            let value = |state: &State| self.watched(watch, state, bearings);
+            // A gap that begins below 0 by rounding is closed there.
+            let closed = match watch.kind {
+                Watched::Gap => watch.value.min(0.0),
+                _ => 0.0,
+            };
+            let last = last - closed;
+            let value = |state: &State| Some(self.watched(watch, state, bearings)? - closed);
             // What begins at 0 and grows is positive somewhere in between.
-            let mut begin = (0.0, watch.value);
+            let mut begin = (0.0, watch.value - closed);
             let mut ahead = end.h;
             let nothing = match watch.kind {
                 Watched::Gap => f64::EPSILON * self.world.size(),
