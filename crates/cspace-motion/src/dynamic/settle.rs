@@ -106,7 +106,6 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
     pub(super) fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
-        if std::env::var("DBG").is_ok() { eprintln!("t {:.12} closed {:?} before {:?} v {:?}", self.state.t, closed.iter().map(|&i| (i, self.touch(i).gap, self.opening(i).0)).collect::<Vec<_>>(), self.bearings, self.state.v.as_slice()); }
         let closed = self.in_the_way(closed);
         let mut sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
         let is_one = sets.len() < 2;
@@ -134,7 +133,6 @@ impl<W: World + ?Sized> Run<'_, W> {
         for scale in TRIALS {
             for set in &sets {
                 let settled = self.settle_with(set.clone(), at);
-                if std::env::var("DBG").is_ok() { eprintln!("   {scale:e} set {:?} -> {:?} bear {:?} leads {}", set, settled, self.bearings, settled.is_ok() && self.leads_on(scale)); }
                 if settled.is_ok() && self.leads_on(scale) {
                     return Ok(());
                 }
