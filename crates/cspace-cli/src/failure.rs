@@ -97,6 +97,15 @@ impl Failure {
     }
 }
 
+/// Prints an entry of a list to stderr, below a message that it belongs to.
+pub(crate) fn list(entry: impl Display) {
+    let _ = writeln!(
+        anstream::stderr().lock(),
+        "  {}",
+        harmless(&entry.to_string())
+    );
+}
+
 /// Whether nothing but errors is said.
 static QUIET: AtomicBool = AtomicBool::new(false);
 

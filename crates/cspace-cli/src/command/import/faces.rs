@@ -1,8 +1,11 @@
 //! The faces of a drawing that is refused, and what a user can do with them.
 
+use std::fmt::Display;
+
 use cspace_drawing::{Drawing, DrawnFaces, Settings};
 
 use crate::args::ImportArgs;
+use crate::failure::{list, note};
 use crate::wording::{count, length};
 
 /// Faces that are printed, at most.
@@ -32,21 +35,23 @@ impl Choice {
         }
     }
 
-    /// The faces, a line each.
-    pub(super) fn lines(&self) -> String {
-        let mut text = String::new();
+    /// Prints the faces, a line each.
+    pub(super) fn print(&self, file: impl Display) {
         let faces = &self.faces.faces;
         if faces.is_empty() {
-            return text;
+            return;
         }
-        text += &match self.faces.count {
-            n if n <= MOST => format!("\n{}:", count(n, "face is closed", "faces are closed")),
-            n => format!("\n{n} faces are closed; the largest:"),
-        };
+        note(match self.faces.count {
+            n if n <= MOST => format!(
+                "{file}: {}:",
+                count(n, "face is closed", "faces are closed")
+            ),
+            n => format!("{file}: {n} faces are closed; the largest:"),
+        });
         for face in faces.iter().take(MOST) {
             let [lo, hi] = [face.bounds.min, face.bounds.max];
-            text += &format!(
-                "\n  --pick {},{}  area {}, x {} to {}, y {} to {}",
+            list(format_args!(
+                "--pick {},{}  area {}, x {} to {}, y {} to {}",
                 face.inside.x,
                 face.inside.y,
                 length(face.area),
@@ -54,9 +59,8 @@ impl Choice {
                 length(hi.x),
                 length(lo.y),
                 length(hi.y)
-            );
+            ));
         }
-        text
     }
 
     /// What to do.

@@ -147,7 +147,8 @@ fn outlines(
         let problems = match &error {
             DrawingError::Entities(problems) if problems.len() > 1 => problems,
             error => {
-                return Failure::input(format_args!("{file}: {error}{}", choice.lines()))
+                choice.print(file);
+                return Failure::input(format_args!("{file}: {error}"))
                     .help(choice.help(error.help()));
             }
         };
@@ -168,10 +169,10 @@ fn outlines(
                 0 => String::new(),
                 more => format!(", {more} of which are not shown"),
             };
+            choice.print(file);
             Failure::input(format_args!(
-                "{file}: {} things cannot be used{rest}{}",
-                problems.len(),
-                choice.lines()
+                "{file}: {} things cannot be used{rest}",
+                problems.len()
             ))
             .help(choice.help("mend the drawing"))
         }
