@@ -147,7 +147,7 @@ fn outlines(
         let problems = match &error {
             DrawingError::Entities(problems) if problems.len() > 1 => problems,
             error => {
-                choice.print(file);
+                choice.print(&file);
                 return Failure::input(format_args!("{file}: {error}"))
                     .help(choice.help(error.help()));
             }
@@ -169,7 +169,7 @@ fn outlines(
                 0 => String::new(),
                 more => format!(", {more} of which are not shown"),
             };
-            choice.print(file);
+            choice.print(&file);
             Failure::input(format_args!(
                 "{file}: {} things cannot be used{rest}",
                 problems.len()
