@@ -127,7 +127,7 @@ impl core::error::Error for OffsetError {}
 ///
 /// ```
 /// use cspace::Part;
-/// let plate = Part::rectangle("plate", (0.0, 0.0), (4.0, 3.0))?;
+/// let plate = Part::rectangle("plate", (0.0, 0.0), 4.0, 3.0)?;
 /// let larger = cspace_drawing::offset(&plate, 0.1, false)?.part;
 /// // Steiner's formula: area + perimeter d + π d².
 /// let area = 12.0 + 14.0 * 0.1 + core::f64::consts::PI * 0.01;
