@@ -38,6 +38,16 @@ pub(crate) fn json(args: &[&str]) -> Value {
     serde_json::from_str(&printed(&args)).unwrap()
 }
 
+/// As [`json`], of a run that may print notes to stderr.
+pub(crate) fn json_beside_notes(args: &[&str]) -> Value {
+    let output = cspace(&[args, &["--format", "json"]].concat())
+        .assert()
+        .success()
+        .get_output()
+        .clone();
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
 /// A run that fails with this code says all of `words`, and prints nothing to stdout.
 #[track_caller]
 pub(crate) fn fails(mut command: Command, code: i32, words: &[&str]) {

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, json, json_beside_notes, model, printed};
 
 fn drawing(name: &str) -> String {
     let folder = concat!(
@@ -152,7 +152,7 @@ fn units_are_told_apart() {
         path.to_str().unwrap().to_owned()
     };
     let area = |keys: &str| {
-        json(&["info", &with(keys)])["parts"][0]["area"]
+        json_beside_notes(&["info", &with(keys)])["parts"][0]["area"]
             .as_f64()
             .unwrap()
     };
@@ -179,7 +179,7 @@ fn units_are_told_apart() {
     assert_eq!(notes(&["info", &with("scale = 25.4\n")]), "");
     let pin = drawing("unit_in.dxf");
     let imported = |args: &[&str]| {
-        let report = json(&[&["import", &pin][..], args].concat());
+        let report = json_beside_notes(&[&["import", &pin][..], args].concat());
         let area = report["parts"][0]["area"].as_f64().unwrap();
         (report["unit"].as_str().map(str::to_owned), area)
     };
@@ -217,7 +217,7 @@ fn parts_are_offset() {
     .unwrap();
     let path = path.to_str().unwrap();
     let parts = |args: &[&str]| {
-        let report = json(&[&["import", path][..], args].concat());
+        let report = json_beside_notes(&[&["import", path][..], args].concat());
         report["parts"].as_array().unwrap().clone()
     };
     assert_eq!(parts(&["--offset", "0.1"])[0]["bounds"][2], 10.1);
@@ -248,7 +248,7 @@ fn parts_are_offset() {
         fs::write(&model, text).unwrap();
         model.to_str().unwrap().to_owned()
     };
-    let info = json(&["info", &with("offset = -1.6\nsplit = true")]);
+    let info = json_beside_notes(&["info", &with("offset = -1.6\nsplit = true")]);
     let areas: f64 = pieces.iter().map(|p| p["area"].as_f64().unwrap()).sum();
     let area = info["parts"][0]["area"].as_f64().unwrap();
     assert!((area - areas).abs() < 1e-12);
@@ -470,7 +470,7 @@ fn traces_are_told_with_a_command_that_works() {
             assert!(done.status.success(), "{words:?}");
         }
         let path = folder.path().join("traced.toml");
-        let info = json(&["info", path.to_str().unwrap()]);
+        let info = json_beside_notes(&["info", path.to_str().unwrap()]);
         let features = &info["parts"][0]["features"];
         let edges = features["lines"].as_u64().unwrap() + features["arcs"].as_u64().unwrap();
         assert_eq!(edges, pieces);
