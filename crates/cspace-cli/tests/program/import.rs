@@ -193,7 +193,7 @@ fn units_are_told_apart() {
     let note = notes(&["import", &pin, "--unit", "furlong"]);
     assert!(note.contains("no known unit"), "{note}");
     // Of two drawings the second is converted to the unit of the first.
-    let both = json(&["import", &drawing("unit_mm.dxf"), &pin]);
+    let both = json_beside_notes(&["import", &drawing("unit_mm.dxf"), &pin]);
     assert_eq!(both["unit"], "mm");
     let area = both["parts"][1]["area"].as_f64().unwrap();
     assert!((area - converted).abs() < 1e-9, "{both}");
