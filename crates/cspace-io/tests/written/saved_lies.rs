@@ -51,7 +51,7 @@ fn no_answer_comes_from_a_lie() {
         collect(&good, String::new(), &mut numbers, &mut lists);
         let mut rng = ChaCha8Rng::seed_from_u64(11);
         let mut read = 0;
-        for k in 0..150 {
+        for k in 0..60 {
             let mut bad = good.clone();
             for _ in 0..rng.random_range(1..3) {
                 if rng.random_bool(0.5) {
@@ -105,6 +105,8 @@ fn a_space_without_patches_is_computed_again() {
     ] {
         bad[list] = json!([]);
     }
+    bad["free_regions"].as_array_mut().unwrap().truncate(1);
+    bad["free_regions"][0]["patches"] = json!(0);
     for checksum in [bad["checksum"].clone(), Value::Null, json!("0")] {
         bad["checksum"] = checksum;
         let again = saved::from_json(&bad.to_string(), "space.json").unwrap();
@@ -129,7 +131,11 @@ fn fixed_axes_are_computed_again() {
     let other = Axis::revolute(Point::new(2.5, 0.0));
     let moved = Part::rectangle("bar", (2.5, 0.0), 2.0, 0.6).unwrap();
     let space = FixedAxesSpace::compute(&gear, turning, &moved, other).unwrap();
-    let text = saved::pair_to_json(&PairSpace::FixedAxes(Box::new(space.clone())));
+    let saved = PairSpace::FixedAxes(Box::new(space));
+    let text = saved::pair_to_json(&saved);
+    let PairSpace::FixedAxes(space) = &saved else {
+        unreachable!();
+    };
     let mut rng = ChaCha8Rng::seed_from_u64(12);
     for list in [
         "free",
