@@ -255,6 +255,27 @@ fn motions_beside_dense_times() {
     }
 }
 
+/// A wheel in a ring about one centre has the same gap all along, which is found once and not again in every leg.
+#[test]
+fn a_gap_that_stays_the_same() {
+    let circle = |r: f64| {
+        Part::circle("c", [0.0, 0.0], r).unwrap().loops()[0]
+            .vertices()
+            .to_vec()
+    };
+    let ring = Part::new("ring", vec![circle(3.0), circle(2.0)]).unwrap();
+    let both = mechanism(vec![ring, disc("wheel", 0.0, 0.0, 1.9)]);
+    let samples: Vec<Sample> = (0..50)
+        .map(|k| Sample {
+            time: f64::from(k),
+            parts: vec![[0.0; 3], [0.0, 0.0, 0.7 * f64::from(k)]],
+        })
+        .collect();
+    let found = Assembly::new(&both).along(&samples, &Question::default());
+    assert_eq!(found.pairs[0].state, State::Clear);
+    assert!((found.pairs[0].gap.unwrap() - 0.1).abs() < 1e-6);
+}
+
 #[test]
 fn joined_parts_are_not_judged_and_far_ones_are_counted() {
     let mut both = mechanism(vec![

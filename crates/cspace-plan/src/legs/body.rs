@@ -131,9 +131,17 @@ impl Between<'_> {
     pub(crate) fn overlaps_deeper(&self, depth: f64) -> bool {
         let [a, b] = self.bodies;
         let (at_a, at_b) = (a.placed(self.from[0]), b.placed(self.from[1]));
+        // Where no boundaries cross, every edge is in the other part as a whole or not at all.
+        if coincide(&at_a, &at_b, depth) || coincide(&at_b, &at_a, depth) {
+            return true;
+        }
+        let search = self.search();
+        if !search.crosses() {
+            return false;
+        }
         let mut feet = Vec::new();
-        (self.search()).within(NORMALS * depth, |near| feet.push(near.points));
-        is_deep(&at_a, &at_b, &feet, depth) || coincide(&at_a, &at_b, depth)
+        search.within(NORMALS * depth, |near| feet.push(near.points));
+        is_deep(&at_a, &at_b, &feet, depth)
     }
 
     /// The bodies part of the way, as a share of it, and at rest there.

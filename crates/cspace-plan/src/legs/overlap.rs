@@ -19,9 +19,8 @@ fn starts(part: &Part) -> impl Iterator<Item = Point> {
     (part.loops().iter()).filter_map(|l| l.vertices().first().map(|v| v.point()))
 }
 
-/// Whether material of two parts overlaps along boundaries that coincide: no place of either boundary is then in the material of
-/// the other, but what is just beside them is in both. A boundary of which that is true of a place of an edge is so all along the
-/// edge, or else leaves the other, which [`is_deep`](super::depth::is_deep) finds.
+/// Whether what is just inside of the middle of some edge of the first part is in the second: an edge that does not cross the other
+/// boundary is in the other part, or along its boundary with material on the same side, as a whole or not at all.
 pub(super) fn coincide(a: &At<'_>, b: &At<'_>, depth: f64) -> bool {
     /// How far beside the boundary, in the depths that count.
     const BESIDE: f64 = 4.0;

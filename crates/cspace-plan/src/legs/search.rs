@@ -141,9 +141,10 @@ impl<'a> Search<'a> {
         best.found
     }
 
-    /// The least distance for times from 0 to 1 if it is less than a limit; else infinite.
+    /// The least distance for times from 0 to 1 if it is less than a limit by more than it is known to; else infinite. So a distance
+    /// that stays the same from leg to leg is not told apart from itself.
     pub(super) fn least_below(&self, limit: f64) -> Nearest {
-        let mut best = Best::least(limit);
+        let mut best = Best::least(limit * (1.0 - RELATIVE));
         self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
         best.found
     }
