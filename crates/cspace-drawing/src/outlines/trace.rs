@@ -60,13 +60,14 @@ impl Traced {
     pub const LARGE: usize = 400;
 
     /// The lines and arcs of a part of more than [`Traced::LARGE`] edges, all loops that may be traces fitted: within the
-    /// smallest of a few distances that takes at most a third of its edges, from the default of a fit on. None of other parts.
+    /// smallest of a few distances that takes at most a third of its edges, from the default of a fit on. None of other parts, and of parts with arcs.
     pub fn of(part: &Part) -> Option<Self> {
         /// The distances tried, in units of the default.
         const TRIED: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
         const ENOUGH: usize = 3;
         let edges = part.edges().count();
-        if edges <= Self::LARGE {
+        // Points that were traced are joined by lines: what has arcs was drawn, as a gear is with its many teeth.
+        if edges <= Self::LARGE || part.edges().any(|e| !e.is_line()) {
             return None;
         }
         (TRIED.iter())
