@@ -9,7 +9,9 @@
 
 use super::bulges::{Tested, allowed};
 use super::run::{Run, RunEnd};
-use super::tangent::SMOOTH;
+
+/// Angles below this are no kink: rounding of directions of short pieces.
+pub(super) const SMOOTH: f64 = 1e-11;
 
 /// A run in pieces, each a line or an arc.
 #[derive(Debug, Clone, PartialEq)]

@@ -11,7 +11,7 @@ use cspace::{Point, Vector, Vertex};
 
 use super::bulges::{Tested, allowed};
 use super::deviation::range;
-use super::divide::Division;
+use super::divide::{Division, SMOOTH};
 use super::fitted::Fitted;
 use super::run::{Run, RunEnd};
 
@@ -21,9 +21,6 @@ pub(super) struct Made {
     pub(super) fitted: Fitted,
     pub(super) range: [f64; 2],
 }
-
-/// Angles below this are no kink: rounding of directions of short pieces.
-pub(super) const SMOOTH: f64 = 1e-11;
 
 /// Newton's method has then doubled its digits often enough, or never will.
 const MOST_STEPS: usize = 12;

@@ -41,15 +41,6 @@ pub struct DrawnFaces {
     pub count: usize,
 }
 
-/// Faces that are one part.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Pick {
-    /// The name of the part; the one that import gives where there is none.
-    pub name: Option<String>,
-    /// A point in each face, in lengths after scaling.
-    pub at: Vec<Point>,
-}
-
 /// All that is drawn, divided.
 struct Divided {
     faces: arrange::Faces,

@@ -15,9 +15,9 @@ use std::borrow::Cow;
 use cspace::Point;
 use cspace::part::Bounds;
 
-pub use faces::{DrawnFace, DrawnFaces, Pick};
+pub use faces::{DrawnFace, DrawnFaces};
 pub use result::{FittedReport, Outlines, Survey};
-pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
+pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Pick, Settings};
 pub use trace::Traced;
 
 use crate::affine::Affine;

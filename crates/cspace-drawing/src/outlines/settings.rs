@@ -1,6 +1,7 @@
 //! How parts are made of a drawing.
 
-use super::faces::Pick;
+use cspace::Point;
+
 use crate::error::DrawingError;
 
 /// How near ends are that are one, as a share of the drawing's size, unless it is said.
@@ -31,6 +32,15 @@ pub struct Settings {
     ///
     /// [`Drawing::faces`]: crate::Drawing::faces
     pub picks: Vec<Pick>,
+}
+
+/// Faces that are one part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pick {
+    /// The name of the part; the one that import gives where there is none.
+    pub name: Option<String>,
+    /// A point in each face, in lengths after scaling.
+    pub at: Vec<Point>,
 }
 
 /// On which side of a curve lines and arcs may be that are fitted to it.
