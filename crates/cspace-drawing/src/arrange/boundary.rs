@@ -57,6 +57,13 @@ pub(crate) fn boundary(of: &Faces, chosen: &[usize]) -> Vec<Vec<BoundaryEdge>> {
     loops
 }
 
+/// The loops around one face, as [`boundary`] gives them: its cycles.
+pub(crate) fn around(of: &Faces, face: usize) -> Vec<Vec<BoundaryEdge>> {
+    (of.faces[face].cycles.iter())
+        .map(|&cycle| merged(of, of.cycles[cycle as usize].halves.clone()))
+        .collect()
+}
+
 /// The edges of a loop of half-edges, those that go on along one given edge made one; a whole circle in two.
 fn merged(of: &Faces, mut halves: Vec<Half>) -> Vec<BoundaryEdge> {
     let arrangement = &of.arrangement;

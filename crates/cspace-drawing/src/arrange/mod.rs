@@ -13,7 +13,7 @@ mod cycles;
 mod faces;
 mod split;
 
-pub(crate) use boundary::{BoundaryEdge, boundary};
+pub(crate) use boundary::{BoundaryEdge, around, boundary};
 pub(crate) use faces::Faces;
 pub(crate) use split::split;
 

@@ -4,7 +4,7 @@ use cspace::{Edge, Part, Point, Vertex};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::{Faces, boundary, split};
+use super::{Faces, around, boundary, split};
 
 const NEAR: f64 = 1e-7;
 
@@ -202,6 +202,21 @@ fn random_arrangements_are_planar() {
                 .collect();
             let found: Vec<usize> = faces.at(p).into_iter().collect();
             assert_eq!(found, around, "round {round}, {p:?}");
+        }
+        for face in 0..faces.faces.len() {
+            let starts = |loops: Vec<Vec<super::BoundaryEdge>>| {
+                let mut starts: Vec<(f64, f64)> = loops
+                    .iter()
+                    .flatten()
+                    .map(|e| (e.start.x, e.start.y))
+                    .collect();
+                starts.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+                starts
+            };
+            assert_eq!(
+                starts(around(&faces, face)),
+                starts(boundary(&faces, &[face]))
+            );
         }
         faces.faces.retain(|f| f.area > 1e-3);
         for face in 0..faces.faces.len() {

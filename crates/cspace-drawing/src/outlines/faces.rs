@@ -9,7 +9,7 @@ use super::making::Making;
 use super::names::names;
 use super::refusal::no_part;
 use super::result::Outlines;
-use crate::arrange::{self, boundary, split};
+use crate::arrange::{self, around, boundary, split};
 use crate::drawing::{Ignored, edge};
 use crate::error::DrawingError;
 use crate::fit::{Outline, Sided};
@@ -95,7 +95,7 @@ impl Making<'_> {
                 inside: in_few_digits(faces, face, faces.inside(face)?),
                 area: faces.faces[face].area,
                 bounds: faces.bounds(face),
-                loops: (boundary(faces, &[face]).iter())
+                loops: (around(faces, face).iter())
                     .map(|l| l.iter().map(vertex).collect())
                     .collect(),
             })
