@@ -479,3 +479,71 @@ fn traces_are_told_with_a_command_that_works() {
     }
     assert_eq!(told(&["import", "cam.dxf", "--trace"]), "");
 }
+
+/// Two rooms that share a wall, drawn as seven lines, with a pillar in one: nobody can tell which loops are meant.
+#[test]
+fn faces_are_listed_and_picked() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rooms.dxf");
+    let line = |[x0, y0, x1, y1]: [i32; 4]| {
+        format!("0\nLINE\n8\n0\n10\n{x0}\n20\n{y0}\n11\n{x1}\n21\n{y1}\n")
+    };
+    let walls = [
+        [0, 0, 4, 0],
+        [4, 0, 4, 3],
+        [4, 3, 0, 3],
+        [0, 3, 0, 0],
+        [4, 0, 6, 0],
+        [6, 0, 6, 3],
+        [6, 3, 4, 3],
+    ];
+    let lines: String = walls.into_iter().map(line).collect();
+    let text = format!(
+        "0\nSECTION\n2\nENTITIES\n{lines}0\nCIRCLE\n8\n0\n10\n2\n20\n1\n40\n0.5\n0\nENDSEC\n0\nEOF\n"
+    );
+    std::fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap();
+    let pillar = std::f64::consts::PI * 0.25;
+    fails(
+        cspace(&["import", path]),
+        2,
+        &[
+            "3 faces are closed",
+            "area 11.214602",
+            "area 6.000000",
+            "area 0.785398",
+            "--partial, which gives 1 part",
+        ],
+    );
+    let parts = |picks: &[&str]| json(&[&["import", path][..], picks].concat())["parts"].clone();
+    let area = |part: &serde_json::Value| part["area"].as_f64().unwrap();
+    let rooms = parts(&["--pick", "left=0.5,2.5", "--pick=5,1"]);
+    assert_eq!(rooms.as_array().unwrap().len(), 2);
+    assert_eq!(rooms[0]["name"], "left");
+    assert_eq!(rooms[0]["loops"], 2);
+    assert!((area(&rooms[0]) - (12.0 - pillar)).abs() < 1e-12);
+    assert!((area(&rooms[1]) - 6.0).abs() < 1e-12);
+    // Both rooms and the pillar are one rectangle; its sides are cut where the wall meets them.
+    let whole = parts(&["--pick", "0.5,2.5;5,1;2,1"]);
+    assert_eq!(whole[0]["loops"], 1);
+    assert!((area(&whole[0]) - 18.0).abs() < 1e-12);
+    fails(
+        cspace(&["import", path, "--pick", "9,9"]),
+        2,
+        &["no face is at (9, 9)", "nearest face"],
+    );
+    fails(
+        cspace(&["import", path, "--pick", "5,1", "--pick", "5,2"]),
+        2,
+        &["picked twice"],
+    );
+    fails(cspace(&["import", path, "--pick", "5"]), 2, &["X,Y"]);
+    let model = folder.path().join("rooms.toml");
+    std::fs::write(
+        &model,
+        "[[part]]\nname = \"room\"\ndxf = \"rooms.dxf\"\npick = [[0.5, 2.5]]\n",
+    )
+    .unwrap();
+    let info = json(&["info", model.to_str().unwrap()]);
+    assert!((area(&info["parts"][0]) - (12.0 - pillar)).abs() < 1e-12);
+}
