@@ -501,7 +501,7 @@ fn faces_are_listed_and_picked() {
     let text = format!(
         "0\nSECTION\n2\nENTITIES\n{lines}0\nCIRCLE\n8\n0\n10\n2\n20\n1\n40\n0.5\n0\nENDSEC\n0\nEOF\n"
     );
-    std::fs::write(&path, text).unwrap();
+    fs::write(&path, text).unwrap();
     let path = path.to_str().unwrap();
     let pillar = std::f64::consts::PI * 0.25;
     fails(
@@ -516,7 +516,7 @@ fn faces_are_listed_and_picked() {
         ],
     );
     let parts = |picks: &[&str]| json(&[&["import", path][..], picks].concat())["parts"].clone();
-    let area = |part: &serde_json::Value| part["area"].as_f64().unwrap();
+    let area = |part: &Value| part["area"].as_f64().unwrap();
     let rooms = parts(&["--pick", "left=0.5,2.5", "--pick=5,1"]);
     assert_eq!(rooms.as_array().unwrap().len(), 2);
     assert_eq!(rooms[0]["name"], "left");
@@ -539,7 +539,7 @@ fn faces_are_listed_and_picked() {
     );
     fails(cspace(&["import", path, "--pick", "5"]), 2, &["X,Y"]);
     let model = folder.path().join("rooms.toml");
-    std::fs::write(
+    fs::write(
         &model,
         "[[part]]\nname = \"room\"\ndxf = \"rooms.dxf\"\npick = [[0.5, 2.5]]\n",
     )
