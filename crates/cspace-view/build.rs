@@ -9,13 +9,14 @@ use std::process::Command;
 use std::{env, fs};
 
 /// What the page is made of, files and folders in `page/`.
-const SOURCES: [&str; 7] = [
+const SOURCES: [&str; 8] = [
     "package.json",
     "package-lock.json",
     ".npmrc",
     "tsconfig.json",
     "src",
     "index.html",
+    "drawing.html",
     "style.css",
 ];
 
@@ -23,10 +24,12 @@ const SOURCES: [&str; 7] = [
 const INSTALLED: [&str; 3] = ["package.json", "package-lock.json", ".npmrc"];
 
 /// What the library includes, from the page's folder in the build.
-const BUNDLE: [(&str, &str); 3] = [
+const BUNDLE: [(&str, &str); 5] = [
     ("index.html", "index.html"),
+    ("drawing.html", "drawing.html"),
     ("style.css", "style.css"),
     ("build/page.js", "page.js"),
+    ("build/drawing.js", "drawing.js"),
 ];
 
 /// The oldest Node that the tools of the page run on.

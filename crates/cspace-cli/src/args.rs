@@ -537,7 +537,8 @@ pub(crate) struct ExportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ViewArgs {
-    /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`; - is standard input
+    /// A model (.toml, .json), a contact space saved by `cspace export FILE -o OUT.json`, or a drawing (.dxf, .svg), whose faces are
+    /// picked as parts; - is a model on standard input
     pub(crate) file: PathBuf,
 
     /// Show this pair alone: names of its fixed and its moving part
@@ -550,6 +551,9 @@ pub(crate) struct ViewArgs {
     /// An answer of `cspace plan` or `cspace simulate` in JSON, to be played; may be given several times
     #[arg(long, value_name = "RECORD.json")]
     pub(crate) with: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
 
     /// The port of this machine that is listened to; 0 for any that is free
     #[arg(
@@ -660,35 +664,8 @@ pub(crate) struct ImportArgs {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
 
-    /// Read this layer alone; may be given several times (DXF)
-    #[arg(long, value_name = "NAME")]
-    pub(crate) layer: Vec<String>,
-
-    /// Read the element of this id alone (SVG)
-    #[arg(long, value_name = "ID")]
-    pub(crate) id: Option<String>,
-
-    /// Take the outlines of hatches too (DXF)
-    #[arg(long)]
-    pub(crate) hatches: bool,
-
-    /// Multiply all lengths by this; nothing else converts them then [default: from the drawing's unit to the model's]
-    #[arg(long, value_name = "F", value_parser = scale, allow_negative_numbers = true)]
-    pub(crate) scale: Option<f64>,
-
-    /// The unit of length of the model: a drawing that names another is converted, one that names none is taken to be in it
-    /// [default: that of the first drawing that names one]
-    #[arg(long, value_name = "LABEL")]
-    pub(crate) unit: Option<String>,
-
-    /// Ends nearer than this are one, after scaling [default: 1e-5 of the drawing's size]
-    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
-    pub(crate) join: Option<f64>,
-
-    /// How far lines and arcs may be from curves and points that they are fitted to, after scaling [default: 1e-4 of the
-    /// drawing's size]
-    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
-    pub(crate) fit: Option<f64>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
 
     /// Fit lines and arcs to loops of 64 edges and more, too: they are traces of something smooth
     #[arg(long)]
@@ -718,6 +695,40 @@ pub(crate) struct ImportArgs {
     /// part is given its name as NAME=X,Y. May be given several times
     #[arg(long, value_name = "X,Y", value_parser = pick, allow_hyphen_values = true, conflicts_with_all = ["part", "partial", "trace"])]
     pub(crate) pick: Vec<Pick>,
+}
+
+/// How drawings are read.
+#[derive(Debug, Args)]
+pub(crate) struct DrawingArgs {
+    /// Read this layer alone; may be given several times (DXF)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) layer: Vec<String>,
+
+    /// Read the element of this id alone (SVG)
+    #[arg(long, value_name = "ID")]
+    pub(crate) id: Option<String>,
+
+    /// Take the outlines of hatches too (DXF)
+    #[arg(long)]
+    pub(crate) hatches: bool,
+
+    /// Multiply all lengths by this; nothing else converts them then [default: from the drawing's unit to the model's]
+    #[arg(long, value_name = "F", value_parser = scale, allow_negative_numbers = true)]
+    pub(crate) scale: Option<f64>,
+
+    /// The unit of length of the model: a drawing that names another is converted, one that names none is taken to be in it
+    /// [default: that of the first drawing that names one]
+    #[arg(long, value_name = "LABEL")]
+    pub(crate) unit: Option<String>,
+
+    /// Ends nearer than this are one, after scaling [default: 1e-5 of the drawing's size]
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
+    pub(crate) join: Option<f64>,
+
+    /// How far lines and arcs may be from curves and points that they are fitted to, after scaling [default: 1e-4 of the
+    /// drawing's size]
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
+    pub(crate) fit: Option<f64>,
 }
 
 /// On which side of a curve lines and arcs may be.
@@ -1137,6 +1148,7 @@ Examples:
   cspace view latch.toml
   cspace view models/ratchet_mechanism.toml --pair ratchet,pawl
   cspace view models/geneva.toml --with run.json --port 8080 --no-open
+  cspace view plate.dxf
 
 The page shows the parts to scale, and beside them the contact space in x, y
 and theta, or the plane of two motions; drag either, and the other follows. It
@@ -1144,6 +1156,11 @@ is served on this machine alone, at an address that is printed first and that
 nobody can guess; whoever is told it may look. Pairs are computed when they are
 looked at. Parts can be edited: the space is computed again while they are
 dragged, and the edited model is saved by the browser; FILE stays as it is.
+
+Of a drawing the page shows the faces, which all lines, arcs and curves enclose
+together: a click makes a part of a face, Shift-click adds faces to it. The
+model is saved by the browser, or its contact spaces are shown at once. The
+options for drawings are those of `cspace import`.
 
 --with has what `cspace plan` or `cspace simulate` printed with --format json.
 Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";

@@ -3,6 +3,7 @@
 mod angle;
 mod args;
 mod command;
+mod drawing;
 mod failure;
 mod input;
 mod interrupt;

@@ -1,5 +1,7 @@
 //! A page with a scene in it, as HTML.
 
+use serde::Serialize;
+
 use crate::page::Page;
 use crate::scene::Scene;
 
@@ -25,11 +27,11 @@ impl Page {
     }
 
     /// The page as the server has it, which sends the policy itself.
-    pub(crate) fn served(&self, scene: &Scene) -> Result<String, serde_json::Error> {
+    pub(crate) fn served(&self, scene: &impl Serialize) -> Result<String, serde_json::Error> {
         self.with("", scene)
     }
 
-    fn with(&self, policy: &str, scene: &Scene) -> Result<String, serde_json::Error> {
+    fn with(&self, policy: &str, scene: &impl Serialize) -> Result<String, serde_json::Error> {
         let scene = inline(&serde_json::to_string(scene)?);
         let [head, middle, between, tail] = &self.around;
         let (style, script) = (&self.style, &self.script);

@@ -8,8 +8,10 @@ use base64::prelude::BASE64_STANDARD;
 /// Why there is no page; empty if there is one.
 const REASON: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/reason.txt"));
 const INDEX: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/index.html"));
+const DRAWING: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/drawing.html"));
 const STYLE: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/style.css"));
 const SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/page.js"));
+const DRAWING_SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/drawing.js"));
 
 /// Where a page's style, scene and script go.
 const PLACES: [&str; 3] = ["<!--style-->", "<!--scene-->", "<!--script-->"];
@@ -23,6 +25,15 @@ pub struct Page {
     pub(crate) script: String,
     /// The hash of the script, by which a policy allows it and no other.
     pub(crate) hash: String,
+}
+
+/// The pages that a server of a drawing has.
+#[derive(Debug, Clone)]
+pub struct Pages {
+    /// The page of a drawing.
+    pub drawing: Page,
+    /// The page of a model.
+    pub model: Page,
 }
 
 /// Why there is no page.
@@ -73,6 +84,17 @@ impl Page {
             return Err(PageError::NotBundled { reason: REASON });
         }
         Self::new(INDEX, STYLE, SCRIPT)
+    }
+
+    /// The page of a drawing that was bundled.
+    ///
+    /// # Errors
+    /// If it was not, for want of Node.
+    pub fn bundled_for_drawings() -> Result<Self, PageError> {
+        if !REASON.is_empty() {
+            return Err(PageError::NotBundled { reason: REASON });
+        }
+        Self::new(DRAWING, STYLE, DRAWING_SCRIPT)
     }
 
     /// A page of an HTML template, with one place each for style, scene and script, of a style and a script.

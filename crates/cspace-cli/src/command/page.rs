@@ -17,6 +17,11 @@ pub(super) fn bundled() -> Result<Page, Failure> {
     Page::bundled().map_err(|e: PageError| Failure::work(&e).help(e.help()))
 }
 
+/// The page of a drawing that was bundled with the program.
+pub(super) fn bundled_for_drawings() -> Result<Page, Failure> {
+    Page::bundled_for_drawings().map_err(|e: PageError| Failure::work(&e).help(e.help()))
+}
+
 /// What is shown of a subject: these of its pairs.
 pub(super) fn opened(subject: Subject, pairs: Vec<PairEntry>, general: bool) -> Opened {
     match subject {

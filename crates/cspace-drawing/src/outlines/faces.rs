@@ -39,6 +39,8 @@ pub struct DrawnFaces {
     pub faces: Vec<DrawnFace>,
     /// The number of faces.
     pub count: usize,
+    /// All curves that are drawn, as the ends of lines and arcs; of a closed one the last vertex is the first again.
+    pub curves: Vec<Vec<Vertex>>,
 }
 
 /// All that is drawn, divided.
@@ -46,6 +48,8 @@ struct Divided {
     faces: arrange::Faces,
     /// The entity of each edge.
     entities: Vec<u32>,
+    /// The curves; see [`DrawnFaces::curves`].
+    curves: Vec<Vec<Vertex>>,
 }
 
 impl Making<'_> {
@@ -55,6 +59,7 @@ impl Making<'_> {
         let closed = core::mem::take(&mut self.joined.loops);
         let mut edges: Vec<Edge> = Vec::new();
         let mut entities = Vec::new();
+        let mut curves = Vec::new();
         let chains =
             (closed.into_iter().map(|c| (c, false))).chain(open.into_iter().map(closed_by_a_line));
         for (chain, has_closing_line) in chains {
@@ -72,6 +77,11 @@ impl Making<'_> {
                 edges.push(edge(from.point(), to.point(), from.bulge));
                 entities.push(outline.entities[i]);
             }
+            let mut curve = outline.vertices;
+            if !has_closing_line {
+                curve.extend(curve.first().copied());
+            }
+            curves.push(curve);
         }
         let arrangement = split(&edges, self.join_within()).map_err(|_| {
             DrawingError::file(
@@ -82,6 +92,7 @@ impl Making<'_> {
         Ok(Divided {
             faces: arrange::Faces::of(arrangement),
             entities,
+            curves,
         })
     }
 
@@ -103,6 +114,7 @@ impl Making<'_> {
         Ok(DrawnFaces {
             faces: listed.collect(),
             count,
+            curves: divided.curves,
         })
     }
 

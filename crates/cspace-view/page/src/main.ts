@@ -1,6 +1,7 @@
 /** Shows the scene that is in the page. */
 
-import { openPage, readScene, showFailure } from "./ui/page.js";
+import { showFailure } from "./ui/message.js";
+import { openPage, readScene } from "./ui/page.js";
 
 try {
   openPage(readScene());

@@ -64,11 +64,22 @@ export interface Opened {
 }
 
 /** Opens an address and waits until the selected pair is drawn. */
-export async function open(
-  browser: Browser,
-  address: string,
-  size = { width: 1440, height: 900 },
-): Promise<Opened> {
+export async function open(browser: Browser, address: string, size = SIZE): Promise<Opened> {
+  const opened = await load(browser, address, size);
+  await drawn(opened.page);
+  return opened;
+}
+
+/** Waits until the selected pair is drawn. */
+export async function drawn(page: Page): Promise<void> {
+  await page.waitForFunction("window.cspace !== undefined", { timeout: PATIENCE });
+  await page.evaluate("window.cspace.ready");
+}
+
+const SIZE = { width: 1440, height: 900 };
+
+/** Opens an address. */
+export async function load(browser: Browser, address: string, size = SIZE): Promise<Opened> {
   const page = await browser.newPage();
   const faults: string[] = [];
   page.on("console", (message) => {
@@ -83,8 +94,6 @@ export async function open(
   page.on("requestfailed", (request) => faults.push(`${request.url()} failed`));
   await page.setViewport(size);
   await page.goto(address, { waitUntil: "load", timeout: PATIENCE });
-  await page.waitForFunction("window.cspace !== undefined", { timeout: PATIENCE });
-  await page.evaluate("window.cspace.ready");
   return { page, faults };
 }
 

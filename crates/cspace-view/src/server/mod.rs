@@ -5,6 +5,7 @@
 //! own (`work.rs`).
 
 mod connections;
+mod drawing;
 mod guard;
 mod newest;
 mod reply;
@@ -15,8 +16,12 @@ use core::convert::Infallible;
 use std::io::ErrorKind;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 
+use axum::Router;
+use cspace_drawing::DrawingError;
+
+use crate::drawing::OpenedDrawing;
 use crate::opened::Opened;
-use crate::page::Page;
+use crate::page::{Page, Pages};
 use work::Work;
 
 /// A server that has an address and does not answer yet.
@@ -25,7 +30,7 @@ pub struct Server {
     listener: TcpListener,
     address: SocketAddr,
     token: String,
-    work: Work,
+    router: Router,
 }
 
 /// Why the page cannot be served.
@@ -52,6 +57,9 @@ pub enum ServeError {
     /// The server cannot go on.
     #[error("the server cannot go on: {0}")]
     Input(#[from] std::io::Error),
+    /// The drawing has no faces that can be found.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
     /// The scene is no JSON.
     #[error("the scene cannot be written: {0}")]
     Scene(#[from] serde_json::Error),
@@ -63,16 +71,38 @@ impl Server {
     /// # Errors
     /// If the port cannot be had, or the system gives no random numbers.
     pub fn bind(opened: Opened, page: &Page, port: u16) -> Result<Self, ServeError> {
+        let work = Work::new(opened, page)?;
+        Self::of(port, |base| routes::router(base, work))
+    }
+
+    /// Takes a port of this machine, any that is free if it is 0, for a page that shows the faces of a drawing, and then the
+    /// model of those that are picked.
+    ///
+    /// # Errors
+    /// If the faces cannot be found, the port cannot be had, or the system gives no random numbers.
+    pub fn bind_drawing(
+        drawing: OpenedDrawing,
+        pages: Pages,
+        port: u16,
+    ) -> Result<Self, ServeError> {
+        let choice = drawing::Choice::new(drawing, pages)?;
+        Self::of(port, |base| drawing::router(base, choice))
+    }
+
+    /// A server of what is below a path.
+    fn of(port: u16, router: impl FnOnce(&str) -> Router) -> Result<Self, ServeError> {
         let taken = TcpListener::bind((Ipv4Addr::LOCALHOST, port));
         let listener = taken.map_err(|error| match error.kind() {
             ErrorKind::AddrInUse => ServeError::PortInUse { port },
             _ => ServeError::Port { port, error },
         })?;
+        let (address, token) = (listener.local_addr()?, token()?);
+        let router = routes::guarded(router(&format!("/{token}/")), address.port());
         Ok(Self {
-            address: listener.local_addr()?,
             listener,
-            token: token()?,
-            work: Work::new(opened, page)?,
+            address,
+            token,
+            router,
         })
     }
 
@@ -96,8 +126,7 @@ impl Server {
         runtime.block_on(async {
             self.listener.set_nonblocking(true)?;
             let listener = tokio::net::TcpListener::from_std(self.listener)?;
-            let router = routes::router(&self.token, self.address.port(), self.work);
-            connections::serve(listener, router).await
+            connections::serve(listener, self.router).await
         })
     }
 }

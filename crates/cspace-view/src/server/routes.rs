@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use axum::Router;
-use axum::body::to_bytes;
+use axum::body::{Bytes, to_bytes};
 use axum::extract::rejection::PathRejection;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
@@ -25,32 +25,44 @@ const LONGEST_BODY: usize = 8 << 20;
 
 type Shared = State<Arc<Work>>;
 
-pub(super) fn router(token: &str, port: u16, work: Work) -> Router {
-    let at = |path: &str| format!("/{token}/{path}");
+/// The routes of a model below a path.
+pub(super) fn router(base: &str, work: Work) -> Router {
+    let at = |path: &str| format!("{base}{path}");
     Router::new()
         .route(&at(""), get(page))
         .route(&at("pair/{index}"), get(pair))
         .route(&at("edit"), post(edit))
         .route(&at("model"), post(model))
-        .method_not_allowed_fallback(async || {
-            Fault::new(
-                StatusCode::METHOD_NOT_ALLOWED,
-                "this is not done by that method",
-            )
-        })
+        .method_not_allowed_fallback(async || other_method())
         .fallback(async || nothing_here())
-        .layer(from_fn_with_state(Names::of(port), guard))
         .with_state(Arc::new(work))
 }
 
-fn nothing_here() -> Fault {
+/// Routes that answer only pages of this server.
+pub(super) fn guarded(router: Router, port: u16) -> Router {
+    router.layer(from_fn_with_state(Names::of(port), guard))
+}
+
+pub(super) fn other_method() -> Fault {
+    Fault::new(
+        StatusCode::METHOD_NOT_ALLOWED,
+        "this is not done by that method",
+    )
+}
+
+pub(super) fn nothing_here() -> Fault {
     Fault::new(StatusCode::NOT_FOUND, "there is nothing here")
 }
 
 async fn page(State(work): Shared) -> Response {
     work.newest.forget();
-    let mut response = of_type("text/html; charset=utf-8", work.page.clone());
-    if let Ok(policy) = HeaderValue::from_str(&work.policy) {
+    html(work.page.clone(), &work.policy)
+}
+
+/// A page, with what it may load.
+pub(super) fn html(page: Bytes, policy: &str) -> Response {
+    let mut response = of_type("text/html; charset=utf-8", page);
+    if let Ok(policy) = HeaderValue::from_str(policy) {
         let name = HeaderName::from_static("content-security-policy");
         response.headers_mut().insert(name, policy);
     }
@@ -87,14 +99,14 @@ async fn model(State(work): Shared, request: Request) -> Result<Response, Fault>
 }
 
 /// Does what may take long on a thread of its own.
-async fn apart<T: Send + 'static>(
+pub(super) async fn apart<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, Fault> + Send + 'static,
 ) -> Result<T, Fault> {
     spawn_blocking(work).await.map_err(Fault::internal)?
 }
 
 /// What the body of a request says. One that is too long is not read, whether it says its length or not.
-async fn parsed<T: DeserializeOwned>(request: Request) -> Result<T, Fault> {
+pub(super) async fn parsed<T: DeserializeOwned>(request: Request) -> Result<T, Fault> {
     let too_long = || {
         Fault::new(
             StatusCode::PAYLOAD_TOO_LARGE,

@@ -58,6 +58,21 @@ struct EditAnswer {
     total_seconds: f64,
 }
 
+/// A model as TOML, which is read back as it is.
+pub(super) fn toml(model: &Mechanism) -> Result<Bytes, Fault> {
+    let text = cspace_io::model::to_toml(model);
+    match cspace_io::model::from_toml(&text, "model.toml") {
+        Ok(_) => Ok(text.into()),
+        Err(error) => {
+            let fault = Fault::senseless(error.to_string());
+            Err(match error.help() {
+                Some(help) => fault.help(help),
+                None => fault,
+            })
+        }
+    }
+}
+
 /// Nobody stops what is computed once.
 struct ToTheEnd;
 
@@ -156,20 +171,9 @@ impl Work {
             .map_err(Fault::internal)
     }
 
-    /// The edited model as TOML, which is read back as it is.
+    /// The edited model as TOML.
     pub(super) fn model(&self, request: &ModelRequest) -> Result<Bytes, Fault> {
-        let model = self.edited(&request.parts)?;
-        let text = cspace_io::model::to_toml(&model);
-        match cspace_io::model::from_toml(&text, "model.toml") {
-            Ok(_) => Ok(text.into()),
-            Err(error) => {
-                let fault = Fault::senseless(error.to_string());
-                Err(match error.help() {
-                    Some(help) => fault.help(help),
-                    None => fault,
-                })
-            }
-        }
+        toml(&self.edited(&request.parts)?)
     }
 
     fn edited(&self, parts: &[EditedPart]) -> Result<Mechanism, Fault> {

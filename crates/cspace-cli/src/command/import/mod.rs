@@ -3,19 +3,18 @@
 mod faces;
 mod offsets;
 mod report;
-mod units;
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use cspace::{Mechanism, Part, PartEntry};
-use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings, Source};
-use cspace_io::{model, shown};
+use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings};
+use cspace_io::model;
 
 use crate::args::{Format, ImportArgs, Side};
+use crate::drawing;
 use crate::failure::{self, Failure};
-use crate::input;
 use crate::output;
 use crate::traces::{self, OTHER, quoted};
 use faces::Choice;
@@ -27,12 +26,12 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     }
     output::check(output)?;
     let drawings = (args.drawings.iter())
-        .map(|path| read(args, path))
+        .map(|path| drawing::read(&args.drawing, path))
         .collect::<Result<Vec<Drawing>, _>>()?;
-    let unit = units::of_model(args, &drawings)?;
+    let unit = drawing::of_model(&args.drawing, &drawings)?;
     let mut imported = Vec::new();
     for (path, drawing) in args.drawings.iter().zip(drawings) {
-        let scale = units::factor(args, path, &drawing, unit.as_deref());
+        let scale = drawing::factor(&args.drawing, path, &drawing, unit.as_deref());
         let mut outlines = outlines(args, path, &drawing, scale)?;
         if let Some(by) = args.offset {
             offsets::apply(args, path, &mut outlines, by)?;
@@ -48,7 +47,7 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         .help("read some layers alone with --layer, or make one part of all with --part NAME"));
     }
     let mechanism = Mechanism {
-        name: name(&args.drawings[0]),
+        name: drawing::name(&args.drawings[0]),
         unit,
         parts: parts(&mut imported)?,
         ..Mechanism::default()
@@ -104,33 +103,14 @@ fn check_name(path: &Path) -> Result<(), Failure> {
     .help("give a name that ends in .toml or .json after -o"))
 }
 
-/// The drawing's name without folder and extension, in characters that a model may have.
-fn name(path: &Path) -> String {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    shown::text(&stem).into_owned()
-}
-
-fn read(args: &ImportArgs, path: &Path) -> Result<Drawing, Failure> {
-    let source = Source {
-        layers: args.layer.clone(),
-        id: args.id.clone(),
-        hatches: args.hatches,
-    };
-    input::drawing(path, &source)?
-        .map_err(|e| Failure::input(format_args!("{}: {e}", path.display())).help(e.help()))
-}
-
 /// The parts of one drawing. Everything that cannot be used is told.
 fn outlines(
     args: &ImportArgs,
     path: &Path,
-    drawing: &Drawing,
+    drawn: &Drawing,
     scale: f64,
 ) -> Result<Outlines, Failure> {
     let settings = Settings {
-        scale,
-        join: args.join,
-        fit: args.fit,
         side: match args.fit_side {
             Side::Both => FitSide::Both,
             Side::Outside => FitSide::Outside,
@@ -140,10 +120,11 @@ fn outlines(
         one_part: args.part.clone(),
         trace: args.trace,
         picks: args.pick.clone(),
+        ..drawing::settings(&args.drawing, scale)
     };
     let file = path.display();
-    drawing.outlines(&settings).map_err(|error| {
-        let choice = Choice::of(args, drawing, &settings);
+    drawn.outlines(&settings).map_err(|error| {
+        let choice = Choice::of(args, drawn, &settings);
         let problems = match &error {
             DrawingError::Entities(problems) if problems.len() > 1 => problems,
             error => {

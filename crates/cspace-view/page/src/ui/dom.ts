@@ -41,6 +41,18 @@ export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** The JSON of what the page shows. */
+export function sceneText(): string {
+  const text = document.getElementById("scene")?.textContent;
+  if (!text) throw new Error("There is no scene in this page: it was not written by cspace.");
+  return text;
+}
+
+/** A file's name for what is called so. */
+export function fileName(name: string, ending: string): string {
+  return `${name.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "cspace"}.${ending}`;
+}
+
 /** Hands a file to the browser to be saved. */
 export function download(name: string, data: Blob): void {
   const url = URL.createObjectURL(data);

@@ -82,6 +82,13 @@ export function edgePath(edge: Edge): string {
   return `M${edge.from.x} ${edge.from.y}${along(edge)}`;
 }
 
+/** The path along the edges between vertices, which is not closed. */
+export function curvePath(vertices: readonly SceneVertex[]): string {
+  const [first] = vertices;
+  const edges = vertices.flatMap((_, i) => (i + 1 < vertices.length ? (edgeOf(vertices, i) ?? []) : []));
+  return first ? `M${first.x} ${first.y}${edges.map(along).join("")}` : "";
+}
+
 export function outlinePath(loops: readonly SceneVertex[][]): string {
   return loops.map((loop) => (loop[0] ? `M${loop[0].x} ${loop[0].y}${edgesOf(loop).map(along).join("")}Z` : "")).join("");
 }

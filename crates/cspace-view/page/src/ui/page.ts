@@ -4,12 +4,13 @@ import { SCENE_VERSION } from "../scene.js";
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
 import { USUAL, readAddress, writeAddress } from "./address.js";
-import { byId, download, html, say, set } from "./dom.js";
+import { byId, download, fileName, html, say, sceneText } from "./dom.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
 import { makeHelp } from "./help.js";
 import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
+import { showMessage } from "./message.js";
 import { PartsView } from "./parts-view.js";
 import { picture, pngFile, svgFile } from "./pictures.js";
 import type { Pane } from "./pictures.js";
@@ -20,7 +21,8 @@ import { Server } from "./server.js";
 import { Session } from "./session.js";
 import { SliceView } from "./slice-view.js";
 import { SpaceView } from "./space-view.js";
-import type { Key, Theme } from "./state.js";
+import type { Key } from "./state.js";
+import { applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
 import { Toolbar } from "./toolbar.js";
@@ -62,7 +64,6 @@ export function openPage(scene: Scene): void {
     return [partsView.viewport.svg, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
   };
   const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
-  const fileName = (ending: string) => `${scene.name.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "cspace"}.${ending}`;
   const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
   const actions: Actions = {
     toggleStop: () => store.change({ stop: !store.state.stop }),
@@ -81,9 +82,9 @@ export function openPage(scene: Scene): void {
     undo: () => editor?.undo(),
     redo: () => editor?.redo(),
     openRecord: () => chooseFile((file) => void timeline.open(file).catch(failed)),
-    saveSvg: () => download(fileName("svg"), svgFile(made())),
-    savePng: () => void pngFile(made()).then((blob) => download(fileName("png"), blob), failed),
-    saveModel: () => void editor?.model().then((text) => download(fileName("toml"), new Blob([text], { type: "application/toml" })), failed),
+    saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
+    savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
+    saveModel: () => void editor?.model().then((text) => download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" })), failed),
   };
   new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
   if (editor) new EditPanel(session, editor, actions);
@@ -99,7 +100,7 @@ export function openPage(scene: Scene): void {
     if (changed.has("outdated")) document.body.classList.toggle("outdated", state.outdated);
     if (changed.has("message")) showMessage(state.message, () => store.change({ message: null }));
   });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  onSystemTheme(() => {
     applyTheme(store.state.theme);
     spaceView?.applyTheme();
   });
@@ -164,20 +165,6 @@ function noSpace(session: Session): string | null {
   return space.state === "ready" && pair?.class === "lower" ? session.lowerText(pair) : null;
 }
 
-function applyTheme(theme: Theme): void {
-  const dark = theme === "dark" || (theme === "auto" && matchMedia("(prefers-color-scheme: dark)").matches);
-  document.documentElement.dataset["theme"] = dark ? "dark" : "light";
-}
-
-function showMessage(message: string | null, close: () => void): void {
-  const element = byId("message");
-  element.hidden = message === null;
-  if (message === null) return;
-  const button = html("button", { type: "button", "aria-label": "Close the message" }, "✕");
-  button.addEventListener("click", close);
-  element.replaceChildren(html("span", {}, message), button);
-}
-
 function chooseFile(take: (file: File) => void): void {
   const input = html("input", { type: "file", accept: ".json,application/json" });
   input.addEventListener("change", () => {
@@ -237,16 +224,8 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
 
 /** The scene in the page; throws what the user is to read. */
 export function readScene(): Scene {
-  const text = document.getElementById("scene")?.textContent;
-  if (!text) throw new Error("There is no scene in this page: it was not written by cspace.");
-  const scene = JSON.parse(text) as Scene;
+  const scene = JSON.parse(sceneText()) as Scene;
   if (scene.format !== "cspace-scene") throw new Error("What is in this page is no scene.");
   if (scene.version !== SCENE_VERSION) throw new Error(`The scene has version ${scene.version}, and this page reads version ${SCENE_VERSION}.`);
   return scene;
-}
-
-export function showFailure(error: unknown): void {
-  const element = byId("message");
-  set(element, { hidden: null });
-  say(element, error instanceof Error ? error.message : String(error));
 }

@@ -71,7 +71,7 @@ export class Server {
   }
 }
 
-async function ask(route: string, init?: RequestInit): Promise<Response> {
+export async function ask(route: string, init?: RequestInit): Promise<Response> {
   let answer: Response;
   try {
     answer = await fetch(route, init);

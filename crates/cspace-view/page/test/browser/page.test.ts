@@ -1,7 +1,7 @@
 /** What users do with the page: drag, slide, step, play, edit, save. */
 
 import assert from "node:assert/strict";
-import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, it } from "node:test";
 import { PNG } from "pngjs";
@@ -22,7 +22,7 @@ import {
 } from "../../tools/harness.js";
 import { run } from "../support/command.js";
 import { spaceOf } from "../../tools/space-picture.js";
-import { inBrowser, model, press, settled } from "./support.js";
+import { downloaded, inBrowser, model, press, settled } from "./support.js";
 
 /** A page without its data has fewer bytes. */
 const LARGEST_PAGE = 1 << 20;
@@ -451,15 +451,4 @@ async function end(page: Page): Promise<void> {
     scrub.dispatchEvent(new Event("input"));
   });
   await settled(page);
-}
-
-/** A file that is being saved, once it is. */
-async function downloaded(path: string): Promise<string> {
-  for (let tries = 0; tries < 600; tries++) {
-    if (existsSync(path) && statSync(path).size > 0) {
-      return path;
-    }
-    await new Promise((done) => setTimeout(done, 100));
-  }
-  throw new Error(`${path} was not saved`);
 }

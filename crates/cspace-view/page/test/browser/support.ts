@@ -1,6 +1,7 @@
 /** What tests in a browser share: a browser for each suite, and what users do on any page. */
 
 import assert from "node:assert/strict";
+import { existsSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before } from "node:test";
 import type { Browser, Page } from "puppeteer-core";
@@ -47,4 +48,15 @@ export async function press(page: Page, text: string): Promise<void> {
   const button = await page.waitForSelector(`::-p-xpath(//button[normalize-space()="${text}"])`, { timeout: PATIENCE });
   await button?.click();
   await settled(page);
+}
+
+/** A file that is being saved, once it is. */
+export async function downloaded(path: string): Promise<string> {
+  for (let tries = 0; tries < 600; tries++) {
+    if (existsSync(path) && statSync(path).size > 0) {
+      return path;
+    }
+    await new Promise((done) => setTimeout(done, 100));
+  }
+  throw new Error(`${path} was not saved`);
 }

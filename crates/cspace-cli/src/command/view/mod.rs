@@ -1,15 +1,29 @@
 //! `cspace view`.
 
+mod drawing;
+
 use cspace_view::{ServeError, Server};
 
 use super::page;
 use crate::args::ViewArgs;
+use crate::drawing as drawings;
 use crate::failure::{Failure, note};
 use crate::interrupt::until_interrupted;
 use crate::output;
 use crate::subject::Subject;
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
+    if cspace_drawing::is_drawing(&args.file) {
+        return show(drawing::server(args, &args.file)?, args);
+    }
+    if let Some(option) = drawings::first_given(&args.drawing) {
+        return Err(
+            Failure::input(format_args!("{option} is about drawings")).help(format_args!(
+                "leave {option} out: {} is a model",
+                args.file.display()
+            )),
+        );
+    }
     let page = page::bundled()?;
     let common = args.common();
     let subject = Subject::open(&common)?;
@@ -23,7 +37,14 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     let entries = page::entries(&chosen);
     let mut opened = page::opened(subject, entries, args.general);
     opened.records = page::records(&args.with, &opened)?;
-    let server = Server::bind(opened, &page, args.port).map_err(failure)?;
+    show(
+        Server::bind(opened, &page, args.port).map_err(failure)?,
+        args,
+    )
+}
+
+/// Serves until the process ends, in a browser where there is one.
+fn show(server: Server, args: &ViewArgs) -> Result<(), Failure> {
     let url = server.url();
     output::write(None, format!("{url}\n").as_bytes())?;
     until_interrupted();

@@ -1,0 +1,117 @@
+//! Drawings as the options for them say: what is read, in which unit, how curves are joined and fitted.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use cspace_drawing::{Conversion, Drawing, Settings, Source};
+use cspace_io::shown;
+
+use crate::args::DrawingArgs;
+use crate::failure::{self, Failure};
+use crate::input;
+use crate::traces::quoted;
+
+/// The drawing in a file.
+pub(crate) fn read(args: &DrawingArgs, path: &Path) -> Result<Drawing, Failure> {
+    let source = Source {
+        layers: args.layer.clone(),
+        id: args.id.clone(),
+        hatches: args.hatches,
+    };
+    input::drawing(path, &source)?
+        .map_err(|e| Failure::input(format_args!("{}: {e}", path.display())).help(e.help()))
+}
+
+/// How a drawing is joined and fitted, whose lengths are multiplied by `scale`.
+pub(crate) fn settings(args: &DrawingArgs, scale: f64) -> Settings {
+    Settings {
+        scale,
+        join: args.join,
+        fit: args.fit,
+        ..Settings::default()
+    }
+}
+
+/// The drawing's name without folder and extension, in characters that a model may have.
+pub(crate) fn name(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    shown::text(&stem).into_owned()
+}
+
+/// The options that were given, as a shell takes them, each with a space before.
+pub(crate) fn options(args: &DrawingArgs) -> String {
+    let mut text = String::new();
+    let texts = (args.layer.iter().map(|l| ("--layer", l)))
+        .chain(args.id.iter().map(|id| ("--id", id)))
+        .chain(args.unit.iter().map(|unit| ("--unit", unit)));
+    for (option, value) in texts {
+        // A String takes everything.
+        let _ = write!(text, " {option} {}", quoted(Path::new(value)));
+    }
+    if args.hatches {
+        text.push_str(" --hatches");
+    }
+    for (option, value) in lengths(args) {
+        let _ = value.map(|x| write!(text, " {option} {x:?}"));
+    }
+    text
+}
+
+/// An option that was given.
+pub(crate) fn first_given(args: &DrawingArgs) -> Option<String> {
+    let given = options(args);
+    given.split_whitespace().next().map(str::to_owned)
+}
+
+fn lengths(args: &DrawingArgs) -> [(&'static str, Option<f64>); 3] {
+    [
+        ("--scale", args.scale),
+        ("--join", args.join),
+        ("--fit", args.fit),
+    ]
+}
+
+/// The unit that the model names: as asked for, or that of the first drawing that names one.
+pub(crate) fn of_model(
+    args: &DrawingArgs,
+    drawings: &[Drawing],
+) -> Result<Option<String>, Failure> {
+    if args.unit.is_some() {
+        return Ok(args.unit.clone());
+    }
+    let mut named = drawings.iter().filter_map(|d| d.unit);
+    let first = named.next();
+    let Some(scale) = args.scale else {
+        return Ok(first.map(|u| u.label().to_owned()));
+    };
+    if let (Some(first), Some(other)) = (first, named.find(|u| Some(*u) != first)) {
+        return Err(Failure::input(format_args!(
+            "one drawing is in {:?}, another in {:?}, and --scale multiplies both by the same",
+            first.label(),
+            other.label()
+        ))
+        .help(
+            "leave out --scale to have them converted, or name the unit of the result with --unit",
+        ));
+    }
+    // What is scaled is no longer in the drawing's unit.
+    let kept = first.filter(|_| scale == 1.0);
+    Ok(kept.map(|u| u.label().to_owned()))
+}
+
+/// What the lengths of a drawing are multiplied by.
+pub(crate) fn factor(
+    args: &DrawingArgs,
+    path: &Path,
+    drawing: &Drawing,
+    unit: Option<&str>,
+) -> f64 {
+    if let Some(scale) = args.scale {
+        return scale;
+    }
+    let conversion = Conversion::new(drawing.unit, unit);
+    if let Some(note) = conversion.note("--scale 1") {
+        failure::note(format_args!("{}: {note}", path.display()));
+    }
+    conversion.factor()
+}

@@ -1,0 +1,153 @@
+/** The page of a drawing: faces light up under the pointer, clicked ones become parts, and the model is saved or opened. */
+
+import { byId, download, fileName, html, say, set, svg } from "../ui/dom.js";
+import { showMessage } from "../ui/message.js";
+import { length, short } from "../ui/numbers.js";
+import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
+import { regionColour } from "../ui/colours.js";
+import { ask } from "../ui/server.js";
+import { followTheme } from "../ui/theme.js";
+import { Viewport } from "../ui/viewport.js";
+import { NOTHING, clicked, fragment, fromFragment, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
+import type { Picks } from "./picks.js";
+import type { DrawingScene } from "./scene.js";
+
+/** A pointer that moves farther between down and up pans, and does not click (pixels). */
+const CLICK = 4;
+
+export function openDrawing(scene: DrawingScene): void {
+  followTheme();
+  const inside = scene.faces.map((f) => f.inside);
+  const area = (faces: readonly number[]) => {
+    const sum = faces.reduce((all, f) => all + (scene.faces[f]?.area ?? 0), 0);
+    return `${short(sum)}${scene.unit ? ` ${scene.unit}²` : ""}`;
+  };
+  let picks: Picks = NOTHING;
+
+  say(byId("model-name"), scene.name || "cspace");
+  document.title = `${scene.name} – cspace`;
+  const listed = scene.faces.length;
+  const faces = (n: number) => `${n} ${n === 1 ? "face" : "faces"}`;
+  say(byId("face-count"), scene.count > listed ? `the ${faces(listed)} that are largest, of ${scene.count}` : faces(listed));
+
+  const tell = (message: string | null) => showMessage(message, () => tell(null));
+  const failed = (error: unknown) => tell(error instanceof Error ? error.message : String(error));
+
+  // The drawing.
+  let down: { face: number; x: number; y: number } | null = null;
+  const faceOf = (target: EventTarget | null) => (target instanceof Element && target.classList.contains("face") ? Number(target.getAttribute("data-face")) : -1);
+  const viewport = new Viewport(byId("parts"), {
+    uniform: true,
+    label: "Drawing: click faces to make parts, drag to pan, wheel to zoom",
+    fit: () => viewport.fit(boxOf(scene.curves)),
+    grab: (_, event) => {
+      down = { face: faceOf(event.target), x: event.clientX, y: event.clientY };
+      return null;
+    },
+  });
+  viewport.unit = scene.unit ?? "";
+  const click = (face: number, joins: boolean) => change(joins ? joined(picks, face) : clicked(picks, face));
+  viewport.svg.addEventListener("pointerup", (event) => {
+    const at = down;
+    down = null;
+    if (at && at.face >= 0 && Math.hypot(event.clientX - at.x, event.clientY - at.y) < CLICK) click(at.face, event.shiftKey);
+  });
+  const hover = (face: number) => {
+    const of = scene.faces[face];
+    say(byId("hovered"), of ? `face at ${of.inside.x}, ${of.inside.y}: area ${area([face])}` : "");
+  };
+  viewport.svg.addEventListener("pointerover", (event) => hover(faceOf(event.target)));
+  viewport.svg.addEventListener("focusin", (event) => hover(faceOf(event.target)));
+  viewport.svg.addEventListener("keydown", (event) => {
+    const face = faceOf(event.target);
+    if (face < 0 || (event.key !== "Enter" && event.key !== " ")) return;
+    event.preventDefault();
+    click(face, event.shiftKey);
+  });
+  const paths = scene.faces.map((face, i) =>
+    svg("path", { class: "face", "data-face": i, d: outlinePath(face.loops), tabindex: 0, role: "button", "aria-label": `face ${i + 1}, area ${area([i])}` }),
+  );
+  const drawn = svg("path", { class: "drawn", d: scene.curves.map(curvePath).join("") });
+  viewport.world.append(...paths, drawn);
+  viewport.fit(boxOf(scene.curves));
+
+  // The parts, and what can be done with them.
+  const post = (route: string) => {
+    const wrong = wrongName(picks);
+    if (wrong !== null) throw new Error(wrong);
+    const body = JSON.stringify({ parts: request(picks, inside) });
+    return ask(route, { method: "POST", headers: { "content-type": "application/json" }, body });
+  };
+  const save = async () => download(fileName(scene.name, "toml"), new Blob([await (await post("model")).text()], { type: "application/toml" }));
+  const open = async () => location.assign(((await (await post("open")).json()) as { address: string }).address);
+  const button = (text: string, title: string, action: () => unknown) => {
+    const b = html("button", { type: "button", title }, text);
+    b.addEventListener("click", () => void Promise.resolve().then(action).then(() => undefined, failed));
+    byId("tools").append(b);
+    return b;
+  };
+  button("Fit", "Show everything", () => viewport.fit(boxOf(scene.curves)));
+  const clear = button("Clear", "Take all parts back", () => change(NOTHING));
+  const saving = button("Save model", "Save the parts as a model (TOML)", save);
+  const opening = button("Open", "Show the parts and their configuration spaces", open);
+
+  function change(to: Picks): void {
+    picks = to;
+    tell(null);
+    history.replaceState(null, "", `#${fragment(picks, inside)}`);
+    draw();
+  }
+
+  function draw(): void {
+    paths.forEach((path, i) => {
+      const part = partOf(picks, i);
+      const colour = part < 0 ? null : regionColour(part);
+      set(path, {
+        class: part < 0 ? "face" : part === picks.selected ? "face picked selected" : "face picked",
+        style: colour && `fill: ${colour}`,
+        "aria-pressed": String(part >= 0),
+      });
+    });
+    byId("picked-parts").replaceChildren(...picks.parts.map(row));
+    for (const b of [clear, saving, opening]) b.disabled = picks.parts.length === 0;
+    const command = byId("command");
+    command.hidden = picks.parts.length === 0;
+    sayCommand();
+  }
+
+  function sayCommand(): void {
+    const pre = byId("command").querySelector("pre");
+    if (pre) say(pre, `${scene.command} ${options(picks, inside)} -o ${fileName(scene.name, "toml")}`);
+  }
+
+  function row(part: Picks["parts"][number], index: number): HTMLElement {
+    const name = html("input", { type: "text", "aria-label": `Name of part ${index + 1}`, maxlength: 200, spellcheck: "false" });
+    name.value = part.name;
+    // The row stays while its name is typed.
+    name.addEventListener("input", () => {
+      picks = renamed(picks, index, name.value);
+      history.replaceState(null, "", `#${fragment(picks, inside)}`);
+      sayCommand();
+    });
+    name.addEventListener("focus", () => {
+      if (picks.selected === index) return;
+      picks = { ...picks, selected: index };
+      for (const [i, path] of paths.entries()) path.classList.toggle("selected", partOf(picks, i) === index);
+      [...byId("picked-parts").children].forEach((li, i) => li.classList.toggle("selected", i === index));
+    });
+    const remove = html("button", { type: "button", class: "small", title: "Take this part back", "aria-label": `Take ${part.name} back` }, "✕");
+    remove.addEventListener("click", () => change(removed(picks, index)));
+    const swatch = html("span", { class: "swatch", style: `background: ${regionColour(index)}` });
+    const what = html("span", { class: "faint" }, `${faces(part.faces.length)}, ${area(part.faces)}`);
+    return html("li", { class: index === picks.selected ? "selected" : "" }, swatch, name, remove, what);
+  }
+
+  picks = fromFragment(location.hash, inside);
+  draw();
+  if (listed === 0) tell(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), scene.unit)}): check the layers.`);
+}
+
+function extent(scene: DrawingScene): number {
+  const box = boxOf(scene.curves);
+  return Math.max(0, box.x1 - box.x0, box.y1 - box.y0);
+}

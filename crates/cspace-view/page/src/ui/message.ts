@@ -1,0 +1,18 @@
+/** The line at the top that tells what went wrong. */
+
+import { byId, html, say, set } from "./dom.js";
+
+export function showMessage(message: string | null, close: () => void): void {
+  const element = byId("message");
+  element.hidden = message === null;
+  if (message === null) return;
+  const button = html("button", { type: "button", "aria-label": "Close the message" }, "✕");
+  button.addEventListener("click", close);
+  element.replaceChildren(html("span", {}, message), button);
+}
+
+export function showFailure(error: unknown): void {
+  const element = byId("message");
+  set(element, { hidden: null });
+  say(element, error instanceof Error ? error.message : String(error));
+}

@@ -1,0 +1,149 @@
+/** What users do with the page of a drawing: pick faces, name parts, save the model, open it. */
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { describe, it } from "node:test";
+import type { Page } from "puppeteer-core";
+import type { DrawingScene } from "../../src/drawing/scene.js";
+import { PATIENCE, drawn, load, serve, skip } from "../../tools/harness.js";
+import { binary, run } from "../support/command.js";
+import { downloaded, inBrowser, press, settled } from "./support.js";
+
+/** A frame of 30 by 10 whose sides go beyond its corners, divided at x = 12 and x = 20, with a hole of radius 2 in its left part. */
+function frame(): string {
+  const line = (a: number, b: number, c: number, d: number): string => `0\nLINE\n8\n0\n10\n${a}\n20\n${b}\n11\n${c}\n21\n${d}\n`;
+  const lines = [
+    line(-3, 0, 33, 0),
+    line(-3, 10, 33, 10),
+    ...[0, 12, 20, 30].map((x) => line(x, -3, x, 13)),
+  ];
+  return `0\nSECTION\n2\nENTITIES\n${lines.join("")}0\nCIRCLE\n8\n0\n10\n6\n20\n5\n40\n2\n0\nENDSEC\n0\nEOF\n`;
+}
+
+describe("the page of a drawing in a browser", { skip }, () => {
+  const suite = inBrowser();
+
+  async function opened(more: string[] = []): Promise<{ page: Page; file: string; stop: () => void }> {
+    const file = join(suite.folder, "frame.dxf");
+    writeFileSync(file, frame());
+    const server = await serve(file, more);
+    suite.opened = await load(suite.browser, server.address);
+    await settled(suite.opened.page);
+    return { page: suite.opened.page, file, stop: server.stop };
+  }
+
+  const scene = (page: Page): Promise<DrawingScene> => page.$eval("#scene", (e) => JSON.parse(e.textContent ?? "") as DrawingScene);
+  const parts = (page: Page): Promise<string[]> => page.$$eval("#picked-parts li .faint", (all) => all.map((e) => e.textContent ?? ""));
+  const command = (page: Page): Promise<string> => page.$eval("#command pre", (e) => e.textContent ?? "");
+
+  /** Clicks the face of which a point in the drawing is. */
+  async function click(page: Page, x: number, y: number): Promise<void> {
+    const at = await page.$eval("path.drawn", (e, x, y) => {
+      const p = new DOMPoint(x, y).matrixTransform((e as SVGPathElement).getScreenCTM() ?? undefined);
+      return [p.x, p.y] as [number, number];
+    }, x, y);
+    await page.mouse.click(...at);
+    await settled(page);
+  }
+
+  it("shows the faces, each of which a click makes a part", async () => {
+    const { page, stop } = await opened();
+    try {
+      const areas = (await scene(page)).faces.map((f) => f.area);
+      const expected = [120 - 4 * Math.PI, 100, 80, 4 * Math.PI];
+      assert.equal(areas.length, expected.length);
+      areas.forEach((area, i) => assert.ok(Math.abs(area - (expected[i] ?? 0)) < 1e-9, `${areas.join(", ")}`));
+      assert.deepEqual(await parts(page), []);
+      await click(page, 25, 5);
+      await click(page, 1, 5);
+      // The hole is a face of its own.
+      assert.deepEqual(await parts(page), ["1 face, 100", "1 face, 107.434"]);
+      await page.keyboard.down("Shift");
+      await click(page, 6, 5);
+      assert.deepEqual(await parts(page), ["1 face, 100", "2 faces, 120"]);
+      await click(page, 6, 5);
+      await page.keyboard.up("Shift");
+      assert.deepEqual(await parts(page), ["1 face, 100", "1 face, 107.434"]);
+      // A drag pans, and beside the frame is nothing.
+      await click(page, 16, 12);
+      assert.equal((await parts(page)).length, 2);
+      // The address has the picks.
+      await page.reload({ waitUntil: "load", timeout: PATIENCE });
+      assert.deepEqual(await parts(page), ["1 face, 100", "1 face, 107.434"]);
+      await press(page, "Clear");
+      assert.deepEqual(await parts(page), []);
+    } finally {
+      stop();
+    }
+  });
+
+  it("saves the model that the command makes of the same picks", async () => {
+    const { page, stop } = await opened(["--scale", "0.5"]);
+    try {
+      const client = await page.createCDPSession();
+      await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
+      await click(page, 8, 2.5);
+      await page.keyboard.down("Shift");
+      await click(page, 12, 2.5);
+      await page.keyboard.up("Shift");
+      await click(page, 1, 1);
+      await page.focus("#picked-parts li:nth-child(1) input");
+      await page.keyboard.down("Control");
+      await page.keyboard.press("a");
+      await page.keyboard.up("Control");
+      await page.keyboard.type("bar's end");
+      const line = await command(page);
+      assert.match(line, /^cspace import .*frame\.dxf --scale 0\.5 --pick 'bar'\\''s end=[-\d.]+,[-\d.]+;[-\d.]+,[-\d.]+' --pick 'part 2=[-\d.]+,[-\d.]+' -o frame\.toml$/);
+      await press(page, "Save model");
+      const saved = readFileSync(await downloaded(join(suite.folder, "frame.toml")), "utf8");
+      const done = spawnSync("sh", ["-c", line.replace("-o frame.toml", "-o other.toml")], {
+        cwd: suite.folder,
+        env: { ...process.env, PATH: `${dirname(binary() ?? "")}:${process.env["PATH"]}` },
+        encoding: "utf8",
+      });
+      assert.equal(done.status, 0, done.stderr);
+      assert.equal(saved, readFileSync(join(suite.folder, "other.toml"), "utf8"));
+      assert.match(run(["info", join(suite.folder, "frame.toml")]), /bar's end/);
+    } finally {
+      stop();
+    }
+  });
+
+  it("opens the parts and their spaces, and goes back to the picks", async () => {
+    const { page, stop } = await opened();
+    try {
+      await click(page, 25, 5);
+      await click(page, 6, 5);
+      const there = page.waitForNavigation({ waitUntil: "load", timeout: PATIENCE });
+      await page.click("::-p-xpath(//button[normalize-space()='Open'])");
+      await there;
+      await drawn(page);
+      assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["part 1", "part 2"]);
+      // A disc of radius 2 beside the square, as drawn.
+      assert.equal(await page.evaluate(() => window.cspace.classify({ x: 0, y: 0, theta: 0 })), "free");
+      assert.equal(await page.evaluate(() => window.cspace.classify({ x: 12.1, y: 0, theta: 0 })), "blocked");
+      await page.goBack({ waitUntil: "load", timeout: PATIENCE });
+      await page.waitForSelector("#picked-parts li", { timeout: PATIENCE });
+      assert.deepEqual(await parts(page), ["1 face, 100", "1 face, 12.5664"]);
+    } finally {
+      stop();
+    }
+  });
+
+  it("refuses two parts of one name", async () => {
+    const { page, stop } = await opened();
+    try {
+      await click(page, 25, 5);
+      await click(page, 6, 5);
+      await page.focus("#picked-parts li:nth-child(1) input");
+      await page.keyboard.press("Backspace");
+      await page.keyboard.type("2");
+      await press(page, "Save model");
+      assert.match(await page.$eval("#message", (e) => e.textContent ?? ""), /name part 2/);
+    } finally {
+      stop();
+    }
+  });
+});
