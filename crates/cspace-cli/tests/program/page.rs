@@ -315,6 +315,24 @@ fn what_has_no_page_is_refused() {
             words,
         );
     }
+    let drawing = folder.path().join("plate.dxf");
+    let circle =
+        "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n5\n0\nENDSEC\n0\nEOF\n";
+    std::fs::write(&drawing, circle).unwrap();
+    let points = folder.path().join("points.csv");
+    std::fs::write(&points, "0,0\n1,0\n1,1\n0,1\n").unwrap();
+    let [drawing, points] = [&drawing, &points].map(|p| p.to_str().unwrap());
+    for (args, words) in [
+        (&[drawing, "--pair", "a,b"][..], &["--pair", "drawing"][..]),
+        (&[drawing, "--general"], &["--general", "drawing"]),
+        (&[drawing, "--layer", "none"], &["plate.dxf", "layer"]),
+        (&[points], &["points.csv", "measured points"]),
+        (&[&geneva, "--layer", "0"], &["--layer", "drawings"]),
+        (&[&geneva, "--scale", "2"], &["--scale", "drawings"]),
+        (&["no_such.svg"], &["no_such.svg"]),
+    ] {
+        fails(cspace(&[&["view", "--no-open"], args].concat()), 2, words);
+    }
     for port in ["-1", "65536", "x"] {
         fails(cspace(&["view", &geneva, "--port", port]), 2, &["--port"]);
     }

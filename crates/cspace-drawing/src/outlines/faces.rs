@@ -99,6 +99,9 @@ impl Making<'_> {
     /// The faces, for a choice among them.
     pub(super) fn faces(mut self) -> Result<DrawnFaces, DrawingError> {
         let divided = self.divided()?;
+        if divided.curves.is_empty() {
+            return Err(self.nothing());
+        }
         let faces = &divided.faces;
         let count = faces.faces.len();
         let listed = (0..count.min(MOST_LISTED)).filter_map(|face| {

@@ -392,7 +392,7 @@ impl<'d> Making<'d> {
         used
     }
 
-    fn nothing(&self) -> DrawingError {
+    pub(super) fn nothing(&self) -> DrawingError {
         /// More reasons than that are not told.
         const MOST_REASONS: usize = 4;
         let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();

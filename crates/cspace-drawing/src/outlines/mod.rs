@@ -50,7 +50,7 @@ impl Drawing {
     /// the drawing because its curves cross, meet in threes or end freely.
     ///
     /// # Errors
-    /// If the settings or the coordinates are beyond use, or the curves cross too often.
+    /// If the settings or the coordinates are beyond use, nothing is drawn, or the curves cross too often.
     pub fn faces(&self, settings: &Settings) -> Result<DrawnFaces, DrawingError> {
         check(settings)?;
         check_divisible(self)?;

@@ -71,6 +71,8 @@ impl Choice {
     /// Shows the model of picked faces below a path, in place of one that was shown there before.
     fn open(&self, request: &PickRequest, base: &str) -> Result<(), Fault> {
         let model = self.model(request)?;
+        // What cannot be saved is not shown.
+        toml(&model)?;
         let pairs = model.pairs.clone();
         let work = Work::new(Opened::model(model, pairs, false), &self.model_page);
         let router = routes::router(base, work.map_err(Fault::internal)?);

@@ -84,7 +84,10 @@ impl Client {
     }
 
     pub(crate) fn of(opened: Opened) -> Self {
-        let server = Server::bind(opened, &page(), 0).unwrap();
+        Self::serving(Server::bind(opened, &page(), 0).unwrap())
+    }
+
+    pub(crate) fn serving(server: Server) -> Self {
         let url = server.url();
         std::thread::spawn(move || server.run().unwrap());
         let (port, path) = url

@@ -74,7 +74,7 @@ impl Choice {
         }
         if !self.faces.faces.is_empty() {
             ways.push(
-                "make a part of a face with --pick X,Y, once for each part (several faces of one part: --pick 'X,Y;X,Y')".to_owned(),
+                "make a part of a face with --pick X,Y, once for each part (several faces of one part: --pick 'X,Y;X,Y'), or click the faces in `cspace view DRAWING`".to_owned(),
             );
         }
         match ways.is_empty() {
