@@ -70,6 +70,18 @@ pub enum SimulateError {
         /// How far the moving part is from contact, along or about its axis if both are on axes, otherwise by translation.
         depth: f64,
     },
+    /// Two parts slide along each other without a gap, as drawn.
+    #[error(
+        "{fixed} and {moving} touch without a gap wherever their axes take them, and contact on axes cannot be told from overlap then; leave the pair out by listing the others as `[[pair]]`, or draw a gap of {gap:.0e} between the parts"
+    )]
+    Flush {
+        /// Name of the fixed part.
+        fixed: String,
+        /// Name of the moving part.
+        moving: String,
+        /// A gap that is enough, in the model's unit of length.
+        gap: f64,
+    },
     /// A pair starts where its space was not computed.
     #[error(
         "{fixed} and {moving} start outside of the window of orientations of their pair; widen `theta`, or start elsewhere"

@@ -3,7 +3,7 @@
 use cspace::mechanism::MechanismError;
 use cspace::{
     Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
-    PairEntry, PairSpace, PatchId, Point, Progress, QueryError, Relation, Rotation,
+    PairEntry, PairSpace, PatchId, Point, Progress, QueryError, Relation, Rotation, Slice,
     contact_function,
 };
 use rayon::prelude::*;
@@ -263,6 +263,17 @@ impl MovingPair {
         Ok(Point::new(x, y))
     }
 
+    /// Whether parts on axes that count as blocked only touch: what slides along another part without a gap does so for ever.
+    fn is_flush(&self, system: &System, q: &[f64]) -> bool {
+        if !matches!(self.space, PairSpace::FixedAxes(_)) {
+            return false;
+        }
+        let relative = system.relative(self.fixed, self.moving, q);
+        let slice = Slice::compute(self.space.fixed(), self.space.moving(), relative.theta);
+        let here = relative.position();
+        (slice.nearest(here)).is_some_and(|(_, there)| there.distance(here) <= self.touch)
+    }
+
     /// That the parts do not overlap at the start.
     ///
     /// # Errors
@@ -276,6 +287,11 @@ impl MovingPair {
             error,
         };
         match self.classify(system, q) {
+            Ok(Classification::Blocked) if self.is_flush(system, q) => Err(SimulateError::Flush {
+                fixed,
+                moving,
+                gap: self.touch,
+            }),
             Ok(Classification::Blocked) => {
                 let at = self.coordinates(system, q);
                 let nearest = self.space.nearest_contact(at).map_err(failed)?;

@@ -10,6 +10,7 @@ mod dynamic_hostile;
 mod dynamic_impacts;
 mod dynamic_joints;
 mod dynamic_models;
+mod dynamic_seams;
 mod free_space;
 mod helpers;
 mod hostile;

@@ -190,6 +190,27 @@ fn what_cannot_start_is_told() {
     assert!((depth - 0.5).abs() < 1e-9);
 }
 
+/// A slider that is drawn flush on its rail does not overlap it, and the error names a gap that is enough.
+#[test]
+fn a_flush_slider_is_no_overlap() {
+    let drawn = |gap: f64| {
+        let mechanism = mechanism(vec![
+            PartEntry::fixed(Part::rectangle("rail", (10.0, -0.5), 20.0, 1.0).unwrap()),
+            PartEntry::prismatic(
+                Part::rectangle("slider", (3.0, 1.0 + gap), 2.0, 2.0).unwrap(),
+                (1.0, 0.0),
+            ),
+        ]);
+        Simulation::new(&driven(mechanism, 1, 5.0)).map(drop)
+    };
+    let Err(SimulateError::Flush { gap, .. }) = drawn(0.0) else {
+        panic!("flush")
+    };
+    assert!(gap < 1e-8, "{gap}");
+    assert!(drawn(gap).is_ok());
+    assert!(matches!(drawn(-1e-6), Err(SimulateError::Overlap { .. })));
+}
+
 /// Two halves that a rigid joint makes one are pushed as one, and a part on a prismatic joint slides along another that turns.
 #[test]
 fn rigid_and_prismatic_joints_hold() {

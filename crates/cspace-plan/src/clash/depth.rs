@@ -28,9 +28,7 @@ pub(super) fn separated(parts: [&Part; 2], at: [Configuration; 2]) -> Option<Sep
     let relative = at[0].inverse().compose(at[1]);
     let slice = Slice::compute(first, second, relative.theta);
     let here = relative.position();
-    let (curve, there) = (slice.curves.iter())
-        .map(|curve| (curve, curve.geometry.nearest(here)))
-        .min_by(|a, b| (a.1.distance(here)).total_cmp(&b.1.distance(here)))?;
+    let (curve, there) = slice.nearest(here)?;
     let moved = Configuration::new(there.x, there.y, relative.theta);
     let shapes = (
         first.feature_shape(curve.fixed)?,

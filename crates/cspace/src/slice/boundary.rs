@@ -75,6 +75,15 @@ fn close(curves: &mut [SliceCurve], within: f64) {
 }
 
 impl Slice {
+    /// The curve nearest to a position of the moving part, and its nearest point; `None` if there is no curve.
+    ///
+    /// From a blocked position it is where the shortest translation without overlap leads to.
+    pub fn nearest(&self, position: Point) -> Option<(&SliceCurve, Point)> {
+        (self.curves.iter())
+            .map(|curve| (curve, curve.geometry.nearest(position)))
+            .min_by(|a, b| (a.1.distance(position)).total_cmp(&b.1.distance(position)))
+    }
+
     /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
     pub(crate) fn from_curves(
         theta: f64,
