@@ -478,6 +478,15 @@ fn traces_are_told_with_a_command_that_works() {
         fs::remove_file(path).unwrap();
     }
     assert_eq!(told(&["import", "cam.dxf", "--trace"]), "");
+    // A model says the same.
+    let model = |keys: &str| {
+        let text = format!("[[part]]\nname = \"cam\"\ndxf = \"cam.dxf\"\n{keys}");
+        fs::write(folder.path().join("model.toml"), text).unwrap();
+        told(&["info", "model.toml"])
+    };
+    assert_eq!(model("trace = true\n"), "");
+    assert!(model("").contains("has 600 edges"));
+    assert!(model("trace = true\npick = [[20, 0]]\n").contains("both `pick` and `trace`"));
 }
 
 /// Two rooms that share a wall, drawn as seven lines, with a pillar in one: nobody can tell which loops are meant.

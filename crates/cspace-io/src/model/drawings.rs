@@ -58,6 +58,7 @@ pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
         ("id", &["svg"]),
         ("hatches", &["dxf"]),
         ("pick", &["dxf", "svg"]),
+        ("trace", &["dxf", "svg"]),
         ("scale", &["dxf", "svg", "points"]),
         ("join", &["dxf", "svg"]),
         ("fit", &["dxf", "svg", "points"]),
@@ -136,9 +137,17 @@ pub(super) fn read_drawing(
         join: table.number("join")?,
         fit: table.number("fit")?,
         picks: picks(table)?,
+        trace: table.flag("trace")?,
         one_part: Some(name.to_owned()),
         ..Settings::default()
     };
+    if settings.trace && !settings.picks.is_empty() {
+        let help =
+            "keep one of them: faces are made of what is drawn, not of what is fitted to traces";
+        return Err(table
+            .error("trace", "both `pick` and `trace` are given")
+            .with_help(help));
+    }
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
     (outlines.parts.into_iter().next())
         .ok_or_else(|| table.error(key, "the drawing has no outline"))

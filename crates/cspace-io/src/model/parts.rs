@@ -61,9 +61,9 @@ fn read_part(
     node: &Node,
     setting: &mut Setting<'_>,
 ) -> Result<(PartEntry, PartDynamics)> {
-    const KEYS: [&str; 16] = [
+    const KEYS: [&str; 17] = [
         "name", "loops", "dxf", "svg", "points", "names", "motion", "symmetry", "layer", "id",
-        "hatches", "pick", "scale", "join", "offset", "split",
+        "hatches", "pick", "trace", "scale", "join", "offset", "split",
     ];
     // It is too like others to be suggested.
     const OTHERS: [&str; 1] = ["fit"];

@@ -143,6 +143,7 @@ fn broken_models_are_not() {
         ("/part/0/layer", json!("0")),
         ("/part/0/scale", json!(2)),
         ("/part/0/hatches", json!(true)),
+        ("/part/0/trace", json!(true)),
         ("/part/0/offset", json!("1")),
         ("/part/0/split", json!(true)),
         ("/part/0/split", json!(1)),
