@@ -95,6 +95,10 @@ export class LowerPair implements Kernel<PlanarConfiguration> {
     return null;
   }
 
+  patchesNear(_c: PlanarConfiguration, _within: number): number[] {
+    return [];
+  }
+
   /** To the configuration of the joint that is as far along it as the asked one. */
   advance(_from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
     if (this.joint.kind === "rigid") return { at: this.at(0), stopped: null };

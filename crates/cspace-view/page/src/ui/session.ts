@@ -17,7 +17,7 @@ import type { State, Where } from "./state.js";
 /** Fetches a pair with its space: from the server, of the model as it is edited. */
 export type Fetcher = (pair: number) => Promise<ScenePair>;
 
-const NOWHERE: Where = { classification: null, region: null, touching: [], nearest: null };
+const NOWHERE: Where = { classification: null, region: null, touching: [], nearest: null, patches: [] };
 
 export class Session {
   readonly store: Store;
@@ -223,6 +223,7 @@ export class Session {
         region: inside ? kernel.region(c) : null,
         touching: classification === "contact" ? kernel.touching(c, this.touchDistance) : [],
         nearest: inside ? kernel.nearest(c) : null,
+        patches: classification === "contact" ? kernel.patchesNear(c, this.touchDistance) : [],
       },
     });
   }
