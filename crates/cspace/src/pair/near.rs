@@ -69,17 +69,23 @@ impl PairSpace {
         if matches!(self, Self::Lower(_)) {
             return Err(QueryError::Permanent);
         }
-        let deepest = match class {
-            Classification::Blocked => within,
+        // So well it is known where parts in contact are.
+        let known = match class {
             Classification::Contact => self.resolution(),
-            Classification::Free => 0.0,
+            Classification::Free | Classification::Blocked => 0.0,
         };
         let (fixed, moving) = (self.fixed(), self.moving());
         let placed = self.placed(at)?;
         let slack = rounding(fixed, moving, placed);
+        let beyond = known + slack;
+        let deepest = match class {
+            Classification::Blocked => within + slack,
+            Classification::Contact | Classification::Free => beyond,
+        };
         let sought = Sought {
             within,
-            deepest: deepest + slack,
+            deepest,
+            beyond,
             slack,
         };
         let mut found = sought.among(
@@ -210,8 +216,8 @@ impl Feature {
         from_first <= turn + 2.0 * ALIGNED
     }
 
-    /// The point that lies on the feature itself, of one that lies on its line or circle; not if it is farther than `slack` beyond its ends.
-    fn onto(&self, p: Point, slack: f64) -> Option<Point> {
+    /// The point that lies on the feature itself, of one that lies on its line or circle; not if it is farther than `most` beyond its ends.
+    fn onto(&self, p: Point, most: f64) -> Option<Point> {
         let Some(edge) = &self.edge else {
             return Some(self.bounds.center());
         };
@@ -224,7 +230,7 @@ impl Feature {
         } else {
             ends[1]
         };
-        (beyond <= slack).then_some(end)
+        (beyond <= most).then_some(end)
     }
 
     /// The point at which an outward normal is as given.
@@ -247,6 +253,8 @@ struct Sought {
     within: f64,
     /// Features may overlap by so much.
     deepest: f64,
+    /// Places may be so far beyond the ends of features: a part in a concave corner may be in one side of it by as much.
+    beyond: f64,
     /// Points nearer to each other are one.
     slack: f64,
 }
@@ -256,7 +264,7 @@ impl Sought {
         let boxes = Boxes::new(fixed.iter().map(|f| f.bounds));
         let mut found = Vec::new();
         for g in moving {
-            let reaches = |b: &Bounds| !b.is_apart(g.bounds, self.within + self.slack);
+            let reaches = |b: &Bounds| !b.is_apart(g.bounds, self.within + self.beyond);
             boxes.any(reaches, |i| {
                 found.extend(self.pair(&fixed[i as usize], g));
                 false
@@ -287,8 +295,8 @@ impl Sought {
             f64::INFINITY
         };
         let (normal, on_fixed, on_moving) = if apart > self.slack {
-            let on_fixed = f.onto(point(place.on_fixed), self.slack)?;
-            let on_moving = g.onto(point(place.on_moving), self.slack)?;
+            let on_fixed = f.onto(point(place.on_fixed), self.beyond)?;
+            let on_moving = g.onto(point(place.on_moving), self.beyond)?;
             (normal, on_fixed, on_moving)
         } else {
             // About one centre they are as near in every direction.

@@ -47,12 +47,14 @@ export class NearFeatures {
    */
   at(by: Placement, within: number, found: Classification): Touch[] {
     const slack = this.rounding + PLACED * length(by.at);
-    const deepest = slack + (found === "blocked" ? within : found === "contact" ? this.resolution : 0);
+    // So well it is known where parts in contact are: they may be in each other by as much, and beyond the ends of features.
+    const beyond = slack + (found === "contact" ? this.resolution : 0);
+    const deepest = found === "blocked" ? within + slack : beyond;
     const touches: Touch[] = [];
     for (const g of featuresOf(this.moving, by)) {
       for (const f of this.ofFixed) {
-        if (areApart(f.box, g.box, within + slack)) continue;
-        const touch = pairOf(f, g, by, slack);
+        if (areApart(f.box, g.box, within + beyond)) continue;
+        const touch = pairOf(f, g, by, slack, beyond);
         if (!touch || touch.distance > within || touch.distance < -deepest) continue;
         touches.push({ fixed: this.fixed.text(f.key), moving: this.moving.text(g.key), ...touch });
       }
@@ -100,12 +102,12 @@ function hasNormal({ normals: { first, turn } }: Feature, direction: Point): boo
   return from - TAU * Math.floor(from / TAU) <= turn + 2 * ALIGNED;
 }
 
-/** The point of the feature itself, of one on its line or circle; null if it is farther than `slack` beyond its ends. */
-function onto({ edge, box }: Feature, p: Point, slack: number): Point | null {
+/** The point of the feature itself, of one on its line or circle; null if it is farther than `most` beyond its ends. */
+function onto({ edge, box }: Feature, p: Point, most: number): Point | null {
   if (!edge) return box.lo;
   if (coversWay(edge, sub(p, edge.start))) return p;
   const end = distance(edge.start, p) < distance(edge.end, p) ? edge.start : edge.end;
-  return distance(end, p) <= slack ? end : null;
+  return distance(end, p) <= most ? end : null;
 }
 
 /** The point of an arc or vertex at which an outward normal is as given. */
@@ -125,8 +127,8 @@ function commonNormal(f: Feature, g: Feature): Point | null {
   return all.find((n) => hasNormal(f, n) && hasNormal(g, times(n, -1))) ?? null;
 }
 
-/** Where two features face each other, if they do. */
-function pairOf(f: Feature, g: Feature, by: Placement, slack: number): Omit<Touch, "fixed" | "moving"> | null {
+/** Where two features face each other, if they do: points nearer to each other than `slack` are one, and some are `beyond` the ends. */
+function pairOf(f: Feature, g: Feature, by: Placement, slack: number, beyond: number): Omit<Touch, "fixed" | "moving"> | null {
   // Lines side by side are told by their ends, and nothing touches a concave arc but what is rounder.
   const radii = [f.circle.radius, g.circle.radius] as const;
   const sum = radii[0] + radii[1];
@@ -135,7 +137,7 @@ function pairOf(f: Feature, g: Feature, by: Placement, slack: number): Omit<Touc
   let normal: Point | null = touching.normal;
   let ends: [Point | null, Point | null];
   if (sum === Infinity || Math.abs(touching.gap + sum) > slack) {
-    ends = [onto(f, touching.onFixed, slack), onto(g, touching.onMoving, slack)];
+    ends = [onto(f, touching.onFixed, beyond), onto(g, touching.onMoving, beyond)];
   } else {
     // About one centre they are as near in every direction.
     normal = commonNormal(f, g);

@@ -31,7 +31,7 @@ export class Readout {
     this.#configuration = entry("configuration", "number");
     this.#class = entry("is", "class");
     this.#region = entry("region");
-    this.#nearest = entry("nearest contact", "number");
+    this.#nearest = entry("nearest features", "number");
     this.#touching = entry("touching", "touching-list");
     this.#class.setAttribute("aria-live", "polite");
     session.store.subscribe((changed) => {
