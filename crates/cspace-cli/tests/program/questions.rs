@@ -200,7 +200,10 @@ fn contacts_are_between_ends_of_features() {
         let point = |place: &str| [0, 1].map(|i| number(c, &format!("/{place}/{i}")));
         let name = |i: usize| c["features"][i].as_str().unwrap();
         let (p, q) = (point("on_fixed"), point("on_moving"));
-        assert!(off(0, name(0), p) < 1e-9 && off(1, name(1), q) < 1e-9, "{c}");
+        assert!(
+            off(0, name(0), p) < 1e-9 && off(1, name(1), q) < 1e-9,
+            "{c}"
+        );
         let distance = number(c, "/distance");
         assert!((p[0] - q[0]).hypot(p[1] - q[1]) - distance < 1e-9, "{c}");
         assert!(distance >= clearance - 1e-12, "{c}");

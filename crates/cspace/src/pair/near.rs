@@ -76,7 +76,8 @@ impl PairSpace {
         };
         let (fixed, moving) = (self.fixed(), self.moving());
         let placed = self.placed(at)?;
-        let slack = rounding(fixed, moving, placed);
+        let frame = PairFrame::new(fixed, moving);
+        let slack = rounding(&frame, placed);
         let beyond = known + slack;
         let deepest = match class {
             Classification::Blocked => within + slack,
@@ -88,10 +89,16 @@ impl PairSpace {
             beyond,
             slack,
         };
+        // Parts may be drawn far away: all is reckoned from the fixed part's centre.
+        let center = frame.fixed_center.to_vector();
         let mut found = sought.among(
-            &features(fixed, Configuration::default()),
-            &features(moving, placed),
+            &features(fixed, frame.fixed_center, Configuration::default()),
+            &features(moving, frame.moving_center, about_centers(&frame, placed)),
         );
+        for near in &mut found {
+            near.touching.on_fixed = near.touching.on_fixed + center;
+            near.touching.on_moving = near.touching.on_moving + center;
+        }
         found.sort_by(|a, b| {
             let nearer = a.distance.abs().total_cmp(&b.distance.abs());
             let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
@@ -102,14 +109,20 @@ impl PairSpace {
 }
 
 /// More than the rounding error of points of the two parts, in the model's unit of length.
-fn rounding(fixed: &Part, moving: &Part, at: Configuration) -> f64 {
+fn rounding(frame: &PairFrame, at: Configuration) -> f64 {
     /// Of the few sums in which the configuration's position enters.
     const PLACED: f64 = 8.0 * f64::EPSILON;
-    let frame = PairFrame::new(fixed, moving);
     frame.outer_length(frame.rounding()) + PLACED * at.x.hypot(at.y)
 }
 
-/// A line, an arc or a convex vertex of a part that is placed in the fixed part's frame.
+/// Where the moving part is, about its centre, seen from the fixed part's.
+fn about_centers(frame: &PairFrame, at: Configuration) -> Configuration {
+    let turned = Rotation::by(at.theta) * frame.moving_center.to_vector();
+    let position = (at.position() - frame.fixed_center) + turned;
+    Configuration::new(position.x, position.y, at.theta)
+}
+
+/// A line, an arc or a convex vertex of a part that is placed, seen from the fixed part's centre.
 struct Feature {
     name: FeatureName,
     shape: FeatureShape<f64>,
@@ -120,10 +133,10 @@ struct Feature {
     bounds: Bounds,
 }
 
-/// The features of a part that is placed.
-fn features(part: &Part, at: Configuration) -> Vec<Feature> {
+/// The features of a part that is placed about its centre.
+fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
     let turn = Rotation::by(at.theta);
-    let place = |p: Point| turn * p + at.position().to_vector();
+    let place = |p: Point| at.position() + turn * (p - center);
     let mut features = Vec::new();
     for (loop_index, outline) in (0u32..).zip(part.loops()) {
         let edges: Vec<Edge> = (outline.edges())

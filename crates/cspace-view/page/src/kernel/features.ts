@@ -76,13 +76,13 @@ export class Features {
   readonly reversed: boolean[];
   private readonly names = new Map<string, string>();
   private readonly known = new Map<string, Osculating>();
-  /** The farthest of a part's bounds from its origin, and the diagonal of these (model unit). */
+  /** The farthest of a part's bounds from its centre, and the diagonal of these (model unit). */
   readonly arm: number;
   readonly size: number;
 
-  /** `given`: names by what features are called without. */
-  constructor(part: SavedPart, given: Record<string, string> = {}) {
-    const drawn = edgesOf(part.loops);
+  /** `given`: names by what features are called without. Places are about a centre: parts may be drawn far away. */
+  constructor(part: SavedPart, center: Point, given: Record<string, string> = {}) {
+    const drawn = edgesOf(part.loops).map((loop) => loop.map((e) => ({ ...e, start: sub(e.start, center), end: sub(e.end, center) })));
     this.reversed = drawn.map((loop, i) => {
       const first = loop[0]?.start ?? { x: 0, y: 0 };
       const within = drawn.filter((other, k) => k !== i && isInLoop(other, first)).length;

@@ -9,13 +9,13 @@ import type { Frame } from "../scene.js";
 import type { Classification, Touch } from "./api.js";
 import { areApart, boxOf, coversWay, directionAlong, fractionHeading, placedEdge, pointAlong, startDirection, sweepOf, type Box, type Edge } from "./edge.js";
 import { touchingAt, type FeatureKey, type Features, type Osculating, type Placement } from "./features.js";
-import { angleOf, cross, distance, dot, fromAngle, left, length, right, sub, TAU, times, type Point } from "./plane.js";
+import { add, angleOf, cross, distance, dot, fromAngle, left, length, right, sub, TAU, times, turned, type Point } from "./plane.js";
 import { ALIGNED, NEAREST, PLACED, ROUNDED, SMOOTH, STRAIGHT } from "./tolerance.js";
 
-/** A line, an arc or a convex vertex of a part that is placed in the fixed part's frame. */
+/** A line, an arc or a convex vertex of a part that is placed, seen from the fixed part's centre. */
 interface Feature {
   key: FeatureKey;
-  /** In the part's own frame. */
+  /** About the part's own centre. */
   circle: Osculating;
   /** Null of a vertex. */
   edge: Edge | null;
@@ -34,10 +34,11 @@ export class NearFeatures {
   constructor(
     private readonly fixed: Features,
     private readonly moving: Features,
-    { fixed_center, moving_center, scale }: Frame,
+    private readonly frame: Frame,
     private readonly resolution: number,
   ) {
     this.ofFixed = featuresOf(fixed, UNMOVED);
+    const { fixed_center, moving_center, scale } = frame;
     this.rounding = ROUNDED * (length(fixed_center) + length(moving_center) + 2 / scale);
   }
 
@@ -50,13 +51,17 @@ export class NearFeatures {
     // So well it is known where parts in contact are: they may be in each other by as much, and beyond the ends of features.
     const beyond = slack + (found === "contact" ? this.resolution : 0);
     const deepest = found === "blocked" ? within + slack : beyond;
+    const { fixed_center: center, moving_center } = this.frame;
+    const aboutCenters = { at: add(sub(by.at, center), turned(by.turn, moving_center)), turn: by.turn };
     const touches: Touch[] = [];
-    for (const g of featuresOf(this.moving, by)) {
+    for (const g of featuresOf(this.moving, aboutCenters)) {
       for (const f of this.ofFixed) {
         if (areApart(f.box, g.box, within + beyond)) continue;
-        const touch = pairOf(f, g, by, slack, beyond);
-        if (!touch || touch.distance > within || touch.distance < -deepest) continue;
-        touches.push({ fixed: this.fixed.text(f.key), moving: this.moving.text(g.key), ...touch });
+        const near = pairOf(f, g, aboutCenters, slack, beyond);
+        if (!near || near.distance > within || near.distance < -deepest) continue;
+        const at = add(near.at, center);
+        const names = { fixed: this.fixed.text(f.key), moving: this.moving.text(g.key) };
+        touches.push({ ...names, distance: near.distance, at: [at.x, at.y], normal: [near.normal.x, near.normal.y] });
       }
     }
     return touches.sort((a, b) => Math.abs(a.distance) - Math.abs(b.distance));
@@ -64,7 +69,8 @@ export class NearFeatures {
 
   /** The first of all features. */
   nearest(by: Placement, found: Classification): Touch | null {
-    const all = this.fixed.arm + this.moving.arm + length(by.at);
+    const { fixed_center, moving_center } = this.frame;
+    const all = this.fixed.arm + length(fixed_center) + this.moving.arm + length(moving_center) + length(by.at);
     for (let within = NEAREST * (this.fixed.size + this.moving.size); ; within *= 2) {
       const [first] = this.at(by, within, found);
       if (first || !(within <= all)) return first ?? null;
@@ -127,8 +133,15 @@ function commonNormal(f: Feature, g: Feature): Point | null {
   return all.find((n) => hasNormal(f, n) && hasNormal(g, times(n, -1))) ?? null;
 }
 
+/** How far two features are apart, the fixed part's point and its normal there. */
+interface Near {
+  distance: number;
+  at: Point;
+  normal: Point;
+}
+
 /** Where two features face each other, if they do: points nearer to each other than `slack` are one, and some are `beyond` the ends. */
-function pairOf(f: Feature, g: Feature, by: Placement, slack: number, beyond: number): Omit<Touch, "fixed" | "moving"> | null {
+function pairOf(f: Feature, g: Feature, by: Placement, slack: number, beyond: number): Near | null {
   // Lines side by side are told by their ends, and nothing touches a concave arc but what is rounder.
   const radii = [f.circle.radius, g.circle.radius] as const;
   const sum = radii[0] + radii[1];
@@ -145,5 +158,5 @@ function pairOf(f: Feature, g: Feature, by: Placement, slack: number, beyond: nu
   }
   const [p, q] = ends;
   if (!normal || !p || !q || !hasNormal(f, normal) || !hasNormal(g, times(normal, -1))) return null;
-  return { distance: dot(sub(q, p), normal), at: [p.x, p.y], normal: [normal.x, normal.y] };
+  return { distance: dot(sub(q, p), normal), at: p, normal };
 }

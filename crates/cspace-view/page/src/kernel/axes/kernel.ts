@@ -38,8 +38,8 @@ export class AxesPair implements AxesKernel {
     this.patchCount = space.patches.length;
     this.graphs = new Graphs(space);
     this.map = new PlaneMap(space, this.graphs);
-    this.fixed = new Features(space.fixed, names.fixed);
-    this.moving = new Features(space.moving, names.moving);
+    this.fixed = new Features(space.fixed, space.map.frame.fixed_center, names.fixed);
+    this.moving = new Features(space.moving, space.map.frame.moving_center, names.moving);
     this.features = new NearFeatures(this.fixed, this.moving, space.map.frame, pair.resolution);
     const grown = (GROWTH + MOVING_GROWTH) / space.map.frame.scale;
     const overlap = () => (this.overlapTest ??= new Overlap(space.fixed, space.moving, grown));

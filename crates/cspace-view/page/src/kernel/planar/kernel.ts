@@ -44,8 +44,8 @@ export class PlanarPair implements PlanarKernel {
     this.criticalOrientations = space.critical_orientations;
     this.bands = pair.bands.length > 0 ? pair.bands : bandsOf(space);
     this.surfaces = new Surface(space);
-    this.fixed = new Features(parts.fixed, names.fixed);
-    this.moving = new Features(parts.moving, names.moving);
+    this.fixed = new Features(parts.fixed, space.frame.fixed_center, names.fixed);
+    this.moving = new Features(parts.moving, space.frame.moving_center, names.moving);
     this.features = new NearFeatures(this.fixed, this.moving, space.frame, pair.resolution);
     const grown = this.surfaces.outerLength(GROWTH + MOVING_GROWTH);
     const overlap = () => (this.overlapTest ??= new Overlap(parts.fixed, parts.moving, grown));
