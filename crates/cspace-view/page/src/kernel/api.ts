@@ -72,8 +72,8 @@ export interface Kernel<C extends Configuration = Configuration> {
   touching(c: C, within?: number): Touch[];
   /** The first that it lists, however far they are apart; null outside the window or the ranges of motion. */
   nearest(c: C): Touch | null;
-  /** Patches within a distance (model unit), nearest first. */
-  patchesNear(c: C, within: number): number[];
+  /** Patches within the resolution: at a critical orientation those of both of its sides. */
+  patchesTouching(c: C): number[];
 
   /**
    * The configuration itself if it may be moved to; otherwise the first contact on the straight way, to within a resolution. What is asked

@@ -95,7 +95,7 @@ export class LowerPair implements Kernel<PlanarConfiguration> {
     return null;
   }
 
-  patchesNear(_c: PlanarConfiguration, _within: number): number[] {
+  patchesTouching(_c: PlanarConfiguration): number[] {
     return [];
   }
 

@@ -54,7 +54,7 @@ export const END_SPEED = 4;
 export const AWAY = 0.5;
 /** A patch is looked for so far before its first and beyond its last orientation (radians): that is how well critical ones are known. */
 export const SEAM = 2 ** -33;
-/** How far beside an orientation sliding also asks what touches (radians): a critical one is known to a tenth of it. */
+/** How far beside an orientation it is also asked which patches touch (radians): a critical one is known to a tenth of it. */
 export const BESIDE = 1e-9;
 /** A moving part is taken to be no smaller than this (length of the pair's frame): an orientation of a mere point would not count at all. */
 export const LEAST_RADIUS = 1e-3;

@@ -223,7 +223,7 @@ export class Session {
         region: inside ? kernel.region(c) : null,
         touching: classification === "contact" ? kernel.touching(c, this.touchDistance) : [],
         nearest: inside ? kernel.nearest(c) : null,
-        patches: classification === "contact" ? kernel.patchesNear(c, this.touchDistance) : [],
+        patches: classification === "contact" ? kernel.patchesTouching(c) : [],
       },
     });
   }

@@ -106,8 +106,8 @@ export class AxesPair implements AxesKernel {
     return touch && placedTouch(fixed, touch);
   }
 
-  patchesNear(c: AxesConfiguration, within: number): number[] {
-    return this.classifier.contacts(c.u, c.v, within).map(([patch]) => patch);
+  patchesTouching(c: AxesConfiguration): number[] {
+    return this.classifier.contacts(c.u, c.v, this.pair.resolution).map(([patch]) => patch);
   }
 
   curves(deviation: number): DrawnCurve[] {

@@ -2,12 +2,11 @@
 
 import type { Classification, DrawnCurve, Motion, PatchInfo, PlanarConfiguration, PlanarKernel, Touch } from "../api.js";
 import type { PairClass, PlanarSpace, ScenePair } from "../../scene.js";
-import { distanceBelow } from "../curve.js";
 import { Features, patchKind, type Placement, type SavedPart } from "../features.js";
 import { NearFeatures } from "../near.js";
 import { Overlap } from "../overlap.js";
 import { TAU, turnBy } from "../plane.js";
-import { GROWTH, MOVING_GROWTH } from "../tolerance.js";
+import { BESIDE, GROWTH, MOVING_GROWTH } from "../tolerance.js";
 import { Classifier } from "./classify.js";
 import { boundsOf, drawSlice } from "./draw.js";
 import { PlanarMotion } from "./motion.js";
@@ -90,15 +89,8 @@ export class PlanarPair implements PlanarKernel {
     return found && this.features.nearest(placementOf(c), found);
   }
 
-  /** Those of the slice. */
-  patchesNear(c: PlanarConfiguration, within: number): number[] {
-    if (!this.classifier.covers(c)) return [];
-    const found: [number, number][] = [];
-    for (const { patch, curve } of this.surfaces.slice(c.theta).curves) {
-      const away = distanceBelow(curve, c, within);
-      if (away <= within) found.push([patch, away]);
-    }
-    return found.sort((a, b) => a[1] - b[1] || a[0] - b[0]).map(([patch]) => patch);
+  patchesTouching(c: PlanarConfiguration): number[] {
+    return this.classifier.covers(c) ? this.motions.near(c, this.pair.resolution, BESIDE) : [];
   }
 
   bandAt(theta: number): number {
