@@ -96,8 +96,8 @@ impl PairSpace {
             &features(moving, frame.moving_center, about_centers(&frame, placed)),
         );
         for near in &mut found {
-            near.touching.on_fixed = near.touching.on_fixed + center;
-            near.touching.on_moving = near.touching.on_moving + center;
+            near.touching.on_fixed += center;
+            near.touching.on_moving += center;
         }
         found.sort_by(|a, b| {
             let nearer = a.distance.abs().total_cmp(&b.distance.abs());
