@@ -1096,9 +1096,10 @@ Examples:
   cspace contacts models/peg_hole.toml --at 0,0,0
   cspace contacts models/cam_tappet.toml --at 30deg,0 --within 2
 
-Of each pair of features: how far they are apart along their normal (less than
-0 where they overlap), the points that are nearest to each other and the
-outward normal of the fixed part, in the fixed part's frame.";
+Of each pair of features that face each other: how far they are apart (less
+than 0 where they overlap, by as much), the points of the two that are nearest
+to each other and the outward normal of the fixed part there, in the fixed
+part's frame. The nearest pair is as far apart as the parts are.";
 
 const MOVE: &str = "\
 Examples:

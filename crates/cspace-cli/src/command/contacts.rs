@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use cspace::{Coordinates, Location, PairSpace, QueryError};
+use cspace::{Coordinates, Location, NearFeatures, PairSpace, QueryError};
 use serde::Serialize;
 
 use crate::args::{ContactsArgs, Format};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, Subject, near, texts};
+use crate::subject::{Chosen, Subject, pair_of, texts};
 use crate::wording::length;
 
 /// What is within this share of the smaller part's size is told, if the user does not say.
@@ -32,7 +32,7 @@ struct Answer {
 struct Contact {
     /// Features of the fixed and of the moving part.
     features: [String; 2],
-    /// How far the features are apart, along their normal.
+    /// How far the features are apart; less than 0 by as much as they overlap.
     distance: f64,
     /// Nearest points, in the fixed part's frame.
     on_fixed: [f64; 2],
@@ -69,20 +69,22 @@ fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, Que
         Location::Blocked => ("blocked", None),
         Location::Outside => return Err(QueryError::Outside),
     };
-    let mut contacts: Vec<Contact> = Vec::new();
-    for (pair, patch) in near(space, at, within)? {
-        let contact = space.patch(patch)?.contact()?;
-        let touching = contact.touching(at)?;
-        let (p, q, n) = (touching.on_fixed, touching.on_moving, touching.normal);
-        contacts.push(Contact {
-            features: texts(space, pair),
-            distance: contact.value(at)?,
+    let contact = |near: &NearFeatures| {
+        let (p, q, n) = (
+            near.touching.on_fixed,
+            near.touching.on_moving,
+            near.touching.normal,
+        );
+        Contact {
+            features: texts(space, pair_of(near)),
+            distance: near.distance,
             on_fixed: [p.x, p.y],
             on_moving: [q.x, q.y],
             normal: [n.x, n.y],
-        });
-    }
-    contacts.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));
+        }
+    };
+    let near = space.near_features(at, within)?;
+    let contacts = near.iter().map(contact).collect();
     Ok(Answer {
         at,
         class,

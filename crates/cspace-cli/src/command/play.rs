@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::args::{Format, PlayArgs};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, FeaturePair, Subject, near, texts, touching};
+use crate::subject::{Chosen, FeaturePair, Subject, pair_of, texts, touching};
 use crate::wording::{degrees, length};
 
 use super::regions;
@@ -298,8 +298,8 @@ fn about(
             SmoothOutcome::Leaves { time } => (Some(time), Stop::Limit, Vec::new()),
             SmoothOutcome::Grazes { time } => (Some(time), Stop::Grazing, Vec::new()),
             SmoothOutcome::Contact { time, at } => {
-                let found = near(space, at, 2.0 * tolerance)?;
-                let features = found.into_iter().map(|f| f.0).collect();
+                let found = space.near_features(at, 2.0 * tolerance)?;
+                let features = found.iter().map(pair_of).collect();
                 (Some(time), Stop::Contact, features)
             }
         };

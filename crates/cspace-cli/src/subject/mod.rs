@@ -20,7 +20,7 @@ use crate::output;
 use crate::traces::{self, OTHER, quoted};
 use crate::wording::count;
 pub(crate) use named::named_pair;
-pub(crate) use place::{FeaturePair, near, texts, touching};
+pub(crate) use place::{FeaturePair, pair_of, texts, touching};
 
 /// The file a command was given.
 pub(crate) enum Subject {

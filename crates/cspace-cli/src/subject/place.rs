@@ -1,7 +1,10 @@
 //! Configurations and displacements as they are given on the command line, and in words.
 
 use cspace::pair::PairContact;
-use cspace::{Configuration, Coordinates, FeatureName, PairClass, PairSpace, PatchId, QueryError};
+use cspace::{
+    Configuration, Coordinates, FeatureName, NearFeatures, PairClass, PairSpace, PatchId,
+    QueryError,
+};
 use cspace_io::shown;
 
 use super::Chosen;
@@ -12,8 +15,7 @@ use crate::wording::{degrees, length};
 /// Features of the fixed and of the moving part that touch each other.
 pub(crate) type FeaturePair = (FeatureName, FeatureName);
 
-/// How much earlier than a contact is looked for what else touches, as a share of the motion: beyond a jam nothing does. And how
-/// far beside an orientation (radians): a critical one is known to a tenth of it.
+/// How much earlier than a contact is looked for what else touches, as a share of the motion: beyond a jam nothing does.
 const BEFORE: f64 = 1e-9;
 
 impl Chosen<'_> {
@@ -121,9 +123,14 @@ impl Chosen<'_> {
 }
 
 /// The features of a patch.
-pub(crate) fn features(space: &PairSpace, patch: PatchId) -> Result<FeaturePair, QueryError> {
+fn features(space: &PairSpace, patch: PatchId) -> Result<FeaturePair, QueryError> {
     let (fixed, moving) = space.patch(patch)?.features()?;
     Ok((fixed.name, moving.name))
+}
+
+/// The features that are near each other, by name.
+pub(crate) fn pair_of(near: &NearFeatures) -> FeaturePair {
+    (near.fixed.name, near.moving.name)
 }
 
 /// What a pair of features is called.
@@ -134,55 +141,11 @@ pub(crate) fn texts(space: &PairSpace, (fixed, moving): FeaturePair) -> [String;
     ]
 }
 
-/// The pairs of features no farther than `within` from touching each other at a configuration, with a patch of each.
-///
-/// At a critical orientation a space has one of its sides; both are asked for what touches where they meet.
-pub(crate) fn near(
-    space: &PairSpace,
-    at: Coordinates,
-    within: f64,
-) -> Result<Vec<(FeaturePair, PatchId)>, QueryError> {
-    let mut all: Vec<(FeaturePair, PatchId)> = Vec::new();
-    let mut add = |patch: PatchId| {
-        let pair = features(space, patch)?;
-        if !all.iter().any(|a| a.0 == pair) {
-            all.push((pair, patch));
-        }
-        Ok::<(), QueryError>(())
-    };
-    for (patch, _) in space.contacts(at, within)? {
-        add(patch)?;
-    }
-    for beside in beside(at) {
-        // Beyond the window there is nothing.
-        let found = match space.contacts(beside, within + arm(space) * BEFORE) {
-            Err(QueryError::Outside) => Vec::new(),
-            found => found?,
-        };
-        for (patch, _) in found {
-            if space.patch(patch)?.contact()?.value(at)?.abs() <= within {
-                add(patch)?;
-            }
-        }
-    }
-    Ok(all)
-}
-
 /// How far a point of the moving part that may touch is from its origin, at most.
 fn arm(space: &PairSpace) -> f64 {
     let drawn = space.moving().bounds();
     let corners = [drawn.min, drawn.max].map(|p| p.to_vector().length());
     corners[0].max(corners[1]) + space.fixed().size() + space.moving().size()
-}
-
-/// The configuration at orientations a moment above and below.
-fn beside(at: Coordinates) -> Vec<Coordinates> {
-    match at {
-        Coordinates::Planar(c) => [BEFORE, -BEFORE]
-            .map(|d| Coordinates::Planar(Configuration::new(c.x, c.y, c.theta + d)))
-            .to_vec(),
-        Coordinates::Axes { .. } => Vec::new(),
-    }
 }
 
 /// What touches where a motion from a configuration at constant rates has met a contact: the features of its patch first, then
@@ -194,7 +157,8 @@ pub(crate) fn touching(
 ) -> Result<Vec<FeaturePair>, QueryError> {
     let (before, within) = just_before(space, from, rates, contact.time);
     let mut all = vec![features(space, contact.patch)?];
-    for (pair, _) in near(space, before, within)? {
+    for near in space.near_features(before, within)? {
+        let pair = pair_of(&near);
         if !all.contains(&pair) {
             all.push(pair);
         }

@@ -140,6 +140,39 @@ fn contacts_have_distances_points_and_normals() {
     assert!(text.contains("no contact within"), "{text}");
 }
 
+/// Two triangles, one with a flat arc, whose nearest points are a vertex and a point of a side: 21.1341991 apart by dense points of
+/// both outlines. The circle of the arc and the lines of other sides come nearer beyond their ends, and are not listed.
+#[test]
+fn contacts_are_between_ends_of_features() {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let text = "[[part]]\nname = \"fixed\"\n\
+        loops = [[[-44.366, 20.14, -0.037522192156308816], [-51.606, 11.029], [-30, 5]]]\n\
+        [[part]]\nname = \"moving\"\n\
+        loops = [[[-68.783742, -2.494091], [-60.061866, -9.05758], [-75, -15]]]\n";
+    std::fs::write(file.path(), text).unwrap();
+    let path = file.path().to_str().unwrap();
+    let answer = json(&["contacts", path, "--at", "0,0,0", "--within", "60"]);
+    let contacts = answer["contacts"].as_array().unwrap();
+    assert_eq!(contacts.len(), 1, "{contacts:?}");
+    let contact = &contacts[0];
+    let features = serde_json::json!(["vertex 1 of loop 0", "line 0 of loop 0"]);
+    assert_eq!(contact["features"], features);
+    let distance = number(contact, "/distance");
+    assert!((distance - 21.134_199_1).abs() < 1e-6, "{distance}");
+    assert!((distance - number(&answer, "/clearance")).abs() < 1e-12);
+    // Seen from the vertex, the foot on the side from (-68.8, -2.5) to (-60.1, -9.1) is this share of the way.
+    let (vertex, side) = ([-51.606, 11.029], [8.721_876, -6.563_489]);
+    let from_start: [f64; 2] = [vertex[0] + 68.783_742, vertex[1] + 2.494_091];
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let share = dot(from_start, side) / dot(side, side);
+    assert!((0.0..=1.0).contains(&share));
+    let foot = [-68.783_742 + share * side[0], -2.494_091 + share * side[1]];
+    for i in 0..2 {
+        assert!((number(contact, &format!("/on_fixed/{i}")) - vertex[i]).abs() < 1e-12);
+        assert!((number(contact, &format!("/on_moving/{i}")) - foot[i]).abs() < 1e-9);
+    }
+}
+
 #[test]
 fn what_cannot_be_asked_is_refused() {
     for (args, words) in [

@@ -131,11 +131,18 @@ export interface PatchData {
   region: number;
 }
 
+/** The pair's frame: its origin is the fixed part's centre, and lengths in it are `scale` times those of the model. */
+export interface Frame {
+  fixed_center: Place;
+  moving_center: Place;
+  scale: number;
+}
+
 export interface PlanarSpace {
   format: "contact-space";
   version: number;
   window: { lo: number; hi: number; full_turn: boolean };
-  frame: { fixed_center: Place; moving_center: Place; scale: number };
+  frame: Frame;
   critical_orientations: number[];
   patches: PatchData[];
   side_links: { before: number; after: number; lo: number; hi: number }[];

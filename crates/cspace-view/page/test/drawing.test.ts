@@ -32,7 +32,7 @@ test("surfaces are at contact and face free space", { skip }, async (t) => {
           const c = { x: positions[k]!, y: positions[k + 1]!, theta: positions[k + 2]! };
           const [lo, hi] = kernel.patch(patch).orientations!;
           assert.ok(c.theta >= lo - 1e-6 && c.theta <= hi + 1e-6);
-          assert.ok(kernel.nearest(c)!.distance < 1e-3 * size, `patch ${patch} ${JSON.stringify(c)}`);
+          assert.ok(Math.abs(kernel.nearest(c)!.distance) < 1e-3 * size, `patch ${patch} ${JSON.stringify(c)}`);
           let [whole, faced] = [0, 0];
           for (let i = 0; i < indices.length; i += 3) {
             const corner = (j: number) => {

@@ -69,23 +69,36 @@ impl PairSpace {
         if matches!(self, Self::Lower(_)) {
             return Err(QueryError::Permanent);
         }
-        let deepest = match class {
-            Classification::Blocked => within,
+        // So well it is known where parts in contact are.
+        let known = match class {
             Classification::Contact => self.resolution(),
-            Classification::Free => 0.0,
+            Classification::Free | Classification::Blocked => 0.0,
         };
         let (fixed, moving) = (self.fixed(), self.moving());
         let placed = self.placed(at)?;
-        let slack = rounding(fixed, moving, placed);
+        let frame = PairFrame::new(fixed, moving);
+        let slack = rounding(&frame, placed);
+        let beyond = known + slack;
+        let deepest = match class {
+            Classification::Blocked => within + slack,
+            Classification::Contact | Classification::Free => beyond,
+        };
         let sought = Sought {
             within,
-            deepest: deepest + slack,
+            deepest,
+            beyond,
             slack,
         };
+        // Parts may be drawn far away: all is reckoned from the fixed part's centre.
+        let center = frame.fixed_center.to_vector();
         let mut found = sought.among(
-            &features(fixed, Configuration::default()),
-            &features(moving, placed),
+            &features(fixed, frame.fixed_center, Configuration::default()),
+            &features(moving, frame.moving_center, about_centers(&frame, placed)),
         );
+        for near in &mut found {
+            near.touching.on_fixed += center;
+            near.touching.on_moving += center;
+        }
         found.sort_by(|a, b| {
             let nearer = a.distance.abs().total_cmp(&b.distance.abs());
             let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
@@ -96,14 +109,20 @@ impl PairSpace {
 }
 
 /// More than the rounding error of points of the two parts, in the model's unit of length.
-fn rounding(fixed: &Part, moving: &Part, at: Configuration) -> f64 {
+fn rounding(frame: &PairFrame, at: Configuration) -> f64 {
     /// Of the few sums in which the configuration's position enters.
     const PLACED: f64 = 8.0 * f64::EPSILON;
-    let frame = PairFrame::new(fixed, moving);
     frame.outer_length(frame.rounding()) + PLACED * at.x.hypot(at.y)
 }
 
-/// A line, an arc or a convex vertex of a part that is placed in the fixed part's frame.
+/// Where the moving part is, about its centre, seen from the fixed part's.
+fn about_centers(frame: &PairFrame, at: Configuration) -> Configuration {
+    let turned = Rotation::by(at.theta) * frame.moving_center.to_vector();
+    let position = (at.position() - frame.fixed_center) + turned;
+    Configuration::new(position.x, position.y, at.theta)
+}
+
+/// A line, an arc or a convex vertex of a part that is placed, seen from the fixed part's centre.
 struct Feature {
     name: FeatureName,
     shape: FeatureShape<f64>,
@@ -114,10 +133,10 @@ struct Feature {
     bounds: Bounds,
 }
 
-/// The features of a part that is placed.
-fn features(part: &Part, at: Configuration) -> Vec<Feature> {
+/// The features of a part that is placed about its centre.
+fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
     let turn = Rotation::by(at.theta);
-    let place = |p: Point| turn * p + at.position().to_vector();
+    let place = |p: Point| at.position() + turn * (p - center);
     let mut features = Vec::new();
     for (loop_index, outline) in (0u32..).zip(part.loops()) {
         let edges: Vec<Edge> = (outline.edges())
@@ -210,8 +229,8 @@ impl Feature {
         from_first <= turn + 2.0 * ALIGNED
     }
 
-    /// The point that lies on the feature itself, of one that lies on its line or circle; not if it is farther than `slack` beyond its ends.
-    fn onto(&self, p: Point, slack: f64) -> Option<Point> {
+    /// The point that lies on the feature itself, of one that lies on its line or circle; not if it is farther than `most` beyond its ends.
+    fn onto(&self, p: Point, most: f64) -> Option<Point> {
         let Some(edge) = &self.edge else {
             return Some(self.bounds.center());
         };
@@ -224,7 +243,7 @@ impl Feature {
         } else {
             ends[1]
         };
-        (beyond <= slack).then_some(end)
+        (beyond <= most).then_some(end)
     }
 
     /// The point at which an outward normal is as given.
@@ -247,6 +266,8 @@ struct Sought {
     within: f64,
     /// Features may overlap by so much.
     deepest: f64,
+    /// Places may be so far beyond the ends of features: a part in a concave corner may be in one side of it by as much.
+    beyond: f64,
     /// Points nearer to each other are one.
     slack: f64,
 }
@@ -256,7 +277,7 @@ impl Sought {
         let boxes = Boxes::new(fixed.iter().map(|f| f.bounds));
         let mut found = Vec::new();
         for g in moving {
-            let reaches = |b: &Bounds| !b.is_apart(g.bounds, self.within + self.slack);
+            let reaches = |b: &Bounds| !b.is_apart(g.bounds, self.within + self.beyond);
             boxes.any(reaches, |i| {
                 found.extend(self.pair(&fixed[i as usize], g));
                 false
@@ -287,8 +308,8 @@ impl Sought {
             f64::INFINITY
         };
         let (normal, on_fixed, on_moving) = if apart > self.slack {
-            let on_fixed = f.onto(point(place.on_fixed), self.slack)?;
-            let on_moving = g.onto(point(place.on_moving), self.slack)?;
+            let on_fixed = f.onto(point(place.on_fixed), self.beyond)?;
+            let on_moving = g.onto(point(place.on_moving), self.beyond)?;
             (normal, on_fixed, on_moving)
         } else {
             // About one centre they are as near in every direction.

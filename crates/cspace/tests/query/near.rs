@@ -205,6 +205,42 @@ fn places_that_are_not_alone() {
     }
 }
 
+/// Where a part is in both sides of a concave corner by less than contacts are known to, its corner is beyond the ends of both.
+#[test]
+fn a_part_in_a_corner_touches_both_sides() {
+    let corner = [
+        (0.0, 0.0),
+        (4.0, 0.0),
+        (4.0, -1.0),
+        (-1.0, -1.0),
+        (-1.0, 4.0),
+        (0.0, 4.0),
+    ];
+    let corner = corner.map(|(x, y)| Vertex::line(x, y)).to_vec();
+    let corner = Part::new("corner", vec![corner]).unwrap();
+    let block = Part::rectangle("block", (1.0, 1.0), 2.0, 2.0).unwrap();
+    let space = planar(&corner, &block);
+    let off = 0.5 * space.resolution();
+    for (x, y) in [(0.0, 0.0), (off, -off), (-off, off), (-off, -off)] {
+        let at = Coordinates::Planar(Configuration::new(x, y, 0.0));
+        assert_eq!(
+            space.classify(at).unwrap(),
+            cspace::Classification::Contact,
+            "{x} {y}"
+        );
+        let near = space.near_features(at, space.resolution()).unwrap();
+        let mut of_fixed: Vec<String> = near.iter().map(|n| n.fixed.name.to_string()).collect();
+        of_fixed.sort();
+        of_fixed.dedup();
+        assert_eq!(
+            of_fixed,
+            ["line 0 of loop 0", "line 5 of loop 0"],
+            "{x} {y}: {near:?}"
+        );
+        assert_eq!(near.len(), 4, "{x} {y}: {near:?}");
+    }
+}
+
 /// On fixed axes a length is a length, also where a part turns.
 #[test]
 fn lengths_are_no_angles() {

@@ -4,7 +4,7 @@ use cspace::{Classification, Coordinates, PairSpace, QueryError};
 use serde_json::{Value, json};
 
 use crate::args::Column;
-use crate::subject::{near, texts};
+use crate::subject::{pair_of, texts};
 
 impl Column {
     /// As it is asked for, and as it heads its column.
@@ -41,8 +41,8 @@ impl Column {
                 _ => space.nearest_contact(at)?.map(|n| n.distance),
             }),
             Self::Touching => Answer::Touching(
-                (near(space, at, touch)?.into_iter())
-                    .map(|(pair, _)| texts(space, pair))
+                (space.near_features(at, touch)?.iter())
+                    .map(|near| texts(space, pair_of(near)))
                     .collect(),
             ),
         })

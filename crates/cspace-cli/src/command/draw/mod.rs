@@ -14,7 +14,7 @@ use crate::args::DrawArgs;
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
-use crate::subject::{Chosen, Subject, near};
+use crate::subject::{Chosen, Subject, pair_of};
 use crate::wording::length;
 
 pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
@@ -161,17 +161,13 @@ fn mark_contacts(
         return Ok(());
     }
     let assembly_from_fixed = drawn.parts[0].assembly_from_part;
-    for (touch, patch) in near(&space, at, space.resolution()).map_err(unanswered)? {
-        let contact = space
-            .patch(patch)
-            .and_then(|p| p.contact())
-            .map_err(unanswered)?;
-        let touching = contact.touching(at).map_err(unanswered)?;
+    for near in (space.near_features(at, space.resolution())).map_err(unanswered)? {
+        let touching = near.touching;
         let (p, n): (Point, Vector) = (touching.on_fixed, touching.normal);
         drawn.contacts.push(ContactMark {
             at: assembly_from_fixed.fixed_from_moving(p),
             normal: Rotation::by(assembly_from_fixed.theta) * n,
-            label: pair.touch(touch),
+            label: pair.touch(pair_of(&near)),
         });
     }
     Ok(())

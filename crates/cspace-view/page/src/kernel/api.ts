@@ -19,13 +19,12 @@ export type Classification = "free" | "blocked" | "contact";
 
 /** A feature pair that touches, or nearly. */
 export interface Touch {
-  patch: number;
   /** As the command prints features: the model's name for it, or `line 3 of loop 0`. */
   fixed: string;
   moving: string;
-  /** Value of the contact function (model unit): 0 in contact, positive apart. */
+  /** How far they are apart (model unit); less than 0 by as much as they overlap. */
   distance: number;
-  /** Where they touch, in the fixed part's frame (planar), or in the assembly (fixed axes). */
+  /** The fixed part's point of the two that are nearest to each other, in the fixed part's frame (planar), or in the assembly (fixed axes). */
   at: [number, number];
   /** The outward unit normal of the fixed part there, in the same frame. */
   normal: [number, number];
@@ -69,10 +68,12 @@ export interface Kernel<C extends Configuration = Configuration> {
   classify(c: C): Classification | null;
   /** The free region of a free configuration. */
   region(c: C): number | null;
-  /** Patches within a distance (model unit; the resolution unless given), nearest first. */
+  /** What `cspace contacts` lists: features no farther apart than a distance (model unit; the resolution unless given), nearest first. */
   touching(c: C, within?: number): Touch[];
-  /** The nearest patch of the slice at this orientation (planar), or that whose features are the least apart (fixed axes); null if there is none. */
+  /** The first that it lists, however far they are apart; null outside the window or the ranges of motion. */
   nearest(c: C): Touch | null;
+  /** Patches within the resolution: at a critical orientation those of both of its sides. */
+  patchesTouching(c: C): number[];
 
   /**
    * The configuration itself if it may be moved to; otherwise the first contact on the straight way, to within a resolution. What is asked

@@ -1,12 +1,28 @@
 /** An edge of an outline, a line or an arc by its chord and bulge; never by the centre, so that flat arcs keep their accuracy. */
 
-import { add, cross, distance, dot, left, length, lerp, signum, sub, TAU, times, turnBy, turned, unit, withSign, type Point } from "./plane.js";
+import { add, cross, distance, dot, left, length, lerp, signum, sub, TAU, times, turnBy, turned, unit, withSign, type Point, type Turn } from "./plane.js";
 
 export interface Edge {
   start: Point;
   end: Point;
   /** tan(sweep / 4), positive counter-clockwise; 0 a line. */
   bulge: number;
+}
+
+/** Curves by their vertices, each with the bulge of the edge that leaves it, as parts are saved. */
+export type DrawnLoops = readonly (readonly { x: number; y: number; bulge?: number }[])[];
+
+export function edgesOf(loops: DrawnLoops): Edge[][] {
+  return loops.map((loop) =>
+    loop.map((v, i) => {
+      const next = loop[(i + 1) % loop.length]!;
+      return { start: { x: v.x, y: v.y }, end: { x: next.x, y: next.y }, bulge: v.bulge ?? 0 };
+    }),
+  );
+}
+
+export function placedEdge(e: Edge, t: Turn, by: Point): Edge {
+  return { start: add(turned(t, e.start), by), end: add(turned(t, e.end), by), bulge: e.bulge };
 }
 
 export function sweepOf(e: Edge): number {
@@ -102,18 +118,36 @@ export function hitArc(e: Edge, p: Point, d: Point): [number, number] | null {
   return null;
 }
 
-/** The places on a circle of an arc farthest along the axes, that are on the arc. */
-export function extremes(e: Edge): Point[] {
-  if (e.bulge === 0) return [];
+/** The fraction of the way at which an arc heads in a direction; null of a line, and of an arc that does not. */
+export function fractionHeading(e: Edge, heading: Point): number | null {
   const sweep = sweepOf(e);
+  if (sweep === 0) return null;
   const from = startDirection(e);
-  const found: Point[] = [];
+  const turn = Math.atan2(cross(from, heading), dot(from, heading)) * signum(sweep);
+  const u = (turn < 0 ? turn + TAU : turn) / Math.abs(sweep);
+  return u <= 1 ? u : null;
+}
+
+export interface Box {
+  lo: Point;
+  hi: Point;
+}
+
+export function boxOf(e: Edge): Box {
+  const points = [e.start, e.end];
   for (const heading of [{ x: 1, y: 0 }, { x: 0, y: 1 }, { x: -1, y: 0 }, { x: 0, y: -1 }]) {
-    const raw = Math.atan2(cross(from, heading), dot(from, heading)) * signum(sweep);
-    const u = (raw < 0 ? raw + TAU : raw) / Math.abs(sweep);
-    if (u <= 1) found.push(pointAlong(e, u));
+    const u = fractionHeading(e, heading);
+    if (u !== null) points.push(pointAlong(e, u));
   }
-  return found;
+  return {
+    lo: { x: Math.min(...points.map((p) => p.x)), y: Math.min(...points.map((p) => p.y)) },
+    hi: { x: Math.max(...points.map((p) => p.x)), y: Math.max(...points.map((p) => p.y)) },
+  };
+}
+
+/** Whether boxes are farther from each other than a distance, along an axis. */
+export function areApart(a: Box, b: Box, by: number): boolean {
+  return a.lo.x - b.hi.x > by || b.lo.x - a.hi.x > by || a.lo.y - b.hi.y > by || b.lo.y - a.hi.y > by;
 }
 
 export function centerOf(e: Edge): Point {

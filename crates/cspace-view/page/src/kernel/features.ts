@@ -2,7 +2,7 @@
 
 import type { PatchKind } from "./api.js";
 import { TAU, cross, dot, sub, type Point, type Turn } from "./plane.js";
-import { isBetweenChordAndArc, type Edge } from "./edge.js";
+import { edgesOf, isBetweenChordAndArc, type DrawnLoops, type Edge } from "./edge.js";
 
 /** The name of a feature in a saved space. */
 export interface FeatureKey {
@@ -25,7 +25,7 @@ interface NamedFeature {
 /** A part of a saved space. */
 export interface SavedPart {
   name: string;
-  loops: { x: number; y: number; bulge?: number }[][];
+  loops: DrawnLoops;
   names?: [NamedFeature, string][];
 }
 
@@ -60,7 +60,7 @@ export function compose(a: Placement, b: Placement): Placement {
 export { place, rotate };
 
 /** An oriented circle that touches an edge in its middle; a vertex is one of radius 0. */
-interface Osculating {
+export interface Osculating {
   point: Point;
   normal: Point;
   curvature: number;
@@ -70,27 +70,27 @@ interface Osculating {
 
 /** The features of one part. */
 export class Features {
-  private readonly reversed: boolean[];
-  private readonly edges: Edge[][];
+  /** By their indices, each in the direction that has material on its left. */
+  readonly edges: Edge[][];
+  /** Whether a loop is so travelled from the last of its edges to the first. */
+  readonly reversed: boolean[];
   private readonly names = new Map<string, string>();
   private readonly known = new Map<string, Osculating>();
-  /** The farthest of a part's bounds from its origin, and the diagonal of these (model unit). */
+  /** The farthest of a part's bounds from its centre, and the diagonal of these (model unit). */
   readonly arm: number;
   readonly size: number;
 
-  /** `given`: names by what features are called without. */
-  constructor(part: SavedPart, given: Record<string, string> = {}) {
-    this.edges = part.loops.map((loop) =>
-      loop.map((v, i) => {
-        const next = loop[(i + 1) % loop.length]!;
-        return { start: { x: v.x, y: v.y }, end: { x: next.x, y: next.y }, bulge: v.bulge ?? 0 };
-      }),
-    );
-    this.reversed = this.edges.map((loop, i) => {
+  /** `given`: names by what features are called without. Places are about a centre: parts may be drawn far away. */
+  constructor(part: SavedPart, center: Point, given: Record<string, string> = {}) {
+    const drawn = edgesOf(part.loops).map((loop) => loop.map((e) => ({ ...e, start: sub(e.start, center), end: sub(e.end, center) })));
+    this.reversed = drawn.map((loop, i) => {
       const first = loop[0]?.start ?? { x: 0, y: 0 };
-      const within = this.edges.filter((other, k) => k !== i && isInLoop(other, first)).length;
+      const within = drawn.filter((other, k) => k !== i && isInLoop(other, first)).length;
       return signedAreaOf(loop) > 0 === (within % 2 === 1);
     });
+    this.edges = drawn.map((loop, i) =>
+      this.reversed[i] ? loop.map((e) => ({ start: e.end, end: e.start, bulge: -e.bulge })) : loop,
+    );
     for (const [text, name] of Object.entries(given)) this.names.set(text, name);
     for (const [feature, name] of part.names ?? []) this.addName(feature, name);
     const points = this.edges.flat().flatMap((e) => [e.start, e.end, ...bulgePoints(e)]);
@@ -128,9 +128,9 @@ export class Features {
   private osculating(f: FeatureKey): Osculating {
     const e = this.edges[f.loop_index]?.[f.index];
     if (!e) throw new Error(`a patch names ${plainText(f)}, which the part does not have`);
-    if (f.kind === "vertex") return { point: e.start, normal: { x: 0, y: 0 }, curvature: Infinity, radius: 0, bulge: Infinity };
+    const { start, end, bulge } = e;
     const back = this.reversed[f.loop_index];
-    const [start, end, bulge] = back ? [e.end, e.start, -e.bulge] : [e.start, e.end, e.bulge];
+    if (f.kind === "vertex") return { point: back ? end : start, normal: { x: 0, y: 0 }, curvature: Infinity, radius: 0, bulge: Infinity };
     const chord = sub(end, start);
     const right = { x: chord.y, y: -chord.x };
     const long = Math.sqrt(dot(chord, chord));

@@ -31,7 +31,7 @@ export class LowerPair implements Kernel<PlanarConfiguration> {
     this.joint = jointOf(space.joint as unknown as Record<string, unknown>);
     this.limits = space.limits;
     const ofJoint = this.joint.kind === "revolute" ? Math.hypot(this.joint.at.x, this.joint.at.y) : 0;
-    this.size = Math.max(new Features(parts.fixed).size, new Features(parts.moving).size, ofJoint);
+    this.size = Math.max(...[parts.fixed, parts.moving].map((p) => new Features(p, { x: 0, y: 0 }).size), ofJoint);
     this.resolution = RESOLUTION * this.size;
   }
 
@@ -93,6 +93,10 @@ export class LowerPair implements Kernel<PlanarConfiguration> {
 
   nearest(_c: PlanarConfiguration): null {
     return null;
+  }
+
+  patchesTouching(_c: PlanarConfiguration): number[] {
+    return [];
   }
 
   /** To the configuration of the joint that is as far along it as the asked one. */

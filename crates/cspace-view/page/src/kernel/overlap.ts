@@ -1,37 +1,26 @@
 /** Whether two placed parts overlap, from their outlines alone: boundaries that cross or all but touch, or one within the other. */
 
 import type { PlanarConfiguration } from "./api.js";
-import { centerOf, coversWay, extremes, footOn, hitArc, isBetweenChordAndArc, pointAlong, radiusOf, type Edge } from "./edge.js";
-import { add, cross, distance, dot, left, length, signum, sub, TAU, times, turnBy, turned, unit, type Point, type Turn } from "./plane.js";
+import {
+  areApart,
+  boxOf,
+  centerOf,
+  coversWay,
+  edgesOf,
+  footOn,
+  hitArc,
+  isBetweenChordAndArc,
+  placedEdge,
+  pointAlong,
+  radiusOf,
+  type Box,
+  type DrawnLoops,
+  type Edge,
+} from "./edge.js";
+import { add, cross, distance, dot, left, length, signum, sub, TAU, times, turnBy, unit, type Point } from "./plane.js";
 
 export interface DrawnPart {
-  loops: readonly (readonly { x: number; y: number; bulge?: number }[])[];
-}
-
-interface Box {
-  lo: Point;
-  hi: Point;
-}
-
-function edgesOf(part: DrawnPart): Edge[][] {
-  return part.loops.map((loop) =>
-    loop.map((v, i) => {
-      const next = loop[(i + 1) % loop.length]!;
-      return { start: { x: v.x, y: v.y }, end: { x: next.x, y: next.y }, bulge: v.bulge ?? 0 };
-    }),
-  );
-}
-
-function boxOf(e: Edge): Box {
-  const points = [e.start, e.end, ...extremes(e)];
-  return {
-    lo: { x: Math.min(...points.map((p) => p.x)), y: Math.min(...points.map((p) => p.y)) },
-    hi: { x: Math.max(...points.map((p) => p.x)), y: Math.max(...points.map((p) => p.y)) },
-  };
-}
-
-function placed(e: Edge, t: Turn, by: Point): Edge {
-  return { start: add(turned(t, e.start), by), end: add(turned(t, e.end), by), bulge: e.bulge };
+  loops: DrawnLoops;
 }
 
 /** The distance of a point from an edge. */
@@ -129,8 +118,8 @@ export class Overlap {
     moving: DrawnPart,
     private readonly near: number,
   ) {
-    this.fixed = edgesOf(fixed);
-    this.moving = edgesOf(moving);
+    this.fixed = edgesOf(fixed.loops);
+    this.moving = edgesOf(moving.loops);
     this.boxes = this.fixed.flat().map(boxOf);
   }
 
@@ -138,17 +127,11 @@ export class Overlap {
     const t = turnBy(c.theta);
     const by = { x: c.x, y: c.y };
     const fixed = this.fixed.flat();
-    const moving = this.moving.map((loop) => loop.map((e) => placed(e, t, by)));
+    const moving = this.moving.map((loop) => loop.map((e) => placedEdge(e, t, by)));
     for (const e of moving.flat()) {
       const box = boxOf(e);
       for (let i = 0; i < fixed.length; i++) {
-        const other = this.boxes[i]!;
-        const apart =
-          other.lo.x - box.hi.x > this.near ||
-          box.lo.x - other.hi.x > this.near ||
-          other.lo.y - box.hi.y > this.near ||
-          box.lo.y - other.hi.y > this.near;
-        if (!apart && edgeDistance(fixed[i]!, e) <= this.near) return true;
+        if (!areApart(this.boxes[i]!, box, this.near) && edgeDistance(fixed[i]!, e) <= this.near) return true;
       }
     }
     const samples = (loops: Edge[][]) => loops.filter((l) => l.length > 0).map((l) => pointAlong(l[0]!, 0.5));

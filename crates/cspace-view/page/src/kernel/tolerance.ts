@@ -13,6 +13,19 @@ export const TORN = 1e-6;
 export const FACING = 1e-7;
 export const FACING_FAR = 1e-9;
 
+// Features that are near each other.
+
+/** Directions nearer to each other than this are one (radians): what is drawn flush is turned by rounding. */
+export const ALIGNED = 1e-9;
+/** Two edges, one of them an arc, that meet at less than this are joined smoothly (radians); two lines at less than twice STRAIGHT. */
+export const SMOOTH = 2 ** -26;
+export const STRAIGHT = 2 ** -32;
+/** Rounding errors of points, as a share of how far the parts reach and of how far the moving one is. */
+export const ROUNDED = 32 * Number.EPSILON;
+export const PLACED = 8 * Number.EPSILON;
+/** The nearest features are looked for within this share of the parts' size first, and then within twice as much again and again. */
+export const NEAREST = 2 ** -12;
+
 // Motions. What counts as contact (the distance of contact) is a length that the scene gives; shares of it and multiples have no unit.
 
 /** Motions may sink by this share of the distance of contact, so that one along a contact is not stopped by rounding. */
@@ -41,7 +54,7 @@ export const END_SPEED = 4;
 export const AWAY = 0.5;
 /** A patch is looked for so far before its first and beyond its last orientation (radians): that is how well critical ones are known. */
 export const SEAM = 2 ** -33;
-/** How far beside an orientation it is also asked what touches (radians): a critical one is known to a tenth of it. */
+/** How far beside an orientation it is also asked which patches touch (radians): a critical one is known to a tenth of it. */
 export const BESIDE = 1e-9;
 /** A moving part is taken to be no smaller than this (length of the pair's frame): an orientation of a mere point would not count at all. */
 export const LEAST_RADIUS = 1e-3;

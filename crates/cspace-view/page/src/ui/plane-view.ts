@@ -99,7 +99,7 @@ export class PlaneView {
   #paint(state: Readonly<State>, kernel: AxesKernel): void {
     if (this.#drawn?.kernel !== kernel) return;
     for (const path of this.#free.children) set(path, { visibility: state.hidden.has(Number(path.getAttribute("data-region"))) ? "hidden" : null });
-    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
+    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
     const paths = curvePaths(kernel as never, this.#drawn.curves, shown);
     // What runs over a period's end is seen at its beginning too.
     const shifts = (axis: AxisInfo) => (axis.round ? [-TURN, 0, TURN] : [0]);

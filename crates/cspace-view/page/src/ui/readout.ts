@@ -31,7 +31,7 @@ export class Readout {
     this.#configuration = entry("configuration", "number");
     this.#class = entry("is", "class");
     this.#region = entry("region");
-    this.#nearest = entry("nearest contact", "number");
+    this.#nearest = entry("nearest features", "number");
     this.#touching = entry("touching", "touching-list");
     this.#class.setAttribute("aria-live", "polite");
     session.store.subscribe((changed) => {
@@ -41,7 +41,7 @@ export class Readout {
 
   #draw(): void {
     const { state, scene, axes, kernel } = this.#session;
-    const { classification, region, nearest, touching } = state.where;
+    const { classification, region, nearest, touching, patches } = state.where;
     const c = state.configuration;
     // A shape that crosses itself has no space.
     this.#outdated.hidden = !state.outdated;
@@ -56,7 +56,7 @@ export class Readout {
     say(this.#class, classification ?? outside);
     set(this.#class, { "data-class": classification ?? "" });
     // A configuration in contact bounds the region of the patch it is on.
-    const bounds = classification === "contact" && touching[0] && kernel ? kernel.patch(touching[0].patch).region : null;
+    const bounds = patches[0] !== undefined && kernel ? kernel.patch(patches[0]).region : null;
     say(this.#region, region !== null ? String(region) : bounds !== null ? `at the edge of ${bounds}` : "–");
     const known = this.#session.pair?.resolution ?? 0;
     say(this.#nearest, nearest ? `${distanceText(nearest.distance, known, scene.unit)}: ${nearest.fixed} | ${nearest.moving}` : "–");

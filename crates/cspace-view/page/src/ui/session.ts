@@ -17,7 +17,7 @@ import type { State, Where } from "./state.js";
 /** Fetches a pair with its space: from the server, of the model as it is edited. */
 export type Fetcher = (pair: number) => Promise<ScenePair>;
 
-const NOWHERE: Where = { classification: null, region: null, touching: [], nearest: null };
+const NOWHERE: Where = { classification: null, region: null, touching: [], nearest: null, patches: [] };
 
 export class Session {
   readonly store: Store;
@@ -221,16 +221,11 @@ export class Session {
       where: {
         classification,
         region: inside ? kernel.region(c) : null,
-        touching: classification === "contact" ? kernel.touching(c, this.touchDistance) : [],
+        touching: classification === "contact" ? kernel.touching(c) : [],
         nearest: inside ? kernel.nearest(c) : null,
+        patches: classification === "contact" ? kernel.patchesTouching(c) : [],
       },
     });
-  }
-
-  /** What is nearer than this touches. */
-  get touchDistance(): number {
-    const pair = this.pair;
-    return pair ? Math.max(pair.contact_distance, pair.resolution) : 0;
   }
 
   /** Moves towards a configuration at the next frame, as far as contacts let it if they are to stop it. */

@@ -59,7 +59,7 @@ export class SliceView {
       this.fit();
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
-      const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.touching.map((t) => t.patch)) };
+      const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
       if (changed.has("configuration") || changed.has("space")) this.#fill(kernel);
       if (changed.has("configuration")) this.#follow();
       this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));

@@ -145,7 +145,7 @@ export class SpaceView {
       const colour = state.where.classification ? POINT_COLOURS[state.where.classification] : "#888888";
       const aside = swing(this.#scale, c.theta);
       this.#marks.setPoint(c.x + aside.x - this.#scale.center[0], c.y + aside.y - this.#scale.center[1], z, colour);
-      if (changed.has("where") || changed.has("space")) this.#marks.light(kernel, state.where.touching.map((t) => t.patch), this.#scale);
+      if (changed.has("where") || changed.has("space")) this.#marks.light(kernel, state.where.patches, this.#scale);
       if (changed.has("record") || changed.has("space")) {
         this.#marks.setWay(state.record?.kind === "plan" ? state.record.steps.map((s) => s.at) : [], kernel, this.#scale);
       }

@@ -20,6 +20,8 @@ export interface Where {
   region: number | null;
   touching: Touch[];
   nearest: Touch | null;
+  /** Patches in contact. */
+  patches: number[];
 }
 
 export interface State {

@@ -1,6 +1,6 @@
 /** The fields of a saved fixed-axes space that the kernel reads; `docs/fixed-axes-space.schema.json` describes them. */
 
-import type { Place } from "../../scene.js";
+import type { Frame, Place } from "../../scene.js";
 import type { FeatureKey, SavedPart } from "../features.js";
 
 export type MotionData = "Still" | { Turn: { center: Place } } | { Slide: { direction: Place } };
@@ -90,7 +90,7 @@ export interface AxesSpaceData {
   branches: { patch: number; form: "v-of-u" | "u-of-v"; start: [number, number]; end: [number, number]; cell: number }[];
   free_regions: unknown[];
   statistics: { conflicts: number };
-  map: { frame: { scale: number }; swapped: boolean; x_unit: number; y_unit: number };
+  map: { frame: Frame; swapped: boolean; x_unit: number; y_unit: number };
   motions: { first: MotionData; second: MotionData };
   x: ExtentData;
   y: ExtentData;

@@ -2,8 +2,10 @@
 
 import type { AxesConfiguration, AxesKernel, AxisInfo, Classification, DrawnCurve, FreePolygon, Motion, PatchInfo, Touch } from "../api.js";
 import type { PairClass, ScenePair } from "../../scene.js";
-import { Features, patchKind, place, rotate, touchingAt } from "../features.js";
+import { Features, patchKind, place, rotate, type Placement } from "../features.js";
+import { NearFeatures } from "../near.js";
 import { Overlap } from "../overlap.js";
+import type { Point } from "../plane.js";
 import { GROWTH, MOVING_GROWTH } from "../tolerance.js";
 import { AxesClassifier } from "./classify.js";
 import type { AxesSpaceData } from "./data.js";
@@ -11,10 +13,6 @@ import { drawCurves, drawFree } from "./draw.js";
 import { Graphs } from "./graphs.js";
 import { AxesMotion } from "./motion.js";
 import { PlaneMap } from "./plane-map.js";
-
-/** The nearest contact is looked for within this share of the parts' size first, and then so many times as far. */
-const NEAREST = 2 ** -12;
-const FARTHER = 2;
 
 export class AxesPair implements AxesKernel {
   readonly coordinates = "axes";
@@ -28,6 +26,7 @@ export class AxesPair implements AxesKernel {
   private readonly motions: AxesMotion;
   private readonly fixed: Features;
   private readonly moving: Features;
+  private readonly features: NearFeatures;
   private overlapTest: Overlap | null = null;
 
   constructor(
@@ -39,8 +38,9 @@ export class AxesPair implements AxesKernel {
     this.patchCount = space.patches.length;
     this.graphs = new Graphs(space);
     this.map = new PlaneMap(space, this.graphs);
-    this.fixed = new Features(space.fixed, names.fixed);
-    this.moving = new Features(space.moving, names.moving);
+    this.fixed = new Features(space.fixed, space.map.frame.fixed_center, names.fixed);
+    this.moving = new Features(space.moving, space.map.frame.moving_center, names.moving);
+    this.features = new NearFeatures(this.fixed, this.moving, space.map.frame, pair.resolution);
     const grown = (GROWTH + MOVING_GROWTH) / space.map.frame.scale;
     const overlap = () => (this.overlapTest ??= new Overlap(space.fixed, space.moving, grown));
     this.classifier = new AxesClassifier(space, this.graphs, this.map, overlap, pair.contact_distance);
@@ -92,40 +92,22 @@ export class AxesPair implements AxesKernel {
   }
 
   touching(c: AxesConfiguration, within = this.pair.resolution): Touch[] {
-    const found = new Map<string, Touch>();
-    for (const [patch] of this.classifier.contacts(c.u, c.v, within)) {
-      const touch = this.touch(patch, c);
-      const key = `${touch.fixed}|${touch.moving}`;
-      if (!found.has(key)) found.set(key, touch);
-    }
-    return [...found.values()];
-  }
-
-  /** By how far the features are apart, as `cspace contacts` has it, of those that the least motion brings together. */
-  nearest(c: AxesConfiguration): Touch | null {
-    const most = this.fixed.size + this.moving.size;
-    for (let within = NEAREST * most; within <= most; within *= FARTHER) {
-      // What is free is on the free side of the nearest.
-      const first = this.classifier.contacts(c.u, c.v, within).find(([, distance]) => distance >= -this.pair.contact_distance);
-      if (first) return this.touch(first[0], c);
-    }
-    return null;
-  }
-
-  private touch(patch: number, c: AxesConfiguration): Touch {
-    const p = this.patchAt(patch);
+    const found = this.classify(c);
+    if (!found) return [];
     const { fixed, relative } = this.map.placements(c.u, c.v);
-    const t = touchingAt(this.fixed.circle(p.fixed), this.moving.circle(p.moving), relative);
-    const at = place(fixed, t.onFixed);
-    const normal = rotate(fixed, t.normal);
-    return {
-      patch,
-      fixed: this.fixed.text(p.fixed),
-      moving: this.moving.text(p.moving),
-      distance: t.gap,
-      at: [at.x, at.y],
-      normal: [normal.x, normal.y],
-    };
+    return this.features.at(relative, within, found).map((t) => placedTouch(fixed, t));
+  }
+
+  nearest(c: AxesConfiguration): Touch | null {
+    const found = this.classify(c);
+    if (!found) return null;
+    const { fixed, relative } = this.map.placements(c.u, c.v);
+    const touch = this.features.nearest(relative, found);
+    return touch && placedTouch(fixed, touch);
+  }
+
+  patchesTouching(c: AxesConfiguration): number[] {
+    return this.classifier.contacts(c.u, c.v, this.pair.resolution).map(([patch]) => patch);
   }
 
   curves(deviation: number): DrawnCurve[] {
@@ -143,4 +125,14 @@ export class AxesPair implements AxesKernel {
   slide(from: AxesConfiguration, to: AxesConfiguration): Motion<AxesConfiguration> {
     return this.motions.slide(from, to);
   }
+}
+
+/** In the assembly. */
+function placedTouch(fixed: Placement, touch: Touch): Touch {
+  const [at, normal] = [place(fixed, pointOf(touch.at)), rotate(fixed, pointOf(touch.normal))];
+  return { ...touch, at: [at.x, at.y], normal: [normal.x, normal.y] };
+}
+
+function pointOf([x, y]: [number, number]): Point {
+  return { x, y };
 }

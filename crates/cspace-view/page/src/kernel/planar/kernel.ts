@@ -2,12 +2,11 @@
 
 import type { Classification, DrawnCurve, Motion, PatchInfo, PlanarConfiguration, PlanarKernel, Touch } from "../api.js";
 import type { PairClass, PlanarSpace, ScenePair } from "../../scene.js";
-import { distanceBelow } from "../curve.js";
-import { Features, patchKind, touchingAt, type SavedPart } from "../features.js";
+import { Features, patchKind, type Placement, type SavedPart } from "../features.js";
+import { NearFeatures } from "../near.js";
 import { Overlap } from "../overlap.js";
 import { TAU, turnBy } from "../plane.js";
-import { GROWTH, MOVING_GROWTH } from "../tolerance.js";
-import { BESIDE } from "../tolerance.js";
+import { BESIDE, GROWTH, MOVING_GROWTH } from "../tolerance.js";
 import { Classifier } from "./classify.js";
 import { boundsOf, drawSlice } from "./draw.js";
 import { PlanarMotion } from "./motion.js";
@@ -26,6 +25,7 @@ export class PlanarPair implements PlanarKernel {
   private readonly motions: PlanarMotion;
   private readonly fixed: Features;
   private readonly moving: Features;
+  private readonly features: NearFeatures;
   private readonly regionCount: number;
   private overlapTest: Overlap | null = null;
   private reach: { lo: [number, number]; hi: [number, number] } | null = null;
@@ -43,8 +43,9 @@ export class PlanarPair implements PlanarKernel {
     this.criticalOrientations = space.critical_orientations;
     this.bands = pair.bands.length > 0 ? pair.bands : bandsOf(space);
     this.surfaces = new Surface(space);
-    this.fixed = new Features(parts.fixed, names.fixed);
-    this.moving = new Features(parts.moving, names.moving);
+    this.fixed = new Features(parts.fixed, space.frame.fixed_center, names.fixed);
+    this.moving = new Features(parts.moving, space.frame.moving_center, names.moving);
+    this.features = new NearFeatures(this.fixed, this.moving, space.frame, pair.resolution);
     const grown = this.surfaces.outerLength(GROWTH + MOVING_GROWTH);
     const overlap = () => (this.overlapTest ??= new Overlap(parts.fixed, parts.moving, grown));
     this.classifier = new Classifier(this.surfaces, overlap, pair.contact_distance);
@@ -78,54 +79,18 @@ export class PlanarPair implements PlanarKernel {
     return this.regionCount === 1 ? 0 : found.region;
   }
 
-  /** One patch of each pair of features. At a critical orientation both of its sides are asked. */
   touching(c: PlanarConfiguration, within = this.pair.resolution): Touch[] {
-    if (!this.classifier.covers(c)) return [];
-    const found = new Map<string, Touch>();
-    const add = (patch: number, by: number) => {
-      const touch = this.touch(patch, c);
-      const key = `${touch.fixed}|${touch.moving}`;
-      if (Math.abs(touch.distance) > by || found.has(key)) return;
-      found.set(key, touch);
-    };
-    for (const [patch] of this.near(c, within)) add(patch, Infinity);
-    const arm = this.moving.arm + this.fixed.size + this.moving.size;
-    for (const by of [BESIDE, -BESIDE]) {
-      const beside = { ...c, theta: c.theta + by };
-      if (!this.classifier.covers(beside)) continue;
-      for (const [patch] of this.near(beside, within + arm * BESIDE)) add(patch, within);
-    }
-    return [...found.values()].sort((a, b) => Math.abs(a.distance) - Math.abs(b.distance));
-  }
-
-  /** Patches of the slice within a distance, the nearest first. */
-  private near(c: PlanarConfiguration, within: number): [number, number][] {
-    const found: [number, number][] = [];
-    for (const { patch, curve } of this.surfaces.slice(c.theta).curves) {
-      const away = distanceBelow(curve, c, within);
-      if (away <= within) found.push([patch, away]);
-    }
-    return found.sort((a, b) => a[1] - b[1] || a[0] - b[0]);
+    const found = this.classify(c);
+    return found ? this.features.at(placementOf(c), within, found) : [];
   }
 
   nearest(c: PlanarConfiguration): Touch | null {
-    if (!this.classifier.covers(c)) return null;
-    const first = this.near(c, Infinity)[0];
-    return first ? this.touch(first[0], c) : null;
+    const found = this.classify(c);
+    return found && this.features.nearest(placementOf(c), found);
   }
 
-  private touch(patch: number, c: PlanarConfiguration): Touch {
-    const p = this.patchAt(patch);
-    const placed = { at: { x: c.x, y: c.y }, turn: turnBy(c.theta) };
-    const t = touchingAt(this.fixed.circle(p.fixed), this.moving.circle(p.moving), placed);
-    return {
-      patch,
-      fixed: this.fixed.text(p.fixed),
-      moving: this.moving.text(p.moving),
-      distance: t.gap,
-      at: [t.onFixed.x, t.onFixed.y],
-      normal: [t.normal.x, t.normal.y],
-    };
+  patchesTouching(c: PlanarConfiguration): number[] {
+    return this.classifier.covers(c) ? this.motions.near(c, this.pair.resolution, BESIDE) : [];
   }
 
   bandAt(theta: number): number {
@@ -160,6 +125,10 @@ export class PlanarPair implements PlanarKernel {
   slide(from: PlanarConfiguration, to: PlanarConfiguration): Motion<PlanarConfiguration> {
     return this.motions.slide(from, to);
   }
+}
+
+function placementOf(c: PlanarConfiguration): Placement {
+  return { at: { x: c.x, y: c.y }, turn: turnBy(c.theta) };
 }
 
 function bandsOf(space: PlanarSpace): [number, number][] {

@@ -186,7 +186,7 @@ export class PlanarMotion {
   }
 
   /** Patches whose curves are within a distance, at orientations no farther than `beside` from this one. */
-  private near(c: PlanarConfiguration, within: number, beside: number): number[] {
+  near(c: PlanarConfiguration, within: number, beside: number): number[] {
     const turn = turnBy(c.theta);
     const p = this.surface.inner(c, turn);
     const { scale } = this.surface.space.frame;
