@@ -371,8 +371,8 @@ fn in_window(
 
 /// Samples of a piece at which others may begin, at least; and of a run, and of one through measured points, which may go over
 /// from a line into an arc at any of them.
-const PER_PIECE: usize = 32;
-const PER_RUN: usize = 96;
+const PER_PIECE: usize = 16;
+const PER_RUN: usize = 64;
 const PER_PROFILE: usize = 400;
 
 /// What a division keeps to.

@@ -142,8 +142,10 @@ fn outlines(
         picks: args.pick.clone(),
     };
     let file = path.display();
-    drawing.outlines(&settings).map_err(|error| {
-        let choice = Choice::of(args, drawing, &settings);
+    let reading = (drawing.reading(&settings))
+        .map_err(|e| Failure::input(format_args!("{file}: {e}")).help(e.help()))?;
+    reading.outlines().map_err(|error| {
+        let choice = Choice::of(args, drawing, &reading);
         let problems = match &error {
             DrawingError::Entities(problems) if problems.len() > 1 => problems,
             error => {
