@@ -25,6 +25,11 @@ impl Ring {
         Self { edges, bounds }
     }
 
+    /// The diagonal of its box.
+    pub(crate) fn size(&self) -> f64 {
+        self.bounds.diagonal()
+    }
+
     /// Whether its inside is on its left.
     pub(crate) fn turns_left(&self) -> bool {
         let about = self.edges.first().map_or(Point::ORIGIN, |e| e.start);
@@ -42,7 +47,7 @@ impl Ring {
 
     /// What is nearer to it than this may lie on it.
     fn rounding(&self) -> f64 {
-        ROUND * self.bounds.diagonal()
+        ROUND * self.size()
     }
 
     /// Vertices and the middles of edges, of very many some.

@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 
 use cspace::Part;
 use cspace::part::Bounds;
-use cspace_drawing::{Drawing, Format, Settings, Source, from_bytes, read};
+use cspace_drawing::{Drawing, Format, Pick, Settings, Source, from_bytes, read};
 
 fn svg(text: &str) -> Vec<Part> {
     let drawing = from_bytes(text.as_bytes(), Format::Svg, &Source::default()).unwrap();
@@ -224,5 +224,30 @@ fn spikes_are_taken_off_and_listed() {
         assert_eq!(outlines.parts[0].edges().count(), edges, "{d}");
         let spikes = (outlines.ignored.iter()).filter(|i| i.reason.contains("its spike"));
         assert!(spikes.count() > 0, "{d}");
+    }
+}
+
+/// Faces between a half disc and the disc in it, which touches both of its sides, have two cusps each.
+#[test]
+fn a_picked_face_may_have_cusps() {
+    let half = path("M-5 0A5 5 0 0 0 5 0Z");
+    let drawing = strokes(&format!("{half}<circle cx=\"0\" cy=\"2.5\" r=\"2.5\"/>"));
+    let settings = Settings::default();
+    let reading = drawing.reading(&settings).unwrap();
+    let faces = reading.faces().unwrap().faces;
+    assert_eq!(faces.len(), 3);
+    for face in &faces[1..] {
+        let settings = Settings {
+            picks: vec![Pick {
+                name: None,
+                at: vec![face.inside],
+            }],
+            ..Settings::default()
+        };
+        let outlines = drawing.outlines(&settings).unwrap();
+        let off = outlines.parts[0].area() - 25.0 * PI / 8.0;
+        assert!(off.abs() < 1e-5, "{off}");
+        let tips = (outlines.ignored.iter()).filter(|i| i.reason.contains("cusp"));
+        assert_eq!(tips.count(), 2);
     }
 }

@@ -237,12 +237,17 @@ impl<'d> Making<'d> {
         kept
     }
 
-    /// How near a loop is to be to what it is fitted to: it may be a small part of a large drawing.
+    /// How near a chain is to be to what it is fitted to.
     pub(super) fn fit_of(&self, chain: &Chain<'_>) -> f64 {
+        self.fit_within(|| chain.size())
+    }
+
+    /// How near a loop of a size is to be to what it is fitted to: it may be a small part of a large drawing.
+    pub(super) fn fit_within(&self, size: impl FnOnce() -> f64) -> f64 {
         self.settings.fit.unwrap_or_else(|| {
             let size = match self.settings.one_part {
                 Some(_) => self.size,
-                None => chain.size(),
+                None => size(),
             };
             DEFAULT_FIT * size
         })
@@ -330,7 +335,7 @@ impl<'d> Making<'d> {
     }
 
     /// Lists the tips that were taken off.
-    fn tell_tips(&mut self, tips: &[Tip], fit: f64) {
+    pub(super) fn tell_tips(&mut self, tips: &[Tip], fit: f64) {
         for tip in tips {
             let at = shown::point(tip.at);
             let reason = match tip.is_spike {
@@ -506,7 +511,7 @@ impl<'d> Making<'d> {
 }
 
 /// Checks that a loop makes a part, the tips taken off at which it turns back, of cusps by a length; gives those.
-fn checked(outline: &mut Outline, by: f64) -> Result<Vec<Tip>, PartError> {
+pub(super) fn checked(outline: &mut Outline, by: f64) -> Result<Vec<Tip>, PartError> {
     /// Tips of a loop, at most: drawings have few.
     const MOST_TIPS: usize = 64;
     let mut tips: Vec<Tip> = Vec::new();
