@@ -48,7 +48,7 @@ pub use error::DrawingError;
 pub use offset::{Offset, OffsetError, offset};
 pub use outlines::{
     DEFAULT_FIT, DEFAULT_JOIN, DrawnFace, DrawnFaces, FitSide, FittedReport, Outlines, Pick,
-    Settings, Survey, Traced,
+    Reading, Settings, Survey, Traced,
 };
 pub use read::{Format, from_bytes, is_drawing, read};
 pub use source::Source;

@@ -1,29 +1,86 @@
 //! Which loop is in which.
 
-use cspace::{Part, Point};
+use cspace::part::Bounds;
+use cspace::{Edge, Point, Vertex};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-/// A loop by itself.
-pub(crate) struct Lone {
-    pub(crate) part: Part,
-    pub(crate) first: Point,
+use crate::drawing::edge;
+use crate::join::ROUND;
+
+/// A loop by itself, whether or not it may be one of a part.
+#[derive(Debug)]
+pub(crate) struct Ring {
+    edges: Vec<Edge>,
+    bounds: Bounds,
 }
 
-/// Whether a loop is within another. Loops that cross, as parts of an assembly do, are not within each other.
-fn holds(outer: &Part, inner: &Part) -> bool {
-    /// Vertices that are looked at; those of loops that cross are on both sides soon.
-    const MOST: usize = 256;
-    let (o, i) = (outer.bounds(), inner.bounds());
-    let is_in_box =
-        o.min.x < i.min.x && o.min.y < i.min.y && o.max.x > i.max.x && o.max.y > i.max.y;
-    let vertices = inner.loops()[0].vertices();
-    let step = vertices.len().div_ceil(MOST);
-    is_in_box
-        && vertices
-            .iter()
-            .step_by(step)
-            .all(|v| outer.contains(v.point()))
+impl Ring {
+    pub(crate) fn of(vertices: &[Vertex]) -> Self {
+        let next = vertices.iter().cycle().skip(1);
+        let edges: Vec<Edge> = (vertices.iter().zip(next))
+            .map(|(from, to)| edge(from.point(), to.point(), from.bulge))
+            .collect();
+        let bounds = (edges.iter()).fold(Bounds::EMPTY, |all, e| all.union(e.bounds()));
+        Self { edges, bounds }
+    }
+
+    /// The diagonal of its box.
+    pub(crate) fn size(&self) -> f64 {
+        self.bounds.diagonal()
+    }
+
+    /// Whether its inside is on its left.
+    pub(crate) fn turns_left(&self) -> bool {
+        let about = self.edges.first().map_or(Point::ORIGIN, |e| e.start);
+        let area: f64 = self.edges.iter().map(|e| e.area_swept(about)).sum();
+        area > 0.0
+    }
+
+    fn contains(&self, p: Point) -> bool {
+        self.bounds.contains(p) && self.edges.iter().filter(|e| e.toggles(p)).count() % 2 == 1
+    }
+
+    fn distance(&self, p: Point) -> f64 {
+        (self.edges.iter().map(|e| e.distance(p))).fold(f64::INFINITY, f64::min)
+    }
+
+    /// What is nearer to it than this may lie on it.
+    fn rounding(&self) -> f64 {
+        ROUND * self.size()
+    }
+
+    /// Vertices and the middles of edges, of very many some.
+    pub(crate) fn places(&self) -> impl Iterator<Item = Point> {
+        /// Edges that are looked at; the ends of those of loops that cross are on both sides soon.
+        const MOST: usize = 256;
+        let step = self.edges.len().div_ceil(MOST).max(1);
+        (self.edges.iter().step_by(step)).flat_map(|e| [e.start, e.at(0.5)])
+    }
+
+    /// Whether another loop is within this one; it may touch it. Loops that cross, as parts of an assembly do, are not within
+    /// each other.
+    fn holds(&self, inner: &Self) -> bool {
+        let (o, i, near) = (self.bounds, inner.bounds, self.rounding());
+        let is_in_box = o.min.x <= i.min.x + near
+            && o.min.y <= i.min.y + near
+            && o.max.x >= i.max.x - near
+            && o.max.y >= i.max.y - near;
+        // What lies on this loop says nothing.
+        let mut is_inside = false;
+        is_in_box
+            && inner.places().all(|p| {
+                let is_on = || self.distance(p) <= near;
+                match self.contains(p) {
+                    true => {
+                        is_inside = is_inside || !is_on();
+                        true
+                    }
+                    false => is_on(),
+                }
+            })
+            && is_inside
+    }
 }
 
 /// The most loops around another: what is no drawing of parts may have any number, and every two of them are compared.
@@ -33,13 +90,16 @@ pub(crate) const MOST_AROUND: usize = 256;
 ///
 /// # Errors
 /// The loop with more than [`MOST_AROUND`] around it.
-pub(crate) fn nest(loops: &[Lone]) -> Result<Vec<Vec<usize>>, usize> {
+pub(crate) fn nest(loops: &[&Ring]) -> Result<Vec<Vec<usize>>, usize> {
     let tree = RTree::bulk_load(
         (loops.iter().enumerate())
             .map(|(i, l)| {
-                let b = l.part.bounds();
+                let (b, near) = (l.bounds, l.rounding());
                 GeomWithData::new(
-                    Rectangle::from_corners([b.min.x, b.min.y], [b.max.x, b.max.y]),
+                    Rectangle::from_corners(
+                        [b.min.x - near, b.min.y - near],
+                        [b.max.x + near, b.max.y + near],
+                    ),
                     i,
                 )
             })
@@ -47,11 +107,11 @@ pub(crate) fn nest(loops: &[Lone]) -> Result<Vec<Vec<usize>>, usize> {
     );
     let mut around: Vec<Vec<usize>> = Vec::with_capacity(loops.len());
     for (i, l) in loops.iter().enumerate() {
-        let at = [l.first.x, l.first.y];
+        let first = l.edges.first().map_or(Point::ORIGIN, |e| e.start);
         let of_this: Vec<usize> = tree
-            .locate_in_envelope_intersecting(AABB::from_point(at))
+            .locate_in_envelope_intersecting(AABB::from_point([first.x, first.y]))
             .map(|r| r.data)
-            .filter(|&j| j != i && holds(&loops[j].part, &l.part))
+            .filter(|&j| j != i && loops[j].holds(l))
             .take(MOST_AROUND + 1)
             .collect();
         if of_this.len() > MOST_AROUND {

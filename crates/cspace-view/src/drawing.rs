@@ -98,7 +98,7 @@ impl OpenedDrawing {
     /// # Errors
     /// If the drawing is one of measured points, its settings or coordinates are beyond use, or its curves cross too often.
     pub fn scene(&self) -> Result<DrawingScene, DrawingError> {
-        let found = self.drawing.faces(&self.settings)?;
+        let found = self.drawing.reading(&self.settings)?.faces()?;
         let faces = found.faces.into_iter().map(|face| SceneFace {
             inside: face.inside,
             area: face.area,

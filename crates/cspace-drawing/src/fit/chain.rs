@@ -4,7 +4,7 @@ use cspace::{Point, Vector, Vertex};
 
 use super::deviation::of_others;
 use super::part::Part;
-use super::pieces::fit;
+use super::pieces::fit_within;
 use super::run::{Band, Run, RunEnd};
 use crate::drawing::edge;
 use crate::join::{Chain, ChainPiece, Shape};
@@ -22,7 +22,7 @@ const HALVINGS: u32 = 20;
 const SHARP_WITHIN: f64 = 0.25;
 
 /// On which side of a curve the pieces may be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Sided {
     Both,
     Left,
@@ -128,12 +128,13 @@ fn add_run(
     const HALVED: usize = 64;
     const LAST: usize = 1024;
     /// Samples of a piece, that joints at samples are nearly as good as anywhere.
-    const ENOUGH: usize = 14;
+    const ENOUGH: usize = 8;
     let start = parts[0].piece;
     let mut per_span = FIRST;
+    let mut limits = None;
     let (fitted, run) = loop {
         let run = sample(parts, per_span, is_closed, ends, band);
-        match fit(&run) {
+        match fit_within(&run, &mut limits) {
             Some(fitted) => {
                 let is_fine = fitted.vertices.len() * ENOUGH <= run.points.len();
                 if is_fine || per_span >= LAST || run.points.len() > 200_000 {
@@ -141,18 +142,17 @@ fn add_run(
                 }
             }
             None if per_span < HALVED => {}
-            None if halvings == 0 && own_ends(parts, ends) == ends => {
-                return Err(NotFitted {
-                    entity: start.entity,
-                    at: start.start,
-                });
-            }
-            None if own_ends(parts, ends) != ends => {
-                // The drawing has a small kink there, that a short run does not take up.
-                let ends = own_ends(parts, ends);
-                return add_run(outline, parts, is_closed, ends, band, halvings);
-            }
             None => {
+                if let Some(own) = own_ends(parts, ends) {
+                    // The drawing has a small kink there, that a short run does not take up.
+                    return add_run(outline, parts, is_closed, own, band, halvings);
+                }
+                if halvings == 0 {
+                    return Err(NotFitted {
+                        entity: start.entity,
+                        at: start.start,
+                    });
+                }
                 let mut halves = parts.to_vec();
                 if let [only] = parts {
                     halves = only.halves().to_vec();
@@ -195,12 +195,15 @@ fn add_run(
     Ok(())
 }
 
-/// The ends with the directions that the curve has there, where they are to be tangent.
-fn own_ends(parts: &[Part<'_>], ends: [RunEnd; 2]) -> [RunEnd; 2] {
+/// The ends with the directions that the curve has there, where they are to be tangent; none if they have these already.
+fn own_ends(parts: &[Part<'_>], ends: [RunEnd; 2]) -> Option<[RunEnd; 2]> {
     let own = [parts[0].at(0.0).1, parts[parts.len() - 1].at(1.0).1];
-    core::array::from_fn(|i| match ends[i] {
-        RunEnd::Free => RunEnd::Free,
-        RunEnd::Along(_) => RunEnd::Along(own[i]),
+    let is_other = |i: usize| matches!(ends[i], RunEnd::Along(d) if angle(d, own[i]) > 0.0);
+    (is_other(0) || is_other(1)).then(|| {
+        core::array::from_fn(|i| match ends[i] {
+            RunEnd::Free => RunEnd::Free,
+            RunEnd::Along(_) => RunEnd::Along(own[i]),
+        })
     })
 }
 

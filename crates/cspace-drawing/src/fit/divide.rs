@@ -369,11 +369,13 @@ fn in_window(
     Some(path)
 }
 
-/// Samples of a piece at which others may begin, at least; and of a run, and of one through measured points, which may go over
-/// from a line into an arc at any of them.
-const PER_PIECE: usize = 32;
-const PER_RUN: usize = 96;
+/// Samples of a run and of a piece at which others may begin, at least.
+const PER_RUN: usize = 64;
+const PER_PIECE: usize = 16;
+
+/// Those of a run through measured points, which may go over from a line into an arc at any of them.
 const PER_PROFILE: usize = 400;
+const PER_PIECE_OF_PROFILE: usize = 32;
 
 /// What a division keeps to.
 #[derive(Debug, Clone, Copy)]
@@ -393,13 +395,12 @@ pub(super) fn divide(run: &Run, pieces: usize, limits: Limits) -> Option<Divisio
     /// How much finer samples are looked at near joints, each time.
     const FINER: usize = 16;
     let n = run.points.len();
-    let tested = Tested::new(run, n / (PER_PIECE * pieces));
-    let least = if run.is_measured {
-        PER_PROFILE
-    } else {
-        PER_RUN
+    let (least, per_piece) = match run.is_measured {
+        true => (PER_PROFILE, PER_PIECE_OF_PROFILE),
+        false => (PER_RUN, PER_PIECE),
     };
-    let mut stride = (n / least.max(PER_PIECE * pieces)).max(1);
+    let tested = Tested::new(run, n / (per_piece * pieces));
+    let mut stride = (n / least.max(per_piece * pieces)).max(1);
     let grid: Vec<usize> = (0..n).step_by(stride).chain([n - 1]).collect();
     let mut candidates = grid.clone();
     loop {

@@ -18,13 +18,16 @@ pub(super) struct Part<'c> {
     ends: [Point; 2],
     /// What the curve is moved by at its start and its end.
     moved: [Vector; 2],
+    /// The length, and the derivative by the span's parameter, that is rounding: as where a control point is at the end.
+    still: f64,
 }
 
 impl<'c> Part<'c> {
     /// The parts of a piece, in the direction of travel: its spans, cut where they turn sharply within a length.
     pub(super) fn all(curve: &'c Curve, piece: &'c ChainPiece<'c>, within: f64) -> Vec<Self> {
-        /// Rounding of points of a curve, as a share of its size.
+        /// Rounding of points and of derivatives of a curve, as a share of its size.
         const STILL: f64 = 1e-12;
+        const SLOW: f64 = 1e-9;
         let spans = curve.spans();
         let size = curve.bounds().diagonal();
         let own = match piece.is_backward {
@@ -72,6 +75,7 @@ impl<'c> Part<'c> {
                     range: [first.0, last.0],
                     ends: [first, last].map(|(_, corner)| place(corner)),
                     moved: [first, last].map(|(s, _)| by(s)),
+                    still: SLOW * size,
                 });
             }
         }
@@ -112,11 +116,14 @@ impl<'c> Part<'c> {
             _ => on_curve + shift(s),
         };
         let mut velocity = derivative * (to - from) + (self.moved[1] - self.moved[0]);
-        if velocity.length() <= 1e-9 * self.ends[0].distance(self.ends[1]) {
-            /// A step along a part over which a cusp's direction shows.
-            const STEP: f64 = 1e-3;
+        if velocity.length() <= self.still * (to - from).abs() {
+            /// Steps along a part over which a cusp's direction shows: over the first, if that is more than rounding.
+            const STEPS: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
             let near = |s: f64| self.curve.at(self.span, from + (to - from) * s).0 + shift(s);
-            velocity = near((s + STEP).min(1.0)) - near((s - STEP).max(0.0));
+            velocity = (STEPS.iter())
+                .map(|step| near((s + step).min(1.0)) - near((s - step).max(0.0)))
+                .find(|v| v.length() > self.still)
+                .unwrap_or(self.ends[1] - self.ends[0]);
         }
         (point, velocity.unit())
     }

@@ -5,32 +5,61 @@ use super::fitted::Fitted;
 use super::run::Run;
 use super::{divide, tangent};
 
-/// How much narrower the band is made for each next try, and how often: small changes that make pieces tangent take some of
-/// it, and a band of a share s asks for s^(-1/3) times the pieces.
+/// How much narrower the band is made for the next try, at least and at most, and in all: small changes that make pieces tangent
+/// take some of it, and a band of a share s asks for s^(-1/3) times the pieces.
 const NARROWER: f64 = 0.96;
-const TRIES: usize = 24;
+const MUCH_NARROWER: f64 = 0.8;
+const NARROWEST: f64 = 0.375;
+
+/// Bands one after another that no chain of pieces passes: then none passes a narrower one. One that passes may be missed,
+/// for chains are told apart by cells of angles.
+const MISSES: usize = 3;
 
 /// How much more exactly, for each next try, pieces arrive in the direction that an end has: the more exactly, the smaller
 /// are the changes that make them tangent there.
-const MORE_EXACTLY: f64 = 2.0;
+const MORE_EXACTLY: f64 = 8.0;
 
 /// Fits lines and arcs to a run. None if the samples do not allow it: they are too coarse for the tolerance.
 pub(crate) fn fit(run: &Run) -> Option<Fitted> {
+    fit_within(run, &mut None)
+}
+
+/// As [`fit`], from the limits on at which more samples of a curve are to be fitted than before; sets those at which these were.
+pub(super) fn fit_within(run: &Run, from: &mut Option<Limits>) -> Option<Fitted> {
     let pieces = divide::roughly(run);
-    let mut limits = Limits {
+    let mut limits = from.take().unwrap_or(Limits {
         width: 0.999 * run.band.width(),
         exactness: 1.0,
-    };
-    for _ in 0..TRIES {
-        if let Some(division) = divide::divide(run, pieces, limits) {
-            for with_lines in [true, false] {
-                let made = tangent::make(run, &division, with_lines);
-                if let Some(made) = made.filter(|m| run.band.holds(m.range)) {
-                    return Some(merged(made.fitted, run.is_closed));
+    });
+    let mut misses = 0;
+    while limits.width >= NARROWEST * run.band.width() && misses < MISSES {
+        let mut next = NARROWER * limits.width;
+        match divide::divide(run, pieces, limits) {
+            None => misses += 1,
+            Some(division) => {
+                misses = 0;
+                let mut over = f64::INFINITY;
+                for with_lines in [true, false] {
+                    let Some(made) = tangent::make(run, &division, with_lines) else {
+                        continue;
+                    };
+                    match run.band.excess(made.range) {
+                        0.0 => {
+                            *from = Some(limits);
+                            return Some(merged(made.fitted, run.is_closed));
+                        }
+                        excess => over = over.min(excess),
+                    }
+                }
+                // Narrower by what the changes have taken; points that scatter ask for the fewest pieces.
+                if over.is_finite() && !run.is_measured {
+                    next = next
+                        .min(limits.width - over)
+                        .max(MUCH_NARROWER * limits.width);
                 }
             }
         }
-        limits.width *= NARROWER;
+        limits.width = next;
         limits.exactness *= MORE_EXACTLY;
     }
     None

@@ -74,11 +74,14 @@ impl Band {
         self.hi.max(-self.lo)
     }
 
-    /// Whether pieces whose least and largest distances to the left are these stay within it.
-    pub(super) fn holds(&self, range: [f64; 2]) -> bool {
+    /// How far beyond it pieces are whose least and largest distances to the left are these; 0 within.
+    pub(super) fn excess(&self, range: [f64; 2]) -> f64 {
         // The ends of a run are on the curve, whatever the band.
-        let round = 1e-9 * self.tolerance();
-        range[0] >= self.lo.min(0.0) - round && range[1] <= self.hi.max(0.0) + round
+        let excess = (self.lo.min(0.0) - range[0]).max(range[1] - self.hi.max(0.0));
+        match excess <= 1e-9 * self.tolerance() {
+            true => 0.0,
+            false => excess,
+        }
     }
 }
 

@@ -39,7 +39,10 @@ pub(super) fn collect<'d>(
         let entities = chain.iter().map(|&e| pieces.segments[of_end(e).0].entity);
         joined.unused.extend(entities);
         let of_chain = chain.iter().map(|&e| piece(pieces, e)).collect();
-        joined.open.push(Chain { pieces: of_chain });
+        joined.open.push(Chain {
+            first: chain[0],
+            pieces: of_chain,
+        });
         let last = chain[chain.len() - 1];
         let ends = [end(i, side), last ^ 1];
         if !ends.iter().any(|&e| ambiguous.contains(&of_end(e).0)) {
@@ -53,7 +56,10 @@ pub(super) fn collect<'d>(
         }
         let chain = follow(pieces, end(i, 0), &mut is_done);
         let pieces = chain.iter().map(|&e| piece(pieces, e)).collect();
-        let chain = Chain { pieces };
+        let chain = Chain {
+            first: chain[0],
+            pieces,
+        };
         if chain.encloses_nothing(round) {
             joined.tiny += chain.pieces.len();
         } else {

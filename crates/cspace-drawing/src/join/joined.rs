@@ -9,6 +9,8 @@ use crate::drawing::{Drawing, Origin, Problem};
 /// Pieces end to end; of a closed chain, the last ends where the first starts.
 #[derive(Debug)]
 pub(crate) struct Chain<'d> {
+    /// The end at which it is begun, by number: no two chains of a drawing have one in common.
+    pub(crate) first: u32,
     pub(crate) pieces: Vec<ChainPiece<'d>>,
 }
 

@@ -12,10 +12,10 @@ mod paths;
 mod pieces;
 
 pub(crate) use joined::{Chain, ChainPiece, Joined};
-pub(crate) use pieces::Shape;
+pub(crate) use pieces::{ROUND, Shape};
 
 use crate::drawing::Drawing;
-use pieces::{Pieces, ROUND};
+use pieces::Pieces;
 
 /// The loops of a drawing. Ends at most `join` apart are one.
 pub(crate) fn join(drawing: &Drawing, size: f64, join: f64) -> Joined<'_> {

@@ -156,27 +156,41 @@ fn sweep(
             .flat_map(|l| l.intervals())
             .collect();
         intervals.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
-        let mut active: Vec<(f64, usize)> = Vec::new();
+        // Two pieces that both go on at both ends are left alone: those are kept apart, for a path may go back and forth often.
+        let mut loose: Vec<(f64, usize)> = Vec::new();
+        let mut held: Vec<(f64, usize)> = Vec::new();
         let mut has_wrapped = false;
+        let slack = round * group[0].unit;
         for &(from, to, piece) in &intervals {
-            let slack = round * group[0].unit;
-            active.retain(|&(end, p)| end > from + slack && !pieces.segments[p].is_removed);
             if pieces.segments[piece].is_removed {
                 continue;
             }
-            active.push((to, piece));
-            let others: Vec<usize> = active.iter().map(|a| a.1).filter(|&p| p != piece).collect();
+            let reaches = |a: &(f64, usize)| a.0 > from + slack && !pieces.segments[a.1].is_removed;
+            loose.retain(reaches);
+            let mut others: Vec<usize> = loose.iter().map(|a| a.1).collect();
+            let is_held = pieces.is_held(piece);
+            if !is_held {
+                held.retain(reaches);
+                others.extend(held.iter().map(|a| a.1));
+            }
+            match is_held {
+                true => held.push((to, piece)),
+                false => loose.push((to, piece)),
+            }
+            others.retain(|&p| p != piece);
             for other in others {
                 if !unite(pieces, [other, piece], middle, round, joined) {
                     continue;
                 }
                 // One of the two is gone or shorter, and the other reaches as far as both at most.
-                let reach = active.iter().map(|a| a.0).fold(to, f64::max);
-                for a in &mut active {
-                    if a.1 == other || a.1 == piece {
-                        a.0 = reach;
-                    }
+                let of_both = |a: &&mut (f64, usize)| a.1 == other || a.1 == piece;
+                let reach = (loose.iter_mut().chain(&mut held).filter(of_both))
+                    .fold(to, |reach, a| reach.max(a.0));
+                for a in loose.iter_mut().chain(&mut held).filter(of_both) {
+                    a.0 = reach;
                 }
+                // Its neighbours may be loose now.
+                loose.extend(held.extract_if(.., |a| !pieces.is_held(a.1)));
                 has_wrapped |= group[0].kind == CIRCLE;
                 if pieces.segments[piece].is_removed {
                     break;

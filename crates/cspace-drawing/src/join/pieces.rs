@@ -143,6 +143,11 @@ impl<'d> Pieces<'d> {
         self.segments[piece].links[side]
     }
 
+    /// Whether a piece goes on at both ends.
+    pub(super) fn is_held(&self, piece: usize) -> bool {
+        self.segments[piece].links.iter().all(Option::is_some)
+    }
+
     pub(super) fn link(&mut self, a: End, b: End) {
         for (a, b) in [(a, b), (b, a)] {
             let (piece, side) = of_end(a);

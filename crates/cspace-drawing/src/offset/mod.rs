@@ -15,7 +15,7 @@ use core::fmt;
 
 use cspace::{Edge, Part, PartError, Point, Vertex};
 
-use crate::nest::{Lone, nest};
+use crate::nest::{self, nest};
 use crate::shown;
 use chain::{Ring, rings};
 use cut::{cut, outermost};
@@ -39,15 +39,9 @@ impl Offset {
     pub fn pieces(&self) -> Result<Vec<Part>, PartError> {
         let loops = self.part.loops().iter().map(|l| l.vertices().to_vec());
         let loops: Vec<Vec<Vertex>> = loops.collect();
-        let mut lone = Vec::with_capacity(loops.len());
-        for vertices in &loops {
-            lone.push(Lone {
-                part: Part::new("", vec![vertices.clone()])?,
-                first: vertices[0].point(),
-            });
-        }
+        let rings: Vec<nest::Ring> = loops.iter().map(|l| nest::Ring::of(l)).collect();
         // What is nested too deep stays one.
-        let groups = nest(&lone).unwrap_or_default();
+        let groups = nest(&rings.iter().collect::<Vec<_>>()).unwrap_or_default();
         if groups.len() < 2 {
             return Ok(vec![self.part.clone()]);
         }

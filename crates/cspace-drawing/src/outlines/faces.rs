@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use cspace::part::Bounds;
 use cspace::{Edge, Part, Point, Vertex};
 
-use super::making::Making;
+use super::making::{Making, checked};
 use super::names::names;
 use super::refusal::no_part;
 use super::result::Outlines;
@@ -14,6 +14,7 @@ use crate::drawing::{Ignored, edge};
 use crate::error::DrawingError;
 use crate::fit::{Outline, Sided};
 use crate::join::{Chain, ChainPiece, Shape};
+use crate::nest::Ring;
 use crate::shown;
 
 /// Faces that are listed, at most: the largest.
@@ -153,6 +154,13 @@ impl Making<'_> {
                 }
             }));
         }
+        // Faces between tangent curves have cusps. What else is wrong is found with all loops of a part.
+        let fits: Vec<f64> = (outlines.iter())
+            .map(|o| self.fit_within(|| Ring::of(&o.vertices).size()))
+            .collect();
+        let tips: Vec<_> = (outlines.iter_mut().zip(&fits))
+            .map(|(outline, &fit)| checked(outline, fit).unwrap_or_default())
+            .collect();
         let one_part = self.settings.one_part.as_deref();
         let given = names(self.drawing, one_part, &outlines, &groups);
         let mut parts = Vec::with_capacity(groups.len());
@@ -166,6 +174,9 @@ impl Making<'_> {
             parts.push(part);
         }
         self.list_other_entities(&outlines);
+        for (tips, fit) in tips.iter().zip(fits) {
+            self.tell_tips(tips, fit);
+        }
         Ok(self.result(parts, &outlines, None))
     }
 

@@ -5,8 +5,10 @@ use std::sync::Arc;
 
 use cspace::{Part, PartError, Point, Vertex};
 
-use super::blunt::blunt;
+use super::blunt::{Tip, blunt};
 use super::crossing::may_be_of_fit;
+use super::fits::Fits;
+use super::left_out::{LeftOut, corners};
 use super::names::names;
 use super::refusal::{no_part, too_deep};
 use super::result::{FittedReport, Outlines};
@@ -16,7 +18,7 @@ use crate::drawing::{Drawing, Ignored, Origin, Problem};
 use crate::error::DrawingError;
 use crate::fit::{self, NotFitted, Outline, Sided};
 use crate::join::{self, Chain, Joined};
-use crate::nest::{Lone, nest};
+use crate::nest::{Ring, nest};
 use crate::shown;
 use crate::source::OFFERED;
 
@@ -24,6 +26,7 @@ use crate::source::OFFERED;
 pub(super) struct Making<'d> {
     pub(super) drawing: &'d Drawing,
     pub(super) settings: &'d Settings,
+    fits: &'d Fits,
     /// The size of the drawing.
     size: f64,
     pub(super) joined: Joined<'d>,
@@ -37,8 +40,26 @@ pub(super) struct Making<'d> {
     pub(super) report: FittedReport,
 }
 
+/// Why a closed outline is left out that would be one by itself.
+const WITH_LEFT_OUT: &str =
+    "it and an outline that is left out may be one part: make parts of faces with --pick instead";
+
+/// A closed chain and the lines and arcs that it becomes.
+struct Closed<'d> {
+    outline: Outline,
+    ring: Ring,
+    /// Whether it may be a loop of a part; if not, that is a problem already.
+    is_usable: bool,
+    /// The chain, where it is fitted again once it is known which side is material.
+    again: Option<Chain<'d>>,
+}
+
 impl<'d> Making<'d> {
-    pub(super) fn new(drawing: &'d Drawing, settings: &'d Settings) -> Result<Self, DrawingError> {
+    pub(super) fn new(
+        drawing: &'d Drawing,
+        settings: &'d Settings,
+        fits: &'d Fits,
+    ) -> Result<Self, DrawingError> {
         let size = drawing.size();
         let has_size = size > 0.0 && size.is_finite();
         if !has_size && !drawing.entities.is_empty() {
@@ -52,6 +73,7 @@ impl<'d> Making<'d> {
         let mut making = Self {
             drawing,
             settings,
+            fits,
             size,
             joined,
             problems: Vec::new(),
@@ -149,65 +171,111 @@ impl<'d> Making<'d> {
     pub(super) fn outlines(&mut self) -> (Vec<Outline>, Vec<Vec<usize>>) {
         let chains = core::mem::take(&mut self.joined.loops);
         let sided = self.settings.side != FitSide::Both;
-        let mut loops: Vec<(Outline, Option<Chain<'d>>)> = Vec::with_capacity(chains.len());
-        let mut lone: Vec<Lone> = Vec::with_capacity(chains.len());
+        let mut loops: Vec<Closed<'d>> = Vec::with_capacity(chains.len());
         for chain in chains {
-            if let Some((outline, alone)) = self.fitted(&chain, Sided::Both) {
+            let (outline, is_usable) = match self.fitted(&chain, Sided::Both) {
+                Ok(outline) => (outline, true),
+                Err(outline) => (outline, false),
+            };
+            loops.push(Closed {
+                ring: Ring::of(&outline.vertices),
                 // A chain that is not fitted again is not kept.
-                let again = (sided && !outline.curves.is_empty()).then_some(chain);
-                loops.push((outline, again));
-                lone.push(alone);
-            }
+                again: (sided && !outline.curves.is_empty()).then_some(chain),
+                outline,
+                is_usable,
+            });
         }
-        let groups = nest(&lone).unwrap_or_else(|i| {
-            let problem = too_deep(self.drawing, &loops[i].0);
+        let groups = nest(&loops.iter().map(|l| &l.ring).collect::<Vec<_>>()).unwrap_or_else(|i| {
+            let problem = too_deep(self.drawing, &loops[i].outline);
             self.refuse(problem);
             // With --partial none of them is used: which are holes is not known.
             self.unused
-                .extend(loops.iter().flat_map(|l| &l.0.entities).copied());
+                .extend(loops.iter().flat_map(|l| &l.outline.entities).copied());
             Vec::new()
         });
+        let groups = self.usable(groups, &loops);
         if sided {
-            self.refit(&mut loops, &mut lone, &groups);
+            self.refit(&mut loops, &groups);
         }
-        for (outline, _) in &loops {
+        // Of loops that are in no part nothing is kept.
+        let mut outlines = Vec::new();
+        let groups = (groups.into_iter())
+            .map(|group| {
+                let first = outlines.len();
+                outlines.extend(
+                    group
+                        .iter()
+                        .map(|&i| core::mem::take(&mut loops[i].outline)),
+                );
+                (first..outlines.len()).collect()
+            })
+            .collect();
+        for outline in &outlines {
             self.report.add(outline);
         }
-        (loops.into_iter().map(|l| l.0).collect(), groups)
+        (outlines, groups)
     }
 
-    /// How near a loop is to be to what it is fitted to: it may be a small part of a large drawing.
+    /// The groups of which all is there: of an outline that is left out the holes are no parts, nor is what has a hole that
+    /// is left out.
+    fn usable(&mut self, groups: Vec<Vec<usize>>, loops: &[Closed<'d>]) -> Vec<Vec<usize>> {
+        let left_out = LeftOut::of(&self.joined.open, self.join_within());
+        let (kept, others): (Vec<Vec<usize>>, Vec<Vec<usize>>) =
+            groups.into_iter().partition(|group| {
+                group.iter().all(|&i| loops[i].is_usable) && !left_out.holds(&loops[group[0]].ring)
+            });
+        for &i in others.iter().flatten().filter(|&&i| loops[i].is_usable) {
+            let mut entities = loops[i].outline.entities.clone();
+            entities.sort_unstable();
+            entities.dedup();
+            self.ignored.extend(entities.iter().map(|&e| Ignored {
+                origin: self.drawing.entities[e as usize].origin.clone(),
+                reason: WITH_LEFT_OUT.into(),
+            }));
+            self.unused.extend(entities);
+        }
+        kept
+    }
+
+    /// How near a chain is to be to what it is fitted to.
     pub(super) fn fit_of(&self, chain: &Chain<'_>) -> f64 {
+        self.fit_within(|| chain.size())
+    }
+
+    /// How near a loop of a size is to be to what it is fitted to: it may be a small part of a large drawing.
+    pub(super) fn fit_within(&self, size: impl FnOnce() -> f64) -> f64 {
         self.settings.fit.unwrap_or_else(|| {
             let size = match self.settings.one_part {
                 Some(_) => self.size,
-                None => chain.size(),
+                None => size(),
             };
             DEFAULT_FIT * size
         })
     }
 
-    /// The loop of a chain, checked by itself. Where pieces cross that were fitted to curves, they are fitted nearer: curves
-    /// that do not cross are apart by more than some fit.
-    fn fitted(&mut self, chain: &Chain<'_>, sided: Sided) -> Option<(Outline, Lone)> {
+    /// The loop of a chain, checked by itself; an error is what cannot be a loop of a part. Where pieces cross that were fitted to
+    /// curves, they are fitted nearer: curves that do not cross are apart by more than some fit.
+    fn fitted(&mut self, chain: &Chain<'_>, sided: Sided) -> Result<Outline, Outline> {
         /// Shares of the fit that are tried.
         const NEARER: [f64; 3] = [1.0, 0.125, 0.015_625];
         let fit = self.fit_of(chain);
-        let mut refused = None;
+        let mut refused: Option<(PartError, Outline)> = None;
         for share in NEARER {
             let mut outline = match self.lines_and_arcs(chain, share * fit, sided) {
                 Ok(outline) => outline,
                 Err(at) if refused.is_none() => {
                     self.refuse_fit(chain, at);
-                    return None;
+                    return Err(Outline {
+                        vertices: corners(chain),
+                        ..Outline::default()
+                    });
                 }
                 Err(_) => break,
             };
             match checked(&mut outline, fit) {
-                Ok((part, cusps)) => {
-                    self.tell_cusps(&outline, &cusps, fit);
-                    let first = outline.vertices.first()?.point();
-                    return Some((outline, Lone { part, first }));
+                Ok(tips) => {
+                    self.tell_tips(&tips, fit);
+                    return Ok(outline);
                 }
                 Err(error) => {
                     let is_of_fit = !outline.curves.is_empty()
@@ -219,14 +287,27 @@ impl<'d> Making<'d> {
                 }
             }
         }
-        let (error, outline) = refused?;
+        let Some((error, outline)) = refused else {
+            return Err(Outline::default());
+        };
         let problem = no_part(self.drawing, &error, &[&outline]);
         self.unused.extend(&outline.entities);
         self.refuse(problem);
-        None
+        Err(outline)
     }
 
+    /// The lines and arcs of a chain.
     pub(super) fn lines_and_arcs(
+        &self,
+        chain: &Chain<'_>,
+        fit: f64,
+        sided: Sided,
+    ) -> Result<Outline, NotFitted> {
+        let find = || self.find_lines_and_arcs(chain, fit, sided);
+        self.fits.of(chain, fit, sided, find)
+    }
+
+    fn find_lines_and_arcs(
         &self,
         chain: &Chain<'_>,
         fit: f64,
@@ -253,18 +334,22 @@ impl<'d> Making<'d> {
         fit::profile(&points, fit, sided, first.entity).ok_or(first)
     }
 
-    /// Lists the tips that were cut off.
-    fn tell_cusps(&mut self, outline: &Outline, cusps: &[usize], fit: f64) {
-        for &vertex in cusps {
-            let entity = outline.entities[vertex] as usize;
-            self.ignored.push(Ignored {
-                origin: self.drawing.entities[entity].origin.clone(),
-                reason: format!(
-                    "the tip of its cusp at {} is cut off, by {} at most: its two sides have one direction",
-                    shown::point(outline.vertices[vertex].point()),
+    /// Lists the tips that were taken off.
+    pub(super) fn tell_tips(&mut self, tips: &[Tip], fit: f64) {
+        for tip in tips {
+            let at = shown::point(tip.at);
+            let reason = match tip.is_spike {
+                true => {
+                    format!("its spike to {at} is left out: it goes there and back on one line")
+                }
+                false => format!(
+                    "the tip of its cusp at {at} is cut off, by {} at most: its two sides have one direction",
                     shown::number(fit)
-                )
-                .into(),
+                ),
+            };
+            self.ignored.push(Ignored {
+                origin: self.drawing.entities[tip.entity as usize].origin.clone(),
+                reason: reason.into(),
             });
         }
     }
@@ -304,26 +389,19 @@ impl<'d> Making<'d> {
     }
 
     /// Fits again where the side matters, now that it is known which side is material.
-    fn refit(
-        &mut self,
-        loops: &mut [(Outline, Option<Chain<'d>>)],
-        lone: &mut [Lone],
-        groups: &[Vec<usize>],
-    ) {
+    fn refit(&mut self, loops: &mut [Closed<'d>], groups: &[Vec<usize>]) {
         for group in groups {
             for (k, &i) in group.iter().enumerate() {
-                let Some(chain) = loops[i].1.take() else {
+                let Some(chain) = loops[i].again.take() else {
                     continue;
                 };
                 // Outermost loops have material inside, holes outside; a loop that turns left has its inside on the left.
                 let is_outer = k == 0;
-                let left_is_inside = !lone[i].part.loops()[0].is_reversed();
-                let material_is_left = is_outer == left_is_inside;
+                let material_is_left = is_outer == loops[i].ring.turns_left();
                 let left = material_is_left == (self.settings.side == FitSide::Inside);
                 let sided = if left { Sided::Left } else { Sided::Right };
-                if let Some((outline, alone)) = self.fitted(&chain, sided) {
-                    loops[i].0 = outline;
-                    lone[i] = alone;
+                if let Ok(outline) = self.fitted(&chain, sided) {
+                    loops[i].outline = outline;
                 }
             }
         }
@@ -365,9 +443,12 @@ impl<'d> Making<'d> {
                 Err(error) => {
                     let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
                     let problem = no_part(self.drawing, &error, &of);
-                    let entities = of.iter().flat_map(|o| &o.entities).copied();
-                    self.unused.extend(entities);
+                    self.unused
+                        .extend(of.iter().flat_map(|o| &o.entities).copied());
                     self.refuse(problem);
+                    for &i in group {
+                        outlines[i].entities.clear();
+                    }
                 }
             }
         }
@@ -429,26 +510,23 @@ impl<'d> Making<'d> {
     }
 }
 
-/// The part of one loop, its cusps cut off by a length; and the vertices at which they were.
-fn checked(outline: &mut Outline, by: f64) -> Result<(Part, Vec<usize>), PartError> {
-    /// Cusps of a loop, at most: drawings have few.
-    const MOST_CUSPS: usize = 64;
-    let mut cusps: Vec<usize> = Vec::new();
+/// Checks that a loop makes a part, the tips taken off at which it turns back, of cusps by a length; gives those.
+pub(super) fn checked(outline: &mut Outline, by: f64) -> Result<Vec<Tip>, PartError> {
+    /// Tips of a loop, at most: drawings have few.
+    const MOST_TIPS: usize = 64;
+    let mut tips: Vec<Tip> = Vec::new();
     loop {
         let error = match Part::new("", vec![outline.vertices.clone()]) {
-            Ok(part) => return Ok((part, cusps)),
+            Ok(_) => return Ok(tips),
             Err(error) => error,
         };
         let PartError::Spike { vertex_index, .. } = error else {
             return Err(error);
         };
-        if cusps.len() >= MOST_CUSPS || !blunt(outline, vertex_index, by) {
-            return Err(error);
+        match blunt(outline, vertex_index, by) {
+            Some(tip) if tips.len() < MOST_TIPS => tips.push(tip),
+            _ => return Err(error),
         }
-        for cusp in cusps.iter_mut().filter(|c| **c >= vertex_index) {
-            *cusp += 1;
-        }
-        cusps.push(vertex_index);
     }
 }
 

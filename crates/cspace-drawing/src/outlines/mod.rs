@@ -3,6 +3,8 @@
 mod blunt;
 mod crossing;
 mod faces;
+mod fits;
+mod left_out;
 mod making;
 mod names;
 mod refusal;
@@ -23,10 +25,20 @@ pub use trace::Traced;
 use crate::affine::Affine;
 use crate::drawing::Drawing;
 use crate::error::DrawingError;
+use fits::Fits;
 use making::Making;
 use settings::check;
 
-impl Drawing {
+/// A drawing that is read in one way: what is found for one question about it is kept for the next.
+pub struct Reading<'d> {
+    drawing: Cow<'d, Drawing>,
+    settings: &'d Settings,
+    /// The settings, with what cannot be used left out.
+    partial: Settings,
+    fits: Fits,
+}
+
+impl Reading<'_> {
     /// The parts that the drawing shows.
     ///
     /// Loose pieces are joined to loops, what is drawn twice is taken once, curves become tangent lines and arcs, and loops
@@ -35,39 +47,30 @@ impl Drawing {
     /// # Errors
     /// If anything cannot be used, such as a chain that is not closed, unless that is to be left out; if nothing is left; or
     /// if loops cross or touch.
-    pub fn outlines(&self, settings: &Settings) -> Result<Outlines, DrawingError> {
-        check(settings)?;
-        let scaled = self.scaled(settings.scale);
-        if settings.picks.is_empty() {
-            return Making::new(&scaled, settings)?.make();
+    pub fn outlines(&self) -> Result<Outlines, DrawingError> {
+        if self.settings.picks.is_empty() {
+            return Making::new(&self.drawing, self.settings, &self.fits)?.make();
         }
-        check_divisible(self)?;
-        let partial = settings.partially();
-        Making::new(&scaled, &partial)?.picked()
+        check_divisible(&self.drawing)?;
+        self.partially()?.picked()
     }
 
-    /// The faces into which all that is drawn divides the plane: for a choice among them, where [`Drawing::outlines`] refuses
+    /// The faces into which all that is drawn divides the plane: for a choice among them, where [`Reading::outlines`] refuses
     /// the drawing because its curves cross, meet in threes or end freely.
     ///
     /// # Errors
-    /// If the settings or the coordinates are beyond use, nothing is drawn, or the curves cross too often.
-    pub fn faces(&self, settings: &Settings) -> Result<DrawnFaces, DrawingError> {
-        check(settings)?;
-        check_divisible(self)?;
-        let scaled = self.scaled(settings.scale);
-        let partial = settings.partially();
-        Making::new(&scaled, &partial)?.faces()
+    /// If the coordinates are beyond use, nothing is drawn, or the curves cross too often.
+    pub fn faces(&self) -> Result<DrawnFaces, DrawingError> {
+        check_divisible(&self.drawing)?;
+        self.partially()?.faces()
     }
 
     /// The parts that the drawing shows, and what of it cannot be used: for a picture of both.
     ///
     /// # Errors
-    /// If the settings or the coordinates are beyond use.
-    pub fn survey(&self, settings: &Settings) -> Result<Survey, DrawingError> {
-        check(settings)?;
-        let settings = settings.partially();
-        let scaled = self.scaled(settings.scale);
-        let mut making = Making::new(&scaled, &settings)?;
+    /// If the coordinates are beyond use.
+    pub fn survey(&self) -> Result<Survey, DrawingError> {
+        let mut making = self.partially()?;
         let outlines = making.outlines();
         let parts = making.parts(outlines);
         let mut unused: Vec<u32> = making.unused.clone();
@@ -76,10 +79,38 @@ impl Drawing {
         Ok(Survey {
             parts: parts.0,
             unused: (unused.iter())
-                .map(|&e| scaled.entities[e as usize].clone())
+                .map(|&e| self.drawing.entities[e as usize].clone())
                 .collect(),
             problems: making.told,
         })
+    }
+
+    fn partially(&self) -> Result<Making<'_>, DrawingError> {
+        Making::new(&self.drawing, &self.partial, &self.fits)
+    }
+}
+
+impl Drawing {
+    /// The drawing as it is read with settings.
+    ///
+    /// # Errors
+    /// If the settings are beyond use.
+    pub fn reading<'d>(&'d self, settings: &'d Settings) -> Result<Reading<'d>, DrawingError> {
+        check(settings)?;
+        Ok(Reading {
+            drawing: self.scaled(settings.scale),
+            settings,
+            partial: settings.partially(),
+            fits: Fits::default(),
+        })
+    }
+
+    /// The parts that the drawing shows; see [`Reading::outlines`].
+    ///
+    /// # Errors
+    /// If the settings are beyond use, and as [`Reading::outlines`].
+    pub fn outlines(&self, settings: &Settings) -> Result<Outlines, DrawingError> {
+        self.reading(settings)?.outlines()
     }
 
     fn scaled(&self, scale: f64) -> Cow<'_, Self> {

@@ -28,9 +28,9 @@ pub struct Settings {
     pub one_part: Option<String>,
     /// Whether loops of many edges are traces of something else, which fewer lines and arcs are fitted to.
     pub trace: bool,
-    /// The parts are the faces at points, instead of one of every outermost loop; see [`Drawing::faces`].
+    /// The parts are the faces at points, instead of one of every outermost loop; see [`Reading::faces`].
     ///
-    /// [`Drawing::faces`]: crate::Drawing::faces
+    /// [`Reading::faces`]: crate::Reading::faces
     pub picks: Vec<Pick>,
 }
 

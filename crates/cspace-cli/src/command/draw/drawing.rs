@@ -30,7 +30,10 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
         Failure::input(format_args!("{}: {e}", file.display())).help(e.help())
     };
     let drawing = input::drawing(file, &Source::default())?.map_err(failed)?;
-    let survey = drawing.survey(&Settings::default()).map_err(failed)?;
+    let settings = Settings::default();
+    let survey = (drawing.reading(&settings))
+        .and_then(|reading| reading.survey())
+        .map_err(failed)?;
     if let [first, ..] = &survey.problems[..] {
         warning(
             format_args!(

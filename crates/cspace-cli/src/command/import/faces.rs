@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use cspace_drawing::{Drawing, DrawnFaces, Settings};
+use cspace_drawing::{Drawing, DrawnFaces, Reading};
 
 use crate::args::ImportArgs;
 use crate::failure::{list, note};
@@ -13,6 +13,7 @@ const MOST: usize = 12;
 
 /// What is printed after the problems of a drawing: its largest faces with the option that picks each, and the parts that
 /// `--partial` gives.
+#[derive(Default)]
 pub(super) struct Choice {
     faces: DrawnFaces,
     /// The number of parts without what cannot be used; 0 where that was asked for already.
@@ -21,16 +22,15 @@ pub(super) struct Choice {
 
 impl Choice {
     /// The faces of a drawing; nothing where none are asked for or found.
-    pub(super) fn of(args: &ImportArgs, drawing: &Drawing, settings: &Settings) -> Self {
-        let is_asked = !drawing.is_measured && args.pick.is_empty();
+    pub(super) fn of(args: &ImportArgs, drawing: &Drawing, reading: &Reading<'_>) -> Self {
+        if drawing.is_measured || !args.pick.is_empty() {
+            return Self::default();
+        }
         Self {
-            faces: match is_asked {
-                true => drawing.faces(settings).unwrap_or_default(),
-                false => DrawnFaces::default(),
-            },
-            parts: match args.partial || !is_asked {
+            faces: reading.faces().unwrap_or_default(),
+            parts: match args.partial {
                 true => 0,
-                false => drawing.survey(settings).map_or(0, |s| s.parts.len()),
+                false => reading.survey().map_or(0, |s| s.parts.len()),
             },
         }
     }

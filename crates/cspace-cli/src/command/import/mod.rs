@@ -123,8 +123,10 @@ fn outlines(
         ..drawing::settings(&args.drawing, scale)
     };
     let file = path.display();
-    drawn.outlines(&settings).map_err(|error| {
-        let choice = Choice::of(args, drawn, &settings);
+    let reading = (drawn.reading(&settings))
+        .map_err(|e| Failure::input(format_args!("{file}: {e}")).help(e.help()))?;
+    reading.outlines().map_err(|error| {
+        let choice = Choice::of(args, drawn, &reading);
         let problems = match &error {
             DrawingError::Entities(problems) if problems.len() > 1 => problems,
             error => {
