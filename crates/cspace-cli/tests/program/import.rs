@@ -510,7 +510,7 @@ fn faces_are_listed_and_picked() {
     let text = format!(
         "0\nSECTION\n2\nENTITIES\n{lines}0\nCIRCLE\n8\n0\n10\n2\n20\n1\n40\n0.5\n0\nENDSEC\n0\nEOF\n"
     );
-    fs::write(&path, text).unwrap();
+    fs::write(&path, &text).unwrap();
     let path = path.to_str().unwrap();
     let pillar = std::f64::consts::PI * 0.25;
     fails(
@@ -521,9 +521,21 @@ fn faces_are_listed_and_picked() {
             "area 11.214602",
             "area 6.000000",
             "area 0.785398",
-            "--partial, which gives 1 part",
         ],
     );
+    // A disc beside the rooms is a part without them; the pillar within them is not.
+    let beside = folder.path().join("beside.dxf");
+    let disc = "0\nCIRCLE\n8\n0\n10\n9\n20\n1\n40\n1\n0\nENDSEC";
+    fs::write(&beside, text.replace("0\nENDSEC", disc)).unwrap();
+    let beside = beside.to_str().unwrap();
+    fails(
+        cspace(&["import", beside]),
+        2,
+        &["4 faces are closed", "--partial, which gives 1 part"],
+    );
+    let discs = json(&["import", beside, "--partial"])["parts"].clone();
+    assert_eq!(discs.as_array().unwrap().len(), 1);
+    assert_eq!(discs[0]["bounds"], serde_json::json!([8.0, 0.0, 10.0, 2.0]));
     let parts = |picks: &[&str]| json(&[&["import", path][..], picks].concat())["parts"].clone();
     let area = |part: &Value| part["area"].as_f64().unwrap();
     let rooms = parts(&["--pick", "left=0.5,2.5", "--pick=5,1"]);
