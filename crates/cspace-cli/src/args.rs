@@ -698,7 +698,7 @@ pub(crate) struct ImportArgs {
 }
 
 /// How drawings are read.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct DrawingArgs {
     /// Read this layer alone; may be given several times (DXF)
     #[arg(long, value_name = "NAME")]

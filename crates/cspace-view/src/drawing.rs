@@ -55,6 +55,8 @@ pub struct SceneFace {
     pub area: f64,
     /// The outer boundary, then those of what lies within.
     pub loops: Vec<Vec<Vertex>>,
+    /// Why the face alone is no part; it may be one together with others.
+    pub refusal: Option<String>,
 }
 
 /// Faces that are to be one part.
@@ -103,6 +105,7 @@ impl OpenedDrawing {
             inside: face.inside,
             area: face.area,
             loops: face.loops,
+            refusal: face.refusal.map(|error| error.to_string()),
         });
         Ok(DrawingScene {
             format: FORMAT,

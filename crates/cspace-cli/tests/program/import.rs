@@ -489,6 +489,40 @@ fn traces_are_told_with_a_command_that_works() {
     assert!(model("trace = true\npick = [[20, 0]]\n").contains("both `pick` and `trace`"));
 }
 
+/// A plate with a notch, and a circle so far away that the notch is shorter than the ends that are joined: that is told, and the
+/// proposed `--join` keeps it.
+#[test]
+fn short_edges_are_not_removed_without_a_word() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("plate.dxf");
+    let corners = [
+        [0.0, 0.0],
+        [50.0, 0.0],
+        [50.0, 0.8],
+        [50.8, 0.8],
+        [50.8, 0.0],
+        [100.0, 0.0],
+        [100.0, 50.0],
+        [0.0, 50.0],
+    ];
+    let lines: String = (corners.iter().zip(corners.iter().cycle().skip(1)))
+        .map(|([x0, y0], [x1, y1])| {
+            format!("0\nLINE\n8\n0\n10\n{x0}\n20\n{y0}\n11\n{x1}\n21\n{y1}\n")
+        })
+        .collect();
+    let text = format!(
+        "0\nSECTION\n2\nENTITIES\n{lines}0\nCIRCLE\n8\n0\n10\n1e5\n20\n1\n40\n0.5\n0\nENDSEC\n0\nEOF\n"
+    );
+    fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap();
+    let told = cspace(&["import", path]).output().unwrap();
+    let told = String::from_utf8(told.stderr).unwrap();
+    assert!(told.contains("3 short pieces are removed"), "{told}");
+    let join = told.split("such as --join ").nth(1).unwrap().trim();
+    let plate = &json(&["import", path, "--join", join])["parts"][0];
+    assert!((plate["area"].as_f64().unwrap() - (5000.0 - 0.64)).abs() < 1e-9);
+}
+
 /// Two rooms that share a wall, drawn as seven lines, with a pillar in one: nobody can tell which loops are meant.
 #[test]
 fn faces_are_listed_and_picked() {

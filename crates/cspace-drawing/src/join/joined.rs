@@ -62,6 +62,8 @@ pub(crate) struct Joined<'d> {
     pub(crate) merged: usize,
     /// How many pieces had no length, or less than would be joined.
     pub(crate) tiny: usize,
+    /// The extent of the largest of them, 0 if none has any.
+    pub(crate) largest_removed: f64,
     /// The entities of chains that are not closed.
     pub(crate) unused: Vec<u32>,
     /// Chains that are not closed, and ends that may be joined in several ways.

@@ -21,7 +21,7 @@ use pieces::Pieces;
 pub(crate) fn join(drawing: &Drawing, size: f64, join: f64) -> Joined<'_> {
     let mut joined = Joined::default();
     let mut pieces = Pieces::new(drawing, size);
-    joined.tiny = pieces.remove_tiny(ROUND * size, join);
+    (joined.tiny, joined.largest_removed) = pieces.remove_tiny(ROUND * size, join);
     // A profile that is measured may touch itself by its scatter.
     if !drawing.is_measured {
         overlaps::merge(&mut pieces, ROUND * size, &mut joined);

@@ -100,10 +100,11 @@ impl<'d> Pieces<'d> {
         Self { segments }
     }
 
-    /// Removes pieces of no extent, and loose ones within the distance at which ends are joined; says how many. The ends that
-    /// were joined to them are joined.
-    pub(super) fn remove_tiny(&mut self, none: f64, join: f64) -> usize {
+    /// Removes pieces of no extent, and loose ones within the distance at which ends are joined; says how many, and the extent
+    /// of the largest that has one. The ends that were joined to them are joined.
+    pub(super) fn remove_tiny(&mut self, none: f64, join: f64) -> (usize, f64) {
         let mut removed = 0;
+        let mut largest: f64 = 0.0;
         for i in 0..self.segments.len() {
             let segment = &self.segments[i];
             let is_loose = segment.links == [None; 2];
@@ -116,6 +117,9 @@ impl<'d> Pieces<'d> {
                 continue;
             }
             removed += 1;
+            if extent > none {
+                largest = largest.max(extent);
+            }
             let [before, after] = segment.links;
             self.segments[i].is_removed = true;
             match (before, after) {
@@ -130,7 +134,7 @@ impl<'d> Pieces<'d> {
                 }
             }
         }
-        removed
+        (removed, largest)
     }
 
     pub(super) fn point(&self, end: End) -> Point {

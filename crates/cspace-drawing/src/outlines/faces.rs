@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use cspace::part::Bounds;
-use cspace::{Edge, Part, Point, Vertex};
+use cspace::{Edge, Part, PartError, Point, Vertex};
 
 use super::making::{Making, checked};
 use super::names::names;
@@ -31,6 +31,8 @@ pub struct DrawnFace {
     pub bounds: Bounds,
     /// The outer boundary, then those of what lies within; material on the left.
     pub loops: Vec<Vec<Vertex>>,
+    /// Why the face alone is no part, such as that its boundary touches itself; it may be one together with others.
+    pub refusal: Option<PartError>,
 }
 
 /// The faces of a drawing.
@@ -106,13 +108,15 @@ impl Making<'_> {
         let faces = &divided.faces;
         let count = faces.faces.len();
         let listed = (0..count.min(MOST_LISTED)).filter_map(|face| {
+            let loops: Vec<Vec<Vertex>> = (around(faces, face).iter())
+                .map(|l| l.iter().map(vertex).collect())
+                .collect();
             Some(DrawnFace {
                 inside: in_few_digits(faces, face, faces.inside(face)?),
                 area: faces.faces[face].area,
                 bounds: faces.bounds(face),
-                loops: (around(faces, face).iter())
-                    .map(|l| l.iter().map(vertex).collect())
-                    .collect(),
+                refusal: self.refusal(&loops),
+                loops,
             })
         });
         Ok(DrawnFaces {
@@ -120,6 +124,24 @@ impl Making<'_> {
             count,
             curves: divided.curves,
         })
+    }
+
+    /// Why loops are no part, also without the tips of their cusps.
+    fn refusal(&self, loops: &[Vec<Vertex>]) -> Option<PartError> {
+        let mut blunted = Vec::with_capacity(loops.len());
+        for vertices in loops {
+            let mut outline = Outline {
+                vertices: vertices.clone(),
+                entities: vec![0; vertices.len()],
+                ..Outline::default()
+            };
+            let fit = self.fit_within(|| Ring::of(vertices).size());
+            if let Err(error) = checked(&mut outline, fit) {
+                return Some(error);
+            }
+            blunted.push(outline.vertices);
+        }
+        Part::new("", blunted).err()
     }
 
     /// The parts of picked faces.
@@ -168,8 +190,14 @@ impl Making<'_> {
             let of: Vec<&Outline> = group.iter().map(|&i| &outlines[i]).collect();
             let loops = of.iter().map(|o| o.vertices.clone()).collect();
             let name = pick.name.clone().unwrap_or(given);
-            let part = Part::new(name, loops).map_err(|error| {
-                DrawingError::Entities(vec![no_part(self.drawing, &error, &of)])
+            let part = Part::new(name.clone(), loops).map_err(|error| {
+                let mut problem = no_part(self.drawing, &error, &of);
+                problem.reason = format!(
+                    "the faces picked for {} are no part: {}",
+                    shown::start(&name),
+                    problem.reason
+                );
+                DrawingError::Entities(vec![problem])
             })?;
             parts.push(part);
         }

@@ -159,6 +159,7 @@ impl<'d> Making<'d> {
             duplicates: self.joined.duplicates,
             merged: self.joined.merged,
             tiny: self.joined.tiny,
+            largest_removed: self.joined.largest_removed,
         }
     }
 

@@ -29,8 +29,10 @@ pub struct Outlines {
     pub duplicates: usize,
     /// How many pieces overlapped others and were made one with them.
     pub merged: usize,
-    /// How many pieces had no length.
+    /// How many pieces had no length, or were removed because ends within [`Settings::join`](crate::Settings::join) are one.
     pub tiny: usize,
+    /// The extent of the largest of them, 0 if none has any.
+    pub largest_removed: f64,
 }
 
 /// What a drawing shows, and what of it cannot be used.

@@ -149,6 +149,13 @@ pub(super) fn read_drawing(
             .with_help(help));
     }
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
+    if settings.join.is_none() && outlines.largest_removed > 0.0 {
+        let note = format!(
+            "{} pieces of at most {:.1e} are removed from the drawing, because ends nearer than 1e-5 of its size are one; if they matter, give a smaller `join`",
+            outlines.tiny, outlines.largest_removed
+        );
+        setting.notes.push(table.error(key, note));
+    }
     (outlines.parts.into_iter().next())
         .ok_or_else(|| table.error(key, "the drawing has no outline"))
 }

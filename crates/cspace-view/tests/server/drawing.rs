@@ -105,6 +105,18 @@ fn picks_that_make_no_model_are_refused() {
     client.get("opened/").fails(404, &["nothing here"]);
 }
 
+/// Two squares that touch at a corner within a circle: what is between them and the circle touches itself there.
+#[test]
+fn faces_that_are_no_part_say_why() {
+    let text = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="-8 -8 16 16" fill="none" stroke="black">
+        <circle r="6"/><path d="M0 0h3v3h-3z"/><path d="M0 0h-3v-3h3z"/></svg>"#;
+    let drawing = from_bytes(text.as_bytes(), Format::Svg, &Source::default()).unwrap();
+    let settings = Settings::default();
+    let found = drawing.reading(&settings).unwrap().faces().unwrap();
+    let refused: Vec<bool> = found.faces.iter().map(|f| f.refusal.is_some()).collect();
+    assert_eq!(refused, [true, false, false]);
+}
+
 #[test]
 fn the_model_is_opened_below_the_drawing() {
     let client = client();

@@ -48,7 +48,7 @@ impl Choice {
             ),
             n => format!("{file}: {n} faces are closed; the largest:"),
         });
-        for face in faces.iter().take(MOST) {
+        for face in faces.iter().filter(|f| f.refusal.is_none()).take(MOST) {
             let [lo, hi] = [face.bounds.min, face.bounds.max];
             list(format_args!(
                 "--pick {},{}  area {}, x {} to {}, y {} to {}",
@@ -72,7 +72,7 @@ impl Choice {
                 count(self.parts, "part", "parts")
             ));
         }
-        if !self.faces.faces.is_empty() {
+        if self.faces.faces.iter().any(|f| f.refusal.is_none()) {
             ways.push(
                 "make a part of a face with --pick X,Y, once for each part (several faces of one part: --pick 'X,Y;X,Y'), or click the faces in `cspace view DRAWING`".to_owned(),
             );

@@ -12,7 +12,7 @@ use cspace::{Mechanism, Part, PartEntry};
 use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings};
 use cspace_io::model;
 
-use crate::args::{Format, ImportArgs, Side};
+use crate::args::{DrawingArgs, Format, ImportArgs, Side};
 use crate::drawing;
 use crate::failure::{self, Failure};
 use crate::output;
@@ -33,6 +33,20 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     for (path, drawing) in args.drawings.iter().zip(drawings) {
         let scale = drawing::factor(&args.drawing, path, &drawing, unit.as_deref());
         let mut outlines = outlines(args, path, &drawing, scale)?;
+        if args.drawing.join.is_none() && outlines.largest_removed > 0.0 {
+            failure::warning(
+                format_args!(
+                    "{}: {} removed, because ends nearer than 1e-5 of the drawing's size are one; the largest is {:.1e} long",
+                    path.display(),
+                    crate::wording::count(outlines.tiny, "short piece is", "short pieces are"),
+                    outlines.largest_removed
+                ),
+                format_args!(
+                    "if they matter, give a smaller --join, such as --join {:.0e}",
+                    0.1 * outlines.largest_removed
+                ),
+            );
+        }
         if let Some(by) = args.offset {
             offsets::apply(args, path, &mut outlines, by)?;
         }
@@ -74,8 +88,12 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     if !args.trace {
         let files = args.drawings.iter().map(|d| quoted(d));
         let files = files.collect::<Vec<_>>().join(" ");
+        let options = drawing::options(&DrawingArgs {
+            fit: None,
+            ..args.drawing.clone()
+        });
         traces::tell(&mechanism, |fit| {
-            format!("cspace import {files} --trace --fit {fit} -o {OTHER}")
+            format!("cspace import {files}{options} --trace --fit {fit} -o {OTHER}")
         });
     }
     let report = report::Report::new(&mechanism, &imported);

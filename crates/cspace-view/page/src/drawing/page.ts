@@ -6,12 +6,15 @@ import { length, short } from "../ui/numbers.js";
 import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
 import { ask } from "../ui/server.js";
+import type { SceneVertex } from "../scene.js";
 import { followTheme } from "../ui/theme.js";
 import { Viewport } from "../ui/viewport.js";
 import { NOTHING, clicked, fragment, fromFragment, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
 import type { Picks } from "./picks.js";
 import type { DrawingScene } from "./scene.js";
 
+/** A page draws with single precision: paths are about the drawing's middle, and its largest side is so long. */
+const DRAWN_SIZE = 1000;
 /** A pointer that moves farther between down and up pans, and does not click (pixels). */
 const CLICK = 4;
 
@@ -23,12 +26,14 @@ export function openDrawing(scene: DrawingScene): void {
     return `${short(sum)}${scene.unit ? ` ${scene.unit}²` : ""}`;
   };
   let picks: Picks = NOTHING;
+  /** Whether clicks add faces to the selected part without Shift. */
+  let adding = false;
 
   say(byId("model-name"), scene.name || "cspace");
   document.title = `${scene.name} – cspace`;
   const listed = scene.faces.length;
   const faces = (n: number) => `${n} ${n === 1 ? "face" : "faces"}`;
-  say(byId("face-count"), scene.count > listed ? `the ${faces(listed)} that are largest, of ${scene.count}` : faces(listed));
+  say(byId("face-count"), scene.count > listed ? `the largest ${listed} of ${scene.count} faces` : faces(listed));
 
   const tell = (message: string | null) => showMessage(message, () => tell(null));
   const failed = (error: unknown) => tell(error instanceof Error ? error.message : String(error));
@@ -46,7 +51,13 @@ export function openDrawing(scene: DrawingScene): void {
     },
   });
   viewport.unit = scene.unit ?? "";
-  const click = (face: number, joins: boolean) => change(joins ? joined(picks, face) : clicked(picks, face));
+  const click = (face: number, withShift: boolean) => {
+    const to = withShift || adding ? joined(picks, face) : clicked(picks, face);
+    const refusal = scene.faces[face]?.refusal;
+    const isAlone = to.parts.some((p) => p.faces.length === 1 && p.faces[0] === face);
+    if (refusal && isAlone && partOf(picks, face) < 0) tell(`This face alone is no part (${refusal}). Add it to another part.`);
+    else change(to);
+  };
   viewport.svg.addEventListener("pointerup", (event) => {
     const at = down;
     down = null;
@@ -54,7 +65,8 @@ export function openDrawing(scene: DrawingScene): void {
   });
   const hover = (face: number) => {
     const of = scene.faces[face];
-    say(byId("hovered"), of ? `face at ${of.inside.x}, ${of.inside.y}: area ${area([face])}` : "");
+    const alone = of?.refusal ? `; alone it is no part: ${of.refusal}` : "";
+    say(byId("hovered"), of ? `face at ${of.inside.x}, ${of.inside.y}: area ${area([face])}${alone}` : "");
   };
   viewport.svg.addEventListener("pointerover", (event) => hover(faceOf(event.target)));
   viewport.svg.addEventListener("focusin", (event) => hover(faceOf(event.target)));
@@ -64,11 +76,16 @@ export function openDrawing(scene: DrawingScene): void {
     event.preventDefault();
     click(face, event.shiftKey);
   });
+  const box = boxOf(scene.curves);
+  const middle = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
+  const unit = (extent(scene) || 1) / DRAWN_SIZE;
+  const local = (loops: readonly SceneVertex[][]) =>
+    loops.map((loop) => loop.map(({ x, y, bulge }) => ({ x: (x - middle.x) / unit, y: (y - middle.y) / unit, bulge })));
   const paths = scene.faces.map((face, i) =>
-    svg("path", { class: "face", "data-face": i, d: outlinePath(face.loops), tabindex: 0, role: "button", "aria-label": `face ${i + 1}, area ${area([i])}` }),
+    svg("path", { class: "face", "data-face": i, d: outlinePath(local(face.loops)), tabindex: 0, role: "button", "aria-label": `face ${i + 1}, area ${area([i])}` }),
   );
-  const drawn = svg("path", { class: "drawn", d: scene.curves.map(curvePath).join("") });
-  viewport.world.append(...paths, drawn);
+  const drawn = svg("path", { class: "drawn", d: local(scene.curves).map(curvePath).join("") });
+  viewport.world.append(svg("g", { transform: `translate(${middle.x} ${middle.y}) scale(${unit})` }, ...paths, drawn));
   viewport.fit(boxOf(scene.curves));
 
   // The parts, and what can be done with them.
@@ -87,9 +104,14 @@ export function openDrawing(scene: DrawingScene): void {
     return b;
   };
   button("Fit", "Show everything", () => viewport.fit(boxOf(scene.curves)));
+  const add: HTMLButtonElement = button("Add faces", "Clicks add faces to the selected part, or take them out again, as with Shift", () => {
+    adding = !adding;
+    set(add, { "aria-pressed": String(adding) });
+  });
+  set(add, { "aria-pressed": "false" });
   const clear = button("Clear", "Take all parts back", () => change(NOTHING));
   const saving = button("Save model", "Save the parts as a model (TOML)", save);
-  const opening = button("Open", "Show the parts and their configuration spaces", open);
+  const opening = button("Open", "Show two parts or more, and their configuration spaces", open);
 
   function change(to: Picks): void {
     picks = to;
@@ -103,13 +125,14 @@ export function openDrawing(scene: DrawingScene): void {
       const part = partOf(picks, i);
       const colour = part < 0 ? null : regionColour(part);
       set(path, {
-        class: part < 0 ? "face" : part === picks.selected ? "face picked selected" : "face picked",
+        class: part < 0 ? (scene.faces[i]?.refusal ? "face refused" : "face") : part === picks.selected ? "face picked selected" : "face picked",
         style: colour && `fill: ${colour}`,
         "aria-pressed": String(part >= 0),
       });
     });
     byId("picked-parts").replaceChildren(...picks.parts.map(row));
-    for (const b of [clear, saving, opening]) b.disabled = picks.parts.length === 0;
+    for (const b of [clear, saving]) b.disabled = picks.parts.length === 0;
+    opening.disabled = picks.parts.length < 2;
     const command = byId("command");
     command.hidden = picks.parts.length === 0;
     sayCommand();
@@ -144,7 +167,12 @@ export function openDrawing(scene: DrawingScene): void {
 
   picks = fromFragment(location.hash, inside);
   draw();
-  if (listed === 0) tell(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), scene.unit)}): check the layers.`);
+  // An address that is typed; the page's own does not come here.
+  window.addEventListener("hashchange", () => {
+    picks = fromFragment(location.hash, inside);
+    draw();
+  });
+  if (listed === 0) tell(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), scene.unit)}): check the layers, and whether something lies far away.`);
 }
 
 function extent(scene: DrawingScene): number {

@@ -29,6 +29,8 @@ export interface SceneFace {
   area: number;
   /** The outer boundary, then those of what lies within. */
   loops: SceneVertex[][];
+  /** Why the face alone is no part; it may be one together with others. */
+  refusal: string | null;
 }
 
 /** The drawing in the page; throws what the user is to read. */

@@ -11,23 +11,27 @@ import { PATIENCE, drawn, load, serve, skip } from "../../tools/harness.js";
 import { binary, run } from "../support/command.js";
 import { downloaded, inBrowser, press, settled } from "./support.js";
 
-/** A frame of 30 by 10 whose sides go beyond its corners, divided at x = 12 and x = 20, with a hole of radius 2 in its left part. */
-function frame(): string {
-  const line = (a: number, b: number, c: number, d: number): string => `0\nLINE\n8\n0\n10\n${a}\n20\n${b}\n11\n${c}\n21\n${d}\n`;
+/**
+ * A frame of 30 by 10 whose sides go beyond its corners, divided at x = 12 and x = 20, with a hole of radius 2 in its left part; its
+ * corner is at (at, at), and a unit is so long.
+ */
+function frame(at = 0, unit = 1): string {
+  const p = (x: number): number => at + unit * x;
+  const line = (a: number, b: number, c: number, d: number): string => `0\nLINE\n8\n0\n10\n${p(a)}\n20\n${p(b)}\n11\n${p(c)}\n21\n${p(d)}\n`;
   const lines = [
     line(-3, 0, 33, 0),
     line(-3, 10, 33, 10),
     ...[0, 12, 20, 30].map((x) => line(x, -3, x, 13)),
   ];
-  return `0\nSECTION\n2\nENTITIES\n${lines.join("")}0\nCIRCLE\n8\n0\n10\n6\n20\n5\n40\n2\n0\nENDSEC\n0\nEOF\n`;
+  return `0\nSECTION\n2\nENTITIES\n${lines.join("")}0\nCIRCLE\n8\n0\n10\n${p(6)}\n20\n${p(5)}\n40\n${2 * unit}\n0\nENDSEC\n0\nEOF\n`;
 }
 
 describe("the page of a drawing in a browser", { skip }, () => {
   const suite = inBrowser();
 
-  async function opened(more: string[] = []): Promise<{ page: Page; file: string; stop: () => void }> {
+  async function opened(more: string[] = [], text = frame()): Promise<{ page: Page; file: string; stop: () => void }> {
     const file = join(suite.folder, "frame.dxf");
-    writeFileSync(file, frame());
+    writeFileSync(file, text);
     const server = await serve(file, more);
     suite.opened = await load(suite.browser, server.address);
     await settled(suite.opened.page);
@@ -40,8 +44,8 @@ describe("the page of a drawing in a browser", { skip }, () => {
 
   /** Clicks the face of which a point in the drawing is. */
   async function click(page: Page, x: number, y: number): Promise<void> {
-    const at = await page.$eval("path.drawn", (e, x, y) => {
-      const p = new DOMPoint(x, y).matrixTransform((e as SVGPathElement).getScreenCTM() ?? undefined);
+    const at = await page.$eval("svg.viewport > g", (e, x, y) => {
+      const p = new DOMPoint(x, y).matrixTransform((e as SVGGElement).getScreenCTM() ?? undefined);
       return [p.x, p.y] as [number, number];
     }, x, y);
     await page.mouse.click(...at);
@@ -74,6 +78,33 @@ describe("the page of a drawing in a browser", { skip }, () => {
       assert.deepEqual(await parts(page), ["1 face, 100", "1 face, 107.434"]);
       await press(page, "Clear");
       assert.deepEqual(await parts(page), []);
+    } finally {
+      stop();
+    }
+  });
+
+  it("picks what is under the pointer far from the origin, and of any size", async () => {
+    for (const [at, unit] of [[5e6, 1], [3e8, 10], [0, 1e-5], [1e3, 1e-3]] as const) {
+      const { page, stop } = await opened([], frame(at, unit));
+      try {
+        for (const [x, y] of [[25, 5], [6, 5], [1, 5], [16, 5]] as const) await click(page, at + unit * x, at + unit * y);
+        const areas = (await parts(page)).map((text) => Number(text.split(", ")[1]) / (unit * unit));
+        [100, 4 * Math.PI, 120 - 4 * Math.PI, 80].forEach((area, i) => assert.ok(Math.abs((areas[i] ?? 0) / area - 1) < 1e-3, `${at}, ${unit}: ${areas.join(", ")}`));
+      } finally {
+        stop();
+        await suite.opened?.page.close();
+      }
+    }
+    suite.opened = null;
+  });
+
+  it("adds faces without Shift where that is switched on", async () => {
+    const { page, stop } = await opened();
+    try {
+      await click(page, 25, 5);
+      await press(page, "Add faces");
+      await click(page, 16, 5);
+      assert.deepEqual(await parts(page), ["2 faces, 180"]);
     } finally {
       stop();
     }
