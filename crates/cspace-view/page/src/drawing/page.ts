@@ -13,7 +13,7 @@ import { NOTHING, clicked, fragment, fromFragment, joined, options, partOf, remo
 import type { Picks } from "./picks.js";
 import type { DrawingScene } from "./scene.js";
 
-/** A page draws with single precision: paths are about the drawing's middle, and its largest side is so long. */
+/** Browsers draw with single precision: paths are about the drawing's middle, and its largest side is so long. */
 const DRAWN_SIZE = 1000;
 /** A pointer that moves farther between down and up pans, and does not click (pixels). */
 const CLICK = 4;
@@ -85,7 +85,12 @@ export function openDrawing(scene: DrawingScene): void {
     svg("path", { class: "face", "data-face": i, d: outlinePath(local(face.loops)), tabindex: 0, role: "button", "aria-label": `face ${i + 1}, area ${area([i])}` }),
   );
   const drawn = svg("path", { class: "drawn", d: local(scene.curves).map(curvePath).join("") });
-  viewport.world.append(svg("g", { transform: `translate(${middle.x} ${middle.y}) scale(${unit})` }, ...paths, drawn));
+  const group = svg("g", { class: "drawing", "data-x": middle.x, "data-y": middle.y, "data-unit": unit }, ...paths, drawn);
+  viewport.world.after(group);
+  viewport.onView = () => {
+    const at = viewport.toScreen(middle);
+    set(group, { transform: `matrix(${unit / viewport.pixel.x} 0 0 ${-unit / viewport.pixel.y} ${at.x} ${at.y})` });
+  };
   viewport.fit(boxOf(scene.curves));
 
   // The parts, and what can be done with them.
