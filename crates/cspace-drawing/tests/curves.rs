@@ -412,3 +412,78 @@ fn traces_become_few_pieces() {
     assert!(off <= said.fit, "{off} of {said:?}");
     assert!(Traced::of(part).is_none());
 }
+
+/// A leaf drawn once and used turned, in other sizes, mirrored and alone: each copy keeps its ends, and is within its own tolerance of the
+/// curve that it is fitted to.
+#[test]
+fn copies_of_a_symbol_are_fitted_as_the_symbol() {
+    // Places as (a, b) of z ↦ a z + b, or of the mirror image.
+    let places: [(f64, f64, f64, f64, bool); 6] = [
+        (0.0, 1.0, 20.0, 20.0, false),
+        (30.0, 1.0, 60.0, 20.0, false),
+        (90.0, 0.25, 20.0, 60.0, false),
+        (137.0, 1.5, 60.0, 60.0, false),
+        (0.0, 1.0, 30.0, 85.0, true),
+        (200.0, 0.5, 85.0, 90.0, true),
+    ];
+    let uses: String = (places.iter())
+        .map(|(turn, scale, x, y, is_mirrored)| {
+            let y_scale = if *is_mirrored { -scale } else { *scale };
+            format!("<use href=\"#leaf\" transform=\"translate({x} {y}) rotate({turn}) scale({scale} {y_scale})\"/>")
+        })
+        .collect();
+    let text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\" fill=\"none\" stroke=\"black\">\
+         <defs><path id=\"leaf\" d=\"M0 0C5 -8 15 -8 20 0L10 12Z\"/></defs>{uses}</svg>"
+    );
+    let drawing = from_bytes(text.as_bytes(), Format::Svg, &Source::default()).unwrap();
+    let made = drawing.outlines(&Settings::default()).unwrap();
+    assert_eq!(made.parts.len(), places.len());
+    for (turn, scale, x, y, is_mirrored) in places {
+        let (sin, cos) = turn.to_radians().sin_cos();
+        // The y axis of a page points down.
+        let place = |p: Point| {
+            let q = Point::new(
+                scale * p.x,
+                if is_mirrored {
+                    -scale * p.y
+                } else {
+                    scale * p.y
+                },
+            );
+            Point::new(
+                x + cos * q.x - sin * q.y,
+                100.0 - (y + sin * q.x + cos * q.y),
+            )
+        };
+        let ends = [(0.0, 0.0), (20.0, 0.0), (10.0, 12.0)].map(|p| place(p.into()));
+        let part = (made.parts.iter())
+            .find(|part| part.edges().any(|e| e.start.distance(ends[0]) < 1e-9))
+            .unwrap();
+        for end in ends {
+            assert!(
+                part.edges().any(|e| e.start.distance(end) < 1e-12),
+                "{turn}"
+            );
+        }
+        // 84 between the curve and its chord, 120 below it.
+        assert!(
+            (part.area() / (scale * scale) - 204.0).abs() < 0.1,
+            "{turn}"
+        );
+        let fit = 1e-4 * part.size();
+        for k in 0..=100 {
+            let t = f64::from(k) / 100.0;
+            let s = 1.0 - t;
+            let on = Point::new(
+                15.0 * t * s * s + 45.0 * t * t * s + 20.0 * t * t * t,
+                -24.0 * t * s,
+            );
+            let off = part
+                .edges()
+                .map(|e| e.distance(place(on)))
+                .fold(f64::INFINITY, f64::min);
+            assert!(off <= fit, "{turn}: off by {off:e} at {t}");
+        }
+    }
+}

@@ -70,6 +70,17 @@ impl Curve {
         }
     }
 
+    /// Numbers that no turn, shift or change of size alters, and points that go along: together they determine the curve.
+    pub(crate) fn form(&self) -> (Vec<f64>, Vec<Point>) {
+        match self {
+            Self::Ellipse(e) => (
+                vec![e.from, e.to],
+                vec![e.center, e.center + e.u, e.center + e.v],
+            ),
+            Self::Spline(spline) => spline.form(),
+        }
+    }
+
     /// The same curve from its end to its start.
     #[must_use]
     pub fn reversed(&self) -> Self {

@@ -138,6 +138,19 @@ impl Spline {
         (point, velocity * (hi - lo))
     }
 
+    /// Knots and weights, and the control points.
+    pub(super) fn form(&self) -> (Vec<f64>, Vec<Point>) {
+        let weights = self.control.iter().map(|c| c[2]);
+        let points = self
+            .control
+            .iter()
+            .map(|&[x, y, w]| Point::new(x / w, y / w));
+        (
+            self.knots.iter().copied().chain(weights).collect(),
+            points.collect(),
+        )
+    }
+
     pub(super) fn mapped(&self, map: &Affine) -> Self {
         let mapped = |&[x, y, w]: &[f64; 3]| {
             let p = map.point(Point::new(x / w, y / w));

@@ -3,8 +3,9 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
+use super::copies::Copies;
 use crate::fit::{NotFitted, Outline, Sided};
-use crate::join::Chain;
+use crate::join::{Chain, Shape};
 
 /// What a fit depends on in one drawing, joined in one way: the chain, a line that closes it counted, and the tolerance.
 #[derive(PartialEq, Eq, Hash)]
@@ -17,10 +18,13 @@ struct Key {
 
 /// The fits of the chains of a drawing.
 #[derive(Default)]
-pub(super) struct Fits(RefCell<HashMap<Key, Result<Outline, NotFitted>>>);
+pub(super) struct Fits {
+    known: RefCell<HashMap<Key, Result<Outline, NotFitted>>>,
+    copies: RefCell<Copies>,
+}
 
 impl Fits {
-    /// The fit of a chain: as found before, or now.
+    /// The fit of a chain: as found before, of it or of a copy, or now.
     pub(super) fn of(
         &self,
         chain: &Chain<'_>,
@@ -34,11 +38,30 @@ impl Fits {
             fit: fit.to_bits(),
             sided,
         };
-        if let Some(known) = self.0.borrow().get(&key) {
+        if let Some(known) = self.known.borrow().get(&key) {
             return known.clone();
         }
-        let found = find();
-        self.0.borrow_mut().insert(key, found.clone());
+        let has_curves = chain
+            .pieces
+            .iter()
+            .any(|p| matches!(p.shape, Shape::Curve(_)));
+        let copied = match has_curves {
+            true => self.copies.borrow().of(chain, fit, sided),
+            false => None,
+        };
+        let found = match copied {
+            Some(outline) => Ok(outline),
+            None => {
+                let found = find();
+                if let Ok(outline) = &found
+                    && has_curves
+                {
+                    self.copies.borrow_mut().keep(chain, fit, sided, outline);
+                }
+                found
+            }
+        };
+        self.known.borrow_mut().insert(key, found.clone());
         found
     }
 }

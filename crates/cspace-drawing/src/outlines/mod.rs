@@ -1,6 +1,7 @@
 //! Parts from drawings.
 
 mod blunt;
+mod copies;
 mod crossing;
 mod faces;
 mod fits;
