@@ -439,6 +439,16 @@ fn copies_of_a_symbol_are_fitted_as_the_symbol() {
     let drawing = from_bytes(text.as_bytes(), Format::Svg, &Source::default()).unwrap();
     let made = drawing.outlines(&Settings::default()).unwrap();
     assert_eq!(made.parts.len(), places.len());
+    // A quarter turn and a quarter of the size have the tolerance of the first to the last bit, and are not fitted again: the bulges
+    // are those of the first.
+    let bulges = |at: (f64, f64)| {
+        let is_there = |part: &&Part| part.edges().any(|e| e.start.distance(at.into()) < 1e-9);
+        let part = made.parts.iter().find(is_there).unwrap();
+        let mut bulges: Vec<u64> = part.edges().map(|e| e.bulge.to_bits()).collect();
+        bulges.sort_unstable();
+        bulges
+    };
+    assert_eq!(bulges((20.0, 80.0)), bulges((20.0, 40.0)));
     for (turn, scale, x, y, is_mirrored) in places {
         let (sin, cos) = turn.to_radians().sin_cos();
         // The y axis of a page points down.

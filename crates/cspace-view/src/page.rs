@@ -74,6 +74,19 @@ impl PageError {
     }
 }
 
+impl Pages {
+    /// The pages that were bundled.
+    ///
+    /// # Errors
+    /// If they were not, for want of Node.
+    pub fn bundled() -> Result<Self, PageError> {
+        // Without a bundle there is neither.
+        let model = Page::bundled()?;
+        let drawing = Page::new(DRAWING, STYLE, DRAWING_SCRIPT)?;
+        Ok(Self { drawing, model })
+    }
+}
+
 impl Page {
     /// The page that was bundled.
     ///
@@ -84,17 +97,6 @@ impl Page {
             return Err(PageError::NotBundled { reason: REASON });
         }
         Self::new(INDEX, STYLE, SCRIPT)
-    }
-
-    /// The page of a drawing that was bundled.
-    ///
-    /// # Errors
-    /// If it was not, for want of Node.
-    pub fn bundled_for_drawings() -> Result<Self, PageError> {
-        if !REASON.is_empty() {
-            return Err(PageError::NotBundled { reason: REASON });
-        }
-        Self::new(DRAWING, STYLE, DRAWING_SCRIPT)
     }
 
     /// A page of an HTML template, with one place each for style, scene and script, of a style and a script.

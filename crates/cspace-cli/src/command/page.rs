@@ -12,14 +12,9 @@ use crate::interrupt;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
-/// The page that was bundled with the program.
-pub(super) fn bundled() -> Result<Page, Failure> {
-    Page::bundled().map_err(|e: PageError| Failure::work(&e).help(e.help()))
-}
-
-/// The page of a drawing that was bundled with the program.
-pub(super) fn bundled_for_drawings() -> Result<Page, Failure> {
-    Page::bundled_for_drawings().map_err(|e: PageError| Failure::work(&e).help(e.help()))
+/// What was bundled with the program: [`Page::bundled`], or the pages of a drawing.
+pub(super) fn bundled<T>(found: Result<T, PageError>) -> Result<T, Failure> {
+    found.map_err(|e| Failure::work(&e).help(e.help()))
 }
 
 /// What is shown of a subject: these of its pairs.
@@ -39,7 +34,7 @@ pub(super) fn entries(chosen: &[Chosen<'_>]) -> Vec<PairEntry> {
 /// warning; it is a failure if none can.
 pub(super) fn file(args: &ExportArgs) -> Result<Vec<u8>, Failure> {
     let common = &args.common;
-    let page = bundled()?;
+    let page = bundled(Page::bundled())?;
     let subject = Subject::open(common)?;
     // Before anything is computed.
     for record in &args.with {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 
 use cspace::{Part, Point};
 
+use super::settings::{DEFAULT_JOIN, Settings};
 use crate::drawing::{Entity, Ignored, Problem};
 use crate::fit::Outline;
 use crate::unit::Unit;
@@ -33,6 +34,21 @@ pub struct Outlines {
     pub tiny: usize,
     /// The extent of the largest of them, 0 if none has any.
     pub largest_removed: f64,
+}
+
+impl Outlines {
+    /// That short pieces were removed because ends near to each other are one by default, and how long they are; `None` if none
+    /// has any extent, or it was said which ends are one.
+    pub fn short_pieces(&self, settings: &Settings) -> Option<String> {
+        (settings.join.is_none() && self.largest_removed > 0.0).then(|| {
+            format!(
+                "{} short {} removed, because ends nearer than {DEFAULT_JOIN:e} of the drawing's size are one; the largest is {:.1e} long",
+                self.tiny,
+                if self.tiny == 1 { "piece is" } else { "pieces are" },
+                self.largest_removed
+            )
+        })
+    }
 }
 
 /// What a drawing shows, and what of it cannot be used.

@@ -149,11 +149,8 @@ pub(super) fn read_drawing(
             .with_help(help));
     }
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
-    if settings.join.is_none() && outlines.largest_removed > 0.0 {
-        let note = format!(
-            "{} pieces of at most {:.1e} are removed from the drawing, because ends nearer than 1e-5 of its size are one; if they matter, give a smaller `join`",
-            outlines.tiny, outlines.largest_removed
-        );
+    if let Some(note) = outlines.short_pieces(&settings) {
+        let note = format!("{note}; if they matter, give a smaller `join`");
         setting.notes.push(table.error(key, note));
     }
     (outlines.parts.into_iter().next())

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use super::ServeError;
 use super::reply::{Fault, json, of_type};
-use super::routes::{self, apart, html, nothing_here, other_method, parsed};
+use super::routes::{self, apart, html, nothing_here, parsed};
 use super::work::{Work, toml};
 use crate::drawing::{OpenedDrawing, PickedPart};
 use crate::html::Place;
@@ -92,7 +92,7 @@ impl Choice {
 pub(super) fn router(base: &str, choice: Choice) -> Router {
     let at = |path: &str| format!("{base}{path}");
     let below = at(OPENED);
-    Router::new()
+    let router = Router::new()
         .route(&at(""), get(page))
         .route(&at("model"), post(model))
         .route(
@@ -107,10 +107,8 @@ pub(super) fn router(base: &str, choice: Choice) -> Router {
             }),
         )
         .route(&at(OPENED), any(opened))
-        .route(&at(&format!("{OPENED}{{*rest}}")), any(opened))
-        .method_not_allowed_fallback(async || other_method())
-        .fallback(async || nothing_here())
-        .with_state(Arc::new(choice))
+        .route(&at(&format!("{OPENED}{{*rest}}")), any(opened));
+    routes::complete(router, choice)
 }
 
 async fn page(State(choice): Shared) -> Response {

@@ -28,14 +28,20 @@ type Shared = State<Arc<Work>>;
 /// The routes of a model below a path.
 pub(super) fn router(base: &str, work: Work) -> Router {
     let at = |path: &str| format!("{base}{path}");
-    Router::new()
+    let router = Router::new()
         .route(&at(""), get(page))
         .route(&at("pair/{index}"), get(pair))
         .route(&at("edit"), post(edit))
-        .route(&at("model"), post(model))
+        .route(&at("model"), post(model));
+    complete(router, work)
+}
+
+/// Routes with what is answered where there is none, and the state that they share.
+pub(super) fn complete<S: Send + Sync + 'static>(router: Router<Arc<S>>, state: S) -> Router {
+    router
         .method_not_allowed_fallback(async || other_method())
         .fallback(async || nothing_here())
-        .with_state(Arc::new(work))
+        .with_state(Arc::new(state))
 }
 
 /// Routes that answer only pages of this server.
@@ -43,7 +49,7 @@ pub(super) fn guarded(router: Router, port: u16) -> Router {
     router.layer(from_fn_with_state(Names::of(port), guard))
 }
 
-pub(super) fn other_method() -> Fault {
+fn other_method() -> Fault {
     Fault::new(
         StatusCode::METHOD_NOT_ALLOWED,
         "this is not done by that method",

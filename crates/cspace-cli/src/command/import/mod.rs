@@ -33,14 +33,9 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     for (path, drawing) in args.drawings.iter().zip(drawings) {
         let scale = drawing::factor(&args.drawing, path, &drawing, unit.as_deref());
         let mut outlines = outlines(args, path, &drawing, scale)?;
-        if args.drawing.join.is_none() && outlines.largest_removed > 0.0 {
+        if let Some(note) = outlines.short_pieces(&drawing::settings(&args.drawing, scale)) {
             failure::warning(
-                format_args!(
-                    "{}: {} removed, because ends nearer than 1e-5 of the drawing's size are one; the largest is {:.1e} long",
-                    path.display(),
-                    crate::wording::count(outlines.tiny, "short piece is", "short pieces are"),
-                    outlines.largest_removed
-                ),
+                format_args!("{}: {note}", path.display()),
                 format_args!(
                     "if they matter, give a smaller --join, such as --join {:.0e}",
                     0.1 * outlines.largest_removed

@@ -13,10 +13,7 @@ use crate::traces::quoted;
 /// A server of the drawing.
 pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
     refuse_options_of_models(args)?;
-    let pages = Pages {
-        drawing: page::bundled_for_drawings()?,
-        model: page::bundled()?,
-    };
+    let pages = page::bundled(Pages::bundled())?;
     let options = &args.drawing;
     let drawn = drawing::read(options, path)?;
     let unit = drawing::of_model(options, std::slice::from_ref(&drawn))?;

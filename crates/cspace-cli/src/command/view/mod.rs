@@ -2,7 +2,7 @@
 
 mod drawing;
 
-use cspace_view::{ServeError, Server};
+use cspace_view::{Page, ServeError, Server};
 
 use super::page;
 use crate::args::ViewArgs;
@@ -24,7 +24,7 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
             )),
         );
     }
-    let page = page::bundled()?;
+    let page = page::bundled(Page::bundled())?;
     let common = args.common();
     let subject = Subject::open(&common)?;
     subject.warn();

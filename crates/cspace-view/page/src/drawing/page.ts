@@ -121,8 +121,12 @@ export function openDrawing(scene: DrawingScene): void {
   function change(to: Picks): void {
     picks = to;
     tell(null);
-    history.replaceState(null, "", `#${fragment(picks, inside)}`);
+    writeAddress();
     draw();
+  }
+
+  function writeAddress(): void {
+    history.replaceState(null, "", `#${fragment(picks, inside)}`);
   }
 
   function draw(): void {
@@ -138,8 +142,7 @@ export function openDrawing(scene: DrawingScene): void {
     byId("picked-parts").replaceChildren(...picks.parts.map(row));
     for (const b of [clear, saving]) b.disabled = picks.parts.length === 0;
     opening.disabled = picks.parts.length < 2;
-    const command = byId("command");
-    command.hidden = picks.parts.length === 0;
+    byId("command").hidden = picks.parts.length === 0;
     sayCommand();
   }
 
@@ -154,7 +157,7 @@ export function openDrawing(scene: DrawingScene): void {
     // The row stays while its name is typed.
     name.addEventListener("input", () => {
       picks = renamed(picks, index, name.value);
-      history.replaceState(null, "", `#${fragment(picks, inside)}`);
+      writeAddress();
       sayCommand();
     });
     name.addEventListener("focus", () => {
@@ -170,13 +173,13 @@ export function openDrawing(scene: DrawingScene): void {
     return html("li", { class: index === picks.selected ? "selected" : "" }, swatch, name, remove, what);
   }
 
-  picks = fromFragment(location.hash, inside);
-  draw();
-  // An address that is typed; the page's own does not come here.
-  window.addEventListener("hashchange", () => {
+  const readAddress = () => {
     picks = fromFragment(location.hash, inside);
     draw();
-  });
+  };
+  readAddress();
+  // An address that is typed; the page's own does not come here.
+  window.addEventListener("hashchange", readAddress);
   if (listed === 0) tell(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), scene.unit)}): check the layers, and whether something lies far away.`);
 }
 
