@@ -6,8 +6,8 @@ use cspace::{Edge, Point};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-/// Places at which edges meet, at most: what crosses itself more often is no drawing of parts.
-const MOST_MEETINGS: usize = 4_000_000;
+/// Maximum number of places at which an edge is cut: curves that cross more often are hatchings, not the edges of parts.
+const MOST_MEETINGS: usize = 400_000;
 
 /// Passes at most. Each cuts what the places of the pass before, moved to their vertices, made cross; the second rarely does.
 const MOST_PASSES: usize = 8;
@@ -109,7 +109,7 @@ pub(crate) fn split(edges: &[Edge], near: f64) -> Result<Arrangement, TooMany> {
     Ok(arrangement)
 }
 
-/// The places at which curves meet, each for both of them.
+/// The places at which curves meet, each for both of them; places that end both curves cut neither and are left out.
 fn meetings(curves: &[Edge], near: f64) -> Result<Vec<(u32, Point)>, TooMany> {
     let boxes = curves.iter().enumerate().map(|(i, curve)| {
         let b = curve.bounds();
@@ -131,7 +131,11 @@ fn meetings(curves: &[Edge], near: f64) -> Result<Vec<(u32, Point)>, TooMany> {
             .collect();
         others.sort_unstable();
         for other in others {
-            for place in curve.meetings(&curves[other as usize], near) {
+            let other_curve = &curves[other as usize];
+            for place in curve.meetings(other_curve, near) {
+                if is_end(curve, place) && is_end(other_curve, place) {
+                    continue;
+                }
                 meetings.extend([(i as u32, place), (other, place)]);
             }
         }
@@ -140,6 +144,10 @@ fn meetings(curves: &[Edge], near: f64) -> Result<Vec<(u32, Point)>, TooMany> {
         }
     }
     Ok(meetings)
+}
+
+fn is_end(curve: &Edge, place: Point) -> bool {
+    curve.start == place || curve.end == place
 }
 
 /// The parts of a piece between its ends and vertices at fractions of it; without those that end where they start.

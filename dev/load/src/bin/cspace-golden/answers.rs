@@ -9,7 +9,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use serde_json::{Value, json};
 
-use crate::items::{Item, Question};
+use crate::items::{Asked, Item, Question};
+use crate::motion::motion;
+use crate::queries::queries;
 
 /// Configurations that are classified of each pair.
 const CONFIGURATIONS: usize = 50;
@@ -27,7 +29,8 @@ impl Answers {
 
 pub(crate) fn answers(item: &Item) -> Answers {
     let question = match &item.what {
-        Ok(question) => question,
+        Ok(Asked::Pair(question)) => question,
+        Ok(Asked::Motion(mechanism)) => return Answers(motion(mechanism)),
         Err(message) => return Answers(json!({ "refused": message })),
     };
     let options = Options {
@@ -45,21 +48,21 @@ pub(crate) fn answers(item: &Item) -> Answers {
         Ok(space) => {
             let mut rng = ChaCha8Rng::seed_from_u64(item.seed);
             json!({
-                "space": without_times(&space),
+                "space": without_statistics(&space),
                 "slices": slices(question, &space, &mut rng),
                 "classes": classes(question, &space, &mut rng),
+                "queries": queries(&space, &mut rng),
             })
         }
     })
 }
 
-/// The saved space without the seconds that it took, and without the checksum, which these go into.
-fn without_times(space: &PairSpace) -> Value {
+/// The saved space without its statistics (seconds, and how often something was computed), and without the checksum, which
+/// these go into.
+fn without_statistics(space: &PairSpace) -> Value {
     let mut value: Value = serde_json::from_str(&saved::pair_to_json(space)).unwrap_or(Value::Null);
-    if let Some(statistics) = value.get_mut("statistics").and_then(Value::as_object_mut) {
-        statistics.remove("seconds");
-    }
     if let Some(fields) = value.as_object_mut() {
+        fields.remove("statistics");
         fields.remove("checksum");
     }
     value

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use cspace::Mechanism;
 use cspace::{Axis, Part, Point, Relation, Vector};
+use cspace::{Dynamics, Mechanism};
 use cspace_io::Document;
 use cspace_load::Source;
 use rand::Rng;
@@ -16,9 +16,16 @@ const LARGEST: usize = 40_000;
 /// A pair, or what could not be read.
 pub(crate) struct Item {
     pub(crate) name: String,
-    pub(crate) what: Result<Question, String>,
+    pub(crate) what: Result<Asked, String>,
     /// For the random numbers of its questions.
     pub(crate) seed: u64,
+}
+
+/// What is asked for.
+pub(crate) enum Asked {
+    Pair(Question),
+    /// The motion of a whole mechanism.
+    Motion(Box<Mechanism>),
 }
 
 /// A pair and how it is computed.
@@ -76,17 +83,29 @@ fn of_file(root: &Path, path: &Path, all: &mut Vec<Item>) {
             return;
         }
     };
+    if moves(&model) {
+        all.push(Item {
+            name: format!("{short} motion"),
+            what: Ok(Asked::Motion(model.clone())),
+            seed: 0,
+        });
+    }
     for (i, pair) in (0..).zip(&model.pairs) {
         let relation = model.relation(pair);
         for (kind, relation) in [("", Some(relation)), (" general", general(relation))] {
             let Some(relation) = relation else { continue };
             all.push(Item {
                 name: format!("{short} {i}{kind}"),
-                what: Ok(question(&model, pair, relation)),
+                what: Ok(Asked::Pair(question(&model, pair, relation))),
                 seed: i,
             });
         }
     }
+}
+
+/// Whether something moves a mechanism.
+fn moves(model: &Mechanism) -> bool {
+    model.dynamics != Dynamics::default()
 }
 
 /// The general method for a pair of another class.
@@ -136,12 +155,12 @@ fn drawn(source: &Source, number: u64) -> Vec<Item> {
     all.into_iter()
         .map(|(kind, relation, window)| Item {
             name: format!("{number}{kind} {}", drawn.name),
-            what: Ok(Question {
+            what: Ok(Asked::Pair(Question {
                 fixed: case.fixed.clone(),
                 moving: case.moving.clone(),
                 relation,
                 window,
-            }),
+            })),
             seed: number,
         })
         .collect()

@@ -10,6 +10,8 @@
 mod answers;
 mod compare;
 mod items;
+mod motion;
+mod queries;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
