@@ -244,7 +244,7 @@ impl MovingPair {
     /// The contact function of a contact and its derivatives by the coordinates of the system: 0 in contact, positive apart,
     /// in the model's unit of length.
     pub fn function(&self, touch: &Touch, system: &System, q: &[f64]) -> Row {
-        let real = |_, x| cspace::Scalar::constant(x);
+        let real = |_, x| cspace::Real::constant(x);
         let fixed = touch.contact.fixed.map(real);
         let moving = touch.contact.moving.map(real);
         system.row([self.fixed, self.moving], q, |a, b| {

@@ -2,7 +2,7 @@
 
 use crate::contact::{EndAngle, EndAt, Seam, Sheet, SheetKind, Spiral, Swing, conditions};
 use crate::geometry::{Point, Vector};
-use crate::number::{Ball, Dd, Jet, Real, Trig, TrigPolynomial};
+use crate::number::{Ball, Dd, Dual, Real, Trig, TrigPolynomial};
 
 /// An orientation and its error, radians.
 pub type Root = (f64, f64);
@@ -134,8 +134,8 @@ fn apply<T: Real>(operation: Operation, a: T, b: T) -> T {
         Operation::Add => a + b,
         Operation::Sub => a - b,
         Operation::Mul => a * b,
-        Operation::Over => a.over(b),
-        Operation::Root => a.root(),
+        Operation::Over => a / b,
+        Operation::Root => a.sqrt(),
     }
 }
 
@@ -154,12 +154,12 @@ pub fn enclose(operation: Operation, a: Enclosure, b: Enclosure) -> Enclosure {
 
 /// The operation on values with derivatives.
 pub fn enclose_jet(operation: Operation, a: [Enclosure; 2], b: [Enclosure; 2]) -> [Enclosure; 2] {
-    let jet = |[value, slope]: [Enclosure; 2]| Jet {
+    let dual = |[value, slope]: [Enclosure; 2]| Dual {
         value: ball(value),
-        slope: ball(slope),
+        slope: [ball(slope)],
     };
-    let Jet { value, slope } = apply(operation, jet(a), jet(b));
-    [parts(value), parts(slope)]
+    let result: Dual<1, Ball> = apply(operation, dual(a), dual(b));
+    [parts(result.value), parts(result.slope[0])]
 }
 
 /// The ball of an interval.
@@ -174,6 +174,6 @@ pub fn sign(a: Enclosure) -> i8 {
 
 /// Cosine and sine of a ball of angles.
 pub fn enclose_cos_sin(angle: Enclosure) -> [Enclosure; 2] {
-    let (cos, sin) = ball(angle).cos_sin();
+    let (sin, cos) = ball(angle).sin_cos();
     [parts(cos), parts(sin)]
 }

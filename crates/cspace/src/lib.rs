@@ -122,7 +122,7 @@ pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
 pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
-pub use number::{Dual, Scalar, SecondOrder};
+pub use number::{Dual, Real, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
     LowerPair, Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion,

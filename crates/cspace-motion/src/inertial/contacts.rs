@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use cspace::{FeatureId, Scalar, TouchingPlace, touching_place};
+use cspace::{FeatureId, Real, TouchingPlace, touching_place};
 
 use crate::contact::{Bound, limits};
 use crate::pairs::Pairs;

@@ -1,7 +1,7 @@
 //! Joints between parts that move as constraints on rates.
 
 use cspace::pair::Joint;
-use cspace::{Placement, Point, Scalar};
+use cspace::{Placement, Point, Real};
 
 use crate::system::{PartCoordinates, System};
 

@@ -10,7 +10,7 @@
 //!
 //! in numbers that carry how they change along the motion: the coefficients r of the rates v come with ṙ, so that (r · v)˙ = r · v̇ + ṙ · v.
 
-use cspace::{AxisMotion, Dual, Scalar};
+use cspace::{AxisMotion, Dual, Real};
 
 use crate::system::PartCoordinates;
 

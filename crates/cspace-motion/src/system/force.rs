@@ -1,7 +1,7 @@
 //! Forces on the coordinates: loads, weights and springs; and dampers, which resist rates.
 
 use cspace::mechanism::{Load, LoadKind, Spring, SpringKind};
-use cspace::{Point, Scalar};
+use cspace::{Point, Real};
 
 use super::coordinates::System;
 use super::layout::{Derived, PartCoordinates, row_of};

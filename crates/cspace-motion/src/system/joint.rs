@@ -1,7 +1,7 @@
 //! Joints as equations between the coordinates of two parts.
 
 use cspace::pair::Joint;
-use cspace::{Point, Scalar};
+use cspace::{Point, Real};
 
 use super::layout::{Derived, PartCoordinates, row_of};
 use super::row::Row;

@@ -1,6 +1,6 @@
 //! Which coordinates say where a part is, and where it then is.
 
-use cspace::{AxisMotion, Dual, Part, Placement, Point, Scalar};
+use cspace::{AxisMotion, Dual, Part, Placement, Point, Real};
 
 use super::row::{MOST, Row};
 
@@ -38,7 +38,7 @@ impl PartCoordinates {
     }
 
     /// Where the part is, from numbers of any kind: `variable` makes one of the coordinate of an index.
-    pub fn placement<T: Scalar>(&self, variable: impl Fn(usize) -> T) -> Placement<T> {
+    pub fn placement<T: Real>(&self, variable: impl Fn(usize) -> T) -> Placement<T> {
         let point = |p: Point| [T::constant(p.x), T::constant(p.y)];
         match *self {
             Self::Fixed => Placement::identity(),

@@ -1,6 +1,6 @@
 //! The energy of a pair in a field of force: weights and springs.
 
-use cspace::{AxisMotion, Point, Scalar, SecondOrder, Vector};
+use cspace::{AxisMotion, Point, Real, SecondOrder, Vector};
 
 use crate::legs::Coords;
 
@@ -66,7 +66,7 @@ pub(super) struct Energy<'a> {
 
 impl Energy<'_> {
     /// Where a point of a body is.
-    pub(super) fn place<T: Scalar>(&self, (on, q): (Body, Point), at: [T; 3]) -> [T; 2] {
+    pub(super) fn place<T: Real>(&self, (on, q): (Body, Point), at: [T; 3]) -> [T; 2] {
         let still = [q.x, q.y].map(T::constant);
         let motion = match (self.motions, on) {
             (_, Body::Ground) | (None, Body::Fixed) => return still,
@@ -93,7 +93,7 @@ impl Energy<'_> {
     }
 
     /// U at coordinates.
-    pub(super) fn of<T: Scalar>(&self, at: [T; 3]) -> T {
+    pub(super) fn of<T: Real>(&self, at: [T; 3]) -> T {
         let mut sum = T::constant(0.0);
         for w in &self.field.weights {
             let p = self.place((w.on, w.at), at);
@@ -213,7 +213,7 @@ impl Energy<'_> {
     }
 }
 
-fn turned<T: Scalar>(arm: Vector, by: T, about: [T; 2]) -> [T; 2] {
+fn turned<T: Real>(arm: Vector, by: T, about: [T; 2]) -> [T; 2] {
     let (sin, cos) = by.sin_cos();
     let (x, y) = (T::constant(arm.x), T::constant(arm.y));
     [about[0] + cos * x - sin * y, about[1] + sin * x + cos * y]

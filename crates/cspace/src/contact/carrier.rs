@@ -68,7 +68,7 @@ impl<T: Real> Carrier<T> {
             }
             Self::Circle { center, radius } => {
                 let e = minus(center, from);
-                let side = radius.rough().signum();
+                let side = radius.value().signum();
                 let s = real(side);
                 Equation {
                     a: (-(s * e.0), -(s * e.1)),
@@ -77,16 +77,6 @@ impl<T: Real> Carrier<T> {
                 }
             }
         }
-    }
-}
-
-/// The absolute value of a radius, whose sign is known.
-#[inline(always)]
-fn size<T: Real>(radius: T) -> T {
-    if radius.rough() < 0.0 {
-        -radius
-    } else {
-        radius
     }
 }
 
@@ -109,7 +99,7 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             },
         ) => {
             let along = (-m.1, m.0);
-            (-dot(n, minus(o, q)).over(dot(n, along)), zero)
+            (-dot(n, minus(o, q)) / dot(n, along), zero)
         }
         (
             Carrier::Line {
@@ -121,8 +111,8 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             let along = (-m.1, m.0);
             let v = minus(center, o);
             let offset = dot(m, v);
-            let r = size(radius);
-            let half = ((r - offset) * (r + offset)).root();
+            let r = radius.abs();
+            let half = ((r - offset) * (r + offset)).sqrt();
             (dot(along, v) + signed(half, root == 1), zero)
         }
         (
@@ -133,8 +123,8 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
             },
         ) => {
             let offset = dot(n, minus(center, q));
-            let r = size(radius);
-            let half = signed(((r - offset) * (r + offset)).root(), root == 1);
+            let r = radius.abs();
+            let half = signed(((r - offset) * (r + offset)).sqrt(), root == 1);
             let foot = (-(n.0 * offset), -(n.1 * offset));
             (foot.0 - n.1 * half, foot.1 + n.0 * half)
         }
@@ -150,13 +140,13 @@ pub(crate) fn place_on<T: Real>(f: &Carrier<T>, g: &Carrier<T>, root: u8, swappe
         ) => {
             let v = minus(c2, c1);
             let square = dot(v, v);
-            let (a1, a2) = (size(r1), size(r2));
+            let (a1, a2) = (r1.abs(), r2.abs());
             let (sum, difference) = (a1 + a2, a1 - a2);
             let product = (sum * sum - square) * (square - difference * difference);
             let twice = T::constant(2.0) * square;
-            let along = (square + sum * difference).over(twice);
+            let along = (square + sum * difference) / twice;
             // Left of the way from the first centre to the second, as seen by the pair as named.
-            let across = signed(product.root().over(twice), (root == 1) != swapped);
+            let across = signed(product.sqrt() / twice, (root == 1) != swapped);
             (v.0 * along - v.1 * across, v.1 * along + v.0 * across)
         }
         (Carrier::FlatArc(_), _) | (_, Carrier::FlatArc(_)) => {

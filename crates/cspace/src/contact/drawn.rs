@@ -24,7 +24,7 @@
 //! however flat an arc is.
 
 use crate::geometry::{Point, Vector};
-use crate::number::Scalar;
+use crate::number::Real;
 
 use super::placement::Placement;
 
@@ -85,27 +85,27 @@ struct Osculating<T> {
     bulge: f64,
 }
 
-fn add<T: Scalar>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+fn add<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] + b[0], a[1] + b[1]]
 }
 
-fn sub<T: Scalar>(a: [T; 2], b: [T; 2]) -> [T; 2] {
+fn sub<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-fn scale<T: Scalar>(a: [T; 2], s: T) -> [T; 2] {
+fn scale<T: Real>(a: [T; 2], s: T) -> [T; 2] {
     [a[0] * s, a[1] * s]
 }
 
-fn dot<T: Scalar>(a: [T; 2], b: [T; 2]) -> T {
+fn dot<T: Real>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
-fn length<T: Scalar>(a: [T; 2]) -> T {
+fn length<T: Real>(a: [T; 2]) -> T {
     dot(a, a).sqrt()
 }
 
-impl<T: Scalar> FeatureShape<T> {
+impl<T: Real> FeatureShape<T> {
     /// The same with each of its numbers made another kind of number; they are counted from 0 as start, end and bulge, or as
     /// the vertex.
     pub fn map<U>(&self, mut f: impl FnMut(usize, T) -> U) -> FeatureShape<U> {
@@ -161,7 +161,7 @@ struct Against<T> {
     moves: bool,
 }
 
-impl<T: Scalar> Against<T> {
+impl<T: Real> Against<T> {
     fn new(
         fixed: &FeatureShape<T>,
         moving: &FeatureShape<T>,
@@ -223,7 +223,7 @@ impl<T: Scalar> Against<T> {
 /// derivatives it gives these too, by the configuration, by the vertices and by the bulges.
 ///
 /// ```
-/// use cspace::{contact_function, Dual, FeatureShape, Placement, Scalar};
+/// use cspace::{contact_function, Dual, FeatureShape, Placement, Real};
 /// let c = |x: f64| Dual::<1>::constant(x);
 /// // A disc of radius 1 about (0, 3) above a line along the x axis, and how the gap grows with the bulge of the line.
 /// let line = FeatureShape::Edge { start: [c(1.0), c(0.0)], end: [c(-1.0), c(0.0)], bulge: Dual::variable(0.0, 0) };
@@ -232,7 +232,7 @@ impl<T: Scalar> Against<T> {
 /// assert!((gap.value - 2.0).abs() < 1e-12);
 /// assert!((gap.slope[0] + 1.0).abs() < 1e-12);
 /// ```
-pub fn contact_function<T: Scalar>(
+pub fn contact_function<T: Real>(
     fixed: &FeatureShape<T>,
     moving: &FeatureShape<T>,
     fixed_from_moving: &Placement<T>,
@@ -259,7 +259,7 @@ pub struct TouchingPlace<T> {
 /// normal come with theirs.
 ///
 /// ```
-/// use cspace::{touching_place, Dual, FeatureShape, Placement, Scalar};
+/// use cspace::{touching_place, Dual, FeatureShape, Placement, Real};
 /// let c = |x: f64| Dual::<1>::constant(x);
 /// // A disc of radius 1 about (0.5, 3) above a line along the x axis with material below, moved along it.
 /// let line = FeatureShape::Edge { start: [c(5.0), c(0.0)], end: [c(-5.0), c(0.0)], bulge: c(0.0) };
@@ -269,7 +269,7 @@ pub struct TouchingPlace<T> {
 /// assert!((place.gap.value - 2.0).abs() < 1e-12 && place.gap.slope[0].abs() < 1e-12);
 /// assert!((place.on_moving[0].value - 0.5).abs() < 1e-12 && (place.on_moving[0].slope[0] - 1.0).abs() < 1e-12);
 /// ```
-pub fn touching_place<T: Scalar>(
+pub fn touching_place<T: Real>(
     fixed: &FeatureShape<T>,
     moving: &FeatureShape<T>,
     fixed_from_moving: &Placement<T>,

@@ -65,13 +65,13 @@ impl<T: Real> FlatArc<T> {
         let square = (real(other.k) - real(kappa) * dot(other.a, n)) * real(0.5)
             + other.c * real(0.25 * kappa * kappa);
         let slope = dot(other.a, along);
-        let root = (slope * slope - real(4.0) * square * other.c).root();
+        let root = (slope * slope - real(4.0) * square * other.c).sqrt();
         let steep = if enters { -root } else { root };
         // Of two forms that are equal the one in which nothing cancels.
-        if enters == (slope.rough() < 0.0) {
-            (real(-2.0) * other.c).over(slope + steep)
+        if enters == (slope.value() < 0.0) {
+            real(-2.0) * other.c / (slope + steep)
         } else {
-            (steep - slope).over(real(2.0) * square)
+            (steep - slope) / (real(2.0) * square)
         }
     }
 
@@ -80,7 +80,7 @@ impl<T: Real> FlatArc<T> {
         let real = T::constant;
         let n = self.normal;
         let half = u * real(0.5 * self.curvature);
-        let t = u.over(real(1.0) + half * half);
+        let t = u / (real(1.0) + half * half);
         let fall = -(t * half);
         (fall * n.0 - t * n.1, fall * n.1 + t * n.0)
     }

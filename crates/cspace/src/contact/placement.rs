@@ -1,7 +1,7 @@
 //! Where one part is, seen from another, in any numbers.
 
 use crate::geometry::Configuration;
-use crate::number::Scalar;
+use crate::number::Real;
 
 /// A rotation and a displacement: q goes to (x, y) + R q.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub struct Placement<T> {
     pub sin: T,
 }
 
-impl<T: Scalar> Placement<T> {
+impl<T: Real> Placement<T> {
     /// The placement by a position and an angle in radians.
     pub fn new(position: [T; 2], theta: T) -> Self {
         let (sin, cos) = theta.sin_cos();

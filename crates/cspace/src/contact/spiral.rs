@@ -57,7 +57,7 @@ impl Swing {
         let (st, ct) = self.rest.sin_cos();
         let c = cos * real(ct) + sin * real(st);
         let s = sin * real(ct) - cos * real(st);
-        let less = (s * s).over(real(1.0) + c);
+        let less = s * s / (real(1.0) + c);
         let (x, y) = (real(self.arm.x), real(self.arm.y));
         (x * less + y * s, y * less - x * s)
     }

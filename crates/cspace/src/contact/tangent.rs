@@ -129,8 +129,8 @@ impl Condition<'_> {
                 let m = (m.0 * real(side), m.1 * real(side));
                 let l = l * side;
                 let (cross, along) = (n.0 * m.1 - n.1 * m.0, dot(n, m));
-                let less = if along.rough() > 0.0 {
-                    (cross * cross).over(real(1.0) + along)
+                let less = if along.value() > 0.0 {
+                    cross * cross / (real(1.0) + along)
                 } else {
                     real(1.0) - along
                 };
@@ -177,7 +177,7 @@ pub(super) mod tests {
     use super::super::sheet::SheetKind;
     use super::*;
     use crate::geometry::{Point, Rotation, Vector};
-    use crate::number::{Ball, Series};
+    use crate::number::{Ball, Dual};
     use crate::part::{Part, Vertex};
 
     fn part(name: &str, size: f64, bulges: [f64; 4]) -> Part {
@@ -313,9 +313,9 @@ pub(super) mod tests {
         Geometry::new(&fixed, &moving, None, usize::MAX)
     }
 
-    /// Value and derivatives of a condition.
-    fn series(condition: &Condition<'_>, theta: f64) -> Series {
-        let (cos, sin) = Series::cos_sin(theta);
+    /// Value and derivative of a condition.
+    fn dual(condition: &Condition<'_>, theta: f64) -> Dual<1> {
+        let (sin, cos) = Dual::variable(theta, 0).sin_cos();
         condition.at(cos, sin).0
     }
 
@@ -332,7 +332,7 @@ pub(super) mod tests {
                     let value = condition.at(cos, sin).0;
                     let off = (value - at(theta)).abs();
                     assert!(off < 1e-9, "{off} {value} {f:?} {g:?}");
-                    let slope = series(&condition, theta).slope;
+                    let slope = dual(&condition, theta).slope[0];
                     let expected = (at(theta + h) - at(theta - h)) / (2.0 * h);
                     let near = 1e-6 * (1.0 + condition.pace());
                     assert!((slope - expected).abs() < near, "{slope} {expected}");
@@ -348,7 +348,7 @@ pub(super) mod tests {
         for (f, g, orientations) in flat_pairs(&geometry) {
             for condition in tangencies(f, g) {
                 for theta in orientations {
-                    let (cos, sin) = Ball::new(theta, 0.0).cos_sin();
+                    let (sin, cos) = Ball::new(theta, 0.0).sin_cos();
                     let (enclosed, size) = condition.at(cos, sin);
                     let said = MARGIN * LENGTH_ERROR * size * condition.pace();
                     let bounds = enclosed.radius / said;
@@ -371,7 +371,7 @@ pub(super) mod tests {
             // Flat arcs of one curvature through one point: the squares of half the angle and no more.
             let condition = Condition::Alike(f, &g, true);
             let expected = 2.0 * (0.5 * angle).sin().powi(2);
-            for value in [condition.at(1.0, 0.0).0, series(&condition, 0.0).value] {
+            for value in [condition.at(1.0, 0.0).0, dual(&condition, 0.0).value] {
                 assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
             }
         }
@@ -406,7 +406,7 @@ pub(super) mod tests {
         for at in [0.0, FRAC_PI_2 - 0.05, FRAC_PI_2 + 0.05] {
             line.start = Spiral::new(Point::new(0.0, at.sin() + 0.3), Vector::ZERO);
             let holds = |d: f64| {
-                let value = |c: Condition<'_>| series(&c, at + d).value;
+                let value = |c: Condition<'_>| dual(&c, at + d).value;
                 tangencies(&line, &circle).any(|c| value(c).abs() < 1e-14)
             };
             assert!(holds(0.0) && holds(PI - 2.0 * at) && !holds(0.3));

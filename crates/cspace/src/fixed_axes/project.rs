@@ -240,7 +240,7 @@ struct Moved {
 
 impl Moved {
     fn new(motion: Motion, by: Ball) -> Self {
-        let (cos, sin) = by.cos_sin();
+        let (sin, cos) = by.sin_cos();
         Self {
             motion,
             by,

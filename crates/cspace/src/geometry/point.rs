@@ -2,59 +2,31 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
-/// A place in the plane, in some frame, in the model's unit of length.
+use crate::number::Real;
+
+/// A place in the plane, in some frame, in the model's unit of length; in numbers of any kind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Point {
+pub struct Point<T = f64> {
     /// First coordinate.
-    pub x: f64,
+    pub x: T,
     /// Second coordinate.
-    pub y: f64,
+    pub y: T,
 }
 
-/// A displacement in the plane.
+/// A displacement in the plane; in numbers of any kind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Vector {
+pub struct Vector<T = f64> {
     /// First coordinate.
-    pub x: f64,
+    pub x: T,
     /// Second coordinate.
-    pub y: f64,
+    pub y: T,
 }
 
 impl Point {
     /// The origin of the frame.
     pub const ORIGIN: Self = Self { x: 0.0, y: 0.0 };
-
-    /// The point with the given coordinates.
-    #[inline]
-    pub const fn new(x: f64, y: f64) -> Self {
-        Self { x, y }
-    }
-
-    /// The displacement from the origin to this point.
-    #[inline]
-    pub const fn to_vector(self) -> Vector {
-        Vector::new(self.x, self.y)
-    }
-
-    /// The distance to another point.
-    #[inline]
-    pub fn distance(self, other: Self) -> f64 {
-        (self - other).length()
-    }
-
-    /// The point half way to another.
-    #[inline]
-    pub fn midpoint(self, other: Self) -> Self {
-        Self::new(0.5 * (self.x + other.x), 0.5 * (self.y + other.y))
-    }
-
-    /// The point at fraction `s` of the way to another: `self + s (other − self)`.
-    #[inline]
-    pub fn lerp(self, other: Self, s: f64) -> Self {
-        self + (other - self) * s
-    }
 
     /// Whether both coordinates are finite.
     #[inline]
@@ -63,15 +35,52 @@ impl Point {
     }
 }
 
+impl<T> Point<T> {
+    /// The point with the given coordinates.
+    #[inline]
+    pub const fn new(x: T, y: T) -> Self {
+        Self { x, y }
+    }
+
+    /// The point with each coordinate made another kind of number.
+    #[inline]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Point<U> {
+        Point::new(f(self.x), f(self.y))
+    }
+}
+
+impl<T: Copy> Point<T> {
+    /// The displacement from the origin to this point.
+    #[inline]
+    pub const fn to_vector(self) -> Vector<T> {
+        Vector::new(self.x, self.y)
+    }
+}
+
+impl<T: Real> Point<T> {
+    /// The distance to another point.
+    #[inline]
+    pub fn distance(self, other: Self) -> T {
+        (self - other).length()
+    }
+
+    /// The point half way to another.
+    #[inline]
+    pub fn midpoint(self, other: Self) -> Self {
+        let half = T::constant(0.5);
+        Self::new(half * (self.x + other.x), half * (self.y + other.y))
+    }
+
+    /// The point at fraction `s` of the way to another: `self + s (other − self)`.
+    #[inline]
+    pub fn lerp(self, other: Self, s: T) -> Self {
+        self + (other - self) * s
+    }
+}
+
 impl Vector {
     /// The vector of length zero.
     pub const ZERO: Self = Self { x: 0.0, y: 0.0 };
-
-    /// The vector with the given coordinates.
-    #[inline]
-    pub const fn new(x: f64, y: f64) -> Self {
-        Self { x, y }
-    }
 
     /// The unit vector at `angle` radians from the first axis.
     #[inline]
@@ -85,43 +94,61 @@ impl Vector {
     pub fn angle(self) -> f64 {
         self.y.atan2(self.x)
     }
+}
 
+impl<T> Vector<T> {
+    /// The vector with the given coordinates.
+    #[inline]
+    pub const fn new(x: T, y: T) -> Self {
+        Self { x, y }
+    }
+
+    /// The vector with each coordinate made another kind of number.
+    #[inline]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vector<U> {
+        Vector::new(f(self.x), f(self.y))
+    }
+}
+
+impl<T: Real> Vector<T> {
     /// The inner product.
     #[inline]
-    pub fn dot(self, other: Self) -> f64 {
+    pub fn dot(self, other: Self) -> T {
         self.x * other.x + self.y * other.y
     }
 
     /// The signed area spanned with `other`: positive when `other` is to the left.
     #[inline]
-    pub fn cross(self, other: Self) -> f64 {
+    pub fn cross(self, other: Self) -> T {
         self.x * other.y - self.y * other.x
     }
 
     /// A quarter turn counter-clockwise.
     #[inline]
-    pub const fn left(self) -> Self {
+    #[must_use]
+    pub fn left(self) -> Self {
         Self::new(-self.y, self.x)
     }
 
     /// A quarter turn clockwise.
     #[inline]
-    pub const fn right(self) -> Self {
+    #[must_use]
+    pub fn right(self) -> Self {
         Self::new(self.y, -self.x)
     }
 
     /// The squared length.
     #[inline]
-    pub fn length_squared(self) -> f64 {
+    pub fn length_squared(self) -> T {
         self.dot(self)
     }
 
     /// The length.
     #[inline]
-    pub fn length(self) -> f64 {
+    pub fn length(self) -> T {
         let square = self.length_squared();
-        // Beyond the numbers whose squares are normal numbers, some 1e±154.
-        if square.is_normal() {
+        // Squares of numbers beyond some 1e±154 are not normal numbers.
+        if square.value().is_normal() {
             square.sqrt()
         } else {
             self.x.hypot(self.y)
@@ -130,43 +157,44 @@ impl Vector {
 
     /// The vector of length one in this direction. Not finite for the zero vector.
     #[inline]
+    #[must_use]
     pub fn unit(self) -> Self {
-        self * (1.0 / self.x.hypot(self.y))
+        self * (T::constant(1.0) / self.x.hypot(self.y))
     }
 }
 
-impl Add<Vector> for Point {
+impl<T: Real> Add<Vector<T>> for Point<T> {
     type Output = Self;
     #[inline]
-    fn add(self, v: Vector) -> Self {
+    fn add(self, v: Vector<T>) -> Self {
         Self::new(self.x + v.x, self.y + v.y)
     }
 }
 
-impl AddAssign<Vector> for Point {
+impl<T: Real> AddAssign<Vector<T>> for Point<T> {
     #[inline]
-    fn add_assign(&mut self, v: Vector) {
+    fn add_assign(&mut self, v: Vector<T>) {
         *self = *self + v;
     }
 }
 
-impl Sub<Vector> for Point {
+impl<T: Real> Sub<Vector<T>> for Point<T> {
     type Output = Self;
     #[inline]
-    fn sub(self, v: Vector) -> Self {
+    fn sub(self, v: Vector<T>) -> Self {
         Self::new(self.x - v.x, self.y - v.y)
     }
 }
 
-impl Sub for Point {
-    type Output = Vector;
+impl<T: Real> Sub for Point<T> {
+    type Output = Vector<T>;
     #[inline]
-    fn sub(self, other: Self) -> Vector {
+    fn sub(self, other: Self) -> Vector<T> {
         Vector::new(self.x - other.x, self.y - other.y)
     }
 }
 
-impl Add for Vector {
+impl<T: Real> Add for Vector<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -174,7 +202,7 @@ impl Add for Vector {
     }
 }
 
-impl Sub for Vector {
+impl<T: Real> Sub for Vector<T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -182,7 +210,7 @@ impl Sub for Vector {
     }
 }
 
-impl Neg for Vector {
+impl<T: Real> Neg for Vector<T> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -190,10 +218,10 @@ impl Neg for Vector {
     }
 }
 
-impl Mul<f64> for Vector {
+impl<T: Real> Mul<T> for Vector<T> {
     type Output = Self;
     #[inline]
-    fn mul(self, factor: f64) -> Self {
+    fn mul(self, factor: T) -> Self {
         Self::new(self.x * factor, self.y * factor)
     }
 }

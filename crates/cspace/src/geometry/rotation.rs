@@ -4,6 +4,7 @@ use core::f64::consts::{PI, TAU};
 use core::ops::Mul;
 
 use super::{Point, Vector};
+use crate::number::Real;
 
 /// The largest angle that is brought to the first turn, in radians, either way: about 160 thousand turns.
 ///
@@ -12,30 +13,33 @@ use super::{Point, Vector};
 /// 1.2·10⁻¹⁰ rad to which critical orientations are told apart. Far beyond, an angle says nothing about where a part is.
 pub const LARGEST_ANGLE: f64 = 1e6;
 
-/// A rotation about the origin, kept as the cosine and sine of its angle.
+/// A rotation about the origin, kept as the cosine and sine of its angle; in numbers of any kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Rotation {
+pub struct Rotation<T = f64> {
     /// Cosine of the angle.
-    pub cos: f64,
+    pub cos: T,
     /// Sine of the angle.
-    pub sin: f64,
+    pub sin: T,
 }
 
 impl Rotation {
     /// The rotation by nothing.
     pub const IDENTITY: Self = Self { cos: 1.0, sin: 0.0 };
+}
 
+impl<T: Real> Rotation<T> {
     /// The rotation by `angle` radians, counter-clockwise.
     #[inline]
-    pub fn by(angle: f64) -> Self {
+    pub fn by(angle: T) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self { cos, sin }
     }
 
     /// The rotation the other way.
     #[inline]
-    pub const fn inverse(self) -> Self {
+    #[must_use]
+    pub fn inverse(self) -> Self {
         Self {
             cos: self.cos,
             sin: -self.sin,
@@ -43,10 +47,10 @@ impl Rotation {
     }
 }
 
-impl Mul<Vector> for Rotation {
-    type Output = Vector;
+impl<T: Real> Mul<Vector<T>> for Rotation<T> {
+    type Output = Vector<T>;
     #[inline]
-    fn mul(self, v: Vector) -> Vector {
+    fn mul(self, v: Vector<T>) -> Vector<T> {
         Vector::new(
             self.cos * v.x - self.sin * v.y,
             self.sin * v.x + self.cos * v.y,
@@ -54,11 +58,12 @@ impl Mul<Vector> for Rotation {
     }
 }
 
-impl Mul<Point> for Rotation {
-    type Output = Point;
+impl<T: Real> Mul<Point<T>> for Rotation<T> {
+    type Output = Point<T>;
     #[inline]
-    fn mul(self, p: Point) -> Point {
-        Point::ORIGIN + self * p.to_vector()
+    fn mul(self, p: Point<T>) -> Point<T> {
+        let v = self * p.to_vector();
+        Point::new(v.x, v.y)
     }
 }
 

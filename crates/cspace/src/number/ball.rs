@@ -1,6 +1,6 @@
 //! Enclosures: a midpoint and a radius, with rounding accounted for.
 
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Real;
 
@@ -47,20 +47,6 @@ impl Ball {
             0
         }
     }
-
-    /// Cosine and sine of all angles of the ball.
-    ///
-    /// About the middle m with h the radius: |cos x − cos m| ≤ |sin m| h + h² / 2, likewise the sine.
-    #[inline(always)]
-    pub(crate) fn cos_sin(self) -> (Self, Self) {
-        let (s, c) = self.mid.sin_cos();
-        let h = self.radius.min(4.0);
-        let rest = 0.5 * h * h;
-        (
-            Self::rounded(c, (s.abs() * h + rest).min(2.0)),
-            Self::rounded(s, (c.abs() * h + rest).min(2.0)),
-        )
-    }
 }
 
 impl Add for Ball {
@@ -98,14 +84,10 @@ impl Mul for Ball {
     }
 }
 
-impl Real for Ball {
+impl Div for Ball {
+    type Output = Self;
     #[inline(always)]
-    fn constant(value: f64) -> Self {
-        Self::new(value, 0.0)
-    }
-
-    #[inline(always)]
-    fn over(self, divisor: Self) -> Self {
+    fn div(self, divisor: Self) -> Self {
         let least = divisor.mid.abs() - divisor.radius;
         if least.is_nan() || least <= 0.0 {
             return Self::ALL;
@@ -115,9 +97,23 @@ impl Real for Ball {
         let spread = self.radius + mid.abs() * divisor.radius + TINY;
         Self::rounded(mid, spread / least)
     }
+}
+
+impl Real for Ball {
+    const ROUNDING: f64 = f64::EPSILON;
 
     #[inline(always)]
-    fn root(self) -> Self {
+    fn constant(value: f64) -> Self {
+        Self::new(value, 0.0)
+    }
+
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self.mid
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
         let hi = self.mid + self.radius;
         let lo = self.mid - self.radius;
         if !hi.is_finite() {
@@ -134,9 +130,26 @@ impl Real for Ball {
         }
     }
 
+    /// About the middle m with h the radius: |cos x − cos m| ≤ |sin m| h + h² / 2, likewise the sine.
     #[inline(always)]
-    fn rough(self) -> f64 {
-        self.mid
+    fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = self.mid.sin_cos();
+        let h = self.radius.min(4.0);
+        let rest = 0.5 * h * h;
+        (
+            Self::rounded(s, (c.abs() * h + rest).min(2.0)),
+            Self::rounded(c, (s.abs() * h + rest).min(2.0)),
+        )
+    }
+
+    /// Encloses the absolute values of all its members.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        match self.sign() {
+            1 => self,
+            -1 => -self,
+            _ => Self::between(0.0, self.mid.abs() + self.radius),
+        }
     }
 }
 
@@ -155,10 +168,10 @@ mod tests {
                     (a + b, x + y),
                     (a - b, x - y),
                     (a * b, x * y),
-                    (a.over(b), x / y),
-                    (a.root(), x.sqrt()),
-                    (a.cos_sin().0, x.cos()),
-                    (a.cos_sin().1, x.sin()),
+                    (a / b, x / y),
+                    (a.sqrt(), x.sqrt()),
+                    (a.sin_cos().1, x.cos()),
+                    (a.sin_cos().0, x.sin()),
                 ] {
                     assert!((ball.mid - value).abs() <= ball.radius, "{ball:?} {value}");
                 }
@@ -174,8 +187,8 @@ mod tests {
         assert_eq!(Ball::between(-1.0, -0.1).sign(), -1);
         assert_eq!(a_quotient_by_zero().sign(), 0);
         // What is not known stays so: ∞ − ∞ and its root are no numbers, or enclose all.
-        let root = a_quotient_by_zero().root();
-        let unknown = (root - root).root();
+        let root = a_quotient_by_zero().sqrt();
+        let unknown = (root - root).sqrt();
         assert!(!(unknown.mid.abs() > unknown.radius || unknown.radius < 1e300));
     }
 
@@ -185,13 +198,13 @@ mod tests {
             assert!((ball.mid - mid).abs() < 1e-15, "{ball:?}");
             assert!((ball.radius - radius).abs() < 1e-14, "{ball:?}");
         };
-        let (cos, sin) = Ball::new(0.0, 1e-3).cos_sin();
+        let (sin, cos) = Ball::new(0.0, 1e-3).sin_cos();
         is(cos, 1.0, 0.5e-6);
         is(sin, 0.0, 1e-3 + 0.5e-6);
-        is(Ball::new(1.5, 2.5).root(), 1.0, 1.0);
-        is(Ball::new(2.0, 2.0).root(), 1.0, 1.0);
+        is(Ball::new(1.5, 2.5).sqrt(), 1.0, 1.0);
+        is(Ball::new(2.0, 2.0).sqrt(), 1.0, 1.0);
         is(
-            Ball::new(5.0, 4.0).root(),
+            Ball::new(5.0, 4.0).sqrt(),
             5.0_f64.sqrt(),
             4.0 / (5.0_f64.sqrt() + 1.0),
         );
@@ -201,13 +214,13 @@ mod tests {
             0.75 + 0.5 * 2.25,
         );
         is(
-            Ball::new(3.0, 0.5).over(Ball::new(-2.0, 0.25)),
+            Ball::new(3.0, 0.5) / Ball::new(-2.0, 0.25),
             -1.5,
             (0.5 + 1.5 * 0.25) / 1.75,
         );
     }
 
     fn a_quotient_by_zero() -> Ball {
-        Ball::constant(1.0).over(Ball::between(-1.0, 1.0))
+        Ball::constant(1.0) / Ball::between(-1.0, 1.0)
     }
 }

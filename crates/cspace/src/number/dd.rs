@@ -72,6 +72,12 @@ impl Dd {
         self.hi
     }
 
+    /// The number in another arithmetic.
+    #[inline]
+    pub(crate) fn to_real<T: Real>(self) -> T {
+        T::constant(self.hi) + T::constant(self.lo)
+    }
+
     #[inline]
     pub(crate) fn abs(self) -> Self {
         if self.is_negative() { -self } else { self }
@@ -320,21 +326,22 @@ impl Div<f64> for Dd {
 }
 
 impl Real for Dd {
+    const ROUNDING: f64 = Self::EPSILON;
     #[inline]
     fn constant(value: f64) -> Self {
         Self::from(value)
     }
     #[inline]
-    fn over(self, divisor: Self) -> Self {
-        self / divisor
+    fn value(self) -> f64 {
+        self.hi
     }
     #[inline]
-    fn root(self) -> Self {
+    fn sqrt(self) -> Self {
         self.sqrt()
     }
     #[inline]
-    fn rough(self) -> f64 {
-        self.hi
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
     }
 }
 

@@ -63,22 +63,17 @@ pub(crate) fn least(f: &impl Bounded, (lo, hi): (f64, f64), known: f64) -> Optio
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::super::{Ball, Jet, Real};
+    use super::super::{Ball, Dual, Real};
     use super::*;
 
     /// 2 + cos 5t + cos(a t), which has several minima.
     struct Waves(f64);
 
     impl Waves {
-        fn over(&self, t: Ball) -> Jet {
-            let wave = |rate: f64| {
-                let (cos, sin) = (t * Ball::constant(rate)).cos_sin();
-                Jet {
-                    value: cos,
-                    slope: -sin * Ball::constant(rate),
-                }
-            };
-            Jet::constant(2.0) + wave(5.0) + wave(self.0)
+        fn over(&self, t: Ball) -> Dual<1, Ball> {
+            let t = Dual::variable(t, 0);
+            let wave = |rate: f64| (t * Dual::constant(rate)).sin_cos().1;
+            Dual::constant(2.0) + wave(5.0) + wave(self.0)
         }
     }
 
@@ -89,7 +84,7 @@ mod tests {
 
         fn below(&self, lo: f64, hi: f64) -> f64 {
             let over = self.over(Ball::between(lo, hi));
-            if over.slope.sign() != 0 {
+            if over.slope[0].sign() != 0 {
                 return f64::INFINITY;
             }
             over.value.mid - over.value.radius

@@ -49,7 +49,7 @@ pub(crate) fn right<T: Real>(a: Xy<T>) -> Xy<T> {
 
 #[inline(always)]
 pub(crate) fn length<T: Real>(a: Xy<T>) -> T {
-    dot(a, a).root()
+    dot(a, a).sqrt()
 }
 
 /// Turned by the angle with the given cosine and sine.

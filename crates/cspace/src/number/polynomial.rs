@@ -9,70 +9,29 @@ const DEGREE: usize = 4;
 /// Orientations at which a polynomial is sampled; enough for its coefficients.
 const SAMPLES: usize = 2 * DEGREE + 1;
 
-/// Numbers with an arithmetic of angles.
-pub(crate) trait Angle: Real + 'static {
-    /// Rounding of an operation, relative to its result.
-    const ROUNDING: f64;
-    /// Cosine and sine of an angle in radians.
-    fn cos_sin_of(self) -> (Self, Self);
-    /// What coefficients are made of.
-    fn sampling() -> &'static Sampling<Self>;
-}
-
 /// What a polynomial's coefficients are made of.
-pub(crate) struct Sampling<T> {
+struct Sampling {
     /// Cosine and sine of the sampled orientations.
-    turns: [(T, T); SAMPLES],
+    turns: [(Dd, Dd); SAMPLES],
     /// By sample and frequency, how much of a value goes to the coefficients of the cosine and of the sine.
-    weights: [[(T, T); DEGREE + 1]; SAMPLES],
+    weights: [[(Dd, Dd); DEGREE + 1]; SAMPLES],
 }
 
-impl<T: Real> Sampling<T> {
-    fn new(turn: impl Fn(usize) -> (T, T)) -> Self {
-        let turns: [(T, T); SAMPLES] = core::array::from_fn(turn);
-        let weights = core::array::from_fn(|j| {
-            core::array::from_fn(|k| {
-                let share = if k == 0 { 1.0 } else { 2.0 };
-                let factor = T::constant(share).over(T::constant(SAMPLES as f64));
-                let (cos, sin) = turns[j * k % SAMPLES];
-                (cos * factor, sin * factor)
-            })
-        });
-        Self { turns, weights }
-    }
-}
-
-impl Angle for f64 {
-    const ROUNDING: f64 = Self::EPSILON;
-
-    #[inline]
-    fn cos_sin_of(self) -> (Self, Self) {
-        let (sin, cos) = self.sin_cos();
+static SAMPLING: LazyLock<Sampling> = LazyLock::new(|| {
+    let turns: [(Dd, Dd); SAMPLES] = core::array::from_fn(|j| {
+        let (sin, cos) = (Dd::TAU * j as f64 / SAMPLES as f64).sin_cos();
         (cos, sin)
-    }
-
-    fn sampling() -> &'static Sampling<Self> {
-        static SAMPLING: LazyLock<Sampling<f64>> = LazyLock::new(|| {
-            Sampling::new(|j| (core::f64::consts::TAU * j as f64 / SAMPLES as f64).cos_sin_of())
-        });
-        &SAMPLING
-    }
-}
-
-impl Angle for Dd {
-    const ROUNDING: f64 = Self::EPSILON;
-
-    fn cos_sin_of(self) -> (Self, Self) {
-        let (sin, cos) = self.sin_cos();
-        (cos, sin)
-    }
-
-    fn sampling() -> &'static Sampling<Self> {
-        static SAMPLING: LazyLock<Sampling<Dd>> =
-            LazyLock::new(|| Sampling::new(|j| (Dd::TAU * j as f64 / SAMPLES as f64).cos_sin_of()));
-        &SAMPLING
-    }
-}
+    });
+    let weights = core::array::from_fn(|j| {
+        core::array::from_fn(|k| {
+            let share = if k == 0 { 1.0 } else { 2.0 };
+            let factor = Dd::from(share) / SAMPLES as f64;
+            let (cos, sin) = turns[j * k % SAMPLES];
+            (cos * factor, sin * factor)
+        })
+    });
+    Sampling { turns, weights }
+});
 
 /// Σ aₖ cos kθ + bₖ sin kθ, k = 0 … 4, known up to an error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +44,7 @@ pub(crate) struct TrigPolynomial<T = f64> {
     error: f64,
 }
 
-impl<T: Angle> TrigPolynomial<T> {
+impl<T: Real> TrigPolynomial<T> {
     /// The polynomial with the values of `f` (of cosine and sine), which must be one of degree four at most.
     ///
     /// `f` also tells the size of the terms its value was summed from; the error is a small multiple of the rounding
@@ -96,17 +55,17 @@ impl<T: Angle> TrigPolynomial<T> {
         let zero = T::constant(0.0);
         let (mut a, mut b) = ([zero; DEGREE + 1], [zero; DEGREE + 1]);
         let mut size: f64 = 0.0;
-        let Sampling { turns, weights } = T::sampling();
+        let Sampling { turns, weights } = &*SAMPLING;
         for (&(cos, sin), weights) in turns.iter().zip(weights) {
-            let (value, terms) = f(cos, sin);
+            let (value, terms) = f(cos.to_real(), sin.to_real());
             size = size.max(terms);
             for (k, w) in weights.iter().enumerate() {
-                a[k] = a[k] + value * w.0;
-                b[k] = b[k] + value * w.1;
+                a[k] = a[k] + value * w.0.to_real();
+                b[k] = b[k] + value * w.1.to_real();
             }
         }
         let twist: f64 = (0..=DEGREE)
-            .map(|k| (k * k * k) as f64 * a[k].rough().hypot(b[k].rough()))
+            .map(|k| (k * k * k) as f64 * a[k].value().hypot(b[k].value()))
             .sum();
         Self {
             a,
@@ -136,7 +95,7 @@ impl<T: Angle> TrigPolynomial<T> {
     /// Value and derivative.
     #[inline]
     pub(crate) fn at(&self, theta: T) -> (T, T) {
-        let (cos, sin) = theta.cos_sin_of();
+        let (sin, cos) = theta.sin_cos();
         let [value, slope, _] = self.jet(cos, sin);
         (value, slope)
     }
@@ -164,9 +123,9 @@ impl<T: Angle> TrigPolynomial<T> {
         vague: &mut impl FnMut(T, T),
     ) {
         let middle = T::constant(0.5);
-        let (mid, half) = (middle * (lo + hi), 0.5 * (hi - lo).rough());
-        let (cos, sin) = mid.cos_sin_of();
-        let [value, slope, bend] = self.jet(cos, sin).map(Real::rough);
+        let (mid, half) = (middle * (lo + hi), 0.5 * (hi - lo).value());
+        let (sin, cos) = mid.sin_cos();
+        let [value, slope, bend] = self.jet(cos, sin).map(Real::value);
         let rest = self.twist * half.powi(3) * (1.0 / 6.0);
         // The parabola on the side of zero that f(m) is on: it is nearest to zero at an end, or where its slope vanishes.
         let (side, along) = (value.abs(), slope.abs() * half);
@@ -185,7 +144,7 @@ impl<T: Angle> TrigPolynomial<T> {
         }
         let change = bend.abs() * half + 0.5 * self.twist * half * half;
         if slope.abs() > change || half < narrowest {
-            let (at_lo, at_hi) = (self.at(lo).0.rough(), self.at(hi).0.rough());
+            let (at_lo, at_hi) = (self.at(lo).0.value(), self.at(hi).0.value());
             if at_lo * at_hi <= 0.0 || at_lo.abs() < self.error || at_hi.abs() < self.error {
                 found(lo, hi);
             }

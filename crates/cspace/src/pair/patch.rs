@@ -3,7 +3,7 @@
 use crate::contact::{ContactValue, FeatureShape, Placement, Touching, contact_function, touching};
 use crate::feature::{FeatureKind, FeatureName};
 use crate::fixed_axes::{Axis, AxisMotion};
-use crate::number::{Dual, Scalar, SecondOrder};
+use crate::number::{Dual, Real, SecondOrder};
 use crate::part::{Part, PartFeature};
 
 use super::answers::{Neighbours, QueryError};
@@ -203,7 +203,7 @@ impl<'a> PairPatch<'a> {
 
 impl FeatureContact {
     /// Where the moving part is in the fixed part's frame, from numbers of any kind: of the coordinates, and of the axes.
-    fn placement<T: Scalar>(
+    fn placement<T: Real>(
         &self,
         at: Coordinates,
         variable: impl Fn(f64, usize) -> T,

@@ -4,7 +4,10 @@ use core::f64::consts::TAU;
 
 use crate::feature::PairFrame;
 use crate::geometry::{Configuration, Point, Vector, time_of_known_angle};
-use crate::number::{Ball, Jet, Real};
+use crate::number::{Ball, Dual, Real};
+
+/// An enclosure over times, with its derivative by time.
+type Jet = Dual<1, Ball>;
 use crate::space::{ContactSpace, Window};
 
 /// x(t), y(t) and θ(t), linear in time.
@@ -58,31 +61,16 @@ impl Path {
 
     /// Cosine and sine of the orientation, and the position, enclosed over times with their derivatives by time.
     pub(super) fn enclosed(&self, t: Ball) -> ((Jet, Jet), (Jet, Jet)) {
-        let rate = Ball::constant(self.turning);
-        let theta = Ball::constant(self.from.theta) + rate * t;
-        let (cos, sin) = theta.cos_sin();
-        let cos_sin = (
-            Jet {
-                value: cos,
-                slope: -(sin * rate),
-            },
-            Jet {
-                value: sin,
-                slope: cos * rate,
-            },
-        );
+        let t = Jet::variable(t, 0);
+        let linear = |from: f64, rate: f64| Jet::constant(from) + Jet::constant(rate) * t;
+        let (sin, cos) = linear(self.from.theta, self.turning).sin_cos();
         let start = self.from.position() - self.frame.fixed_center;
-        let linear = |from: f64, rate: f64| Jet {
-            value: Ball::constant(from) + Ball::constant(rate) * t,
-            slope: Ball::constant(rate),
-        };
         let d = self.frame.moving_center;
         let (dx, dy) = (Jet::constant(d.x), Jet::constant(d.y));
-        let (cos, sin) = cos_sin;
         let scale = Jet::constant(self.frame.scale);
         let x = linear(start.x, self.velocity.x) + (cos * dx - sin * dy);
         let y = linear(start.y, self.velocity.y) + (sin * dx + cos * dy);
-        (cos_sin, (x * scale, y * scale))
+        ((cos, sin), (x * scale, y * scale))
     }
 
     /// How fast a position of the pair's frame moves at most (length per unit of time).

@@ -11,7 +11,7 @@ use core::f64::consts::PI;
 use crate::contact::{Carrier, ContactFunction, Spiral, place_on};
 use crate::geometry::{Configuration, Point, images};
 use crate::number::plane::{Xy, cross, dot, left, length, minus, negative};
-use crate::number::{Ball, Bounded, Expansion, Real, Series, least};
+use crate::number::{Ball, Bounded, Expansion, Real, SecondOrder, least};
 use crate::space::{Boundary, ContactSpace, Patch, point_on};
 
 /// Intervals up to this (radians) are not halved on account of an end that rounding hides: where two carriers are all but one.
@@ -153,11 +153,11 @@ impl Search<'_> {
         let carrier = self.own.carrier(cos, sin);
         match carrier {
             Carrier::Line { normal, through } => dot(normal, through),
-            Carrier::Circle { center, radius } => length(center) - real(radius.rough().abs()),
+            Carrier::Circle { center, radius } => length(center) - real(radius.value().abs()),
             Carrier::FlatArc(arc) => {
                 let level = carrier.equation((real(0.0), real(0.0))).c;
                 let bend = real(1.0) + real(2.0 * arc.curvature) * level;
-                (real(2.0) * level).over(real(1.0) + bend.root())
+                real(2.0) * level / (real(1.0) + bend.sqrt())
             }
         }
     }
@@ -196,17 +196,16 @@ impl Search<'_> {
         for branch in 0..3 {
             let mut t = found.0;
             for _ in 0..STEPS {
-                let turned = Series {
-                    value: t - self.theta,
-                    slope: 1.0,
-                    bend: 0.0,
-                };
-                let turn = Series::cos_sin(t);
+                let theta = SecondOrder::<1>::variable(t, 0);
+                let (sin, cos) = theta.sin_cos();
+                let turn = (cos, sin);
+                let turned = theta - Real::constant(self.theta);
                 let g = self.squares(self.off(turn), self.ways(turn), turned)[branch];
-                if !(g.bend > 0.0 && g.slope.is_finite()) {
+                let (slope, bend) = (g.gradient[0], g.hessian[0][0]);
+                if !(bend > 0.0 && slope.is_finite()) {
                     break;
                 }
-                t = (t - g.slope / g.bend).clamp(lo, hi);
+                t = (t - slope / bend).clamp(lo, hi);
             }
             let value = self.at(t);
             if value <= best.1 * (1.0 + SAME) {
@@ -224,7 +223,9 @@ impl Bounded for Search<'_> {
     }
 
     fn below(&self, lo: f64, hi: f64) -> f64 {
-        let (turned, turn) = Expansion::angle(lo, hi, self.theta);
+        let theta = Expansion::variable(lo, hi);
+        let (sin, cos) = theta.sin_cos();
+        let (turned, turn) = (theta - Real::constant(self.theta), (cos, sin));
         let over = |e: Expansion| e.over.value;
         let low = |b: Ball| b.mid - b.radius;
         let ways = self.ways(turn);

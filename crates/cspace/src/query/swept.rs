@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use crate::contact::{ContactFunction, Spiral, place_on};
 use crate::feature::tolerance::WIDEST_SAGITTA;
 use crate::geometry::{Point, Rotation, Vector};
-use crate::number::{Ball, Jet, Real};
+use crate::number::{Ball, Dual, Real};
 use crate::slice::CurveGeometry;
 use crate::space::{Boundary, Patch, sweep};
 
@@ -34,7 +34,8 @@ impl Orientations {
     }
 
     pub(super) fn about(mid: f64, half: f64) -> Self {
-        let at = Ball::constant(mid).cos_sin();
+        let (sin, cos) = Ball::constant(mid).sin_cos();
+        let at = (cos, sin);
         let turn = Rotation {
             cos: at.0.mid,
             sin: at.1.mid,
@@ -288,10 +289,10 @@ fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: O
             let rounding = length((at.0.radius, at.1.radius));
             let (error, speed) = known.map_or_else(
                 || {
-                    let jets = Jet::cos_sin(Ball::new(over.mid, half));
-                    let jets = place(own, boundary, with, root, jets);
+                    let (sin, cos) = Dual::<1, _>::variable(Ball::new(over.mid, half), 0).sin_cos();
+                    let jets = place(own, boundary, with, root, (cos, sin));
                     let most = |b: Ball| b.mid.abs() + b.radius;
-                    let speed = length((most(jets.0.slope), most(jets.1.slope)));
+                    let speed = length((most(jets.0.slope[0]), most(jets.1.slope[0])));
                     // The enclosure itself, or what the mean value theorem says, whichever is narrower.
                     let direct = |at: Ball, over: Ball| (over.mid - at.mid).abs() + over.radius;
                     let direct = length((direct(at.0, jets.0.value), direct(at.1, jets.1.value)));

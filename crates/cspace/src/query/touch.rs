@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use crate::contact::Carrier;
 use crate::feature::tolerance::{GROWTH, NARROWEST_BAND};
-use crate::number::{Ball, Jet, Real};
+use crate::number::{Ball, Dual, Real};
 use crate::space::{ContactSpace, Patch};
 
 use super::classify::Classification;
@@ -112,7 +112,7 @@ impl<'a> Search<'a> {
             let Some(touch) = best else {
                 return;
             };
-            let rate = self.function(along, Ball::constant(touch.time)).slope.mid;
+            let rate = self.function(along, Ball::constant(touch.time)).slope[0].mid;
             found.push((touch.time, along.index, rate < 0.0));
             // Where the motion is tangent to the contact, it stays near for a while: it is one contact.
             let mut step = 4.0 * self.narrowest;
@@ -231,11 +231,11 @@ impl<'a> Search<'a> {
         }
         let at = self.function(along, Ball::constant(mid)).value;
         // By the mean value theorem, f is within |f′| · half of its value in the middle.
-        let rise = (f.slope.mid.abs() + f.slope.radius) * half;
+        let rise = (f.slope[0].mid.abs() + f.slope[0].radius) * half;
         if at.mid.abs() > at.radius + rise || self.is_away(along, mid, half) {
             return;
         }
-        let sign = f.slope.sign();
+        let sign = f.slope[0].sign();
         if sign != 0 {
             self.alone(along, (lo, hi), sign, best);
         } else if self.is_narrow(lo, mid, hi) {
@@ -271,9 +271,9 @@ impl<'a> Search<'a> {
     /// The contact function of a patch over times, with its derivative by time; above the depth at which it is sought.
     ///
     /// Of a circle it is (|v|² − r²) / 2 |r|, which has no root of a square in it.
-    fn function(&self, along: &Along<'_>, t: Ball) -> Jet {
+    fn function(&self, along: &Along<'_>, t: Ball) -> Dual<1, Ball> {
         let ((cos, sin), (x, y)) = self.path.enclosed(t);
-        let depth = Jet::constant(if self.from_contact { DEPTH } else { 0.0 });
+        let depth = Dual::constant(if self.from_contact { DEPTH } else { 0.0 });
         let value = match along.patch.function.carrier(cos, sin) {
             Carrier::Line { normal, through } => {
                 normal.0 * (x - through.0) + normal.1 * (y - through.1)
@@ -281,7 +281,7 @@ impl<'a> Search<'a> {
             Carrier::Circle { center, radius } => {
                 let (vx, vy) = (x - center.0, y - center.1);
                 let r = radius;
-                (vx * vx + vy * vy - r * r) * Jet::constant(0.5).over(radius)
+                (vx * vx + vy * vy - r * r) * Dual::constant(0.5) / radius
             }
             arc @ Carrier::FlatArc(_) => arc.equation((x, y)).c,
         };

@@ -3,7 +3,7 @@
 use crate::contact::{Carrier, ContactFunction, Spiral, place_error, place_on};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
-use crate::number::{Real, Series};
+use crate::number::{Dual, Real};
 
 /// A maximal piece of the contact space on which one pair of features touches between the same two boundary curves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -224,10 +224,10 @@ impl BoundaryCurve<'_> {
 
     /// The derivative (dx/dθ, dy/dθ). Not finite where the curves become tangent.
     pub fn derivative(&self, theta: f64) -> Vector {
-        let (cos, sin) = Series::cos_sin(theta);
+        let (sin, cos) = Dual::<1>::variable(theta, 0).sin_cos();
         let p = (self.boundary).inner(&self.patch.patch.function, cos, sin);
         let drift = (Rotation::by(theta) * self.patch.frame.moving_center.to_vector()).left();
-        Vector::new(p.0.slope, p.1.slope) * (1.0 / self.patch.frame.scale) - drift
+        Vector::new(p.0.slope[0], p.1.slope[0]) * (1.0 / self.patch.frame.scale) - drift
     }
 }
 

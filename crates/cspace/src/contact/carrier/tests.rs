@@ -3,7 +3,7 @@
 use super::super::curve::tests::{circle, line};
 use super::super::{ContactFunction, Curve, CurveShape, Spiral, crossing, roots};
 use super::*;
-use crate::number::{Ball, Jet, Series};
+use crate::number::{Ball, Dual};
 
 /// A place on the carrier of a curve as a point.
 fn point(c: &Curve, place: (f64, f64)) -> Point {
@@ -87,12 +87,13 @@ fn slopes_agree_with_differences_and_enclosures_hold_both() {
     const WIDTH: f64 = 1e-3;
     let at = |theta: f64| places(theta.cos(), theta.sin());
     let slopes = |theta: f64| {
-        let (cos, sin) = Series::cos_sin(theta);
+        let (sin, cos) = Dual::<1>::variable(theta, 0).sin_cos();
         places(cos, sin)
     };
     let around = Ball::between(THETA - WIDTH, THETA + WIDTH);
-    let balls = places(around.cos_sin().0, around.cos_sin().1);
-    let (cos, sin) = Jet::cos_sin(around);
+    let (sin, cos) = around.sin_cos();
+    let balls = places(cos, sin);
+    let (sin, cos) = Dual::<1, _>::variable(around, 0).sin_cos();
     let jets = places(cos, sin);
     let h = 1e-5;
     for k in -4..=4 {
@@ -111,13 +112,13 @@ fn slopes_agree_with_differences_and_enclosures_hold_both() {
                 let (value, lo, hi) = ends[j];
                 assert!((d.value - value).abs() < 1e-13);
                 assert!(
-                    (d.slope - (hi - lo) / (2.0 * h)).abs() < 1e-7,
+                    (d.slope[0] - (hi - lo) / (2.0 * h)).abs() < 1e-7,
                     "{i} {j} {d:?}"
                 );
                 assert!((ball.mid - value).abs() <= ball.radius);
                 assert!((jet[j].value.mid - value).abs() <= jet[j].value.radius);
-                assert!((jet[j].slope.mid - d.slope).abs() <= jet[j].slope.radius);
-                assert!(ball.radius < 0.1 && jet[j].slope.radius < 0.5, "{i} {j}");
+                assert!((jet[j].slope[0].mid - d.slope[0]).abs() <= jet[j].slope[0].radius);
+                assert!(ball.radius < 0.1 && jet[j].slope[0].radius < 0.5, "{i} {j}");
             }
         }
     }

@@ -6,7 +6,7 @@
 
 use crate::contact::{Carrier, ExactSheet, ExactTurn, Geometry, Sheet, place_on};
 use crate::number::plane::{Xy, cross, dot, minus, times};
-use crate::number::{Ball, Dd, Event, Jet, Real, Series, TrigPolynomial};
+use crate::number::{Ball, Dd, Dual, Event, Real, TrigPolynomial};
 
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Moment;
@@ -46,10 +46,10 @@ pub(crate) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
     {
         three.swap(0, circle);
     }
-    let size = |v: Xy<T>| v.0.rough().hypot(v.1.rough());
+    let size = |v: Xy<T>| v.0.value().hypot(v.1.value());
     match three[0] {
         Carrier::Circle { center, radius } => {
-            let r = radius.rough();
+            let r = radius.value();
             let linear = |other: &Carrier<T>| match *other {
                 Carrier::Line { normal, through } => {
                     (normal, dot(normal, minus(through, center)), 1.0)
@@ -61,7 +61,7 @@ pub(crate) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
                 } => {
                     let a = minus(c, center);
                     let square = dot(a, a);
-                    let terms = square.rough() + other.rough().powi(2) + r * r;
+                    let terms = square.value() + other.value().powi(2) + r * r;
                     let rest = (other - radius) * (other + radius);
                     (a, T::constant(0.5) * (square - rest), terms)
                 }
@@ -421,20 +421,20 @@ impl Passing<'_> {
         *budget = budget.saturating_sub(1);
         /// Places no further apart are one (length).
         const SAME_PLACE: f64 = 1e-11;
-        let (cos, sin) = Jet::cos_sin(Ball::between(lo, hi));
+        let (sin, cos) = Dual::<1, _>::variable(Ball::between(lo, hi), 0).sin_cos();
         let d = self.difference(cos, sin);
         if d.value.sign() != 0 {
             return;
         }
         let mid = 0.5 * (lo + hi);
-        let (cos, sin) = Ball::constant(mid).cos_sin();
+        let (sin, cos) = Ball::constant(mid).sin_cos();
         let at_mid = self.difference(cos, sin);
-        let reach = (d.slope.mid.abs() + d.slope.radius) * 0.5 * (hi - lo);
+        let reach = (d.slope[0].mid.abs() + d.slope[0].radius) * 0.5 * (hi - lo);
         if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
             return;
         }
         let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
-        if d.slope.sign() != 0 {
+        if d.slope[0].sign() != 0 {
             if at_lo * at_hi <= 0.0 {
                 found(self.meeting(lo, hi, at_lo));
             }
@@ -459,12 +459,12 @@ impl Passing<'_> {
             }
         }
         let theta = 0.5 * (lo + hi);
-        event(theta, 0.0, self.gap(theta).slope)
+        event(theta, 0.0, self.gap(theta).slope[0])
     }
 
     /// The difference of the places of the two branches, with its derivatives.
-    fn gap(&self, theta: f64) -> Series {
-        let (cos, sin) = Series::cos_sin(theta);
+    fn gap(&self, theta: f64) -> Dual<1> {
+        let (sin, cos) = Dual::variable(theta, 0).sin_cos();
         self.difference(cos, sin)
     }
 
@@ -499,8 +499,8 @@ impl Passing<'_> {
         let d = self.gap(theta);
         // How far the root is known, and with it the places: of lines that are nearly parallel these move fast.
         let off = f.error() / f.at(theta).1.abs() + ROOT_ERROR;
-        let near = d.value.abs() <= NEAR + off * d.slope.abs();
-        (near || d.value.is_nan()).then(|| event(theta, d.value, d.slope))
+        let near = d.value.abs() <= NEAR + off * d.slope[0].abs();
+        (near || d.value.is_nan()).then(|| event(theta, d.value, d.slope[0]))
     }
 }
 

@@ -114,12 +114,12 @@ pub(crate) fn between<T: Real>(carrier: &Carrier<T>, p: Xy<T>, q: Xy<T>) -> T {
     let Carrier::Circle { radius, .. } = *carrier else {
         return p.0 - q.0;
     };
-    let sine = cross(p, q).over(radius);
-    if dot(p, q).rough() >= 0.0 {
+    let sine = cross(p, q) / radius;
+    if dot(p, q).value() >= 0.0 {
         return sine;
     }
     let twice = T::constant(2.0) * radius;
-    if (sine.rough() < 0.0) == (radius.rough() < 0.0) {
+    if (sine.value() < 0.0) == (radius.value() < 0.0) {
         twice - sine
     } else {
         -twice - sine
