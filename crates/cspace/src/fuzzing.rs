@@ -104,7 +104,7 @@ pub fn polynomial_roots(
     narrowest: f64,
 ) -> [Vec<(f64, f64)>; 2] {
     let [mut found, mut vague] = [Vec::new(), Vec::new()];
-    TrigPolynomial::sampled(f).brackets(
+    TrigPolynomial::sampled(|turn| f(turn.cos, turn.sin)).brackets(
         lo,
         hi,
         narrowest,

@@ -5,7 +5,6 @@
 //! condition of tangency: each is α cos θ + β sin θ + γ = 0, with R w = w cos θ + left(w) sin θ.
 
 use crate::geometry::{Point, Vector};
-use crate::number::plane::{Xy, cross, dot, left};
 use crate::number::{Known, Real, Trig};
 
 use super::shared::SharedEnds;
@@ -54,9 +53,7 @@ fn height(spiral: &Spiral, line: &Sheet, offset: f64) -> Trig {
     let (stays, turns) = line.seen(spiral);
     let scale = size(spiral) + size(&line.start) + offset.abs();
     let line_turns = line.kind == SheetKind::RoundLine;
-    let xy = |v: Vector| (v.x, v.y);
-    let [alpha, beta, gamma] =
-        height_coefficients(xy(line.normal), xy(stays), xy(turns), offset, line_turns);
+    let [alpha, beta, gamma] = height_coefficients(line.normal, stays, turns, offset, line_turns);
     let amplitude = turns.length();
     let known = |value| Known {
         value,
@@ -75,24 +72,24 @@ fn height(spiral: &Spiral, line: &Sheet, offset: f64) -> Trig {
 /// n·(u + R w) − d as α cos θ + β sin θ + γ, of a way of which one part stays and the other turns as seen from the line's
 /// normal; the line itself may turn.
 pub(super) fn height_coefficients<T: Real>(
-    n: Xy<T>,
-    stays: Xy<T>,
-    turns: Xy<T>,
+    n: Vector<T>,
+    stays: Vector<T>,
+    turns: Vector<T>,
     offset: T,
     line_turns: bool,
 ) -> [T; 3] {
-    let beta = cross(turns, n);
+    let beta = turns.cross(n);
     let beta = if line_turns { -beta } else { beta };
-    [dot(n, turns), beta, dot(n, stays) - offset]
+    [n.dot(turns), beta, n.dot(stays) - offset]
 }
 
 /// |u + R w|² − d² as α cos θ + β sin θ + γ.
-pub(super) fn apart_coefficients<T: Real>(u: Xy<T>, w: Xy<T>, distance: T) -> [T; 3] {
+pub(super) fn apart_coefficients<T: Real>(u: Vector<T>, w: Vector<T>, distance: T) -> [T; 3] {
     let two = T::constant(2.0);
     [
-        two * dot(u, w),
-        two * dot(u, left(w)),
-        dot(u, u) + dot(w, w) - distance * distance,
+        two * u.dot(w),
+        two * u.dot(w.left()),
+        u.length_squared() + w.length_squared() - distance * distance,
     ]
 }
 
@@ -110,7 +107,7 @@ fn apart(p: &Spiral, q: &Spiral, distance: f64) -> Trig {
         value: x * y,
         error: error * (x.abs() + y.abs() + error),
     };
-    let [alpha, beta, gamma] = apart_coefficients((u.x, u.y), (w.x, w.y), distance);
+    let [alpha, beta, gamma] = apart_coefficients(u, w, distance);
     Trig {
         alpha,
         beta,

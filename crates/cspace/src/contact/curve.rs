@@ -7,173 +7,100 @@ use crate::geometry::{Point, Rotation, Vector, wrap};
 
 use crate::part::Bounds;
 
-use super::carrier::Carrier;
-use super::flat_arc::FlatArc;
+use super::cycle::Cycle;
 
 /// A directed segment or arc; free space, if any, is on the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Curve {
     pub(crate) start: Point,
     pub(crate) end: Point,
-    pub(crate) shape: CurveShape,
-}
-
-/// The carrier of a contact curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum CurveShape {
-    /// A line; the normal points to the free side, travel is its left.
-    Line { normal: Vector },
-    /// A circle; travelled counter-clockwise if the radius is positive. Angles are those of the contact normal.
-    Circle {
-        center: Point,
-        radius: f64,
-        mid_angle: f64,
-        half: f64,
-    },
-    /// A circle much larger than the parts.
-    FlatArc(FlatArc<f64>),
+    pub(crate) cycle: Cycle,
+    /// The angle of the contact normal in the middle, and how far it turns from there to either end (radians); only of a circle by
+    /// its centre.
+    pub(crate) mid_angle: f64,
+    pub(crate) half_angle: f64,
 }
 
 impl Curve {
     /// Half its length.
     #[inline]
     pub(crate) fn half_length(&self) -> f64 {
-        match self.shape {
-            CurveShape::Line { normal } => 0.5 * normal.left().dot(self.end - self.start),
-            CurveShape::Circle { radius, half, .. } => half * radius.abs(),
-            CurveShape::FlatArc(arc) => {
-                (0.5 * (arc.place(self.end) - arc.place(self.start))).max(0.0)
-            }
+        if self.cycle.is_centred() {
+            return self.half_angle * self.cycle.size;
         }
+        let [start, end] = self.end_places();
+        0.5 * (end - start).max(0.0)
     }
 
     /// Turned by `theta`, of which `turn` is the rotation, then moved by `p`.
     pub(crate) fn moved(&self, p: Vector, theta: f64, turn: Rotation) -> Self {
-        let place = |q: Point| turn * q + p;
         Self {
-            start: place(self.start),
-            end: place(self.end),
-            shape: match self.shape {
-                CurveShape::Line { normal } => CurveShape::Line {
-                    normal: turn * normal,
-                },
-                CurveShape::Circle {
-                    center,
-                    radius,
-                    mid_angle,
-                    half,
-                } => CurveShape::Circle {
-                    center: place(center),
-                    radius,
-                    mid_angle: mid_angle + theta,
-                    half,
-                },
-                CurveShape::FlatArc(arc) => CurveShape::FlatArc(arc.moved(turn, p)),
-            },
+            start: turn * self.start + p,
+            end: turn * self.end + p,
+            cycle: self.cycle.moved(turn, p),
+            mid_angle: self.mid_angle + theta,
+            half_angle: self.half_angle,
         }
     }
 
-    /// The carrier it lies on.
-    #[inline]
-    pub(crate) fn carrier(&self) -> Carrier<f64> {
-        match self.shape {
-            CurveShape::Line { normal } => Carrier::Line {
-                normal: (normal.x, normal.y),
-                through: (self.start.x, self.start.y),
-            },
-            CurveShape::Circle { center, radius, .. } => Carrier::Circle {
-                center: (center.x, center.y),
-                radius,
-            },
-            CurveShape::FlatArc(arc) => Carrier::FlatArc(arc),
-        }
+    /// The places of its ends; not of a circle by its centre.
+    fn end_places(&self) -> [f64; 2] {
+        [self.start, self.end].map(|p| self.cycle.place(p).x)
     }
 
-    /// The place of its middle on a flat arc.
-    fn middle_of_flat_arc(&self, arc: &FlatArc<f64>) -> f64 {
-        0.5 * (arc.place(self.start) + arc.place(self.end))
+    /// The place of its middle; not of a circle by its centre.
+    fn middle(&self) -> f64 {
+        let [start, end] = self.end_places();
+        0.5 * (start + end)
+    }
+
+    /// The signed radius of a circle by its centre.
+    fn radius(&self) -> f64 {
+        self.cycle.size * self.cycle.weight
     }
 
     /// Place of a point of the curve: length of travel from the middle.
     #[inline]
     pub(crate) fn position(&self, p: Point) -> f64 {
-        match self.shape {
-            CurveShape::Line { normal } => {
-                let t = normal.left();
-                0.5 * (t.dot(p - self.start) + t.dot(p - self.end))
-            }
-            CurveShape::Circle {
-                center,
-                radius,
-                mid_angle,
-                ..
-            } => {
-                let v = (p - center) * radius.signum();
-                wrap(v.angle() - mid_angle) * radius
-            }
-            CurveShape::FlatArc(arc) => arc.place(p) - self.middle_of_flat_arc(&arc),
+        if self.cycle.is_centred() {
+            let v = (p - self.cycle.through) * self.cycle.weight;
+            return wrap(v.angle() - self.mid_angle) * self.radius();
         }
+        self.cycle.place(p).x - self.middle()
     }
 
     /// The point at a place.
     #[inline]
     pub(crate) fn point(&self, s: f64) -> Point {
-        match self.shape {
-            CurveShape::Line { normal } => self.start.midpoint(self.end) + normal.left() * s,
-            CurveShape::Circle {
-                center,
-                radius,
-                mid_angle,
-                ..
-            } => center + Vector::from_angle(mid_angle + s / radius) * radius,
-            CurveShape::FlatArc(arc) => arc.point(s + self.middle_of_flat_arc(&arc)),
+        if self.cycle.is_centred() {
+            let radius = self.radius();
+            let normal = Vector::from_angle(self.mid_angle + s / radius);
+            return self.cycle.through + normal * radius;
         }
+        self.cycle.at(Vector::new(s + self.middle(), 0.0))
     }
 
     /// The unit normal towards the free side at a point of the curve.
     #[inline]
     pub(crate) fn normal(&self, p: Point) -> Vector {
-        match self.shape {
-            CurveShape::Line { normal } => normal,
-            CurveShape::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
-            CurveShape::FlatArc(arc) => arc.normal_at(p),
-        }
+        self.cycle.normal_at(p)
     }
 
     /// The smallest distance t in (0, `limit`) at which the ray p + t d meets the curve; d is a unit vector.
     ///
     /// A ray through the joint of two curves meets both of them.
     pub(crate) fn hit(&self, p: Point, d: Vector, limit: f64) -> Option<f64> {
-        let mut best = None;
-        let mut take = |t: f64| {
-            if t > 0.0
-                && t < best.unwrap_or(limit)
-                && self.position(p + d * t).abs() <= self.half_length() + JOINT
-            {
-                best = Some(t);
-            }
+        let near = self.half_length() + JOINT;
+        // Far around a large circle places are no lengths.
+        let beside = |q: Point| {
+            let cycle = &self.cycle;
+            !cycle.is_centred() && (cycle.place(q).x * cycle.weight).abs() >= WIDEST_ARC
         };
-        match self.shape {
-            CurveShape::Line { normal } => take(normal.dot(self.start - p) / normal.dot(d)),
-            CurveShape::Circle { center, radius, .. } => {
-                let v = center - p;
-                let along = v.dot(d);
-                let across = v.cross(d);
-                let square = (radius - across) * (radius + across);
-                if square >= 0.0 {
-                    take(along - square.sqrt());
-                    take(along + square.sqrt());
-                }
-            }
-            CurveShape::FlatArc(arc) => {
-                for t in arc.met(p, d) {
-                    if (arc.place(p + d * t) * arc.curvature).abs() < WIDEST_ARC {
-                        take(t);
-                    }
-                }
-            }
-        }
-        best
+        let met = self.cycle.met(p, d).into_iter().filter(|&t| {
+            let q = p + d * t;
+            t > 0.0 && t < limit && !beside(q) && self.position(q).abs() <= near
+        });
+        met.reduce(f64::min)
     }
 
     /// A box that contains the curve.
@@ -182,19 +109,14 @@ impl Curve {
             min: mut lo,
             max: mut hi,
         } = Bounds::of(self.start, self.end);
-        if let CurveShape::Circle {
-            center,
-            radius,
-            mid_angle,
-            half,
-        } = self.shape
-        {
-            let r = radius.abs();
-            let mid = if radius > 0.0 {
-                mid_angle
+        if self.cycle.is_centred() {
+            let (center, r) = (self.cycle.through, self.cycle.size);
+            let mid = if self.cycle.weight > 0.0 {
+                self.mid_angle
             } else {
-                mid_angle + PI
+                self.mid_angle + PI
             };
+            let half = self.half_angle;
             if wrap(mid).abs() <= half {
                 hi.x = center.x + r;
             }
@@ -207,10 +129,9 @@ impl Curve {
             if wrap(mid + 0.5 * PI).abs() <= half {
                 lo.y = center.y - r;
             }
-        }
-        if let CurveShape::FlatArc(arc) = self.shape {
+        } else {
             // Twice the height of the arc over its chord, and more.
-            let height = 0.25 * arc.curvature.abs() * (self.end - self.start).length_squared();
+            let height = 0.25 * self.cycle.weight.abs() * (self.end - self.start).length_squared();
             let height = Vector::new(height, height);
             (lo, hi) = (lo + -height, hi + height);
         }

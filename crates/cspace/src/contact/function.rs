@@ -3,9 +3,8 @@
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
-use super::carrier::Carrier;
-use super::flat_arc::FlatArc;
-use super::spiral::{Spiral, turned};
+use super::cycle::Cycle;
+use super::spiral::Spiral;
 
 /// The contact function of a pair of features, equations (1)–(3) of Sacks 1999, in the pair's frame.
 ///
@@ -60,81 +59,77 @@ impl ContactFunction {
 
     /// The value at a position of the pair's frame and orientation `theta`.
     pub fn value(&self, p: Point, theta: f64) -> f64 {
-        let turn = Rotation::by(theta);
-        match *self {
-            Self::FixedLine { normal, through } => normal.dot(p - through.at(turn)),
-            Self::MovingLine { normal, through } => (turn * normal).dot(p - through.at(turn)),
-            Self::Circle { center, radius } => {
-                (p.distance(center.at(turn)) - radius.abs()) * radius.signum()
-            }
-            Self::FlatCircle { .. } => self.flat_arc(turn).map_or(f64::NAN, |b| b.distance(p)),
-        }
+        self.cycle(Rotation::by(theta)).distance(p)
     }
 
     /// The gradient by position and orientation: (∂/∂p, ∂/∂θ).
     ///
-    /// The turning part R w of a spiral moves by left(R w) per radian.
+    /// Of the level n·d + λ d²/2 with d = p − c(θ): the turning part R w of a spiral moves by left(R w) per radian, and so does a
+    /// normal that turns.
     pub fn gradient(&self, p: Point, theta: f64) -> (Vector, f64) {
         let turn = Rotation::by(theta);
-        match *self {
-            Self::FixedLine { normal, through } => (normal, -normal.dot((turn * through.w).left())),
-            Self::MovingLine { normal, through } => {
-                let n = turn * normal;
-                let v = p - through.at(turn);
-                (n, n.left().dot(v) - n.dot((turn * through.w).left()))
-            }
-            Self::Circle { center, radius } => {
-                let n = (p - center.at(turn)).unit() * radius.signum();
-                (n, -n.dot((turn * center.w).left()))
-            }
-            Self::FlatCircle {
-                through,
-                normal,
-                turns,
-                radius,
-            } => {
-                let axis = if turns { turn * normal } else { normal };
-                let d = p - through.at(turn);
-                let n = axis + d * (1.0 / radius);
-                let drift = if turns { axis.left().dot(d) } else { 0.0 };
-                let by_theta = drift - n.dot((turn * through.turning()).left());
-                let length = n.length();
-                (n * (1.0 / length), by_theta / length)
-            }
-        }
+        let cycle = self.cycle(turn);
+        let slope = cycle.slope(p);
+        let moves = (turn * self.through().turning()).left();
+        let drift = if self.turns() {
+            cycle.normal.left().dot(p - cycle.through)
+        } else {
+            0.0
+        };
+        let rate = 1.0 / slope.length();
+        (slope * rate, (drift - slope.dot(moves)) * rate)
     }
 
-    /// Its carrier at the orientation with the given cosine and sine.
+    /// The spiral of the point by which its cycles are written.
     #[inline(always)]
-    pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
-        let real = T::constant;
-        match self {
-            Self::FixedLine { normal, through } => Carrier::Line {
-                normal: (real(normal.x), real(normal.y)),
-                through: through.place(cos, sin),
-            },
-            Self::MovingLine { normal, through } => Carrier::Line {
-                normal: turned(*normal, cos, sin),
-                through: through.place(cos, sin),
-            },
-            Self::Circle { center, radius } => Carrier::Circle {
-                center: center.unswung(cos, sin),
-                radius: real(*radius),
-            },
-            Self::FlatCircle {
-                through,
-                normal,
-                turns,
-                radius,
-            } => Carrier::FlatArc(FlatArc::of(through, *normal, *turns, *radius, cos, sin)),
+    pub(crate) fn through(&self) -> Spiral {
+        match *self {
+            Self::FixedLine { through, .. }
+            | Self::MovingLine { through, .. }
+            | Self::FlatCircle { through, .. } => through,
+            Self::Circle { center, .. } => center,
         }
     }
 
-    /// The circle at one orientation, if it is a flat one.
-    pub(crate) fn flat_arc(&self, turn: Rotation) -> Option<FlatArc<f64>> {
-        match self.carrier(turn.cos, turn.sin) {
-            Carrier::FlatArc(arc) => Some(arc),
-            _ => None,
+    /// Whether the normal turns with the moving part.
+    fn turns(&self) -> bool {
+        match *self {
+            Self::MovingLine { .. } => true,
+            Self::FlatCircle { turns, .. } => turns,
+            Self::FixedLine { .. } | Self::Circle { .. } => false,
+        }
+    }
+
+    /// The same for positions as seen from a point that moves.
+    pub(crate) fn about(&self, place: &Spiral) -> Self {
+        let mut seen = *self;
+        match &mut seen {
+            Self::FixedLine { through, .. }
+            | Self::MovingLine { through, .. }
+            | Self::FlatCircle { through, .. } => *through = through.about(place),
+            Self::Circle { center, .. } => *center = center.about(place),
+        }
+        seen
+    }
+
+    /// Its curve at an orientation: all of the line or circle.
+    #[inline(always)]
+    pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
+        let (real, through) = (T::constant, self.through().lift().at(turn));
+        match *self {
+            Self::FixedLine { normal, .. } => Cycle::line(through, normal.map(real)),
+            Self::MovingLine { normal, .. } => Cycle::line(through, turn * normal.map(real)),
+            Self::Circle { radius, .. } => Cycle::round(through, real(radius)),
+            Self::FlatCircle {
+                normal,
+                turns,
+                radius,
+                ..
+            } => {
+                let normal = normal.map(real);
+                let normal = if turns { turn * normal } else { normal };
+                Cycle::flat(through, normal, real(1.0 / radius))
+            }
         }
     }
 }
@@ -196,9 +191,9 @@ mod tests {
         }
     }
 
-    /// On the carrier the function vanishes, and beside it, along the normal, it is the distance.
+    /// On its cycle the function vanishes, and beside it, along the normal, it is the distance.
     #[test]
-    fn carriers_are_where_functions_vanish() {
+    fn cycles_are_where_functions_vanish() {
         let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));
         let normal = Vector::from_angle(0.7);
         let theta = 0.3_f64;
@@ -211,26 +206,19 @@ mod tests {
             (ContactFunction::FixedLine { normal, through: s }, 0.7),
             (ContactFunction::MovingLine { normal, through: s }, 1.0),
         ] {
-            let Carrier::Line { normal, through } = f.carrier(theta.cos(), theta.sin()) else {
-                panic!("a line's carrier is one")
-            };
-            assert!(!f.is_circular());
-            let (n, o) = (
-                Vector::new(normal.0, normal.1),
-                Point::new(through.0, through.1),
-            );
+            let line = f.cycle(Rotation::by(theta));
+            let (n, o) = (line.normal, line.through);
+            assert!(!f.is_circular() && line.is_line());
             assert!((n - Vector::from_angle(angle)).length() < 1e-15);
             assert!(o.distance(turned) < 1e-15);
             assert!((f.value(o + n.left() * 0.8 + n * 0.2, theta) - 0.2).abs() < 1e-15);
         }
         for radius in [0.4, -0.4] {
             let f = ContactFunction::Circle { center: s, radius };
-            let Carrier::Circle { center, radius: r } = f.carrier(theta.cos(), theta.sin()) else {
-                panic!("a circle's carrier is one")
-            };
-            let c = Point::new(center.0, center.1);
-            assert!(f.is_circular());
-            assert!(r == radius && c.distance(turned) < 1e-15);
+            let circle = f.cycle(Rotation::by(theta));
+            let c = circle.through;
+            assert!(f.is_circular() && circle.is_centred());
+            assert!(circle.size == 0.4 && c.distance(turned) < 1e-15);
             for k in 0..6 {
                 let n = Vector::from_angle(f64::from(k));
                 assert!((f.value(c + n * 0.5, theta) - 0.1 * radius.signum()).abs() < 1e-15);

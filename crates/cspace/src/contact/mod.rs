@@ -2,7 +2,7 @@
 //!
 //! # One orientation
 //!
-//! The positions at which two features touch are a curve, part of a line or circle, its carrier:
+//! The positions at which two features touch are a curve, part of a line or circle, its cycle:
 //!
 //! ```text
 //!                 n ↑                    free space
@@ -34,21 +34,20 @@
 //!
 //! # Levels of precision
 //!
-//! 1. Doubles: `curve.rs`, `crossing.rs`, `carrier.rs`. A circle whose centre is far from the parts is written as a flat arc
-//!    (`flat_arc.rs`), so that nothing in it is large.
+//! 1. Doubles: `curve.rs`, `crossing.rs`. All lines and circles are cycles (`cycle.rs`); one whose centre is far from the parts is
+//!    written by a point near them, so that nothing in it is large.
 //! 2. Double-double (`exact/`), wherever doubles leave open which of two things is the case. The parts have been changed so that
 //!    nothing coincides at that level (see the features).
 
 mod build;
-mod carrier;
 mod condition;
 mod contacts;
 mod crossing;
 mod curve;
+mod cycle;
 mod drawn;
 mod end_names;
 mod exact;
-mod flat_arc;
 mod function;
 mod overlap;
 mod pair;
@@ -59,15 +58,14 @@ mod spiral;
 mod symmetry;
 mod tangent;
 
-pub(crate) use carrier::{Carrier, PLACE_ERROR, place_error, place_on};
 pub(crate) use condition::conditions;
-pub(crate) use crossing::{Crossing, crossing, roots};
-pub(crate) use curve::{Curve, CurveShape};
+pub(crate) use crossing::{Crossing, crossing};
+pub(crate) use curve::Curve;
+pub(crate) use cycle::{Cycle, PLACE_ERROR};
 pub use drawn::{
     ContactValue, FeatureShape, Touching, TouchingPlace, contact_function, touching, touching_place,
 };
-pub(crate) use exact::{ExactCarrier, ExactCurve, ExactSheet, ExactTurn, Rough, exact_crossings};
-pub(crate) use flat_arc::FlatArc;
+pub(crate) use exact::{ExactCurve, ExactSheet, ExactTurn, Rough, exact_crossings};
 pub use function::ContactFunction;
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Bodies, Geometry, Placed, growths};

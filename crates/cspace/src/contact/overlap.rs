@@ -6,9 +6,9 @@ use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation};
 use crate::part::{Bounds, Inside, Part};
 
-use super::crossing::{crossing, roots};
-use super::curve::{Curve, CurveShape};
-use super::flat_arc::FlatArc;
+use super::crossing::crossing;
+use super::curve::Curve;
+use super::cycle::Cycle;
 
 /// One part, ready to be tested: its boundary as curves, and two points at every loop.
 #[derive(Debug)]
@@ -28,21 +28,21 @@ impl Body {
             .features
             .iter()
             .filter(|f| !f.is_vertex())
-            .map(|f| Curve {
-                start: outline.start(f).point,
-                end: outline.end(f).point,
-                shape: match (f.shape, f.near) {
-                    (Shape::Line { normal }, _) => CurveShape::Line { normal },
-                    (Shape::Round { radius, .. }, Some(near)) => {
-                        CurveShape::FlatArc(FlatArc::new(near.point, near.normal, 1.0 / radius))
-                    }
-                    (Shape::Round { center, radius }, None) => CurveShape::Circle {
-                        center,
-                        radius,
-                        mid_angle: 0.5 * (f.lo + f.hi),
-                        half: 0.5 * (f.hi - f.lo),
+            .map(|f| {
+                let start = outline.start(f).point;
+                Curve {
+                    start,
+                    end: outline.end(f).point,
+                    cycle: match (f.shape, f.near) {
+                        (Shape::Line { normal }, _) => Cycle::line(start, normal),
+                        (Shape::Round { radius, .. }, Some(near)) => {
+                            Cycle::flat(near.point, near.normal, 1.0 / radius)
+                        }
+                        (Shape::Round { center, radius }, None) => Cycle::round(center, radius),
                     },
-                },
+                    mid_angle: 0.5 * (f.lo + f.hi),
+                    half_angle: 0.5 * (f.hi - f.lo),
+                }
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
@@ -84,8 +84,7 @@ fn cross(f: &Curve, g: &Curve) -> bool {
     /// A crossing where two edges follow each other is on one of them at least (length).
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
     let is_on = |curve: &Curve, p: Point| curve.position(p).abs() <= curve.half_length() + ROUNDING;
-    (0..roots(f, g))
-        .any(|root| crossing(f, g, root).is_some_and(|c| is_on(f, c.point) && is_on(g, c.point)))
+    (0..2).any(|root| crossing(f, g, root).is_some_and(|c| is_on(f, c.point) && is_on(g, c.point)))
 }
 
 /// Whether the moving body at position `p` and orientation `theta` overlaps the fixed one.

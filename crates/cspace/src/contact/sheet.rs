@@ -3,9 +3,8 @@
 use crate::feature::tolerance::{LONGEST, SMALL_CIRCLE, WIDEST_SAGITTA};
 use crate::geometry::{Point, Rotation, Vector};
 
-use super::carrier::Carrier;
-use super::curve::{Curve, CurveShape};
-use super::flat_arc::FlatArc;
+use super::curve::Curve;
+use super::cycle::Cycle;
 use super::function::ContactFunction;
 use super::spiral::{Spiral, Swing};
 use crate::number::{Dd, Real};
@@ -247,28 +246,14 @@ impl Sheet {
 
     /// Its curve at one orientation.
     pub(crate) fn curve(&self, theta: f64, turn: Rotation) -> Curve {
-        let (start, end) = (self.start.at(turn), self.end.at(turn));
-        let shape = if self.is_circle() {
-            let (from, to) = (self.start_angle.at(theta), self.end_angle.at(theta));
-            CurveShape::Circle {
-                center: self.center().at(turn),
-                radius: self.radius,
-                mid_angle: 0.5 * (from + to),
-                half: 0.5 * (to - from).abs(),
-            }
-        } else if self.is_flat_arc() {
-            let through = self.near().at(turn);
-            CurveShape::FlatArc(FlatArc::new(
-                through,
-                self.normal_at(turn),
-                1.0 / self.radius,
-            ))
-        } else {
-            CurveShape::Line {
-                normal: self.normal_at(turn),
-            }
-        };
-        Curve { start, end, shape }
+        let (from, to) = (self.start_angle.at(theta), self.end_angle.at(theta));
+        Curve {
+            start: self.start.at(turn),
+            end: self.end.at(turn),
+            cycle: self.cycle(turn),
+            mid_angle: 0.5 * (from + to),
+            half_angle: 0.5 * (to - from).abs(),
+        }
     }
 
     /// Its contact function.
@@ -295,10 +280,10 @@ impl Sheet {
         }
     }
 
-    /// Its carrier at the orientation with the given cosine and sine.
+    /// All of the line or circle on which its curve lies at an orientation.
     #[inline(always)]
-    pub(crate) fn carrier<T: Real>(&self, cos: T, sin: T) -> Carrier<T> {
-        self.function().carrier(cos, sin)
+    pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
+        self.function().cycle(turn)
     }
 }
 

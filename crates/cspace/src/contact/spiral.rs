@@ -3,17 +3,17 @@
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
-/// A point that moves with orientation: p(θ) = u + `R_θ` w + (1 − `R_{θ−t}`) a.
+/// A point that moves with orientation, in numbers of any kind: p(θ) = u + `R_θ` w + (1 − `R_{θ−t}`) a.
 ///
 /// So move the ends of all contact curves (one normal there is that of a joint, fixed or turning with the moving
 /// part), and the centres of the circular ones. The last term is there for arcs of large radius only: see [`Swing`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Spiral {
+pub struct Spiral<T = f64> {
     /// The part that stays.
-    pub u: Point,
+    pub u: Point<T>,
     /// The part that turns.
-    pub w: Vector,
+    pub w: Vector<T>,
     /// How the end of a long arm swings.
     #[cfg_attr(
         feature = "serde",
@@ -52,35 +52,53 @@ impl Swing {
     /// With φ = θ − t, (1 − cos φ) a − sin φ left(a); 1 − cos φ from the sine, so that it is as exact as that is.
     #[cold]
     #[inline(never)]
-    fn moved<T: Real>(&self, cos: T, sin: T) -> (T, T) {
+    fn moved<T: Real>(&self, turn: Rotation<T>) -> Vector<T> {
         let real = T::constant;
-        let (st, ct) = self.rest.sin_cos();
-        let c = cos * real(ct) + sin * real(st);
-        let s = sin * real(ct) - cos * real(st);
+        let rest = Rotation::by(self.rest);
+        let (rest, arm) = (
+            Rotation {
+                cos: real(rest.cos),
+                sin: real(-rest.sin),
+            },
+            self.arm.map(real),
+        );
+        let Vector { x: c, y: s } = rest * Vector::new(turn.cos, turn.sin);
         let less = s * s / (real(1.0) + c);
-        let (x, y) = (real(self.arm.x), real(self.arm.y));
-        (x * less + y * s, y * less - x * s)
+        arm * less + arm.right() * s
     }
 }
 
-/// A vector turned by the orientation with the given cosine and sine.
-#[inline(always)]
-pub(super) fn turned<T: Real>(v: Vector, cos: T, sin: T) -> (T, T) {
-    let real = T::constant;
-    (
-        cos * real(v.x) - sin * real(v.y),
-        sin * real(v.x) + cos * real(v.y),
-    )
-}
-
-impl Spiral {
+impl<T: Real> Spiral<T> {
     /// u + `R_θ` w.
     #[inline]
-    pub const fn new(u: Point, w: Vector) -> Self {
+    pub const fn new(u: Point<T>, w: Vector<T>) -> Self {
         Self {
             u,
             w,
             swing: Swing::NONE,
+        }
+    }
+
+    /// Where it is at an orientation.
+    #[inline(always)]
+    pub(crate) fn at(&self, turn: Rotation<T>) -> Point<T> {
+        let p = self.u + turn * self.w;
+        if self.swing.is_none() {
+            p
+        } else {
+            p + self.swing.moved(turn)
+        }
+    }
+}
+
+impl Spiral {
+    /// The same in numbers of another kind.
+    #[inline(always)]
+    pub(crate) fn lift<T: Real>(&self) -> Spiral<T> {
+        Spiral {
+            u: self.u.map(T::constant),
+            w: self.w.map(T::constant),
+            swing: self.swing,
         }
     }
 
@@ -91,37 +109,6 @@ impl Spiral {
             w: self.w - other.w,
             ..*self
         }
-    }
-
-    #[inline(always)]
-    pub(crate) fn at(&self, turn: Rotation) -> Point {
-        let p = self.u + turn * self.w;
-        if self.swing.is_none() {
-            p
-        } else {
-            let (x, y) = self.swing.moved(turn.cos, turn.sin);
-            p + Vector::new(x, y)
-        }
-    }
-
-    /// Its place at the orientation with the given cosine and sine, in any arithmetic.
-    #[inline(always)]
-    pub(crate) fn place<T: Real>(&self, cos: T, sin: T) -> (T, T) {
-        let p = self.unswung(cos, sin);
-        if self.swing.is_none() {
-            p
-        } else {
-            let v = self.swing.moved(cos, sin);
-            (p.0 + v.0, p.1 + v.1)
-        }
-    }
-
-    /// The same of one that does not swing, such as the centre of a circle.
-    #[inline(always)]
-    pub(crate) fn unswung<T: Real>(&self, cos: T, sin: T) -> (T, T) {
-        let real = T::constant;
-        let w = turned(self.w, cos, sin);
-        (real(self.u.x) + w.0, real(self.u.y) + w.1)
     }
 
     /// All of it that turns: it moves by left(R v) per radian.

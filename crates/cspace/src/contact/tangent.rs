@@ -6,9 +6,8 @@
 use crate::feature::tolerance::{SAME_CARRIER, TANGENCY_STEP};
 use crate::geometry::{Rotation, Vector};
 use crate::number::Real;
-use crate::number::plane::{dot, minus};
 
-use super::carrier::Carrier;
+use super::cycle::Cycle;
 use super::sheet::Sheet;
 use super::spiral::Spiral;
 
@@ -34,15 +33,9 @@ impl Sheet {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         [lo, 0.5 * (lo + hi), hi].iter().all(|&theta| {
             let turn = Rotation::by(theta);
-            let (f, g) = (
-                self.function().flat_arc(turn),
-                other.function().flat_arc(turn),
-            );
-            f.zip(g).is_some_and(|(f, g)| {
-                let on = |u: f64| f.distance(g.point(u)).abs() <= SAME_CARRIER;
-                f.normal_at(f.point(0.0)).dot(g.normal_at(f.point(0.0))) > 0.0
-                    && [-1.0, 0.0, 1.0].into_iter().all(on)
-            })
+            let (f, g): (Cycle, Cycle) = (self.cycle(turn), other.cycle(turn));
+            let on = |u: f64| f.distance(g.at(Vector::new(u, 0.0))).abs() <= SAME_CARRIER;
+            f.normal.dot(g.normal_at(f.through)) > 0.0 && [-1.0, 0.0, 1.0].into_iter().all(on)
         })
     }
 
@@ -110,8 +103,7 @@ fn always_touch(f: &Sheet, g: &Sheet) -> bool {
     let mid = 0.5 * (f.lo.max(g.lo) + f.hi.min(g.hi));
     tangencies(f, g).any(|condition| {
         [-TANGENCY_STEP, 0.0, TANGENCY_STEP].into_iter().all(|d| {
-            let (sin, cos) = (mid + d).sin_cos();
-            let (value, size) = condition.at(cos, sin);
+            let (value, size) = condition.at(Rotation::by(mid + d));
             value.abs() <= MARGIN * LENGTH_ERROR * size * condition.pace()
         })
     })
@@ -119,33 +111,30 @@ fn always_touch(f: &Sheet, g: &Sheet) -> bool {
 
 impl Condition<'_> {
     /// Its value, and the error of a value in units of [`LENGTH_ERROR`].
-    fn at<T: Real>(&self, cos: T, sin: T) -> (T, f64) {
-        let real = T::constant;
+    fn at<T: Real>(&self, turn: Rotation<T>) -> (T, f64) {
+        let (real, half) = (T::constant, T::constant(0.5));
         match *self {
             Self::Alike(f, g, alike) => {
                 // |c − d|² = (r ∓ s)² for the centres c = X − r n and d = Y − s m, over ±2 r s.
-                let ((x, n, k), (y, m, l)) = (straight(f, cos, sin), straight(g, cos, sin));
-                let (v, side) = (minus(x, y), if alike { 1.0 } else { -1.0 });
-                let m = (m.0 * real(side), m.1 * real(side));
-                let l = l * side;
-                let (cross, along) = (n.0 * m.1 - n.1 * m.0, dot(n, m));
+                let (f, g) = (f.cycle(turn), g.cycle(turn));
+                let (v, side) = (f.through - g.through, if alike { 1.0 } else { -1.0 });
+                let (n, k) = (f.normal, f.weight);
+                let (m, l) = (g.normal * real(side), g.weight * real(side));
+                let (cross, along) = (n.cross(m), n.dot(m));
                 let less = if along.value() > 0.0 {
                     cross * cross / (real(1.0) + along)
                 } else {
                     real(1.0) - along
                 };
-                let value = dot(v, v) * real(0.5 * k * l) - dot(v, n) * real(l)
-                    + dot(v, m) * real(k)
-                    + less;
-                (value, 8.0 * (k.abs() + l.abs()))
+                let value = v.length_squared() * half * k * l - v.dot(n) * l + v.dot(m) * k + less;
+                (value, 8.0 * (k.value().abs() + l.value().abs()))
             }
             Self::Circle(f, g, outer) => {
                 // |c − d|² = (r ± s)² for the centre c = X − r n and a circle about d, over −2 r.
-                let (x, n, k) = straight(f, cos, sin);
-                let d = g.center().place(cos, sin);
+                let f = f.cycle(turn);
                 let r = real(if outer { g.radius } else { -g.radius });
-                let v = minus(x, d);
-                let value = dot(v, n) + r - (dot(v, v) - r * r) * real(0.5 * k);
+                let v = f.through - g.center().lift().at(turn);
+                let value = v.dot(f.normal) + r - (v.length_squared() - r * r) * half * f.weight;
                 (value, 1.0)
             }
         }
@@ -156,15 +145,6 @@ impl Condition<'_> {
         let of = |s: &Spiral| s.turning().length();
         let (Self::Alike(f, g, _) | Self::Circle(f, g, _)) = *self;
         1.0 + of(&f.any()) + of(&g.any())
-    }
-}
-
-/// A line or flat arc: a point of it, the normal there and the curvature.
-fn straight<T: Real>(sheet: &Sheet, cos: T, sin: T) -> ((T, T), (T, T), f64) {
-    match sheet.carrier(cos, sin) {
-        Carrier::Line { normal, through } => (through, normal, 0.0),
-        Carrier::FlatArc(arc) => (arc.through, arc.normal, arc.curvature),
-        Carrier::Circle { center, .. } => (center, center, f64::NAN),
     }
 }
 
@@ -215,17 +195,13 @@ pub(super) mod tests {
 
     /// The centre of what a sheet is about its centre, and its signed radius; of a line a point, the normal, and no radius.
     fn carried(sheet: &Sheet, theta: f64) -> (Point, Vector, Option<f64>) {
-        match plain(sheet).carrier(theta.cos(), theta.sin()) {
-            Carrier::Circle { center, radius } => {
-                (Point::new(center.0, center.1), Vector::ZERO, Some(radius))
-            }
-            Carrier::Line { normal, through } => (
-                Point::new(through.0, through.1),
-                Vector::new(normal.0, normal.1),
-                None,
-            ),
-            Carrier::FlatArc(_) => unreachable!("a circle about its centre"),
-        }
+        let Cycle {
+            through,
+            normal,
+            weight,
+            size,
+        } = plain(sheet).cycle(Rotation::by(theta));
+        (through, normal, (weight != 0.0).then_some(weight * size))
     }
 
     /// What a condition is by centres and radii, as far as these tell it.
@@ -315,8 +291,7 @@ pub(super) mod tests {
 
     /// Value and derivative of a condition.
     fn dual(condition: &Condition<'_>, theta: f64) -> Dual<1> {
-        let (sin, cos) = Dual::variable(theta, 0).sin_cos();
-        condition.at(cos, sin).0
+        condition.at(Rotation::by(Dual::variable(theta, 0))).0
     }
 
     /// Values and slopes against distances of centres, which tell them to some digits.
@@ -328,8 +303,7 @@ pub(super) mod tests {
                 for theta in orientations {
                     let h = 1e-3;
                     let at = |t: f64| by_centers(&condition, t);
-                    let (cos, sin) = (theta.cos(), theta.sin());
-                    let value = condition.at(cos, sin).0;
+                    let value = condition.at(Rotation::by(theta)).0;
                     let off = (value - at(theta)).abs();
                     assert!(off < 1e-9, "{off} {value} {f:?} {g:?}");
                     let slope = dual(&condition, theta).slope[0];
@@ -348,8 +322,7 @@ pub(super) mod tests {
         for (f, g, orientations) in flat_pairs(&geometry) {
             for condition in tangencies(f, g) {
                 for theta in orientations {
-                    let (sin, cos) = Ball::new(theta, 0.0).sin_cos();
-                    let (enclosed, size) = condition.at(cos, sin);
+                    let (enclosed, size) = condition.at(Rotation::by(Ball::new(theta, 0.0)));
                     let said = MARGIN * LENGTH_ERROR * size * condition.pace();
                     let bounds = enclosed.radius / said;
                     assert!((1e-5..10.0).contains(&bounds), "{bounds}");
@@ -371,7 +344,10 @@ pub(super) mod tests {
             // Flat arcs of one curvature through one point: the squares of half the angle and no more.
             let condition = Condition::Alike(f, &g, true);
             let expected = 2.0 * (0.5 * angle).sin().powi(2);
-            for value in [condition.at(1.0, 0.0).0, dual(&condition, 0.0).value] {
+            for value in [
+                condition.at(Rotation::IDENTITY).0,
+                dual(&condition, 0.0).value,
+            ] {
                 assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
             }
         }

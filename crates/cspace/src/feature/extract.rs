@@ -10,9 +10,8 @@ use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
 use super::types::{
     ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
 };
-use crate::geometry::{Point, Vector, unwrap_near};
+use crate::geometry::{Point, Rotation, Vector, unwrap_near};
 use crate::number::Dd;
-use crate::number::plane::{Xy, left, plus, right, rounded, times, turned};
 use crate::part::{Edge, Part};
 
 /// One end of an edge after growth: its joint and, for an arc, how far its sweep was lengthened.
@@ -93,12 +92,12 @@ impl Outline {
             let j = (i + 1) % n;
             let (before, after) = (&pieces[i], &pieces[j]);
             let point = before.end;
-            let (n1, n2) = (right(before.end_direction), right(after.start_direction));
-            let grown = |normal: Xy<Dd>| plus(point, times(normal, Dd::from(growth)));
+            let (n1, n2) = (before.end_direction.right(), after.start_direction.right());
+            let grown = |normal: Vector<Dd>| point + normal * Dd::from(growth);
             match corner(before, after) {
                 Corner::Smooth { beside } => {
                     let (point, normal) = tangency(before, after, beside);
-                    let place = plus(point, times(normal, Dd::from(growth)));
+                    let place = point + normal * Dd::from(growth);
                     let joint = self.add_joint(place, normal);
                     ends[i] = End {
                         joint,
@@ -167,7 +166,7 @@ impl Outline {
         let end_joint = self.joints[end.joint as usize];
         let exact = match piece.arc {
             None => ExactRound {
-                center: (Dd::ZERO, Dd::ZERO),
+                center: Point::ORIGIN.map(Dd::from),
                 radius: Dd::ZERO,
             },
             Some((center, radius)) => ExactRound {
@@ -182,9 +181,8 @@ impl Outline {
             let angle = start_joint.angle;
             (Shape::Line { normal }, FeatureKind::Line, angle, angle)
         } else {
-            let (x, y) = rounded(exact.center);
             let shape = Shape::Round {
-                center: Point::new(x, y),
+                center: exact.center.map(Dd::to_f64),
                 radius: exact.radius.to_f64(),
             };
             let sweep = piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
@@ -216,17 +214,16 @@ impl Outline {
         });
     }
 
-    fn add_joint(&mut self, point: Xy<Dd>, normal: Xy<Dd>) -> u32 {
-        let angle = Dd::atan2(normal.1, normal.0);
+    fn add_joint(&mut self, point: Point<Dd>, normal: Vector<Dd>) -> u32 {
+        let angle = Dd::atan2(normal.y, normal.x);
         self.exact_joints.push(ExactJoint {
             point,
             normal,
             angle,
         });
-        let ((x, y), (u, v)) = (rounded(point), rounded(normal));
         self.joints.push(Joint {
-            point: Point::new(x, y),
-            normal: Vector::new(u, v),
+            point: point.map(Dd::to_f64),
+            normal: normal.map(Dd::to_f64),
             angle: angle.to_f64(),
         });
         (self.joints.len() - 1) as u32
@@ -236,14 +233,14 @@ impl Outline {
     fn carry_on(
         &mut self,
         piece: &FramedEdge,
-        point: Xy<Dd>,
-        normal: Xy<Dd>,
+        point: Point<Dd>,
+        normal: Vector<Dd>,
         growth: f64,
         further: f64,
     ) -> End {
         match piece.arc {
             None => End {
-                joint: self.add_joint(plus(point, times(left(normal), Dd::from(further))), normal),
+                joint: self.add_joint(point + normal.left() * Dd::from(further), normal),
                 extra_sweep: 0.0,
             },
             Some((center, radius)) => {
@@ -251,10 +248,9 @@ impl Outline {
                 // Travel turns the normal by length / signed radius; never by more than what closes the circle.
                 let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
                 let by = (further / radius.to_f64()).clamp(-room, room);
-                let (sin, cos) = Dd::from(by).sin_cos();
-                let turned = turned(normal, cos, sin);
+                let turned = Rotation::by(Dd::from(by)) * normal;
                 End {
-                    joint: self.add_joint(plus(center, times(turned, radius)), turned),
+                    joint: self.add_joint(center + turned * radius, turned),
                     extra_sweep: by.abs(),
                 }
             }
@@ -276,13 +272,13 @@ fn generic(pieces: &[FramedEdge], wishes: &[[f64; 3]]) -> Option<Vec<FramedEdge>
         .collect();
     let drawn: Vec<ExactVertex> = (pieces.iter())
         .map(|p| ExactVertex {
-            x: p.start.0,
-            y: p.start.1,
+            x: p.start.x,
+            y: p.start.y,
             bulge: Dd::from(p.edge.bulge),
         })
         .collect();
     let moved = made_generic(&drawn, &smooth, wishes)?;
-    let place = |v: &ExactVertex| (v.x, v.y);
+    let place = |v: &ExactVertex| Point::new(v.x, v.y);
     let rough = |v: &ExactVertex| Point::new(v.x.to_f64(), v.y.to_f64());
     let pieces = pieces.iter().enumerate().map(|(i, p)| {
         let (start, end) = (&moved[i], &moved[(i + 1) % n]);

@@ -2,22 +2,21 @@
 
 use super::tolerance::{LARGEST_CIRCLE, SAME_CARRIER, SMOOTH, STRAIGHT};
 use super::types::Near;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
-use crate::number::plane::{Xy, dot, left, length, minus, negative, plus, times, turned};
 use crate::part::Edge;
 
 /// An edge in the pair's frame, on its way to becoming a feature.
 pub(super) struct FramedEdge {
     pub(super) edge: Edge,
-    pub(super) start: Xy<Dd>,
-    pub(super) end: Xy<Dd>,
+    pub(super) start: Point<Dd>,
+    pub(super) end: Point<Dd>,
     /// `None` for a line.
-    pub(super) arc: Option<(Xy<Dd>, Dd)>,
+    pub(super) arc: Option<(Point<Dd>, Dd)>,
     /// Of a large arc.
     pub(super) near: Option<Near>,
-    pub(super) start_direction: Xy<Dd>,
-    pub(super) end_direction: Xy<Dd>,
+    pub(super) start_direction: Vector<Dd>,
+    pub(super) end_direction: Vector<Dd>,
     /// The directions in which the edge as it is drawn begins and ends, before it is taken for its chord or moved.
     pub(super) drawn: [Vector; 2],
     pub(super) sweep: f64,
@@ -27,7 +26,7 @@ impl FramedEdge {
     pub(super) fn new(edge: &Edge, center: Point, scale: f64) -> Self {
         let place = |p: Point| {
             let along = |x: f64, center: f64| (Dd::from(x) - center).scaled(scale);
-            (along(p.x, center.x), along(p.y, center.y))
+            Point::new(along(p.x, center.x), along(p.y, center.y))
         };
         let near = |p: Point| Point::ORIGIN + (p - center) * scale;
         let (start, end) = (place(edge.start), place(edge.end));
@@ -49,23 +48,24 @@ impl FramedEdge {
     pub(super) fn of(
         edge: Edge,
         drawn: [Vector; 2],
-        (start, end): (Xy<Dd>, Xy<Dd>),
+        (start, end): (Point<Dd>, Point<Dd>),
         b: Dd,
     ) -> Self {
-        let chord = minus(end, start);
-        let span = length(chord);
+        let chord = end - start;
+        let span = chord.length();
         let (one, square) = (Dd::ONE, b * b);
         let arc = (!edge.is_line()).then(|| {
-            let middle = times(plus(start, end), Dd::from(0.5));
+            let middle = start.midpoint(end);
             let up = (one - square) / (b * 4.0);
             (
-                plus(middle, times(left(chord), up)),
+                middle + chord.left() * up,
                 span * (one + square) / (b * 4.0),
             )
         });
         // With b = tan(sweep/4), cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
         let (cos, sin) = ((one - square) / (one + square), b * 2.0 / (one + square));
-        let direction = times(chord, one / span);
+        let direction = chord * (one / span);
+        let half = Rotation { cos, sin };
         let near = arc
             .filter(|a| a.1.to_f64().abs() > LARGEST_CIRCLE)
             .map(|_| {
@@ -81,33 +81,38 @@ impl FramedEdge {
             end,
             arc,
             near,
-            start_direction: turned(direction, cos, -sin),
-            end_direction: turned(direction, cos, sin),
+            start_direction: half.inverse() * direction,
+            end_direction: half * direction,
             drawn,
             sweep: edge.sweep(),
         }
     }
 
     /// The normal with which this edge ends at a grown corner.
-    pub(super) fn normal_at(&self, apex: Xy<Dd>, normal: Xy<Dd>, growth: f64) -> Xy<Dd> {
+    pub(super) fn normal_at(&self, apex: Point<Dd>, normal: Vector<Dd>, growth: f64) -> Vector<Dd> {
         match self.arc {
             Some((center, radius)) if growth > 0.0 => {
-                let v = minus(apex, center);
-                let v = times(v, Dd::ONE / length(v));
-                if radius.is_negative() { negative(v) } else { v }
+                let v = (apex - center).unit();
+                if radius.is_negative() { -v } else { v }
             }
             _ => normal,
         }
     }
 
     /// How far a point is off the edge's line or circle as grown, outward, to first order; and the outward normal there.
-    pub(super) fn off(&self, p: Xy<Dd>, normal: Xy<Dd>, at: Xy<Dd>, growth: f64) -> (Dd, Xy<Dd>) {
+    pub(super) fn off(
+        &self,
+        p: Point<Dd>,
+        normal: Vector<Dd>,
+        at: Point<Dd>,
+        growth: f64,
+    ) -> (Dd, Vector<Dd>) {
         match self.arc {
-            None => (dot(normal, minus(p, at)) - growth, normal),
+            None => (normal.dot(p - at) - growth, normal),
             Some((center, radius)) => {
                 let r = radius + growth;
-                let v = minus(p, center);
-                ((dot(v, v) - r * r) / (r * 2.0), times(v, Dd::ONE / r))
+                let v = p - center;
+                ((v.dot(v) - r * r) / (r * 2.0), v * (Dd::ONE / r))
             }
         }
     }

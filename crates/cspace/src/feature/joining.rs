@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 
 use super::framed_edge::FramedEdge;
 use super::tolerance::{MITRE, MOVED_PART, SAME_CARRIER, SMOOTH, STRAIGHT};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
-use crate::number::plane::{Xy, cross, dot, left, length, minus, plus, right, times, turned};
 
 /// How two consecutive edges meet.
 pub(super) enum Corner {
@@ -25,7 +25,7 @@ pub(super) enum Corner {
 /// By how much travel turns to the left from one edge to the next.
 fn turn(before: &FramedEdge, after: &FramedEdge) -> f64 {
     let (d1, d2) = (before.end_direction, after.start_direction);
-    cross(d1, d2).to_f64().atan2(dot(d1, d2).to_f64())
+    d1.cross(d2).to_f64().atan2(d1.dot(d2).to_f64())
 }
 
 /// Lines that follow each other smoothly are put on one line, from where the first starts to where the last ends: contacts of
@@ -51,15 +51,14 @@ pub(super) fn straightened(edges: &mut [FramedEdge]) {
             continue;
         }
         let start = edges[first].start;
-        let chord = minus(edges[(first + count - 1) % n].end, start);
-        let direction = times(chord, Dd::ONE / length(chord));
+        let direction = (edges[(first + count - 1) % n].end - start).unit();
         for k in 0..count {
             let i = (first + k) % n;
             edges[i].start_direction = direction;
             edges[i].end_direction = direction;
             if k + 1 < count {
-                let along = dot(direction, minus(edges[i].end, start));
-                let joint = plus(start, times(direction, along));
+                let along = direction.dot(edges[i].end - start);
+                let joint = start + direction * along;
                 edges[i].end = joint;
                 edges[(i + 1) % n].start = joint;
             }
@@ -116,36 +115,40 @@ fn run_alike(before: &FramedEdge, after: &FramedEdge, turn: f64) -> bool {
 /// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.
 ///
 /// Where a drawing was rounded that is `beside` the vertex, and it is the place at which contact curves of both edges end.
-pub(super) fn tangency(before: &FramedEdge, after: &FramedEdge, beside: bool) -> (Xy<Dd>, Xy<Dd>) {
+pub(super) fn tangency(
+    before: &FramedEdge,
+    after: &FramedEdge,
+    beside: bool,
+) -> (Point<Dd>, Vector<Dd>) {
     let vertex = before.end;
     let (d1, d2) = (before.end_direction, after.start_direction);
-    let on_line = |(center, radius): (Xy<Dd>, Dd), direction: Xy<Dd>| {
-        let normal = right(direction);
+    let on_line = |(center, radius): (Point<Dd>, Dd), direction: Vector<Dd>| {
+        let normal = direction.right();
         if !beside {
             return (vertex, normal);
         }
-        let at = plus(center, times(normal, radius));
-        let along = dot(direction, minus(at, vertex));
-        (plus(vertex, times(direction, along)), normal)
+        let at = center + normal * radius;
+        let along = direction.dot(at - vertex);
+        (vertex + direction * along, normal)
     };
     match (before.arc, after.arc) {
-        (None, None) => (vertex, right(d1)),
+        (None, None) => (vertex, d1.right()),
         (None, Some(arc)) => on_line(arc, d1),
         (Some(arc), None) => on_line(arc, d2),
         (Some((c, r)), Some((d, s))) => {
             if !beside {
-                return (vertex, right(d2));
+                return (vertex, d2.right());
             }
             // Normals that differ by a turn δ at the vertex agree δ / (κ₁ − κ₂) further on. The line of centres tells the same,
             // but nothing where both arcs are of one circle.
             let further = turn(before, after) / (before.curvature() - after.curvature());
-            let (sin, cos) = Dd::from(before.curvature() * further).sin_cos();
-            let normal = turned(right(d1), cos, sin);
+            let further = Rotation::by(Dd::from(before.curvature() * further));
+            let normal = further * d1.right();
             match (before.near, after.near) {
-                (None, _) => (plus(c, times(normal, r)), normal),
+                (None, _) => (c + normal * r, normal),
                 // The smaller one knows the place best; of large ones the normal hardly turns.
-                (_, None) => (plus(d, times(normal, s)), normal),
-                _ => (vertex, right(d2)),
+                (_, None) => (d + normal * s, normal),
+                _ => (vertex, d2.right()),
             }
         }
     }
@@ -156,20 +159,20 @@ pub(super) fn tangency(before: &FramedEdge, after: &FramedEdge, beside: bool) ->
 pub(super) fn mitre(
     before: &FramedEdge,
     after: &FramedEdge,
-    n1: Xy<Dd>,
-    n2: Xy<Dd>,
+    n1: Vector<Dd>,
+    n2: Vector<Dd>,
     growth: f64,
-) -> Xy<Dd> {
+) -> Point<Dd> {
     let point = before.end;
     if growth == 0.0 {
         return point;
     }
-    let reach = dot(n1, n2) + 1.0;
+    let reach = n1.dot(n2) + 1.0;
     // |n₁ + n₂|² = 2 (1 + n₁·n₂), so the mitre's length is g √(2 / reach).
     if 2.0 > MITRE * MITRE * reach.to_f64() {
-        return plus(point, times(left(n1), Dd::from(growth * MITRE)));
+        return point + n1.left() * Dd::from(growth * MITRE);
     }
-    let mut apex = plus(point, times(plus(n1, n2), Dd::from(growth) / reach));
+    let mut apex = point + (n1 + n2) * (Dd::from(growth) / reach);
     if before.arc.is_none() && after.arc.is_none() {
         return apex;
     }
@@ -178,15 +181,15 @@ pub(super) fn mitre(
     for _ in 0..STEPS {
         let (h, m) = before.off(apex, n1, point, growth);
         let (k, n) = after.off(apex, n2, point, growth);
-        let det = cross(m, n);
-        let step = plus(times(left(n), h), times(right(m), k));
-        let step = times(step, Dd::ONE / det);
+        let det = m.cross(n);
+        let step = n.left() * h + m.right() * k;
+        let step = step * (Dd::ONE / det);
         // The edges may go on into each other all but smoothly.
-        let far = length(step).to_f64();
+        let far = step.length().to_f64();
         if far.is_nan() || far >= growth {
             break;
         }
-        apex = plus(apex, step);
+        apex += step;
     }
     apex
 }

@@ -2,7 +2,6 @@
 
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
-use crate::number::plane::Xy;
 
 /// What a feature is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -81,15 +80,15 @@ pub(crate) struct Joint {
 /// A joint in double-double.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ExactJoint {
-    pub(crate) point: Xy<Dd>,
-    pub(crate) normal: Xy<Dd>,
+    pub(crate) point: Point<Dd>,
+    pub(crate) normal: Vector<Dd>,
     pub(crate) angle: Dd,
 }
 
 /// A round feature in double-double; of a line nothing: its joints tell it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ExactRound {
-    pub(crate) center: Xy<Dd>,
+    pub(crate) center: Point<Dd>,
     /// As in [`Shape`].
     pub(crate) radius: Dd,
 }

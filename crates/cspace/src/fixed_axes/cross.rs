@@ -282,8 +282,7 @@ pub(super) fn isolate(
 ) {
     let resultant = |first: Placement| resultant(&f.at(first), &g.at(first));
     if let Motion::Turn { center } = f.motions.first {
-        let polynomial = TrigPolynomial::sampled(|cos: f64, sin: f64| {
-            let turn = Rotation { cos, sin };
+        let polynomial = TrigPolynomial::sampled(|turn: Rotation| {
             let shift = center.to_vector() - turn * center.to_vector();
             resultant(Placement { turn, shift })
         });
@@ -297,7 +296,7 @@ pub(super) fn isolate(
     // A polynomial of x = m + h cos φ is a trigonometric one of φ.
     let (m, h) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let x = |angle: f64| m + h * angle.cos();
-    let polynomial = TrigPolynomial::sampled(|cos: f64, _| {
+    let polynomial = TrigPolynomial::sampled(|Rotation { cos, .. }: Rotation| {
         let shift = match f.motions.first {
             Motion::Slide { direction } => direction * (m + h * cos),
             _ => Vector::ZERO,

@@ -5,8 +5,7 @@
 //! grows or falls as S = d × ∇f tells: over a box in which S has no zero, none but the ends of the part count. What is
 //! left is halved (`number/least.rs`).
 
-use crate::geometry::{Point, Vector, images};
-use crate::number::plane::{Xy, dot, left, minus, plus, times, turned};
+use crate::geometry::{Point, Rotation, Vector, images};
 use crate::number::{Ball, Bounded, Real, least};
 
 use super::condition::{Carriers, Condition};
@@ -174,11 +173,11 @@ fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
     match condition.carriers {
         Carriers::FirstLine { normal, point, .. } => {
             let (n, q) = (first.vector(normal), second.point(point));
-            (-dot(n, first.velocity(q)), dot(n, second.velocity(q)))
+            (-n.dot(first.velocity(q)), n.dot(second.velocity(q)))
         }
         Carriers::SecondLine { normal, point, .. } => {
             let (n, p) = (second.vector(normal), first.point(point));
-            (dot(n, first.velocity(p)), -dot(n, second.velocity(p)))
+            (n.dot(first.velocity(p)), -n.dot(second.velocity(p)))
         }
         Carriers::Circles {
             first: p,
@@ -186,8 +185,8 @@ fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
             ..
         } => {
             let (p, q) = (first.point(p), second.point(q));
-            let n = minus(q, p);
-            (-dot(n, first.velocity(p)), dot(n, second.velocity(q)))
+            let n = q - p;
+            (-n.dot(first.velocity(p)), n.dot(second.velocity(q)))
         }
         Carriers::Cycles {
             first: a,
@@ -195,8 +194,8 @@ fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
         } => {
             let slope = |p: &(Cycle, Moved), q: &(Cycle, Moved)| match q.1.motion {
                 Motion::Still => Ball::constant(0.0),
-                Motion::Turn { center } => -dot(arm(p, center), left(arm(q, center))),
-                Motion::Slide { direction } => dot(constant(direction), centres(p, q)),
+                Motion::Turn { center } => -arm(p, center).dot(arm(q, center).left()),
+                Motion::Slide { direction } => constant(direction).dot(centres(p, q)),
             };
             let (a, b) = ((a, first), (b, second));
             (slope(&b, &a), slope(&a, &b))
@@ -205,28 +204,22 @@ fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
 }
 
 /// The arm of a moved cycle, seen from a pivot.
-fn arm((cycle, moved): &(Cycle, Moved), pivot: Point) -> Xy<Ball> {
-    let way = minus(moved.point(cycle.through), constant(pivot.to_vector()));
-    minus(
-        times(way, Ball::constant(cycle.weight)),
-        moved.vector(cycle.normal),
-    )
+fn arm((cycle, moved): &(Cycle, Moved), pivot: Point) -> Vector<Ball> {
+    let way = moved.point(cycle.through) - constant(pivot.to_vector());
+    way * Ball::constant(cycle.weight) - moved.vector(cycle.normal)
 }
 
 /// From the centre of a moved cycle to that of another, times both weights.
-fn centres(a: &(Cycle, Moved), b: &(Cycle, Moved)) -> Xy<Ball> {
+fn centres(a: &(Cycle, Moved), b: &(Cycle, Moved)) -> Vector<Ball> {
     let weight = |c: &(Cycle, Moved)| Ball::constant(c.0.weight);
     let normal = |c: &(Cycle, Moved)| c.1.vector(c.0.normal);
-    let way = minus(b.1.point(b.0.through), a.1.point(a.0.through));
-    let way = times(way, weight(a) * weight(b));
-    minus(
-        plus(way, times(normal(a), weight(b))),
-        times(normal(b), weight(a)),
-    )
+    let way = b.1.point(b.0.through) - a.1.point(a.0.through);
+    let way = way * (weight(a) * weight(b));
+    way + normal(a) * weight(b) - normal(b) * weight(a)
 }
 
-fn constant(v: Vector) -> Xy<Ball> {
-    (Ball::constant(v.x), Ball::constant(v.y))
+fn constant(v: Vector) -> Vector<Ball> {
+    v.map(Ball::constant)
 }
 
 /// A part that has moved by any of an interval.
@@ -234,43 +227,38 @@ fn constant(v: Vector) -> Xy<Ball> {
 struct Moved {
     motion: Motion,
     by: Ball,
-    cos: Ball,
-    sin: Ball,
+    turn: Rotation<Ball>,
 }
 
 impl Moved {
     fn new(motion: Motion, by: Ball) -> Self {
-        let (sin, cos) = by.sin_cos();
         Self {
             motion,
             by,
-            cos,
-            sin,
+            turn: Rotation::by(by),
         }
     }
 
-    fn vector(&self, v: Vector) -> Xy<Ball> {
+    fn vector(&self, v: Vector) -> Vector<Ball> {
         match self.motion {
-            Motion::Turn { .. } => turned(constant(v), self.cos, self.sin),
+            Motion::Turn { .. } => self.turn * constant(v),
             _ => constant(v),
         }
     }
 
-    fn point(&self, p: Point) -> Xy<Ball> {
+    fn point(&self, p: Point) -> Vector<Ball> {
         match self.motion {
             Motion::Still => constant(p.to_vector()),
-            Motion::Turn { center } => plus(constant(center.to_vector()), self.vector(p - center)),
-            Motion::Slide { direction } => {
-                plus(constant(p.to_vector()), times(constant(direction), self.by))
-            }
+            Motion::Turn { center } => constant(center.to_vector()) + self.vector(p - center),
+            Motion::Slide { direction } => constant(p.to_vector()) + constant(direction) * self.by,
         }
     }
 
     /// The velocity of the point of the part that is now at a place.
-    fn velocity(&self, p: Xy<Ball>) -> Xy<Ball> {
+    fn velocity(&self, p: Vector<Ball>) -> Vector<Ball> {
         match self.motion {
             Motion::Still => constant(Vector::ZERO),
-            Motion::Turn { center } => left(minus(p, constant(center.to_vector()))),
+            Motion::Turn { center } => (p - constant(center.to_vector())).left(),
             Motion::Slide { direction } => constant(direction),
         }
     }

@@ -5,7 +5,6 @@ mod dd;
 mod dual;
 mod expansion;
 mod least;
-pub(crate) mod plane;
 mod polynomial;
 mod real;
 mod trig;

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use super::{Dd, Real};
+use crate::geometry::Rotation;
 
 /// Highest frequency.
 const DEGREE: usize = 4;
@@ -45,11 +46,11 @@ pub(crate) struct TrigPolynomial<T = f64> {
 }
 
 impl<T: Real> TrigPolynomial<T> {
-    /// The polynomial with the values of `f` (of cosine and sine), which must be one of degree four at most.
+    /// The polynomial with the values of `f`, which must be one of degree four at most.
     ///
     /// `f` also tells the size of the terms its value was summed from; the error is a small multiple of the rounding
     /// of the largest.
-    pub(crate) fn sampled(f: impl Fn(T, T) -> (T, f64)) -> Self {
+    pub(crate) fn sampled(f: impl Fn(Rotation<T>) -> (T, f64)) -> Self {
         /// Errors of the values and of the sums over the samples, in units of rounding.
         const ERROR: f64 = 64.0;
         let zero = T::constant(0.0);
@@ -57,7 +58,8 @@ impl<T: Real> TrigPolynomial<T> {
         let mut size: f64 = 0.0;
         let Sampling { turns, weights } = &*SAMPLING;
         for (&(cos, sin), weights) in turns.iter().zip(weights) {
-            let (value, terms) = f(cos.to_real(), sin.to_real());
+            let (cos, sin) = (cos.to_real(), sin.to_real());
+            let (value, terms) = f(Rotation { cos, sin });
             size = size.max(terms);
             for (k, w) in weights.iter().enumerate() {
                 a[k] = a[k] + value * w.0.to_real();
@@ -162,7 +164,7 @@ mod tests {
     #[test]
     fn finds_the_roots_of_a_product() {
         // sin(θ − 0.3) sin(θ − 1.1) sin 2θ, of degree four.
-        let f = |c: f64, s: f64| {
+        let f = |Rotation { cos: c, sin: s }: Rotation| {
             let turned = |a: f64| s * a.cos() - c * a.sin();
             (turned(0.3) * turned(1.1) * 2.0 * s * c, 1.0)
         };
@@ -185,7 +187,7 @@ mod tests {
     /// Its root at 0 is known to 64 roundings: where it lies a little outside, by these, it may as well lie inside.
     #[test]
     fn a_root_at_an_end_is_in_both_intervals() {
-        let p = TrigPolynomial::sampled(|_, s| (s, 1.0));
+        let p = TrigPolynomial::sampled(|t: Rotation| (t.sin, 1.0));
         let brackets = |lo, hi| {
             let mut all = Vec::new();
             p.brackets(lo, hi, 1e-9, &mut |a, b| all.push((a, b)), &mut |_, _| {
@@ -203,7 +205,7 @@ mod tests {
     /// 1.5 + cos θ − 2 sin 3θ + sin 4θ, of all frequencies but 2, against its derivatives as they are known.
     #[test]
     fn values_and_slopes_are_those_of_the_function() {
-        let p = TrigPolynomial::sampled(|c: f64, s: f64| {
+        let p = TrigPolynomial::sampled(|Rotation { cos: c, sin: s }: Rotation| {
             let theta = s.atan2(c);
             let value = 1.5 + theta.cos() - 2.0 * (3.0 * theta).sin() + (4.0 * theta).sin();
             (value, 4.0)
@@ -227,7 +229,7 @@ mod tests {
     /// However narrow the interval, a value that passes zero is told from nothing.
     #[test]
     fn a_simple_root_is_not_vague() {
-        let p = TrigPolynomial::sampled(|_, s| (s, 1.0));
+        let p = TrigPolynomial::sampled(|t: Rotation| (t.sin, 1.0));
         for (lo, hi) in [(-1e-8, 1.1e-8), (-1e-8, 1e-8), (-1e-12, 2e-12)] {
             let mut found = false;
             p.brackets(
@@ -244,7 +246,7 @@ mod tests {
     /// What is zero within its error is told as one interval, not as roots.
     #[test]
     fn nothing_is_known_of_what_vanishes() {
-        let p = TrigPolynomial::sampled(|_, _| (1e-16, 1.0));
+        let p = TrigPolynomial::sampled(|_: Rotation| (1e-16, 1.0));
         let mut all = Vec::new();
         p.brackets(
             0.0,
@@ -264,8 +266,9 @@ mod tests {
         for (d, factor) in [(1e-3, 1.0), (1e-6, 1.0), (1e-10, 1.0), (1e-6, 100.0)] {
             for (lo, hi) in [(-0.7, 1.0), (-0.1, 0.22), (-0.05, 0.25)] {
                 let count = |shift: f64| {
-                    let p =
-                        TrigPolynomial::sampled(|c, _| (factor * (c - 1.0 + shift), 2.0 * factor));
+                    let p = TrigPolynomial::sampled(|t: Rotation| {
+                        (factor * (t.cos - 1.0 + shift), 2.0 * factor)
+                    });
                     let mut all = Vec::new();
                     p.brackets(lo, hi, 1e-9, &mut |a, b| all.push((a, b)), &mut |_, _| ());
                     let root = (1.0 - shift).acos();
@@ -282,7 +285,7 @@ mod tests {
     /// A double root is told from nothing but where its parabola is within the error.
     #[test]
     fn what_is_vague_about_a_double_root_is_narrow() {
-        let p = TrigPolynomial::sampled(|c, _| (c - 1.0, 2.0));
+        let p = TrigPolynomial::sampled(|t: Rotation| (t.cos - 1.0, 2.0));
         for half in [0.5, 1e-3] {
             let mut seen = false;
             let narrow = |lo: f64, hi: f64| assert!(hi - lo < 1e-6, "{lo} {hi}");

@@ -9,7 +9,7 @@ use super::classify::Classification;
 use super::drawn::Drawn;
 use super::grid::{Grid, MARGIN};
 use super::nearby::Nearby;
-use super::ray::{Direction, off_carrier};
+use super::ray::{Direction, off_cycle};
 use super::slab::{Home, Slab};
 use super::slot;
 use super::walk::{self, Content};
@@ -188,7 +188,7 @@ impl<'a> Classifier<'a> {
         };
         let mut unclear = false;
         for &i in patches {
-            let off = off_carrier(&self.space.data.patches[i as usize], turn, p);
+            let off = off_cycle(&self.space.data.patches[i as usize], turn, p);
             if off <= self.grid.margin
                 && let Some(distance) = self.distance(c, self.slab.image(i, home))
             {

@@ -3,12 +3,12 @@
 use core::f64::consts::TAU;
 
 use crate::feature::PairFrame;
-use crate::geometry::{Configuration, Point, Vector, time_of_known_angle};
+use crate::geometry::{Configuration, Point, Rotation, Vector, time_of_known_angle};
 use crate::number::{Ball, Dual, Real};
+use crate::space::{ContactSpace, Window};
 
 /// An enclosure over times, with its derivative by time.
 type Jet = Dual<1, Ball>;
-use crate::space::{ContactSpace, Window};
 
 /// x(t), y(t) and θ(t), linear in time.
 ///
@@ -59,18 +59,19 @@ impl Path {
         self.frame.inner_from_outer(self.outer_at(t))
     }
 
-    /// Cosine and sine of the orientation, and the position, enclosed over times with their derivatives by time.
-    pub(super) fn enclosed(&self, t: Ball) -> ((Jet, Jet), (Jet, Jet)) {
+    /// The rotation by the orientation, and the position, enclosed over times with their derivatives by time.
+    pub(super) fn enclosed(&self, t: Ball) -> (Rotation<Jet>, Point<Jet>) {
         let t = Jet::variable(t, 0);
         let linear = |from: f64, rate: f64| Jet::constant(from) + Jet::constant(rate) * t;
-        let (sin, cos) = linear(self.from.theta, self.turning).sin_cos();
+        let turn = Rotation::by(linear(self.from.theta, self.turning));
         let start = self.from.position() - self.frame.fixed_center;
-        let d = self.frame.moving_center;
-        let (dx, dy) = (Jet::constant(d.x), Jet::constant(d.y));
-        let scale = Jet::constant(self.frame.scale);
-        let x = linear(start.x, self.velocity.x) + (cos * dx - sin * dy);
-        let y = linear(start.y, self.velocity.y) + (sin * dx + cos * dy);
-        ((cos, sin), (x * scale, y * scale))
+        let center = self.frame.moving_center.to_vector().map(Jet::constant);
+        let at = Point::new(
+            linear(start.x, self.velocity.x),
+            linear(start.y, self.velocity.y),
+        );
+        let from_center = (at + turn * center).to_vector() * Jet::constant(self.frame.scale);
+        (turn, Point::new(from_center.x, from_center.y))
     }
 
     /// How fast a position of the pair's frame moves at most (length per unit of time).

@@ -8,13 +8,12 @@
 
 use core::f64::consts::PI;
 
-use crate::contact::{Carrier, ContactFunction, Spiral, place_on};
-use crate::geometry::{Configuration, Point, images};
-use crate::number::plane::{Xy, cross, dot, left, length, minus, negative};
+use crate::contact::{ContactFunction, Spiral};
+use crate::geometry::{Configuration, Point, Rotation, Vector, images};
 use crate::number::{Ball, Bounded, Expansion, Real, SecondOrder, least};
-use crate::space::{Boundary, ContactSpace, Patch, point_on};
+use crate::space::{Boundary, ContactSpace, Patch};
 
-/// Intervals up to this (radians) are not halved on account of an end that rounding hides: where two carriers are all but one.
+/// Intervals up to this (radians) are not halved on account of an end that rounding hides: where two circles are all but one.
 const HIDDEN: f64 = 1.0 / (1u32 << 20) as f64;
 /// An end is hidden if it is known in the middle of an interval no better than this many times as well as over all of it.
 const NO_BETTER: f64 = 4.0;
@@ -78,7 +77,7 @@ impl ContactSpace {
                 theta,
                 weight: length_per_radian * frame.scale,
                 seat,
-                own: seen_from(&patch.function, &seat),
+                own: patch.function.about(&seat),
             };
             let (lo, hi) = (patch.lo.max(theta - PI), patch.hi.min(theta + PI));
             if let Some(found) = least(&search, (lo, hi), best.1) {
@@ -112,18 +111,6 @@ struct Search<'a> {
     own: ContactFunction,
 }
 
-/// A contact function whose positions are relative to a point that moves with the orientation.
-fn seen_from(function: &ContactFunction, seat: &Spiral) -> ContactFunction {
-    let mut seen = *function;
-    match &mut seen {
-        ContactFunction::FixedLine { through, .. }
-        | ContactFunction::MovingLine { through, .. }
-        | ContactFunction::FlatCircle { through, .. } => *through = through.about(seat),
-        ContactFunction::Circle { center, .. } => *center = center.about(seat),
-    }
-    seen
-}
-
 impl Search<'_> {
     /// The nearest point of the curve at an orientation of the patch, as a position.
     fn nearest(&self, t: f64) -> Point {
@@ -132,60 +119,58 @@ impl Search<'_> {
     }
 
     /// The way from the position to an end of the curve.
-    fn way<T: Real>(&self, end: &Boundary, (cos, sin): (T, T)) -> Xy<T> {
+    fn way<T: Real>(&self, end: &Boundary, turn: Rotation<T>) -> Vector<T> {
         match end {
-            Boundary::End { spiral } => spiral.about(&self.seat).place(cos, sin),
+            Boundary::End { spiral } => spiral.about(&self.seat).lift().at(turn).to_vector(),
             Boundary::Crossing { with, root } => {
-                let f = self.patch.function.carrier(cos, sin);
-                let place = place_on(&f, &with.carrier(cos, sin), *root, false);
-                point_on(&self.own.carrier(cos, sin), place)
+                let f = self.patch.function.cycle(turn);
+                let place = f.root(&with.cycle(turn), *root, false);
+                self.own.cycle(turn).at(place).to_vector()
             }
         }
     }
 
-    fn ways<T: Real>(&self, turn: (T, T)) -> [Xy<T>; 2] {
+    fn ways<T: Real>(&self, turn: Rotation<T>) -> [Vector<T>; 2] {
         [&self.patch.left, &self.patch.right].map(|end| self.way(end, turn))
     }
 
-    /// How far the position is off the carrier.
-    fn off<T: Real>(&self, (cos, sin): (T, T)) -> T {
-        let real = T::constant;
-        let carrier = self.own.carrier(cos, sin);
-        match carrier {
-            Carrier::Line { normal, through } => dot(normal, through),
-            Carrier::Circle { center, radius } => length(center) - real(radius.value().abs()),
-            Carrier::FlatArc(arc) => {
-                let level = carrier.equation((real(0.0), real(0.0))).c;
-                let bend = real(1.0) + real(2.0 * arc.curvature) * level;
-                real(2.0) * level / (real(1.0) + bend.sqrt())
-            }
-        }
+    /// How far the position is off the line or circle.
+    fn off<T: Real>(&self, turn: Rotation<T>) -> T {
+        self.own
+            .cycle(turn)
+            .distance(Point::ORIGIN.map(T::constant))
     }
 
     /// Whether the foot is beyond an end of the curve for certain, given the ways to its ends.
-    fn is_beside(&self, turn: (Ball, Ball), [start, end]: [Xy<Ball>; 2]) -> bool {
-        let carrier = self.own.carrier(turn.0, turn.1);
-        if let Carrier::Circle { center, radius } = carrier {
-            let (a, b) = (minus(start, center), minus(end, center));
-            let (a, b) = if radius.mid > 0.0 { (a, b) } else { (b, a) };
-            let at = negative(center);
-            let (before, after) = (cross(a, at).sign() < 0, cross(at, b).sign() < 0);
+    fn is_beside(&self, turn: Rotation<Ball>, [start, end]: [Vector<Ball>; 2]) -> bool {
+        let cycle = self.own.cycle(turn);
+        if cycle.is_centred() {
+            let center = cycle.through.to_vector();
+            let (a, b) = (start - center, end - center);
+            let (a, b) = if cycle.weight.mid > 0.0 {
+                (a, b)
+            } else {
+                (b, a)
+            };
+            let at = -center;
+            let (before, after) = (a.cross(at).sign() < 0, at.cross(b).sign() < 0);
             // A point is beside more than half a circle only if it is so at both ends.
-            return if cross(a, b).sign() > 0 {
+            return if a.cross(b).sign() > 0 {
                 before || after
             } else {
                 before && after
             };
         }
-        let along = |way: Xy<Ball>| dot(way, left(carrier.equation(way).a)).sign();
+        let origin = Point::ORIGIN.map(Ball::constant);
+        let along = |way: Vector<Ball>| way.dot(cycle.slope(origin + way).left()).sign();
         along(start) > 0 || along(end) < 0
     }
 
     /// The squares of the distances to the foot and to both ends, given how far the position is off the carrier, the ways to
     /// the ends, and the orientation less that of the configuration.
-    fn squares<T: Real>(&self, off: T, [start, end]: [Xy<T>; 2], turned: T) -> [T; 3] {
+    fn squares<T: Real>(&self, off: T, [start, end]: [Vector<T>; 2], turned: T) -> [T; 3] {
         let turned = turned * T::constant(self.weight);
-        [off * off, dot(start, start), dot(end, end)].map(|d| d + turned * turned)
+        [off * off, start.length_squared(), end.length_squared()].map(|d| d + turned * turned)
     }
 
     /// The least of what is found nearby where the derivative is zero, to rounding.
@@ -197,8 +182,7 @@ impl Search<'_> {
             let mut t = found.0;
             for _ in 0..STEPS {
                 let theta = SecondOrder::<1>::variable(t, 0);
-                let (sin, cos) = theta.sin_cos();
-                let turn = (cos, sin);
+                let turn = Rotation::by(theta);
                 let turned = theta - Real::constant(self.theta);
                 let g = self.squares(self.off(turn), self.ways(turn), turned)[branch];
                 let (slope, bend) = (g.gradient[0], g.hessian[0][0]);
@@ -224,8 +208,7 @@ impl Bounded for Search<'_> {
 
     fn below(&self, lo: f64, hi: f64) -> f64 {
         let theta = Expansion::variable(lo, hi);
-        let (sin, cos) = theta.sin_cos();
-        let (turned, turn) = (theta - Real::constant(self.theta), (cos, sin));
+        let (turned, turn) = (theta - Real::constant(self.theta), Rotation::by(theta));
         let over = |e: Expansion| e.over.value;
         let low = |b: Ball| b.mid - b.radius;
         let ways = self.ways(turn);
@@ -233,18 +216,21 @@ impl Bounded for Search<'_> {
         // An end lies on the carrier, and is no nearer than its foot.
         let foot = low(squares[0].over.value);
         // Over the interval no better than in the middle.
-        let hidden = |[x, y]: [Expansion; 2]| {
+        let hidden = |Vector { x, y }: Vector<Expansion>| {
             let better = |e: Expansion| e.over.value.radius > NO_BETTER * e.at.value.radius;
             hi - lo <= HIDDEN && !(better(x) || better(y))
         };
         let [start, end] = ways;
         let skipped = [
             self.is_beside(
-                (over(turn.0), over(turn.1)),
-                ways.map(|w| (over(w.0), over(w.1))),
+                Rotation {
+                    cos: over(turn.cos),
+                    sin: over(turn.sin),
+                },
+                ways.map(|way| way.map(over)),
             ),
-            hidden(start.into()),
-            hidden(end.into()),
+            hidden(start),
+            hidden(end),
         ];
         (squares.into_iter().zip(skipped))
             .filter(|(_, skipped)| !skipped)

@@ -1,6 +1,6 @@
 //! What a straight way parallel to an axis meets of a patch's curve at one orientation.
 
-use crate::contact::{Carrier, ContactFunction};
+use crate::contact::{ContactFunction, Cycle};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::space::{PASSED_ENDS, Patch};
 
@@ -227,16 +227,9 @@ pub(super) fn may_meet(
     !(a.min(b) > END_ERROR || a.max(b) < -END_ERROR)
 }
 
-/// How far a position is from the carrier of a patch, at most by rounding less.
+/// How far a position is from the line or circle of a patch, at most by rounding less.
 #[inline]
-pub(super) fn off_carrier(patch: &Patch, turn: Rotation, p: Point) -> f64 {
-    match patch.function.carrier(turn.cos, turn.sin) {
-        Carrier::Line { normal, through } => {
-            (normal.0 * (p.x - through.0) + normal.1 * (p.y - through.1)).abs()
-        }
-        Carrier::Circle { center, radius } => {
-            (Point::new(center.0, center.1).distance(p) - radius.abs()).abs()
-        }
-        Carrier::FlatArc(arc) => arc.distance(p).abs(),
-    }
+pub(super) fn off_cycle(patch: &Patch, turn: Rotation, p: Point) -> f64 {
+    let cycle: Cycle = patch.function.cycle(turn);
+    cycle.distance(p).abs()
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::contact::{ContactFunction, Spiral, place_on};
+use crate::contact::{ContactFunction, Spiral};
 use crate::feature::tolerance::WIDEST_SAGITTA;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Ball, Dual, Real};
@@ -24,8 +24,8 @@ pub(super) struct Orientations {
     /// Half its length.
     pub(super) half: f64,
     turn: Rotation,
-    /// Cosine and sine of the middle.
-    at: (Ball, Ball),
+    /// The middle, enclosed.
+    at: Rotation<Ball>,
 }
 
 impl Orientations {
@@ -34,11 +34,10 @@ impl Orientations {
     }
 
     pub(super) fn about(mid: f64, half: f64) -> Self {
-        let (sin, cos) = Ball::constant(mid).sin_cos();
-        let at = (cos, sin);
+        let at = Rotation::by(Ball::constant(mid));
         let turn = Rotation {
-            cos: at.0.mid,
-            sin: at.1.mid,
+            cos: at.cos.mid,
+            sin: at.sin.mid,
         };
         Self {
             mid,
@@ -285,24 +284,24 @@ fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: O
         }
         Boundary::Crossing { ref with, root } => {
             let at = place(own, boundary, with, root, over.at);
-            let length = |(x, y)| Vector::new(x, y).length();
-            let rounding = length((at.0.radius, at.1.radius));
+            let rounding = at.map(|b| b.radius).length();
             let (error, speed) = known.map_or_else(
                 || {
-                    let (sin, cos) = Dual::<1, _>::variable(Ball::new(over.mid, half), 0).sin_cos();
-                    let jets = place(own, boundary, with, root, (cos, sin));
+                    let theta = Dual::<1, _>::variable(Ball::new(over.mid, half), 0);
+                    let all = place(own, boundary, with, root, Rotation::by(theta));
                     let most = |b: Ball| b.mid.abs() + b.radius;
-                    let speed = length((most(jets.0.slope[0]), most(jets.1.slope[0])));
+                    let speed = all.map(|x| most(x.slope[0])).length();
                     // The enclosure itself, or what the mean value theorem says, whichever is narrower.
                     let direct = |at: Ball, over: Ball| (over.mid - at.mid).abs() + over.radius;
-                    let direct = length((direct(at.0, jets.0.value), direct(at.1, jets.1.value)));
+                    let direct = Vector::new(direct(at.x, all.x.value), direct(at.y, all.y.value));
+                    let direct = direct.length();
                     (direct.min(rounding + speed * half), speed)
                 },
                 |speed| (rounding + speed * half, speed),
             );
             let known = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
             End {
-                at: Vector::new(at.0.mid, at.1.mid),
+                at: at.map(|b| b.mid),
                 error: known(error),
                 speed: known(speed),
             }
@@ -315,20 +314,19 @@ fn speed(spiral: &Spiral) -> f64 {
     spiral.turning().length()
 }
 
-/// A crossing, relative to the centre of a circle.
+/// A crossing, relative to the centre of a circle or to the origin.
 #[inline]
 fn place<T: Real>(
     own: &ContactFunction,
     boundary: &Boundary,
     with: &ContactFunction,
     root: u8,
-    (cos, sin): (T, T),
-) -> (T, T) {
+    turn: Rotation<T>,
+) -> Vector<T> {
     if matches!(own, ContactFunction::Circle { .. }) {
-        let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
-        place_on(&f, &g, root, false)
+        own.cycle(turn).root(&with.cycle(turn), root, false)
     } else {
-        boundary.inner(own, cos, sin)
+        boundary.inner(own, turn).to_vector()
     }
 }
 

@@ -2,7 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use crate::contact::Carrier;
 use crate::feature::tolerance::{GROWTH, NARROWEST_BAND};
 use crate::number::{Ball, Dual, Real};
 use crate::space::{ContactSpace, Patch};
@@ -272,20 +271,10 @@ impl<'a> Search<'a> {
     ///
     /// Of a circle it is (|v|² − r²) / 2 |r|, which has no root of a square in it.
     fn function(&self, along: &Along<'_>, t: Ball) -> Dual<1, Ball> {
-        let ((cos, sin), (x, y)) = self.path.enclosed(t);
+        let (turn, p) = self.path.enclosed(t);
         let depth = Dual::constant(if self.from_contact { DEPTH } else { 0.0 });
-        let value = match along.patch.function.carrier(cos, sin) {
-            Carrier::Line { normal, through } => {
-                normal.0 * (x - through.0) + normal.1 * (y - through.1)
-            }
-            Carrier::Circle { center, radius } => {
-                let (vx, vy) = (x - center.0, y - center.1);
-                let r = radius;
-                (vx * vx + vy * vy - r * r) * Dual::constant(0.5) / radius
-            }
-            arc @ Carrier::FlatArc(_) => arc.equation((x, y)).c,
-        };
-        value + depth
+        let cycle = along.patch.function.cycle(turn);
+        cycle.level(p) / cycle.size + depth
     }
 
     /// Narrows down the only root there may be, f being monotonous.

@@ -5,7 +5,7 @@
 //! and right before it leaves it, it is in blocked space; so is an end that no other curve continues. The other gaps
 //! hang together at crossings and shared ends in shells; one test of the parts for overlap decides each shell.
 
-use crate::contact::{Curve, CurveShape, Geometry};
+use crate::contact::{Curve, Geometry};
 use crate::feature::tolerance::{LONGEST_STEP, NARROWEST_BAND, ROOM, TIED};
 use crate::geometry::{Point, Rotation};
 use crate::part::Bounds;
@@ -324,11 +324,7 @@ fn beside(live: &[Live], i: usize, position: f64) -> (Point, f64) {
 
 /// How far from a curve its free side is looked at: not beyond the middle of the circle it goes around.
 fn longest_step(curve: &Curve) -> f64 {
-    match curve.shape {
-        CurveShape::Line { .. } => LONGEST_STEP,
-        CurveShape::Circle { radius, .. } => LONGEST_STEP.min(0.5 * radius.abs()),
-        CurveShape::FlatArc(arc) => LONGEST_STEP.min(0.5 / arc.curvature.abs()),
-    }
+    LONGEST_STEP.min(0.5 / curve.cycle.curvature().abs())
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::contact::{Curve, CurveShape};
+use crate::contact::Curve;
 use crate::feature::PairFrame;
 use crate::geometry::{Point, Vector};
 use crate::part::{Bounds, Edge};
@@ -156,38 +156,31 @@ impl CurveGeometry {
         theta: f64,
     ) -> Self {
         let outer = |p: Point| frame.outer_from_inner(p, theta).position();
-        match curve.shape {
-            CurveShape::Line { .. } => Self::Segment {
-                start: outer(curve.point(from)),
-                end: outer(curve.point(to)),
-            },
-            CurveShape::Circle {
-                center,
-                radius,
-                mid_angle,
-                ..
-            } => {
-                let half_turn = if radius > 0.0 {
-                    0.0
-                } else {
-                    core::f64::consts::PI
-                };
-                let start = mid_angle + half_turn + from / radius;
-                Self::Arc {
-                    center: outer(center),
-                    radius: frame.outer_length(radius.abs()),
-                    start_angle: start - TAU * (start / TAU).round(),
-                    sweep: (to - from) / radius,
-                }
-            }
-            CurveShape::FlatArc(arc) => {
-                let (p, q) = (curve.point(from), curve.point(to));
-                Self::FlatArc {
-                    start: outer(p),
-                    end: outer(q),
-                    bulge: arc.bulge(arc.place(p), arc.place(q)),
-                }
-            }
+        let cycle = &curve.cycle;
+        if cycle.is_centred() {
+            let radius = cycle.size * cycle.weight;
+            let half_turn = if radius > 0.0 {
+                0.0
+            } else {
+                core::f64::consts::PI
+            };
+            let start = curve.mid_angle + half_turn + from / radius;
+            return Self::Arc {
+                center: outer(cycle.through),
+                radius: frame.outer_length(cycle.size),
+                start_angle: start - TAU * (start / TAU).round(),
+                sweep: (to - from) / radius,
+            };
+        }
+        let (p, q) = (curve.point(from), curve.point(to));
+        let (start, end) = (outer(p), outer(q));
+        if cycle.is_line() {
+            return Self::Segment { start, end };
+        }
+        Self::FlatArc {
+            start,
+            end,
+            bulge: cycle.bulge(cycle.place(p), cycle.place(q)),
         }
     }
 

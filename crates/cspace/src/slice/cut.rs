@@ -1,6 +1,6 @@
 //! The contact curves at one orientation, and where they cross.
 
-use crate::contact::{Curve, CurveShape, Geometry, Seam, Sheet, crossing, roots};
+use crate::contact::{Curve, Cycle, Geometry, Seam, Sheet, crossing};
 use crate::feature::tolerance::{BLUNT, TIED};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::Bounds;
@@ -36,7 +36,7 @@ const ROUNDING: f64 = 1e-13;
 const SEAM: f64 = 1e-14;
 
 impl Live {
-    /// Whether a point of the carrier is in the curve's box, widened by a margin.
+    /// Whether a point of its line or circle is in the curve's box, widened by a margin.
     fn may_hold(&self, p: Point, margin: f64) -> bool {
         let (lo, hi) = (self.bounds.min, self.bounds.max);
         lo.x - margin <= p.x && p.x <= hi.x + margin && lo.y - margin <= p.y && p.y <= hi.y + margin
@@ -53,11 +53,12 @@ impl Live {
         (from, to)
     }
 
-    /// A box no larger than the curve: its own but for the height of a flat arc.
+    /// A box no larger than the curve: its own but for the height of a large circle.
     pub(super) fn extent(&self) -> Bounds {
-        match self.curve.shape {
-            CurveShape::FlatArc(_) => Bounds::of(self.curve.start, self.curve.end),
-            _ => self.bounds,
+        if self.curve.cycle.is_centred() {
+            self.bounds
+        } else {
+            Bounds::of(self.curve.start, self.curve.end)
         }
     }
 
@@ -68,18 +69,19 @@ impl Live {
         }
         let (from, to) = self.gap_range(gap);
         let ends = Bounds::of(self.curve.point(from), self.curve.point(to));
-        match self.curve.shape {
-            CurveShape::Line { .. } => ends,
-            CurveShape::FlatArc(_) => self.bounds,
-            CurveShape::Circle { center, radius, .. } => {
-                let r = radius.abs();
-                [(r, 0.0), (-r, 0.0), (0.0, r), (0.0, -r)]
-                    .map(|(x, y)| center + Vector::new(x, y))
-                    .into_iter()
-                    .filter(|p| (from..=to).contains(&self.curve.position(*p)))
-                    .fold(ends, |all, p| all.union(Bounds::of(p, p)))
-            }
+        let cycle = &self.curve.cycle;
+        if cycle.is_line() {
+            return ends;
         }
+        if !cycle.is_centred() {
+            return self.bounds;
+        }
+        let r = cycle.size;
+        [(r, 0.0), (-r, 0.0), (0.0, r), (0.0, -r)]
+            .map(|(x, y)| cycle.through + Vector::new(x, y))
+            .into_iter()
+            .filter(|p| (from..=to).contains(&self.curve.position(*p)))
+            .fold(ends, |all, p| all.union(Bounds::of(p, p)))
     }
 }
 
@@ -169,29 +171,16 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     let mut found: [Option<(Point, bool)>; 2] = [None; 2];
     // Circles about nearly one centre are crossed as seen from there.
     let origin = fs.close_to(gs).map(|c| c.0);
-    let seen = |sheet: &Sheet, curve: &Curve| match (origin, curve.shape) {
-        (
-            Some(o),
-            CurveShape::Circle {
-                radius,
-                mid_angle,
-                half,
-                ..
-            },
-        ) => Curve {
-            shape: CurveShape::Circle {
-                center: sheet.about(&o).center().at(turn),
-                radius,
-                mid_angle,
-                half,
-            },
+    let seen = |sheet: &Sheet, curve: &Curve| match origin {
+        Some(o) => Curve {
+            cycle: sheet.about(&o).cycle(turn),
             ..*curve
         },
-        _ => *curve,
+        None => *curve,
     };
     let (fc, gc) = (seen(fs, &f.curve), seen(gs, &g.curve));
     let back = origin.map_or(Vector::ZERO, |o| o.at(turn).to_vector());
-    for root in 0..roots(&fc, &gc) {
+    for root in 0..2 {
         found[usize::from(root)] = crossing(&fc, &gc, root).map(|c| (c.point + back, c.enters));
     }
     // Where curves are all but tangent, two crossings may be taken for each other; not so seen from their own centre.
@@ -204,10 +193,10 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     let mut tied = found.iter().flatten().any(|c| blunt(c.0));
     // What comes from upon one line or circle to the other may cross it at its end, unseen.
     let grazes = |l: &Live, on: &Live| {
-        let carrier = on.curve.carrier();
+        let cycle: &Cycle = &on.curve.cycle;
         [l.curve.start, l.curve.end].into_iter().any(|p| {
             on.may_hold(p, TIED)
-                && carrier.off(p) < ROUNDING
+                && cycle.distance(p).abs() < ROUNDING
                 && l.curve.normal(p).cross(on.curve.normal(p)).abs() < BLUNT
         })
     };

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::boundary::*;
 use super::curve_geometry::*;
-use crate::contact::{Curve, CurveShape};
+use crate::contact::{Curve, Cycle};
 use crate::feature::tolerance::TORN;
 use crate::feature::{FeatureKind, FeatureName, PairFrame};
 use crate::geometry::{Point, Vector};
@@ -249,9 +249,9 @@ fn curves_are_brought_to_the_frames_as_drawn() {
     let mut curves = vec![Curve {
         start,
         end: start + travel,
-        shape: CurveShape::Line {
-            normal: travel.right(),
-        },
+        cycle: Cycle::line(start, travel.right()),
+        mid_angle: 0.0,
+        half_angle: 0.0,
     }];
     for radius in [0.5_f64, -0.5] {
         let center = Point::new(0.2, 0.1);
@@ -261,12 +261,9 @@ fn curves_are_brought_to_the_frames_as_drawn() {
         curves.push(Curve {
             start: end(-half),
             end: end(half),
-            shape: CurveShape::Circle {
-                center,
-                radius,
-                mid_angle,
-                half,
-            },
+            cycle: Cycle::round(center, radius),
+            mid_angle,
+            half_angle: half,
         });
     }
     for curve in curves {

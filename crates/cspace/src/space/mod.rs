@@ -24,7 +24,6 @@ pub(crate) use doubts::{in_window, union};
 pub use graph::ContactSpace;
 pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Stage, Window};
 pub(crate) use options::{Silent, WINDOW_SLACK};
-pub(crate) use patch::point_on;
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
 pub(crate) use slice::{PASSED_ENDS, Surface, sweep};
 pub use stats::{Decisions, StageSeconds, Statistics};

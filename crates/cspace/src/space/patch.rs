@@ -1,6 +1,6 @@
 //! Contact patches and their boundary curves.
 
-use crate::contact::{Carrier, ContactFunction, Spiral, place_error, place_on};
+use crate::contact::{ContactFunction, Spiral};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::number::{Dual, Real};
@@ -224,10 +224,10 @@ impl BoundaryCurve<'_> {
 
     /// The derivative (dx/dθ, dy/dθ). Not finite where the curves become tangent.
     pub fn derivative(&self, theta: f64) -> Vector {
-        let (sin, cos) = Dual::<1>::variable(theta, 0).sin_cos();
-        let p = (self.boundary).inner(&self.patch.patch.function, cos, sin);
+        let turn = Rotation::by(Dual::<1>::variable(theta, 0));
+        let p = (self.boundary).inner(&self.patch.patch.function, turn);
         let drift = (Rotation::by(theta) * self.patch.frame.moving_center.to_vector()).left();
-        Vector::new(p.0.slope[0], p.1.slope[0]) * (1.0 / self.patch.frame.scale) - drift
+        p.to_vector().map(|x| x.slope[0]) * (1.0 / self.patch.frame.scale) - drift
     }
 }
 
@@ -235,43 +235,24 @@ impl Boundary {
     /// The position in the pair's frame, and its rounding error.
     #[inline]
     pub(crate) fn inner_and_error(&self, own: &ContactFunction, turn: Rotation) -> (Point, f64) {
-        let Rotation { cos, sin } = turn;
         match self {
-            Self::End { .. } => {
-                let p = self.inner(own, cos, sin);
-                (Point::new(p.0, p.1), 0.0)
-            }
+            Self::End { spiral } => (spiral.at(turn), 0.0),
             Self::Crossing { with, root } => {
-                let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
-                let place = place_on(&f, &g, *root, false);
-                let p = point_on(&f, place);
-                (Point::new(p.0, p.1), place_error(&f, &g, place))
+                let (f, g) = (own.cycle(turn), with.cycle(turn));
+                let place = f.root(&g, *root, false);
+                (f.at(place), f.place_error(&g, place))
             }
         }
     }
 
-    /// The position in the pair's frame, in any arithmetic, from the cosine and sine of the orientation.
-    pub(crate) fn inner<T: Real>(&self, own: &ContactFunction, cos: T, sin: T) -> (T, T) {
+    /// The position in the pair's frame, in any arithmetic.
+    pub(crate) fn inner<T: Real>(&self, own: &ContactFunction, turn: Rotation<T>) -> Point<T> {
         match self {
-            Self::End { spiral } => spiral.place(cos, sin),
+            Self::End { spiral } => spiral.lift().at(turn),
             Self::Crossing { with, root } => {
-                let (f, g) = (own.carrier(cos, sin), with.carrier(cos, sin));
-                point_on(&f, place_on(&f, &g, *root, false))
+                let f = own.cycle(turn);
+                f.at(f.root(&with.cycle(turn), *root, false))
             }
-        }
-    }
-}
-
-/// The point of a carrier at a place given as by [`place_on`].
-pub(crate) fn point_on<T: Real>(f: &Carrier<T>, v: (T, T)) -> (T, T) {
-    match *f {
-        Carrier::Line { normal, through } => {
-            (through.0 - normal.1 * v.0, through.1 + normal.0 * v.0)
-        }
-        Carrier::Circle { center, .. } => (center.0 + v.0, center.1 + v.1),
-        Carrier::FlatArc(arc) => {
-            let d = arc.way(v.0);
-            (arc.through.0 + d.0, arc.through.1 + d.1)
         }
     }
 }

@@ -167,8 +167,8 @@ impl<'a> Surface<'a> {
                 (arc, (on_circle(start, 0.0), on_circle(end, 1.0)))
             }
             ContactFunction::FlatCircle { .. } => {
-                let arc = patch.function.flat_arc(at.turn);
-                let bulge = arc.map_or(0.0, |b| b.bulge(b.place(start), b.place(end)));
+                let cycle = patch.function.cycle(at.turn);
+                let bulge = cycle.bulge(cycle.place(start), cycle.place(end));
                 let (start, end) = ends;
                 (CurveGeometry::FlatArc { start, end, bulge }, ends)
             }

@@ -5,12 +5,13 @@ use super::*;
 /// A line through a point that travels in the direction of `angle`, from 2 before to 3 after the point.
 pub(in crate::contact) fn line(through: Point, angle: f64) -> Curve {
     let travel = Vector::from_angle(angle);
+    let start = through - travel * 2.0;
     Curve {
-        start: through - travel * 2.0,
+        start,
         end: through + travel * 3.0,
-        shape: CurveShape::Line {
-            normal: travel.right(),
-        },
+        cycle: Cycle::line(start, travel.right()),
+        mid_angle: 0.0,
+        half_angle: 0.0,
     }
 }
 
@@ -20,23 +21,24 @@ pub(in crate::contact) fn circle(center: Point, radius: f64, mid_angle: f64, hal
     Curve {
         start: end(-half),
         end: end(half),
-        shape: CurveShape::Circle {
-            center,
-            radius,
-            mid_angle,
-            half,
-        },
+        cycle: Cycle::round(center, radius),
+        mid_angle,
+        half_angle: half,
     }
 }
 
-/// How far a point is on the free side of a curve's carrier.
+/// How far a point is on the free side of a curve's line or circle.
 pub(in crate::contact) fn height(curve: &Curve, p: Point) -> f64 {
-    match curve.shape {
-        CurveShape::Line { normal } => normal.dot(p - curve.start),
-        CurveShape::Circle { center, radius, .. } => {
-            (p.distance(center) - radius.abs()) * radius.signum()
-        }
-        CurveShape::FlatArc(_) => panic!("none of these is flat"),
+    let Cycle {
+        through,
+        normal,
+        weight,
+        size,
+    } = curve.cycle;
+    if curve.cycle.is_line() {
+        normal.dot(p - through)
+    } else {
+        (p.distance(through) - size) * weight
     }
 }
 

@@ -1,10 +1,10 @@
 //! Conditions α cos θ + β sin θ + γ = 0 in double-double, and their roots; see `contact/condition.rs`.
 
+use crate::geometry::Vector;
 use crate::number::Dd;
-use crate::number::plane::{Xy, length, minus};
 
 use super::super::condition::{apart_coefficients, height_coefficients};
-use super::spiral::ExactSpiral;
+use super::super::spiral::Spiral;
 
 /// What doubles tell of the roots of a condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,28 +24,27 @@ impl Rough {
 
 /// The condition p ↦ n·(p − through) − offset at a spiral.
 pub(super) fn height(
-    normal: Xy<Dd>,
+    normal: Vector<Dd>,
     turns: bool,
-    through: &ExactSpiral,
-    p: &ExactSpiral,
+    through: &Spiral<Dd>,
+    p: &Spiral<Dd>,
     offset: Dd,
 ) -> Condition {
-    let (u, w) = (minus(p.u, through.u), minus(p.w, through.w));
+    let (u, w) = (p.u - through.u, p.w - through.w);
     let (stays, moves) = if turns { (w, u) } else { (u, w) };
     Condition {
         coefficients: height_coefficients(normal, stays, moves, offset, turns),
-        scale: p.size() + through.size() + offset.to_f64().abs(),
+        scale: size_of(p) + size_of(through) + offset.to_f64().abs(),
         kind: Kind::Height { moves },
     }
 }
 
 /// The condition |p − q|² − distance².
-pub(super) fn apart(p: &ExactSpiral, q: &ExactSpiral, distance: Dd) -> Condition {
-    let (u, w) = (minus(p.u, q.u), minus(p.w, q.w));
-    let size = |v: Xy<Dd>| v.0.to_f64().abs() + v.1.to_f64().abs();
+pub(super) fn apart(p: &Spiral<Dd>, q: &Spiral<Dd>, distance: Dd) -> Condition {
+    let (u, w) = (p.u - q.u, p.w - q.w);
     let distance_size = distance.to_f64().abs();
     let reach = size(u) + size(w) + distance_size;
-    let parts = p.size() + q.size() + distance_size;
+    let parts = size_of(p) + size_of(q) + distance_size;
     Condition {
         coefficients: apart_coefficients(u, w, distance),
         scale: reach * parts,
@@ -58,6 +57,15 @@ pub(super) fn apart(p: &ExactSpiral, q: &ExactSpiral, distance: Dd) -> Condition
     }
 }
 
+/// The sum of a vector's coordinates, for the rounding of what is computed from it.
+fn size(v: Vector<Dd>) -> f64 {
+    v.x.to_f64().abs() + v.y.to_f64().abs()
+}
+
+fn size_of(p: &Spiral<Dd>) -> f64 {
+    size(p.u.to_vector()) + size(p.w)
+}
+
 /// α cos θ + β sin θ + γ in double-double, with the size of what its coefficients were made from.
 pub(super) struct Condition {
     pub(super) coefficients: [Dd; 3],
@@ -68,11 +76,11 @@ pub(super) struct Condition {
 /// What the extreme values of a condition are made of.
 enum Kind {
     /// The height of what moves so over a line.
-    Height { moves: Xy<Dd> },
+    Height { moves: Vector<Dd> },
     /// |u + R w|² less the square of a distance, made from parts of that size.
     Apart {
-        u: Xy<Dd>,
-        w: Xy<Dd>,
+        u: Vector<Dd>,
+        w: Vector<Dd>,
         distance: Dd,
         parts: f64,
     },
@@ -119,7 +127,7 @@ impl Condition {
     fn extremes(&self) -> [(Dd, f64); 2] {
         match self.kind {
             Kind::Height { moves } => {
-                let (amplitude, gamma) = (length(moves), self.coefficients[2]);
+                let (amplitude, gamma) = (moves.length(), self.coefficients[2]);
                 [amplitude + gamma, amplitude - gamma].map(|x| (x, COEFFICIENT_ERROR * self.scale))
             }
             Kind::Apart {
@@ -128,7 +136,7 @@ impl Condition {
                 distance: d,
                 parts,
             } => {
-                let (a, b) = (length(u), length(w));
+                let (a, b) = (u.length(), w.length());
                 [(a + b - d, a + b + d), (d - (a - b), d + (a - b))].map(|(x, y)| {
                     let error = COEFFICIENT_ERROR * parts;
                     let sizes = x.to_f64().abs() + y.to_f64().abs();

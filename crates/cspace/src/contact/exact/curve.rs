@@ -1,87 +1,58 @@
 //! The curve of a sheet at one orientation in double-double: places on it, and crossings.
 
+use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
-use crate::number::plane::{Xy, cross, dot, left, length, minus, plus, times, turned};
 
-use super::super::carrier::{Carrier, place_on};
-use super::carrier::ExactCarrier;
+use super::super::cycle::Cycle;
 
 /// The curve of a sheet at one orientation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ExactCurve {
-    pub(super) carrier: ExactCarrier,
-    pub(super) start: Xy<Dd>,
-    pub(super) end: Xy<Dd>,
+    pub(super) cycle: Cycle<Dd>,
+    pub(super) start: Point<Dd>,
+    pub(super) end: Point<Dd>,
     /// From the centre of a circle to about the middle of the curve, of length about one.
-    pub(super) middle: Xy<Dd>,
-    /// How places on a large circle are told.
-    pub(super) chart: Option<Chart>,
-}
-
-/// Places on a large circle as doubles have them: by the tangent of half the angle about its centre from a point near the parts
-/// (see `flat_arc.rs`), which differs from the length of travel in the third order; counted from the middle of the curve.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Chart {
-    pub(super) through: Xy<Dd>,
-    pub(super) normal: Xy<Dd>,
-    pub(super) curvature: Dd,
-    pub(super) middle: Dd,
-}
-
-impl Chart {
-    /// The place of a point, from where the circle is told.
-    pub(super) fn of(&self, p: Xy<Dd>) -> Dd {
-        let d = minus(p, self.through);
-        let fall = self.curvature * dot(self.normal, d);
-        dot(left(self.normal), d) / (fall.scaled(0.5) + 1.0)
-    }
-
-    /// The point at a place, to the rounding of the point near the parts.
-    fn point(&self, place: Dd) -> Xy<Dd> {
-        let u = place + self.middle;
-        let half = u * self.curvature.scaled(0.5);
-        let t = u / (half * half + 1.0);
-        let way = plus(times(left(self.normal), t), times(self.normal, -(t * half)));
-        plus(self.through, way)
-    }
+    pub(super) middle: Vector<Dd>,
 }
 
 /// A crossing of two curves.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ExactCrossing {
-    /// Where it is on the first curve, as `place_on` gives it.
-    pub(crate) on: Xy<Dd>,
-    pub(crate) point: Xy<Dd>,
+    /// Where it is on the first curve: a place of its cycle.
+    pub(crate) on: Vector<Dd>,
+    pub(crate) point: Point<Dd>,
     pub(crate) enters: bool,
 }
 
 impl ExactCurve {
-    /// Length of travel from about the middle of the curve to a point of it, given as `place_on` gives it; where carriers do not cross,
-    /// the nearest place to that.
-    pub(crate) fn length_of(&self, v: Xy<Dd>) -> Dd {
-        if let Some(chart) = &self.chart {
-            return chart.of(self.carrier.point(v)) - chart.middle;
-        }
-        match self.carrier.carrier {
-            Carrier::Line { normal, .. } => {
-                let all = dot(left(normal), minus(self.end, self.start));
-                v.0 - all.scaled(0.5)
-            }
-            Carrier::Circle { radius, .. } => {
-                Dd::atan2(cross(self.middle, v), dot(self.middle, v)) * radius
-            }
-            Carrier::FlatArc(_) => Dd::ZERO,
-        }
+    /// The signed radius of a circle by its centre.
+    fn radius(&self) -> Dd {
+        self.cycle.size * self.cycle.weight
     }
 
-    /// What grows with the length of travel to a point, given as `place_on` gives it: on a circle y / (|x| + |y|) along and across
-    /// the direction to its middle, continued beyond the quarter turns.
-    pub(crate) fn rank(&self, v: Xy<Dd>) -> Dd {
-        let Carrier::Circle { radius, .. } = self.carrier.carrier else {
-            return v.0;
-        };
-        let (x, y) = (dot(self.middle, v), cross(self.middle, v));
-        let y = if radius.is_negative() { -y } else { y };
+    /// Length of travel from about the middle of the curve to a place of its cycle.
+    pub(crate) fn length_of(&self, place: Vector<Dd>) -> Dd {
+        if self.cycle.is_centred() {
+            let (x, y) = (self.middle.dot(place), self.middle.cross(place));
+            return Dd::atan2(y, x) * self.radius();
+        }
+        place.x - self.middle_place()
+    }
+
+    /// The place of its middle; not of a circle by its centre.
+    fn middle_place(&self) -> Dd {
+        let [start, end] = [self.start, self.end].map(|p| self.cycle.place(p).x);
+        (start + end).scaled(0.5)
+    }
+
+    /// What grows with the length of travel to a place: of a circle by its centre y / (|x| + |y|) along and across the direction to
+    /// its middle, continued beyond the quarter turns.
+    pub(crate) fn rank(&self, place: Vector<Dd>) -> Dd {
+        if !self.cycle.is_centred() {
+            return place.x;
+        }
+        let (x, y) = (self.middle.dot(place), self.middle.cross(place));
+        let y = y * self.cycle.weight;
         let quarter = y / (x.abs() + y.abs());
         if !x.is_negative() {
             quarter
@@ -92,122 +63,76 @@ impl ExactCurve {
         }
     }
 
-    /// Where a point of the plane is on the curve, as `place_on` gives it.
-    pub(super) fn on(&self, p: Xy<Dd>) -> Xy<Dd> {
-        match self.carrier.carrier {
-            Carrier::Line { normal, through } => (dot(left(normal), minus(p, through)), Dd::ZERO),
-            Carrier::Circle { center, .. } => minus(p, center),
-            Carrier::FlatArc(_) => (Dd::ZERO, Dd::ZERO),
-        }
-    }
-
     /// The places of its ends.
     pub(crate) fn ends(&self) -> (Dd, Dd) {
         self.ends_by(|v| self.length_of(v))
     }
 
-    /// The same by what grows with the length of travel, and is its negative as far before the middle.
-    fn ends_by(&self, place: impl Fn(Xy<Dd>) -> Dd) -> (Dd, Dd) {
-        let (start, end) = (place(self.on(self.start)), place(self.on(self.end)));
-        match self.carrier.carrier {
-            // All of a circle ends where it starts, half a turn from the middle.
-            Carrier::Circle { .. } if start > end && self.chart.is_none() => {
-                if start.abs() > end.abs() {
-                    (-start.abs(), end)
-                } else {
-                    (start, end.abs())
-                }
-            }
-            _ => (start, end),
-        }
-    }
-
-    /// Whether a place of its carrier, as `place_on` gives it, is between its ends.
-    pub(super) fn holds(&self, v: Xy<Dd>) -> bool {
-        let between = |place: Dd, (lo, hi): (Dd, Dd)| lo < place && place < hi;
-        if self.chart.is_some() {
-            between(self.length_of(v), self.ends())
+    /// The ends by a number that grows with the length of travel, and is its negative as far before the middle.
+    fn ends_by(&self, number: impl Fn(Vector<Dd>) -> Dd) -> (Dd, Dd) {
+        let [start, end] = [self.start, self.end].map(|p| number(self.cycle.place(p)));
+        // All of a circle ends where it starts, half a turn from the middle.
+        if !self.cycle.is_centred() || start <= end {
+            (start, end)
+        } else if start.abs() > end.abs() {
+            (-start.abs(), end)
         } else {
-            between(self.rank(v), self.ends_by(|v| self.rank(v)))
+            (start, end.abs())
         }
     }
 
-    /// The point at a place, given as a length of travel from about the middle.
-    pub(crate) fn point(&self, place: Dd) -> Xy<Dd> {
-        match self.carrier.carrier {
-            Carrier::Line { normal, .. } => {
-                let middle = times(plus(self.start, self.end), Dd::from(0.5));
-                plus(middle, times(left(normal), place))
-            }
-            Carrier::Circle { center, radius } => {
-                let way = if let Some(chart) = &self.chart {
-                    minus(chart.point(place), center)
-                } else {
-                    let (sin, cos) = (place / radius).sin_cos();
-                    turned(self.middle, cos, sin)
-                };
-                let far = times(way, radius.abs() / length(way));
-                plus(center, far)
-            }
-            Carrier::FlatArc(_) => self.start,
+    /// Whether a place of its cycle is between its ends.
+    pub(super) fn holds(&self, place: Vector<Dd>) -> bool {
+        let (rank, (lo, hi)) = (self.rank(place), self.ends_by(|v| self.rank(v)));
+        lo < rank && rank < hi
+    }
+
+    /// The point at a length of travel from about the middle.
+    pub(crate) fn point(&self, length: Dd) -> Point<Dd> {
+        if !self.cycle.is_centred() {
+            let place = length + self.middle_place();
+            return self.cycle.at(Vector::new(place, Dd::ZERO));
         }
+        let way = Rotation::by(length / self.radius()) * self.middle;
+        self.cycle.through + way * (self.cycle.size / way.length())
     }
 
     /// Where it starts and ends.
-    pub(crate) fn end_points(&self) -> [Xy<Dd>; 2] {
+    pub(crate) fn end_points(&self) -> [Point<Dd>; 2] {
         [self.start, self.end]
     }
 
-    /// Its carrier.
-    pub(crate) fn carrier(&self) -> &ExactCarrier {
-        &self.carrier
+    /// All of its line or circle.
+    pub(crate) fn cycle(&self) -> &Cycle<Dd> {
+        &self.cycle
     }
 
-    /// On which side of it a point beside it is: whether on that of its line's normal, or outside of its circle.
-    pub(crate) fn side_of(&self, p: Xy<Dd>) -> Option<bool> {
-        let off = match self.carrier.carrier {
-            Carrier::Line { normal, through } => dot(normal, minus(p, through)),
-            Carrier::Circle { center, radius } => length(minus(p, center)) - radius.abs(),
-            Carrier::FlatArc(_) => return None,
-        };
-        self.holds(self.on(p)).then_some(!off.is_negative())
+    /// Whether a point beside it is on its free side; `None` of a point beyond its ends.
+    pub(crate) fn is_free(&self, p: Point<Dd>) -> Option<bool> {
+        self.holds(self.cycle.place(p))
+            .then(|| !self.cycle.level(p).is_negative())
     }
 
-    /// The crossing with the given name, wherever it lies on the carriers.
+    /// The crossing with the given name, wherever it lies on the lines or circles.
     pub(crate) fn crossing(&self, other: &Self, root: u8) -> Option<ExactCrossing> {
-        let lines = matches!(
-            (&self.carrier.carrier, &other.carrier.carrier),
-            (Carrier::Line { .. }, Carrier::Line { .. })
-        );
-        if !self.carrier.meets(&other.carrier) || (lines && root > 0) {
+        /// Lines at a smaller angle are parallel (radians).
+        const PARALLEL: f64 = 1e-28;
+        let (f, g) = (&self.cycle, &other.cycle);
+        let named = root == 0 || !(f.is_line() && g.is_line());
+        if !named || !f.meets(g, PARALLEL) {
             return None;
         }
-        let root = self.carrier.own_root(&other.carrier, root);
-        let v = place_on(&self.carrier.carrier, &other.carrier.carrier, root, false);
-        let point = self.carrier.point(v);
+        let enters = f.enters(g, root);
+        let on = f.crossed_by(g, enters);
         Some(ExactCrossing {
-            on: v,
-            point,
-            enters: self.carrier.enters(&other.carrier, root),
+            on,
+            point: f.at(on),
+            enters,
         })
     }
 
-    /// How far outward along a direction from a point its carrier lies, near that point.
-    pub(crate) fn height(&self, p: Xy<Dd>, outward: Xy<Dd>) -> Dd {
-        match self.carrier.carrier {
-            Carrier::Line { normal, through } => {
-                dot(normal, minus(through, p)) / dot(normal, outward)
-            }
-            Carrier::Circle { center, radius } => {
-                let v = minus(p, center);
-                let off = length(v) - radius.abs();
-                if dot(v, outward).is_negative() {
-                    off
-                } else {
-                    -off
-                }
-            }
-            Carrier::FlatArc(_) => Dd::ZERO,
-        }
+    /// How far outward along a direction from a point its line or circle lies, near that point and at right angles to it.
+    pub(crate) fn height(&self, p: Point<Dd>, outward: Vector<Dd>) -> Dd {
+        -self.cycle.distance(p) / self.cycle.normal_at(p).dot(outward)
     }
 }

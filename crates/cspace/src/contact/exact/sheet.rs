@@ -1,27 +1,26 @@
 //! A sheet in double-double: its curve and carrier at any orientation, and the events at which crossings come and go.
 
 use crate::feature::Outline;
-use crate::geometry::Vector;
+use crate::geometry::{Rotation, Vector};
 use crate::number::Dd;
-use crate::number::plane::{Xy, exactly, length, minus, negative, plus, rounded, turned};
 
-use super::super::carrier::Carrier;
+use super::super::cycle::Cycle;
 use super::super::shared::SharedEnds;
-use super::super::sheet::{Sheet, SheetKind};
-use super::carrier::ExactCarrier;
+use super::super::sheet::{EndAt, Sheet, SheetKind};
+use super::super::spiral::Spiral;
 use super::condition::{Condition, Rough, apart, height};
-use super::curve::{Chart, ExactCrossing, ExactCurve};
-use super::spiral::{ExactSpiral, ExactTurn, end};
+use super::curve::{ExactCrossing, ExactCurve};
+use super::turn::ExactTurn;
 
 #[derive(Debug, Clone, Copy)]
 enum Locus {
     Line {
-        normal: Xy<Dd>,
+        normal: Vector<Dd>,
         turns: bool,
-        through: ExactSpiral,
+        through: Spiral<Dd>,
     },
     Circle {
-        center: ExactSpiral,
+        center: Spiral<Dd>,
         radius: Dd,
     },
 }
@@ -51,15 +50,12 @@ impl<'a> ExactSheet<'a> {
             }
             SheetKind::RoundLine => {
                 let start = moving.features[m].start;
-                line(negative(moving.exact_joints[start as usize].normal), true)
+                line(-moving.exact_joints[start as usize].normal, true)
             }
             SheetKind::RoundRound | SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => {
                 let (a, b) = (&fixed.exact_features[f], &moving.exact_features[m]);
                 Locus::Circle {
-                    center: ExactSpiral {
-                        u: a.center,
-                        w: negative(b.center),
-                    },
+                    center: Spiral::new(a.center, -b.center.to_vector()),
                     radius: a.radius + b.radius,
                 }
             }
@@ -73,7 +69,7 @@ impl<'a> ExactSheet<'a> {
     }
 
     /// Where its curve starts and ends.
-    fn ends(&self) -> [ExactSpiral; 2] {
+    fn ends(&self) -> [Spiral<Dd>; 2] {
         let end = |at| end(self.fixed, self.moving, self.rough, at);
         let start = match self.locus {
             Locus::Line { through, .. } => through,
@@ -84,86 +80,51 @@ impl<'a> ExactSheet<'a> {
 
     /// Its curve at an orientation.
     pub(crate) fn curve(&self, turn: &ExactTurn) -> ExactCurve {
-        let [start, end] = self.ends().map(|p| p.at(turn));
-        let carrier = self.carrier(turn);
-        let middle = match carrier.carrier {
-            Carrier::Circle { center, .. } => self.middle(turn, || {
-                // Both ends are nearly in one direction from far away.
-                let v = rounded(plus(minus(start, center), minus(end, center)));
-                Vector::new(v.0, v.1).unit()
-            }),
-            _ => (Dd::ZERO, Dd::ZERO),
-        };
+        let [start, end] = self.ends().map(|p| p.at(turn.turn));
+        let theta = turn.theta.to_f64();
+        let (from, to) = (
+            self.rough.start_angle.at(theta),
+            self.rough.end_angle.at(theta),
+        );
+        let middle = Vector::from_angle(0.5 * (from + to)) * self.rough.radius.signum();
         ExactCurve {
-            carrier,
+            cycle: self.cycle(turn),
             start,
             end,
-            middle,
-            chart: self.chart(turn, start, end),
+            middle: middle.map(Dd::from),
         }
     }
 
-    /// How places on its curve are told, if that is large.
-    fn chart(&self, turn: &ExactTurn, start: Xy<Dd>, end: Xy<Dd>) -> Option<Chart> {
-        let Locus::Circle { radius, .. } = self.locus else {
-            return None;
-        };
-        let (cos, sin) = (turn.cos.to_f64(), turn.sin.to_f64());
-        let Carrier::FlatArc(arc) = self.rough.carrier(cos, sin) else {
-            return None;
-        };
-        let chart = Chart {
-            through: exactly(arc.through),
-            normal: exactly(arc.normal),
-            curvature: Dd::ONE / radius,
-            middle: Dd::ZERO,
-        };
-        let middle = (chart.of(start) + chart.of(end)).scaled(0.5);
-        Some(Chart { middle, ..chart })
-    }
-
-    /// From the centre of a circle to about the middle of the curve.
-    fn middle(&self, turn: &ExactTurn, of_flat_arc: impl Fn() -> Vector) -> Xy<Dd> {
-        let middle = if self.rough.is_flat_arc() {
-            of_flat_arc()
-        } else {
-            let theta = turn.theta.to_f64();
-            let (from, to) = (
-                self.rough.start_angle.at(theta),
-                self.rough.end_angle.at(theta),
-            );
-            Vector::from_angle(0.5 * (from + to)) * self.rough.radius.signum()
-        };
-        exactly((middle.x, middle.y))
-    }
-
-    /// The carrier at an orientation.
-    pub(crate) fn carrier(&self, turn: &ExactTurn) -> ExactCarrier {
-        let carrier = match self.locus {
+    /// All of the line or circle on which its curve lies at an orientation.
+    ///
+    /// A large circle is written by the point nearest to the one that writes it in doubles, as far as that is off the circle.
+    pub(crate) fn cycle(&self, turn: &ExactTurn) -> Cycle<Dd> {
+        match self.locus {
             Locus::Line {
                 normal,
                 turns,
                 through,
-            } => Carrier::Line {
-                normal: if turns {
-                    turned(normal, turn.cos, turn.sin)
-                } else {
-                    normal
-                },
-                through: through.at(turn),
-            },
-            Locus::Circle { center, radius } => Carrier::Circle {
-                center: center.at(turn),
-                radius,
-            },
-        };
-        ExactCarrier {
-            carrier,
-            is_flat_arc: self.rough.is_flat_arc(),
+            } => {
+                let normal = if turns { turn.turn * normal } else { normal };
+                Cycle::line(through.at(turn.turn), normal)
+            }
+            Locus::Circle { center, radius } => {
+                let center = center.at(turn.turn);
+                if !self.rough.is_flat_arc() {
+                    return Cycle::round(center, radius);
+                }
+                let rough: Cycle = self.rough.cycle(Rotation {
+                    cos: turn.turn.cos.to_f64(),
+                    sin: turn.turn.sin.to_f64(),
+                });
+                let arm = (rough.through.map(Dd::from) - center).unit();
+                let normal = if radius.is_negative() { -arm } else { arm };
+                Cycle::flat(center + normal * radius, normal, Dd::ONE / radius)
+            }
         }
     }
 
-    fn passing(&self, p: &ExactSpiral) -> Condition {
+    fn passing(&self, p: &Spiral<Dd>) -> Condition {
         match self.locus {
             Locus::Line {
                 normal,
@@ -285,14 +246,32 @@ pub(crate) fn exact_crossings(
     for (shared, p) in [(end_shared, c.end), (start_shared, c.start)] {
         if shared {
             let distance = |x: &Option<ExactCrossing>| {
-                x.map_or(f64::INFINITY, |x| length(minus(x.point, p)).to_f64())
+                x.map_or(f64::INFINITY, |x| x.point.distance(p).to_f64())
             };
             let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
             found[nearest] = None;
         }
     }
     found.map(|x| {
-        x.filter(|x| c.holds(x.on) && d.holds(d.on(x.point)))
+        x.filter(|x| c.holds(x.on) && d.holds(d.cycle.place(x.point)))
             .map(|x| x.enters)
     })
+}
+
+/// Where a curve starts or ends.
+fn end(fixed: &Outline, moving: &Outline, sheet: &Sheet, at: EndAt) -> Spiral<Dd> {
+    let (a, b) = (
+        &fixed.exact_features[sheet.fixed as usize],
+        &moving.exact_features[sheet.moving as usize],
+    );
+    match at {
+        EndAt::Fixed(j) => {
+            let j = &fixed.exact_joints[j as usize];
+            Spiral::new(j.point + j.normal * b.radius, -b.center.to_vector())
+        }
+        EndAt::Moving(j) => {
+            let j = &moving.exact_joints[j as usize];
+            Spiral::new(a.center, -(j.point + j.normal * a.radius).to_vector())
+        }
+    }
 }

@@ -2,21 +2,18 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::super::carrier::Carrier;
 use super::super::condition::conditions;
 use super::super::crossing::crossing;
-use super::super::curve::CurveShape;
 use super::super::pair::Geometry;
 use super::super::shared::SharedEnds;
 use super::super::sheet::Sheet;
+use super::super::spiral::Spiral;
 use super::super::tangent::tests::plain;
-use super::carrier::ExactCarrier;
 use super::condition::*;
-use super::spiral::*;
+use super::turn::*;
 use super::*;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
-use crate::number::plane::{Xy, dot, exactly, left, length, minus, plus, rounded, times};
 use crate::part::{Part, Vertex};
 
 /// Two parts with arcs of both kinds, small and large.
@@ -43,9 +40,16 @@ fn exact<'a>(geometry: &'a Geometry, sheet: &'a Sheet) -> ExactSheet<'a> {
     ExactSheet::new(&geometry.fixed, &geometry.moving, sheet)
 }
 
-fn point(p: Xy<Dd>) -> Point {
-    let (x, y) = rounded(p);
-    Point::new(x, y)
+fn point(p: Point<Dd>) -> Point {
+    p.map(Dd::to_f64)
+}
+
+fn exactly(x: f64, y: f64) -> Vector<Dd> {
+    Vector::new(x, y).map(Dd::from)
+}
+
+fn spiral(u: Vector<Dd>, w: Vector<Dd>) -> Spiral<Dd> {
+    Spiral::new(Point::new(u.x, u.y), w)
 }
 
 /// Pairs of sheets that both exist for a while, and may cross, with the orientations at which they do.
@@ -87,51 +91,44 @@ fn curves_are_those_of_doubles() {
             assert!(point(end).distance(rough.end) < NEAR, "{s:?}");
             let (from, to) = curve.ends();
             let length = (to - from).to_f64();
-            let expected = if let CurveShape::FlatArc(arc) = rough.shape {
-                arc.place(rough.end) - arc.place(rough.start)
-            } else {
-                2.0 * rough.half_length()
-            };
+            let expected = 2.0 * rough.half_length();
             assert!(
                 (length - expected).abs() < NEAR,
                 "{length} {expected} {s:?}"
             );
             for (place, p) in [(from, start), (to, end)] {
-                let off = length_of(minus(curve.point(place), p));
+                let off = length_of(curve.point(place) - p);
                 let none = if s.is_flat() { NONE_OF_LARGE } else { NONE };
                 assert!(off < none, "{off} {s:?}");
-                let normal = curve.carrier().normal(p);
+                let normal = curve.cycle().normal_at(p);
                 let height = curve.height(p, normal).to_f64().abs();
                 assert!(height < NONE, "{height} {s:?}");
             }
             for along in [0.2, 0.5, 0.7] {
                 let place = from + (to - from) * along;
                 let p = curve.point(place);
-                let (q, normal) = (point(p), curve.carrier().normal(p));
+                let (q, normal) = (point(p), curve.cycle().normal_at(p));
                 assert!(s.function().value(q, theta).abs() < NEAR, "{s:?}");
-                let n = rounded(normal);
-                let bend = rough.normal(q) - Vector::new(n.0, n.1);
+                let bend = rough.normal(q) - normal.map(Dd::to_f64);
                 assert!(bend.length() < 1e-9, "{s:?}");
                 // A little towards the free side and away from it.
                 for by in [1e-3, -1e-3] {
-                    let beside = plus(p, times(normal, Dd::from(by)));
-                    let outer = by * s.radius.signum() > 0.0;
-                    let side = if s.is_line() { by > 0.0 } else { outer };
-                    assert_eq!(curve.side_of(beside), Some(side), "{s:?}");
+                    let beside = p + normal * Dd::from(by);
+                    assert_eq!(curve.is_free(beside), Some(by > 0.0), "{s:?}");
                 }
             }
             // Nothing is beside it beyond its ends.
             let beyond = (to - from) * 0.1;
             for place in [from - beyond, to + beyond] {
-                assert_eq!(curve.side_of(curve.point(place)), None, "{s:?}");
+                assert_eq!(curve.is_free(curve.point(place)), None, "{s:?}");
             }
-            assert!(curve.carrier().is_one_with(&curve.carrier));
+            assert!(curve.cycle().is_one_with(&curve.cycle, 1e-14));
         }
     }
 }
 
-fn length_of(v: Xy<Dd>) -> f64 {
-    length(v).to_f64()
+fn length_of(v: Vector<Dd>) -> f64 {
+    v.length().to_f64()
 }
 
 /// What is told of a crossing by its name: where it is, and which curve enters; and what orders crossings along a curve.
@@ -160,9 +157,9 @@ fn crossings_are_those_of_doubles() {
                 assert!(point(y.point).distance(p) < 1e-9, "{f:?} {g:?}");
                 assert_eq!(x.enters, y.enters, "{f:?} {g:?}");
                 // It is on both carriers, and at both places.
-                let places = (c.length_of(y.on), d.length_of(d.on(y.point)));
+                let places = (c.length_of(y.on), d.length_of(d.cycle.place(y.point)));
                 for (curve, place) in [(&c, places.0), (&d, places.1)] {
-                    let off = length_of(minus(curve.point(place), y.point));
+                    let off = length_of(curve.point(place) - y.point);
                     let none = if f.is_flat() || g.is_flat() {
                         1e-15
                     } else {
@@ -171,7 +168,7 @@ fn crossings_are_those_of_doubles() {
                     assert!(off < none, "{off} {f:?} {g:?}");
                 }
                 let place = |c: &ExactCurve, d: &ExactCurve, swapped| {
-                    c.length_of(c.carrier().crossed_by(d.carrier(), root, swapped))
+                    c.length_of(c.cycle().root(d.cycle(), root, swapped))
                 };
                 let off = (place(&c, &d, false) - places.0).to_f64().abs();
                 assert!(off < 1e-24, "{off} {f:?} {g:?}");
@@ -190,21 +187,15 @@ fn ranks_rise_with_places() {
     for s in &geometry.contacts.sheets {
         let turn = ExactTurn::by(s.from);
         let curve = exact(&geometry, s).curve(&turn);
-        let half = match curve.carrier().carrier {
-            Carrier::Circle { radius, .. } if !s.is_flat_arc() => 0.95 * PI * radius.to_f64().abs(),
-            _ => 1.0,
+        let half = if s.is_circle() {
+            0.95 * PI * s.radius.abs()
+        } else {
+            1.0
         };
         let ranks: Vec<Dd> = (-50..=50)
             .map(|k| {
                 let p = curve.point(Dd::from(half * f64::from(k) / 50.0));
-                let v = match curve.carrier().carrier {
-                    Carrier::Line { normal, through } => {
-                        (dot(left(normal), minus(p, through)), Dd::ZERO)
-                    }
-                    Carrier::Circle { center, .. } => minus(p, center),
-                    Carrier::FlatArc(_) => panic!("a circle about its centre"),
-                };
-                curve.rank(v)
+                curve.rank(curve.cycle.place(p))
             })
             .collect();
         assert!(ranks.windows(2).all(|w| w[0] < w[1]), "{s:?}");
@@ -264,10 +255,15 @@ fn events_are_those_of_doubles() {
 
 /// The height of a point that goes around a circle over a line: size sin θ − h.
 fn high(size: f64, h: Dd) -> Condition {
-    let at = |u, w| ExactSpiral { u, w };
-    let (none, up) = (exactly((0.0, 0.0)), exactly((0.0, 1.0)));
-    let point = at(none, exactly((size, 0.0)));
-    height(up, false, &at((Dd::ZERO, h), none), &point, Dd::ZERO)
+    let (none, up) = (exactly(0.0, 0.0), exactly(0.0, 1.0));
+    let point = spiral(none, exactly(size, 0.0));
+    height(
+        up,
+        false,
+        &spiral(Vector::new(Dd::ZERO, h), none),
+        &point,
+        Dd::ZERO,
+    )
 }
 
 /// The roots of a condition in rising order.
@@ -323,10 +319,7 @@ fn roots_are_where_they_are_told_to_be() {
 /// nearly one radius the differences of lengths are known.
 #[test]
 fn distances_are_known_as_lengths_are() {
-    let spiral = |u, w| ExactSpiral {
-        u: exactly(u),
-        w: exactly(w),
-    };
+    let spiral = |u: (f64, f64), w: (f64, f64)| spiral(exactly(u.0, u.1), exactly(w.0, w.1));
     for (from, distance) in [(1.0, 0.5), (2.0, 1.5), (1e-3, 1.0)] {
         let (p, q) = (
             spiral((0.0, 0.0), (1.0, 0.0)),
@@ -337,7 +330,7 @@ fn distances_are_known_as_lengths_are() {
         assert_eq!(roots.len(), 2, "{from}");
         for (theta, error) in roots {
             let turn = ExactTurn::by(theta);
-            let off = length(minus(p.at(&turn), q.at(&turn))) - distance;
+            let off = (p.at(turn.turn) - q.at(turn.turn)).length() - distance;
             assert!(off.to_f64().abs() < 8.0 * error + 1e-30, "{off:?} {error}");
             assert!(error < 1e-24, "{error}");
         }
@@ -379,46 +372,13 @@ fn a_root_is_refined_where_it_is_simple() {
     // Little that moves beside much that does not is known to less.
     let c = high(1e-6, Dd::ZERO);
     assert!(c.is_simple(0.0));
-    let far = ExactSpiral {
-        u: exactly((3.0, 1.0)),
-        w: exactly((0.0, 0.0)),
-    };
-    let up = exactly((0.0, 1.0));
-    let point = ExactSpiral {
-        w: exactly((1e-6, 0.0)),
+    let far = spiral(exactly(3.0, 1.0), exactly(0.0, 0.0));
+    let up = exactly(0.0, 1.0);
+    let point = Spiral {
+        w: exactly(1e-6, 0.0),
         ..far
     };
     assert!(!height(up, false, &far, &point, Dd::ZERO).is_simple(0.0));
-}
-
-/// Lines and circles are one if doubles could just tell them apart, and else not.
-#[test]
-fn carriers_are_one_within_little() {
-    let is_one = |a: Carrier<Dd>, b: Carrier<Dd>| {
-        let of = |carrier| ExactCarrier {
-            carrier,
-            is_flat_arc: false,
-        };
-        of(a).is_one_with(&of(b))
-    };
-    let line = |angle: f64, at: (f64, f64)| Carrier::Line {
-        normal: exactly((-angle.sin(), angle.cos())),
-        through: exactly(at),
-    };
-    let circle = |x: f64, radius: f64| Carrier::Circle {
-        center: exactly((x, 0.0)),
-        radius: Dd::from(radius),
-    };
-    let first = line(0.0, (0.0, 0.0));
-    assert!(is_one(first, line(1e-15, (0.7, 1e-15))));
-    assert!(is_one(first, line(PI, (-0.7, 0.0))));
-    assert!(!is_one(first, line(1e-13, (0.0, 0.0))));
-    assert!(!is_one(first, line(0.0, (0.0, 1e-13))));
-    let first = circle(0.3, 0.5);
-    assert!(is_one(first, circle(0.3, -0.5)));
-    assert!(!is_one(first, circle(0.3 + 1e-13, 0.5)));
-    assert!(!is_one(first, circle(0.3, 0.5 + 1e-13)));
-    assert!(!is_one(first, line(0.0, (0.0, 0.0))));
 }
 
 /// A turn from another nearby is that by its angle.
@@ -430,7 +390,10 @@ fn turns_to_what_is_near() {
     ] {
         let theta = base.theta + by;
         let (turn, expected) = (base.turned_to(theta), ExactTurn::by(theta));
-        for off in [turn.cos - expected.cos, turn.sin - expected.sin] {
+        for off in [
+            turn.turn.cos - expected.turn.cos,
+            turn.turn.sin - expected.turn.sin,
+        ] {
             assert!(off.to_f64().abs() < 4e-32, "{by}: {off:?}");
         }
     }

@@ -34,7 +34,6 @@ use crate::feature::tolerance::{
 };
 use crate::geometry::Vector;
 use crate::number::Dd;
-use crate::number::plane::cross;
 
 use least::least_moves;
 pub(crate) use side::ExactVertex;
@@ -171,7 +170,7 @@ fn residuals(sides: &[Side], smooth: &[bool]) -> Option<Vec<Dd>> {
             if before.arrive.dot(after.leave) <= 0.0 {
                 return None;
             }
-            Some(cross(before.exact_arrive, after.exact_leave))
+            Some(before.exact_arrive.cross(after.exact_leave))
         })
         .collect()
 }
@@ -241,8 +240,8 @@ fn inner_points(start: &ExactVertex, end: &ExactVertex) -> [(ExactVertex, Vector
         let chord = between(start, end);
         let rise = b.scaled(0.5);
         let middle = ExactVertex {
-            x: start.x + chord.0.scaled(0.5) + chord.1 * rise,
-            y: start.y + chord.1.scaled(0.5) - chord.0 * rise,
+            x: start.x + chord.x.scaled(0.5) + chord.y * rise,
+            y: start.y + chord.y.scaled(0.5) - chord.x * rise,
             bulge: Dd::ZERO,
         };
         (middle, vector(chord).unit())
@@ -261,7 +260,7 @@ fn bent_pieces(sides: &[Side], knots: &[Knot]) -> f64 {
     let long = |side: &Side| side.chord + 2.0 * side.sagitta();
     let kink = |i: usize| {
         let (before, after) = (&sides[(i + n - 1) % n], &sides[i]);
-        cross(before.exact_arrive, after.exact_leave).to_f64().abs()
+        before.exact_arrive.cross(after.exact_leave).to_f64().abs()
     };
     let alike: Vec<Option<f64>> = (0..n)
         .map(|i| {

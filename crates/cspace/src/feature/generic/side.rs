@@ -1,9 +1,8 @@
 //! The edges and vertices of a loop as the equations need them.
 
 use crate::feature::tolerance::{GROWTH, LARGEST_PART, SAGITTA_PART, SLIDE};
-use crate::geometry::Vector;
+use crate::geometry::{Rotation, Vector};
 use crate::number::Dd;
-use crate::number::plane::{Xy, dot, rounded, times, turned};
 
 /// An edge of a loop in double-double: it starts here, and ends where the next one starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,21 +16,20 @@ pub(crate) struct ExactVertex {
 }
 
 /// The way from one vertex to another.
-pub(super) fn between(from: &ExactVertex, to: &ExactVertex) -> Xy<Dd> {
-    (to.x - from.x, to.y - from.y)
+pub(super) fn between(from: &ExactVertex, to: &ExactVertex) -> Vector<Dd> {
+    Vector::new(to.x - from.x, to.y - from.y)
 }
 
 /// In doubles.
-pub(super) fn vector(v: Xy<Dd>) -> Vector {
-    let (x, y) = rounded(v);
-    Vector::new(x, y)
+pub(super) fn vector(v: Vector<Dd>) -> Vector {
+    v.map(Dd::to_f64)
 }
 
 /// What the equations need of an edge.
 pub(super) struct Side {
     /// Unit directions of travel at both ends.
-    pub(super) exact_leave: Xy<Dd>,
-    pub(super) exact_arrive: Xy<Dd>,
+    pub(super) exact_leave: Vector<Dd>,
+    pub(super) exact_arrive: Vector<Dd>,
     pub(super) leave: Vector,
     pub(super) arrive: Vector,
     /// Unit direction of the chord.
@@ -48,12 +46,12 @@ impl Side {
     /// `None` if the edge has no length.
     fn new(start: &ExactVertex, end: &ExactVertex) -> Option<Self> {
         let chord = between(start, end);
-        let length = dot(chord, chord).sqrt();
+        let length = chord.length();
         let long = length.to_f64();
         if !(long > 0.0 && long.is_finite() && start.bulge.to_f64().is_finite()) {
             return None;
         }
-        let along = times(chord, Dd::ONE / length);
+        let along = chord * (Dd::ONE / length);
         let b = start.bulge;
         let square = b * b;
         let q = Dd::ONE / (square + 1.0);
@@ -61,7 +59,8 @@ impl Side {
         let (exact_leave, exact_arrive) = if b.is_zero() {
             (along, along)
         } else {
-            (turned(along, cos, -sin), turned(along, cos, sin))
+            let half = Rotation { cos, sin };
+            (half.inverse() * along, half * along)
         };
         let half = (cos.to_f64(), sin.to_f64());
         Some(Self {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::number::plane::{Xy, length, minus, times};
+use crate::geometry::{Point, Vector};
 use core::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 
@@ -168,25 +168,22 @@ fn biarcs(points: usize, waves: [f64; 4]) -> Drawn {
 }
 
 /// How far a place is off the carrier of a drawn edge, from its centre and radius.
-fn off(from: &ExactVertex, to: &ExactVertex, place: Xy<Dd>) -> f64 {
+fn off(from: &ExactVertex, to: &ExactVertex, place: Point<Dd>) -> f64 {
     let chord = between(from, to);
-    let to_place = minus(place, (from.x, from.y));
+    let to_place = place - Point::new(from.x, from.y);
     let b = from.bulge;
     if b.is_zero() {
-        return (cross(chord, to_place) / length(chord)).to_f64().abs();
+        return (chord.cross(to_place) / chord.length()).to_f64().abs();
     }
     let up = (Dd::ONE - b * b) / b.scaled(4.0);
-    let center = (
-        chord.0.scaled(0.5) - chord.1 * up,
-        chord.1.scaled(0.5) + chord.0 * up,
-    );
-    (length(minus(to_place, center)) - length(center))
+    let center = chord * Dd::from(0.5) + chord.left() * up;
+    ((to_place - center).length() - center.length())
         .to_f64()
         .abs()
 }
 
 /// A place of an arc, a fraction of it from its start.
-fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Xy<Dd> {
+fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Point<Dd> {
     let chord = between(from, to);
     // tan of a part of a half of the sweep; the chord's part and its rise, of the triangle with angles at both ends.
     let sweep = Dd::atan2(from.bulge, Dd::ONE) * 4.0;
@@ -194,10 +191,7 @@ fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Xy<Dd> {
     let (first, _) = (sweep * (0.5 * fraction)).sin_cos();
     let (half, _) = (sweep * 0.5).sin_cos();
     let (along, rise) = (first * c / half, first * s / half);
-    (
-        from.x + chord.0 * along + chord.1 * rise,
-        from.y + chord.1 * along - chord.0 * rise,
-    )
+    Point::new(from.x, from.y) + chord * along + chord.right() * rise
 }
 
 struct Told {
@@ -227,7 +221,7 @@ fn told(drawn: &Drawn, result: &[ExactVertex], wish: &[[f64; 3]]) -> Told {
     };
     for i in 0..n {
         let (h, j) = ((i + n - 1) % n, (i + 1) % n);
-        let place = (result[i].x, result[i].y);
+        let place = Point::new(result[i].x, result[i].y);
         let least =
             off(&vertices[h], &vertices[i], place).min(off(&vertices[i], &vertices[j], place));
         told.off = told.off.max(least);
@@ -286,9 +280,9 @@ fn sine(result: &[ExactVertex], i: usize, j: usize) -> f64 {
     let n = result.len();
     let unit = |k: usize| {
         let v = between(&result[k], &result[(k + 1) % n]);
-        times(v, Dd::ONE / length(v))
+        v * (Dd::ONE / v.length())
     };
-    cross(unit(i), unit(j)).to_f64().abs()
+    unit(i).cross(unit(j)).to_f64().abs()
 }
 
 #[test]
@@ -399,7 +393,7 @@ fn tops_of_a_comb_are_no_longer_on_one_line() {
     for (k, &i) in tops.iter().enumerate() {
         for &j in &tops[..k] {
             assert!(sine(&result, i, j) > 1e-14);
-            let place = (result[j].x, result[j].y);
+            let place = Point::new(result[j].x, result[j].y);
             let from = ExactVertex {
                 bulge: Dd::ZERO,
                 ..result[i]

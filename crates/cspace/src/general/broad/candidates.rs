@@ -8,7 +8,7 @@
 use core::f64::consts::TAU;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::contact::{Curve, CurveShape, Geometry, Sheet};
+use crate::contact::{Curve, Cycle, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::parallel;
@@ -341,15 +341,13 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
     };
     if sheet.is_circle() {
         let center = sheet.center();
+        let at = |angle: f64| center.at(turn) + Vector::from_angle(angle) * sheet.radius;
         let arc = Curve {
-            start: center.at(turn) + Vector::from_angle(from) * sheet.radius,
-            end: center.at(turn) + Vector::from_angle(to) * sheet.radius,
-            shape: CurveShape::Circle {
-                center: center.at(turn),
-                radius: sheet.radius,
-                mid_angle: 0.5 * (from + to),
-                half: 0.5 * (to - from),
-            },
+            start: at(from),
+            end: at(to),
+            cycle: Cycle::round(center.at(turn), sheet.radius),
+            mid_angle: 0.5 * (from + to),
+            half_angle: 0.5 * (to - from),
         };
         let Bounds { min: lo, max: hi } = arc.bounds();
         let g = grow(center.w);

@@ -14,7 +14,6 @@ use crate::contact::{ExactTurn, Geometry, Seam};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
-use crate::number::plane::exactly;
 use crate::parallel;
 use crate::union_find::UnionFind;
 
@@ -197,13 +196,12 @@ impl Levels<'_> {
         let turn_above = LazyCell::new(|| ExactTurn::by(just_above));
         let (mut near_below, mut near_above) = (track.covering(below), track.covering(above));
         stretches.iter_mut().for_each(Vec::clear);
-        let start = first.start.at(turn);
         for w in marks.windows(2) {
             if w[1] - w[0] <= SHORTEST_OVERLAP {
                 continue;
             }
             let middle = 0.5 * (w[0] + w[1]);
-            let place = Place::new(&track, start, middle);
+            let place = Place::new(&track, middle);
             near_below.go_to(middle);
             near_above.go_to(middle);
             let low = near_below.here().map(|i| &below[i]);
@@ -238,7 +236,7 @@ impl Levels<'_> {
         out.extend(stretches.iter().flatten().map(|s| {
             // Along the lower cell's own curve, from its middle.
             let sheet = &self.geometry.contacts.sheets[self.sheet_of(s.lower) as usize];
-            let middle = track.point(start, 0.5 * (s.from + s.to));
+            let middle = track.point(0.5 * (s.from + s.to));
             let place = sheet.curve(theta, turn).position(middle);
             let half = 0.5 * (s.to - s.from);
             VerticalContact {
@@ -327,12 +325,12 @@ impl Levels<'_> {
         }
     }
 
-    /// How far outward from a point the carrier of a cell's sheet lies.
+    /// How far outward from a point the line or circle of a cell's sheet lies.
     fn height(&self, cell: u32, p: Point, outward: Vector, turn: &ExactTurn) -> Dd {
         let sheet = exact_sheet(self.geometry, self.sheet_of(cell));
         sheet
             .curve(turn)
-            .height(exactly((p.x, p.y)), exactly((outward.x, outward.y)))
+            .height(p.map(Dd::from), outward.map(Dd::from))
     }
 
     /// Cells that continue each other at the two ends of a full turn, which are one orientation.

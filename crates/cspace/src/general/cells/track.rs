@@ -2,24 +2,18 @@
 
 use core::f64::consts::PI;
 
-use crate::contact::{Carrier, FlatArc, Sheet};
+use crate::contact::{Cycle, Sheet};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Rotation, Vector, wrap};
 
 use crate::general::broad::covering::Covering;
 
-/// The common curve: a line through a point, or a circle; with the coordinate along it. A large circle is told by a point.
+/// The common curve, all of a line or circle, with the coordinate along it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Track {
-    Line {
-        normal: Vector,
-    },
-    Circle {
-        center: Point,
-        radius: f64,
-        zero: f64,
-    },
-    FlatArc(FlatArc<f64>),
+pub(crate) struct Track {
+    cycle: Cycle,
+    /// The direction of the coordinate 0 from the centre, radians; only of a circle by its centre.
+    zero: f64,
 }
 
 /// A cell that touches the level, as a range of the coordinate.
@@ -43,8 +37,8 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    pub(crate) fn new(track: &Track, on: Point, coordinate: f64) -> Self {
-        let point = track.point(on, coordinate);
+    pub(crate) fn new(track: &Track, coordinate: f64) -> Self {
+        let point = track.point(coordinate);
         Self {
             coordinate,
             point,
@@ -68,96 +62,72 @@ impl Piece {
 impl Track {
     /// The curve of a sheet at an orientation, all of the line or circle.
     pub(crate) fn of(sheet: &Sheet, turn: Rotation) -> Self {
-        match sheet.carrier(turn.cos, turn.sin) {
-            Carrier::Line { normal, .. } => Self::Line {
-                normal: Vector::new(normal.0, normal.1),
-            },
-            Carrier::Circle { center, radius } => {
-                let center = Point::new(center.0, center.1);
-                Self::Circle {
-                    center,
-                    radius,
-                    zero: (sheet.start.at(turn) - center).angle(),
-                }
-            }
-            Carrier::FlatArc(arc) => Self::FlatArc(arc),
+        let cycle: Cycle = sheet.cycle(turn);
+        if cycle.is_line() {
+            // Coordinates on lines through one place are those of one line.
+            let foot = Point::ORIGIN + cycle.normal * -cycle.level(Point::ORIGIN);
+            return Self {
+                cycle: Cycle::line(foot, cycle.normal),
+                zero: 0.0,
+            };
+        }
+        let zero = (sheet.start.at(turn) - cycle.through).angle();
+        Self { cycle, zero }
+    }
+
+    /// Half of all of a circle by its centre; infinite of what is open.
+    fn half(&self) -> f64 {
+        if self.cycle.is_centred() {
+            PI * self.cycle.size
+        } else {
+            f64::INFINITY
         }
     }
 
     /// The coordinates at which a circle is cut open, where they jump.
     pub(crate) fn cuts(&self) -> Option<[f64; 2]> {
-        match *self {
-            Self::Line { .. } | Self::FlatArc(_) => None,
-            Self::Circle { radius, .. } => {
-                let half_turn = PI * radius.abs();
-                Some([-half_turn, half_turn])
-            }
-        }
+        let half = self.half();
+        half.is_finite().then_some([-half, half])
     }
 
     /// Of a sheet on it with a normal at a point: whether its free side is that of the track, and whether its travel goes
     /// with the coordinate. On a line that does if the normals agree, on a circle if the radius is positive.
     pub(crate) fn ways(&self, sheet: &Sheet, normal: Vector, p: Point) -> (bool, bool) {
-        match *self {
-            Self::Line { .. } | Self::FlatArc(_) => {
-                let along = self.normal(p).dot(normal) > 0.0;
-                (along, along)
-            }
-            Self::Circle { radius, .. } => {
-                let forward = sheet.radius > 0.0;
-                (forward == (radius > 0.0), forward)
-            }
+        if self.cycle.is_centred() {
+            let forward = sheet.radius > 0.0;
+            return (forward == (self.cycle.weight > 0.0), forward);
         }
+        let along = self.normal(p).dot(normal) > 0.0;
+        (along, along)
     }
 
     pub(crate) fn coordinate(&self, p: Point) -> f64 {
-        match *self {
-            Self::Line { normal } => normal.left().dot(p - Point::ORIGIN),
-            Self::Circle {
-                center,
-                radius,
-                zero,
-            } => wrap((p - center).angle() - zero) * radius.abs(),
-            Self::FlatArc(arc) => arc.place(p),
+        if self.cycle.is_centred() {
+            return wrap((p - self.cycle.through).angle() - self.zero) * self.cycle.size;
         }
+        self.cycle.place(p).x
     }
 
-    /// The point at a coordinate, given one of a line.
-    pub(crate) fn point(&self, on: Point, coordinate: f64) -> Point {
-        match *self {
-            Self::Line { normal } => {
-                let along = normal.left();
-                on + along * (coordinate - along.dot(on - Point::ORIGIN))
-            }
-            Self::Circle {
-                center,
-                radius,
-                zero,
-            } => center + Vector::from_angle(zero + coordinate / radius.abs()) * radius.abs(),
-            Self::FlatArc(arc) => arc.point(coordinate),
+    /// The point at a coordinate.
+    pub(crate) fn point(&self, coordinate: f64) -> Point {
+        if self.cycle.is_centred() {
+            let angle = self.zero + coordinate / self.cycle.size;
+            return self.cycle.through + Vector::from_angle(angle) * self.cycle.size;
         }
+        self.cycle.at(Vector::new(coordinate, 0.0))
     }
 
     /// The normal at a point of it.
     pub(crate) fn normal(&self, p: Point) -> Vector {
-        match *self {
-            Self::Line { normal } => normal,
-            Self::Circle { center, radius, .. } => (p - center) * (1.0 / radius),
-            Self::FlatArc(arc) => arc.normal_at(p),
-        }
+        self.cycle.normal_at(p)
     }
 
     /// Which pieces may cover a place. One that reaches over the place where a circle is cut open may cover any.
     pub(crate) fn covering(&self, pieces: &[Piece]) -> Covering {
         /// Rounding of an end, of a piece or of the circle: pieces cover a little less than this makes them.
         const SLACK: f64 = SHORTEST_OVERLAP;
-        let (lowest, highest) = match *self {
-            Self::Line { .. } | Self::FlatArc(_) => (f64::NEG_INFINITY, f64::INFINITY),
-            Self::Circle { radius, .. } => {
-                let half_turn = PI * radius.abs() - SLACK;
-                (-half_turn, half_turn)
-            }
-        };
+        let highest = self.half() - SLACK;
+        let lowest = -highest;
         Covering::new(pieces.iter().map(|p| {
             let mid = self.difference(p.mid, 0.0);
             let (from, to) = (mid - p.half - SLACK, mid + p.half + SLACK);
@@ -170,9 +140,9 @@ impl Track {
     }
 
     pub(crate) fn difference(&self, a: f64, b: f64) -> f64 {
-        match *self {
-            Self::Line { .. } | Self::FlatArc(_) => a - b,
-            Self::Circle { radius, .. } => wrap((a - b) / radius.abs()) * radius.abs(),
+        if self.cycle.is_centred() {
+            return wrap((a - b) / self.cycle.size) * self.cycle.size;
         }
+        a - b
     }
 }

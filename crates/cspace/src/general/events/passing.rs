@@ -1,11 +1,11 @@
 //! The orientations at which two branches on one sheet pass each other, because three sheets meet.
 //!
-//! Where three carriers meet, a trigonometric polynomial of degree four vanishes, whichever of their crossings meet. It
+//! Where three cycles meet, a trigonometric polynomial of degree four vanishes, whichever of their crossings meet. It
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Carrier, ExactSheet, ExactTurn, Geometry, Sheet, place_on};
-use crate::number::plane::{Xy, cross, dot, minus, times};
+use crate::contact::{Cycle, ExactSheet, ExactTurn, Geometry, Sheet};
+use crate::geometry::{Rotation, Vector};
 use crate::number::{Ball, Dd, Dual, Event, Real, TrigPolynomial};
 
 use crate::general::events::branch::Branch;
@@ -34,55 +34,40 @@ const PLACE_BUDGET: u32 = 2000;
 /// A function without roots or divisions that vanishes where the three sheets meet.
 ///
 /// With a circle of centre c and radius r among them, and p = c + v: |v| = r, and each of the others is linear in
-/// v, a·v = e (a circle by the radical line of the two). So v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and
-/// |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the determinant of the three.
+/// v, a·v = e with its gradient a at c and e = −(F(c) + λ r²/2): a circle by the radical line of the two. So
+/// v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the
+/// determinant of the three.
 ///
-/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for flat arcs: about their
+/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for large circles: about their
 /// centres it would be all rounding.
-pub(crate) fn concurrency<T: Real>(mut three: [Carrier<T>; 3]) -> (T, f64) {
-    if let Some(circle) = three
-        .iter()
-        .position(|c| matches!(c, Carrier::Circle { .. }))
-    {
+pub(crate) fn concurrency<T: Real>(mut three: [Cycle<T>; 3]) -> (T, f64) {
+    if let Some(circle) = three.iter().position(Cycle::is_centred) {
         three.swap(0, circle);
     }
-    let size = |v: Xy<T>| v.0.value().hypot(v.1.value());
-    match three[0] {
-        Carrier::Circle { center, radius } => {
-            let r = radius.value();
-            let linear = |other: &Carrier<T>| match *other {
-                Carrier::Line { normal, through } => {
-                    (normal, dot(normal, minus(through, center)), 1.0)
-                }
-                Carrier::FlatArc(_) => (center, T::constant(f64::NAN), 1.0),
-                Carrier::Circle {
-                    center: c,
-                    radius: other,
-                } => {
-                    let a = minus(c, center);
-                    let square = dot(a, a);
-                    let terms = square.value() + other.value().powi(2) + r * r;
-                    let rest = (other - radius) * (other + radius);
-                    (a, T::constant(0.5) * (square - rest), terms)
-                }
-            };
-            let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
-            let v = minus(times(b, e), times(a, g));
-            let d = radius * cross(a, b);
-            let (a, b) = (size(a), size(b));
-            let terms = (b * p + a * q).powi(2) + (r * a * b).powi(2);
-            (dot(v, v) - d * d, terms)
-        }
-        Carrier::Line { .. } | Carrier::FlatArc(_) => {
-            let line = |c: &Carrier<T>| match *c {
-                Carrier::Line { normal, through } => (normal, dot(normal, through)),
-                Carrier::Circle { center, .. } => (center, T::constant(0.0)),
-                Carrier::FlatArc(arc) => (arc.normal, T::constant(f64::NAN)),
-            };
-            let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
-            (d * cross(m, n) + e * cross(n, l) + g * cross(l, m), 8.0)
-        }
+    let size = |v: Vector<T>| v.x.value().hypot(v.y.value());
+    if !three[0].is_centred() {
+        let line = |c: &Cycle<T>| (c.normal, c.normal.dot(c.through.to_vector()));
+        let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
+        return (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0);
     }
+    let (center, radius) = (three[0].through, three[0].size);
+    let r = radius.value();
+    let linear = |other: &Cycle<T>| {
+        let a = other.slope(center);
+        let e = -(other.level(center) + T::constant(0.5) * other.weight * radius * radius);
+        let terms = if other.is_line() {
+            1.0
+        } else {
+            size(a).powi(2) + other.size.value().powi(2) + r * r
+        };
+        (a, e, terms)
+    };
+    let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
+    let v = b * e - a * g;
+    let d = radius * a.cross(b);
+    let (a, b) = (size(a), size(b));
+    let terms = (b * p + a * q).powi(2) + (r * a * b).powi(2);
+    (v.length_squared() - d * d, terms)
 }
 
 /// Two branches on one sheet.
@@ -169,24 +154,24 @@ impl Passing<'_> {
     }
 
     /// The difference of the places of the two branches; see [`between`].
-    fn difference<T: Real>(&self, cos: T, sin: T) -> T {
+    fn difference<T: Real>(&self, turn: Rotation<T>) -> T {
         let sheets = &self.geometry.contacts.sheets;
         let f = &sheets[self.sheet as usize];
-        let carrier = f.carrier(cos, sin);
+        let cycle = f.cycle(turn);
         let place = |b: &Branch| {
             let g = &sheets[b.other(self.sheet) as usize];
             let (swapped, root) = (b.second == self.sheet, b.root);
             if let Some((o, _)) = f.close_to(g) {
-                let about = |s: &Sheet| s.about(&o).carrier(cos, sin);
-                return place_on(&about(f), &about(g), root, swapped);
+                let about = |s: &Sheet| s.about(&o).cycle(turn);
+                return about(f).root(&about(g), root, swapped);
             }
-            place_on(&carrier, &g.carrier(cos, sin), root, swapped)
+            cycle.root(&g.cycle(turn), root, swapped)
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
-            cross(p, q) * T::constant(1.0 / f.radius.abs())
+            p.cross(q) * T::constant(1.0 / f.radius.abs())
         } else {
-            p.0 - q.0
+            p.x - q.x
         }
     }
 
@@ -290,11 +275,11 @@ impl Passing<'_> {
         let [f, g, h] = self.sheets().map(|s| exact_sheet(self.geometry, s));
         move |theta| {
             let turn = ExactTurn::by(theta);
-            let f = f.carrier(&turn);
+            let f = f.cycle(&turn);
             let place = |b: &Branch, other: &ExactSheet<'_>| {
-                f.crossed_by(&other.carrier(&turn), b.root, b.second == self.sheet)
+                f.root(&other.cycle(&turn), b.root, b.second == self.sheet)
             };
-            between(&f.carrier, place(self.x, &g), place(self.y, &h))
+            between(&f, place(self.x, &g), place(self.y, &h))
         }
     }
 
@@ -308,7 +293,7 @@ impl Passing<'_> {
             return None;
         }
         let ((p, e), (q, f)) = (placing.crossed_by(self.x), placing.crossed_by(self.y));
-        let apart = between(placing.carrier(), p, q);
+        let apart = between(placing.cycle(), p, q);
         (apart.abs() > MARGIN * (e + f)).then_some(apart)
     }
 
@@ -385,17 +370,15 @@ impl Passing<'_> {
         let sheets = &self.geometry.contacts.sheets;
         let three = self.sheets().map(|s| &sheets[s as usize]);
         let flat = three.iter().any(|s| s.is_flat());
-        (!flat).then(|| {
-            TrigPolynomial::sampled(|cos, sin| concurrency(three.map(|s| s.carrier(cos, sin))))
-        })
+        (!flat).then(|| TrigPolynomial::sampled(|turn| concurrency(three.map(|s| s.cycle(turn)))))
     }
 
     /// The same in double-double.
     fn polynomial(&self) -> TrigPolynomial<Dd> {
         let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
-        TrigPolynomial::sampled(|cos, sin| {
-            let turn = ExactTurn::of(cos, sin);
-            concurrency([0, 1, 2].map(|i| three[i].carrier(&turn).carrier))
+        TrigPolynomial::sampled(|turn| {
+            let turn = ExactTurn::of(turn);
+            concurrency([0, 1, 2].map(|i| three[i].cycle(&turn)))
         })
     }
 
@@ -421,14 +404,13 @@ impl Passing<'_> {
         *budget = budget.saturating_sub(1);
         /// Places no further apart are one (length).
         const SAME_PLACE: f64 = 1e-11;
-        let (sin, cos) = Dual::<1, _>::variable(Ball::between(lo, hi), 0).sin_cos();
-        let d = self.difference(cos, sin);
+        let theta = Dual::<1, _>::variable(Ball::between(lo, hi), 0);
+        let d = self.difference(Rotation::by(theta));
         if d.value.sign() != 0 {
             return;
         }
         let mid = 0.5 * (lo + hi);
-        let (sin, cos) = Ball::constant(mid).sin_cos();
-        let at_mid = self.difference(cos, sin);
+        let at_mid = self.difference(Rotation::by(Ball::constant(mid)));
         let reach = (d.slope[0].mid.abs() + d.slope[0].radius) * 0.5 * (hi - lo);
         if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
             return;
@@ -464,8 +446,7 @@ impl Passing<'_> {
 
     /// The difference of the places of the two branches, with its derivatives.
     fn gap(&self, theta: f64) -> Dual<1> {
-        let (sin, cos) = Dual::variable(theta, 0).sin_cos();
-        self.difference(cos, sin)
+        self.difference(Rotation::by(Dual::variable(theta, 0)))
     }
 
     /// The root in an interval in which there is one, by Newton's rule within a bracket; `None` if the two branches are apart

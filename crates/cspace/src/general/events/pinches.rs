@@ -6,8 +6,8 @@
 //! then: a cell that is there does not go on.
 
 use crate::contact::{ExactCurve, ExactTurn, Geometry};
+use crate::geometry::Point;
 use crate::number::Dd;
-use crate::number::plane::{Xy, dot};
 
 use crate::general::events::clusters::Clusters;
 use crate::general::events::placing::exact_sheet;
@@ -32,7 +32,8 @@ pub(crate) fn pinched(geometry: &Geometry, sheets: (u32, u32), beside: &[ExactTu
     let [f, g] = [sheets.0, sheets.1].map(|s| placed(geometry, s, beside));
     let passes = |f: &[ExactCurve; 2], g: &[ExactCurve; 2], end: usize| {
         let p = f.map(|c| c.end_points()[end]);
-        let opposite = dot(f[0].carrier().normal(p[0]), g[0].carrier().normal(p[0])).is_negative();
+        let [m, n] = [f, g].map(|c| c[0].cycle().normal_at(p[0]));
+        let opposite = m.dot(n).is_negative();
         opposite && is_passed(g, p)
     };
     [0, 1]
@@ -77,7 +78,7 @@ fn placed(geometry: &Geometry, sheet: u32, turns: &[ExactTurn; 2]) -> [ExactCurv
 }
 
 /// Whether a curve passes a point that is beside it before and after.
-fn is_passed(curve: &[ExactCurve; 2], point: [Xy<Dd>; 2]) -> bool {
-    let sides = [0, 1].map(|k: usize| curve[k].side_of(point[k]));
+fn is_passed(curve: &[ExactCurve; 2], point: [Point<Dd>; 2]) -> bool {
+    let sides = [0, 1].map(|k: usize| curve[k].is_free(point[k]));
     matches!(sides, [Some(a), Some(b)] if a != b)
 }

@@ -1,12 +1,9 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
-use crate::contact::{
-    Carrier, ExactCarrier, ExactCurve, ExactSheet, ExactTurn, Geometry, place_error, place_on,
-};
+use crate::contact::{Cycle, ExactCurve, ExactSheet, ExactTurn, Geometry};
 use crate::geometry::{Point, Rotation, Vector, wrap};
 use crate::number::Dd;
 use crate::number::Real;
-use crate::number::plane::{Xy, cross, dot};
 
 use crate::general::events::branch::Branch;
 
@@ -14,11 +11,11 @@ use crate::general::events::branch::Branch;
 pub(crate) struct Placing<'a> {
     geometry: &'a Geometry,
     index: u32,
-    carrier: Carrier<f64>,
+    cycle: Cycle,
     turn: Rotation,
     half: f64,
     mid_angle: f64,
-    /// The place of the middle, on a line from its start, on a flat arc from its point.
+    /// The place of the middle; not of a circle by its centre.
     middle: f64,
 }
 
@@ -26,7 +23,7 @@ pub(crate) struct Placing<'a> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rank {
     pub(crate) rank: f64,
-    v: (f64, f64),
+    place: Vector,
     error: f64,
 }
 
@@ -64,11 +61,11 @@ impl<'a> ExactPlacing<'a> {
         (self.curve.length_of(v), Dd::EPSILON * size / sharpness)
     }
 
-    /// What a branch crosses the curve with, and where, as [`place_on`] gives it.
-    fn crossed_by(&self, b: &Branch) -> (ExactCarrier, Xy<Dd>) {
-        let other = exact_sheet(self.geometry, b.other(self.index)).carrier(&self.turn);
-        let v = (self.curve.carrier()).crossed_by(&other, b.root, b.second == self.index);
-        (other, v)
+    /// What a branch crosses the curve with, and at which place.
+    fn crossed_by(&self, b: &Branch) -> (Cycle<Dd>, Vector<Dd>) {
+        let other = exact_sheet(self.geometry, b.other(self.index)).cycle(&self.turn);
+        let place = (self.curve.cycle()).root(&other, b.root, b.second == self.index);
+        (other, place)
     }
 
     /// What orders branches by their places, as the places themselves would, at less cost: see [`Placing::ranking`].
@@ -82,23 +79,22 @@ impl<'a> ExactPlacing<'a> {
         self.sharpness_at(&other, v)
     }
 
-    /// The same where another carrier crosses it.
-    fn sharpness_at(&self, other: &ExactCarrier, v: Xy<Dd>) -> f64 {
-        let point = self.curve.carrier().point(v);
-        let normals = [self.curve.carrier(), other].map(|c| c.normal(point));
-        cross(normals[0], normals[1]).to_f64().abs()
+    /// The sine of the angle at which another cycle crosses it at a place.
+    fn sharpness_at(&self, other: &Cycle<Dd>, place: Vector<Dd>) -> f64 {
+        let point = self.curve.cycle().at(place);
+        let [m, n] = [self.curve.cycle(), other].map(|c| c.normal_at(point));
+        m.cross(n).to_f64().abs()
     }
 
     /// The point at a place, rounded.
     pub(crate) fn point(&self, place: Dd) -> Point {
-        let p = self.curve.point(place);
-        Point::new(p.0.to_f64(), p.1.to_f64())
+        self.curve.point(place).map(Dd::to_f64)
     }
 
-    /// Whether the carrier of another sheet lies further out than the place, in a direction.
+    /// Whether the line or circle of another sheet lies further out than the place, in a direction.
     pub(crate) fn is_covered_by(&self, place: Dd, other: u32, outward: Vector) -> bool {
         let other = exact_sheet(self.geometry, other).curve(&self.turn);
-        let outward = (Dd::from(outward.x), Dd::from(outward.y));
+        let outward = outward.map(Dd::from);
         !other.height(self.curve.point(place), outward).is_negative()
     }
 
@@ -108,14 +104,15 @@ impl<'a> ExactPlacing<'a> {
     }
 }
 
-/// How far one place on a carrier is before another: on a line a difference of lengths; on a circle the sine of the angle between
-/// them, times the radius, and beyond quarter turns what goes on from that.
-pub(crate) fn between<T: Real>(carrier: &Carrier<T>, p: Xy<T>, q: Xy<T>) -> T {
-    let Carrier::Circle { radius, .. } = *carrier else {
-        return p.0 - q.0;
-    };
-    let sine = cross(p, q) / radius;
-    if dot(p, q).value() >= 0.0 {
+/// How far one place on a cycle is before another: on a line a difference of lengths; on a circle by its centre the sine of the
+/// angle between them, times the radius, and beyond quarter turns what goes on from that.
+pub(crate) fn between<T: Real>(cycle: &Cycle<T>, p: Vector<T>, q: Vector<T>) -> T {
+    if !cycle.is_centred() {
+        return p.x - q.x;
+    }
+    let radius = cycle.size * cycle.weight;
+    let sine = p.cross(q) / radius;
+    if p.dot(q).value() >= 0.0 {
         return sine;
     }
     let twice = T::constant(2.0) * radius;
@@ -158,10 +155,10 @@ impl<'a> Placing<'a> {
                 .dot(sheet.end.at(turn) - sheet.start.at(turn));
             (0.5 * length, 0.0)
         };
-        let carrier = sheet.carrier(turn.cos, turn.sin);
+        let cycle: Cycle = sheet.cycle(turn);
         let (mut half, mut middle) = (half, half);
-        if let Carrier::FlatArc(arc) = &carrier {
-            let ends = [sheet.start, sheet.end].map(|s| arc.place(s.at(turn)));
+        if sheet.is_flat_arc() {
+            let ends = [sheet.start, sheet.end].map(|s| cycle.place(s.at(turn)).x);
             // Beside the orientations at which it exists, a curve has its ends in the wrong order; they move fast.
             half = (0.5 * (ends[1] - ends[0])).max(0.0);
             middle = 0.5 * (ends[0] + ends[1]);
@@ -169,7 +166,7 @@ impl<'a> Placing<'a> {
         Self {
             geometry,
             index,
-            carrier,
+            cycle,
             turn,
             half,
             mid_angle,
@@ -197,25 +194,26 @@ impl<'a> Placing<'a> {
     /// The place of a branch: length of travel from the middle of the curve. Where the crossing is just lost, the
     /// nearest place to one.
     pub(crate) fn place(&self, b: &Branch) -> f64 {
-        let (f, g) = self.carriers(b);
-        self.length_of(place_on(&f, &g, b.root, b.second == self.index))
+        self.length_of(
+            self.cycle
+                .root(&self.other(b), b.root, b.second == self.index),
+        )
     }
 
-    /// The carrier of the sheet.
-    pub(crate) fn carrier(&self) -> &Carrier<f64> {
-        &self.carrier
+    /// All of the sheet's line or circle.
+    pub(crate) fn cycle(&self) -> &Cycle {
+        &self.cycle
     }
 
-    /// Where a branch crosses the carrier, as [`place_on`] gives it, and its rounding error; infinite where it is not known, and
-    /// of large arcs.
-    pub(crate) fn crossed_by(&self, b: &Branch) -> ((f64, f64), f64) {
-        let (f, g) = self.carriers(b);
-        let v = place_on(&f, &g, b.root, b.second == self.index);
-        let flat = [&f, &g].iter().any(|c| matches!(c, Carrier::FlatArc(_)));
-        if flat || v.0.is_nan() || v.1.is_nan() {
-            return (v, f64::INFINITY);
+    /// Where a branch crosses the cycle, and the rounding error of the place; infinite where it is not known, and of large circles.
+    pub(crate) fn crossed_by(&self, b: &Branch) -> (Vector, f64) {
+        let other = self.other(b);
+        let place = self.cycle.root(&other, b.root, b.second == self.index);
+        let large = |c: &Cycle| !(c.is_centred() || c.is_line());
+        if large(&self.cycle) || large(&other) || place.x.is_nan() || place.y.is_nan() {
+            return (place, f64::INFINITY);
         }
-        (v, place_error(&f, &g, v))
+        (place, self.cycle.place_error(&other, place))
     }
 
     /// The place, not beyond the ends of the curve, and its rounding error.
@@ -229,32 +227,28 @@ impl<'a> Placing<'a> {
         (place.clamp(-half, half), error)
     }
 
-    /// What orders branches by their places, as the places themselves would, at less cost; with the place as [`place_on`] gives
-    /// it, and its error.
+    /// What orders branches by their places, as the places themselves would, at less cost; with the place on the
+    /// cycle, and its error.
     ///
     /// On a circle it grows with the angle from the middle of the curve: y / (|x| + |y|) along and across that
     /// direction, continued beyond the quarter turns.
     pub(crate) fn ranking(&self) -> impl Fn(&Branch) -> Rank {
-        let middle = match self.carrier {
-            Carrier::Line { .. } | Carrier::FlatArc(_) => Vector::ZERO,
-            Carrier::Circle { radius, .. } => Vector::from_angle(self.mid_angle) * radius.signum(),
-        };
+        let centred = self.cycle.is_centred();
+        let middle = Vector::from_angle(self.mid_angle) * self.cycle.weight;
         move |b| {
-            let (v, error) = self.crossed_by(b);
-            let rank = match self.carrier {
-                Carrier::Line { .. } | Carrier::FlatArc(_) => v.0,
-                Carrier::Circle { radius, .. } => {
-                    let v = Vector::new(v.0, v.1);
-                    let (x, y) = (middle.dot(v), middle.cross(v) * radius.signum());
-                    let quarter = y / (x.abs() + y.abs());
-                    if x >= 0.0 {
-                        quarter
-                    } else {
-                        2.0_f64.copysign(y) - quarter
-                    }
+            let (place, error) = self.crossed_by(b);
+            let rank = if centred {
+                let (x, y) = (middle.dot(place), middle.cross(place) * self.cycle.weight);
+                let quarter = y / (x.abs() + y.abs());
+                if x >= 0.0 {
+                    quarter
+                } else {
+                    2.0_f64.copysign(y) - quarter
                 }
+            } else {
+                place.x
             };
-            Rank { rank, v, error }
+            Rank { rank, place, error }
         }
     }
 
@@ -262,23 +256,20 @@ impl<'a> Placing<'a> {
     pub(crate) fn are_apart(&self, p: &Rank, q: &Rank) -> bool {
         /// Errors are estimates; this much worse they may be.
         const MARGIN: f64 = 8.0;
-        between(&self.carrier, p.v, q.v).abs() > MARGIN * (p.error + q.error)
+        between(&self.cycle, p.place, q.place).abs() > MARGIN * (p.error + q.error)
     }
 
-    /// The carriers of the sheet and of what a branch crosses.
-    fn carriers(&self, b: &Branch) -> (Carrier<f64>, Carrier<f64>) {
-        let other = &self.geometry.contacts.sheets[b.other(self.index) as usize];
-        (self.carrier, other.carrier(self.turn.cos, self.turn.sin))
+    /// All of the line or circle that a branch crosses.
+    fn other(&self, b: &Branch) -> Cycle {
+        self.geometry.contacts.sheets[b.other(self.index) as usize].cycle(self.turn)
     }
 
-    /// Length of travel from the middle to a place as [`place_on`] gives it.
-    fn length_of(&self, v: (f64, f64)) -> f64 {
-        match self.carrier {
-            Carrier::Line { .. } | Carrier::FlatArc(_) => v.0 - self.middle,
-            Carrier::Circle { radius, .. } => {
-                let v = Vector::new(v.0, v.1) * radius.signum();
-                wrap(v.angle() - self.mid_angle) * radius
-            }
+    /// Length of travel from the middle to a place on the cycle.
+    fn length_of(&self, place: Vector) -> f64 {
+        if self.cycle.is_centred() {
+            let v = place * self.cycle.weight;
+            return wrap(v.angle() - self.mid_angle) * self.cycle.size * self.cycle.weight;
         }
+        place.x - self.middle
     }
 }

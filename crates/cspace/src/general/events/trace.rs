@@ -2,7 +2,6 @@
 
 use crate::contact::{
     Crossing, ExactTurn, Geometry, Rough, SharedEnds, Sheet, conditions, crossing, exact_crossings,
-    roots,
 };
 use crate::geometry::Rotation;
 use crate::number::Dd;
@@ -266,11 +265,13 @@ impl Tracer<'_> {
     }
 }
 
-/// Whether two sheets have one carrier at an orientation.
+/// Whether the curves of two sheets lie on one line or circle at an orientation.
 fn coincide(geometry: &Geometry, run: &PairRun, theta: Dd) -> bool {
+    /// Orientations at which circles become one are known to the square root of the rounding (length, and sine of an angle).
+    const SAME: f64 = 1e-14;
     let turn = ExactTurn::by(theta);
-    let [f, g] = [run.first, run.second].map(|s| exact_sheet(geometry, s).carrier(&turn));
-    f.is_one_with(&g)
+    let [f, g] = [run.first, run.second].map(|s| exact_sheet(geometry, s).cycle(&turn));
+    f.is_one_with(&g, SAME)
 }
 
 /// The same as [`crossings_between`] in double-double.
@@ -300,7 +301,7 @@ fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<
     };
     let (f, g) = (curve(fs), curve(gs));
     let mut found: [Option<Crossing>; 2] = [None; 2];
-    for root in 0..roots(&f, &g) {
+    for root in 0..2 {
         found[usize::from(root)] = crossing(&f, &g, root);
     }
     let corners = fs.shared_corners(gs, contacts.first_vertex_name);

@@ -266,7 +266,8 @@ impl Contraction<'_> {
         if c.sheet != d.sheet {
             let (f, g) = (self.curve(below), self.curve(above));
             let points = [other.0, 0.5 * (other.0 + other.1), other.1].map(|place| g.point(place));
-            let on_it = |p| f.carrier().off(p) <= ONE_CURVE && f.normal(p).dot(g.normal(p)) > 0.0;
+            let on_it =
+                |p| f.cycle.distance(p).abs() <= ONE_CURVE && f.normal(p).dot(g.normal(p)) > 0.0;
             if !points.into_iter().all(on_it) {
                 return None;
             }

@@ -1,6 +1,6 @@
 //! Shells: cells that hang together, and whether they bound free space.
 
-use crate::contact::{Curve, ExactTurn, Geometry};
+use crate::contact::{Curve, Cycle, ExactTurn, Geometry};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::grouped::Grouped;
 use crate::number::Dd;
@@ -405,7 +405,8 @@ impl ShellFinder<'_> {
             if other_sheet == cell.sheet || !exists {
                 continue;
             }
-            let off = s.carrier(turn.cos, turn.sin).off(p);
+            let cycle: Cycle = s.cycle(turn);
+            let off = cycle.distance(p).abs();
             if off <= reach {
                 let other = s.curve(theta, turn);
                 let on_it = other.position(p).abs() <= other.half_length() + TELLING;

@@ -1,0 +1,333 @@
+//! Oriented circles: the one form of lines, arcs and contact curves, in any arithmetic.
+//!
+//! A cycle (Lie's name) has a point P that it goes through, the unit normal n there towards its free side, a weight λ and a size
+//! ρ. Its level at a place p, with d = p − P, is
+//!
+//! ```text
+//! F(p) = n·d + λ (d² − c) / 2,   ∇F = n + λ d,   |∇F|² = ρ² + 2 λ F,
+//! ```
+//!
+//! positive on the free side; the distance of p along the normal is 2 F / (ρ + √(ρ² + 2 λ F)).
+//!
+//! | | P | n | λ | ρ | c | F |
+//! |---|---|---|---|---|---|---|
+//! | line (equation 1 of Sacks 1999) | on it | normal | 0 | 1 | 0 | n·d |
+//! | large circle of signed radius r | on it, near the parts | normal there | 1/r | 1 | 0 | n·d + d²/2r |
+//! | circle of signed radius r (equations 2 and 3) | centre | 0 | sign r | \|r\| | r² | ±(d² − r²)/2 |
+//!
+//! A large circle is written by a point near the parts, so that no number in it is large and a place on it is as exact as that point,
+//! however far away the centre. A circle whose centre is among the parts is written by that, for it may be as small as a point.
+//!
+//! Travel is to the left of the normal, with blocked space on the left.
+
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Real;
+
+/// An oriented circle or line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cycle<T = f64> {
+    pub(crate) through: Point<T>,
+    /// Zero of a cycle written by its centre.
+    pub(crate) normal: Vector<T>,
+    pub(crate) weight: T,
+    pub(crate) size: T,
+}
+
+impl<T: Real> Cycle<T> {
+    /// A line, by a point and the normal.
+    pub(crate) fn line(through: Point<T>, normal: Vector<T>) -> Self {
+        Self::flat(through, normal, T::constant(0.0))
+    }
+
+    /// A circle by its centre and signed radius.
+    pub(crate) fn round(center: Point<T>, radius: T) -> Self {
+        let zero = T::constant(0.0);
+        Self {
+            through: center,
+            normal: Vector::new(zero, zero),
+            weight: T::constant(radius.value().signum()),
+            size: radius.abs(),
+        }
+    }
+
+    /// A circle or line by a point, the normal there and the curvature 1/r.
+    pub(crate) fn flat(through: Point<T>, normal: Vector<T>, curvature: T) -> Self {
+        Self {
+            through,
+            normal,
+            weight: curvature,
+            size: T::constant(1.0),
+        }
+    }
+
+    #[inline]
+    pub(crate) fn is_line(&self) -> bool {
+        self.weight.value() == 0.0
+    }
+
+    /// Whether it is written by its centre.
+    #[inline]
+    pub(crate) fn is_centred(&self) -> bool {
+        self.normal.x.value() == 0.0 && self.normal.y.value() == 0.0
+    }
+
+    /// 1/r, 0 of a line.
+    pub(crate) fn curvature(&self) -> T {
+        self.weight / self.size
+    }
+
+    /// The level at a place, positive on the free side.
+    #[inline]
+    pub(crate) fn level(&self, p: Point<T>) -> T {
+        let d = p - self.through;
+        let mut square = d.length_squared();
+        if self.is_centred() {
+            square = square - self.size * self.size;
+        }
+        self.normal.dot(d) + T::constant(0.5) * self.weight * square
+    }
+
+    /// The gradient of the level: the normal times the size, of a place on it.
+    #[inline]
+    pub(crate) fn slope(&self, p: Point<T>) -> Vector<T> {
+        self.normal + (p - self.through) * self.weight
+    }
+
+    /// The signed distance of a place along the normal, positive on the free side.
+    #[inline]
+    pub(crate) fn distance(&self, p: Point<T>) -> T {
+        if self.is_centred() {
+            return (self.through.distance(p) - self.size) * self.weight;
+        }
+        let (level, two) = (self.level(p), T::constant(2.0));
+        let gradient = (self.size * self.size + two * self.weight * level).sqrt();
+        two * level / (self.size + gradient)
+    }
+
+    /// The unit normal towards the free side at a place on it.
+    #[inline]
+    pub(crate) fn normal_at(&self, p: Point<T>) -> Vector<T> {
+        self.slope(p) * (T::constant(1.0) / self.size)
+    }
+
+    /// Turned, and then moved.
+    pub(crate) fn moved(&self, turn: Rotation<T>, by: Vector<T>) -> Self {
+        Self {
+            through: turn * self.through + by,
+            normal: turn * self.normal,
+            ..*self
+        }
+    }
+}
+
+/// Places on a cycle. Of one written by its centre they are vectors (x, y) from there; of any other (u, 0) with
+/// u = 2/κ tan(φ/2), φ being the angle about the centre from P: u grows with travel and is the length itself on a line.
+impl<T: Real> Cycle<T> {
+    /// The point at a place.
+    #[inline]
+    pub(crate) fn at(&self, place: Vector<T>) -> Point<T> {
+        if self.is_centred() {
+            return self.through + place;
+        }
+        let half = T::constant(0.5) * self.weight * place.x;
+        let along = place.x / (T::constant(1.0) + half * half);
+        self.through + self.normal.left() * along - self.normal * (along * half)
+    }
+
+    /// The place of a point of it.
+    #[inline]
+    pub(crate) fn place(&self, p: Point<T>) -> Vector<T> {
+        let d = p - self.through;
+        if self.is_centred() {
+            return d;
+        }
+        let fall = T::constant(0.5) * self.weight * self.normal.dot(d);
+        let u = self.normal.left().dot(d) / (T::constant(1.0) + fall);
+        Vector::new(u, T::constant(0.0))
+    }
+
+    /// Where travel crosses another cycle, entering its blocked side or leaving it. Where the crossing is just lost, the nearest
+    /// place to one. Two parallel lines cross nowhere: the place is infinite or no number.
+    ///
+    /// The other's level on this cycle, from P on, is ((k − κ a·n)/2 + c κ²/4) u² + a·t u + c over 1 + κ²u²/4, with
+    /// its gradient a, weight k and level c at P; its derivative by u is negative where its blocked side is entered.
+    #[inline]
+    pub(crate) fn crossed_by(&self, other: &Self, enters: bool) -> Vector<T> {
+        if self.is_centred() {
+            return self.arm(other, enters);
+        }
+        if other.is_centred() {
+            // Where this one enters the blocked side of the other, the other leaves that of this one.
+            return self.place(other.through + other.arm(self, !enters));
+        }
+        let real = T::constant;
+        let (a, c) = (other.slope(self.through), other.level(self.through));
+        let (square, slope) = self.parabola(other, a, c);
+        let root = (slope * slope - real(4.0) * square * c).sqrt();
+        let steep = if enters { -root } else { root };
+        // Of two forms that are equal the one in which nothing cancels.
+        let u = if enters == (slope.value() < 0.0) {
+            real(-2.0) * c / (slope + steep)
+        } else {
+            (steep - slope) / (real(2.0) * square)
+        };
+        Vector::new(u, real(0.0))
+    }
+
+    /// The coefficients of u² and u.
+    fn parabola(&self, other: &Self, a: Vector<T>, c: T) -> (T, T) {
+        let (n, k) = (self.normal, self.weight);
+        let square =
+            T::constant(0.5) * (other.weight - k * a.dot(n)) + T::constant(0.25) * c * k * k;
+        (square, a.dot(n.left()))
+    }
+
+    /// From the centre of this cycle to where it crosses another.
+    ///
+    /// The vector v has the length ρ, and a·v = h = −(c + k ρ²/2) with the other's gradient a and level c at the centre. With δ,
+    /// the distance of the centre from the other, and its size K, ρ² a² − h² = (ρ − δ)(ρ + δ)(K + |a| − k ρ)(K + |a| + k ρ)/4:
+    /// Heron's formula, in which no two squares cancel.
+    fn arm(&self, other: &Self, enters: bool) -> Vector<T> {
+        let (a, c, product) = self.heron(other);
+        let half = T::constant(0.5);
+        let along = -(c + half * other.weight * self.size * self.size);
+        let root = half * product.sqrt();
+        let across = if enters == (self.weight.value() > 0.0) {
+            root
+        } else {
+            -root
+        };
+        (a * along + a.left() * across) * (T::constant(1.0) / a.length_squared())
+    }
+
+    /// The other's gradient and level at the centre of this one, and 4 (ρ² a² − h²).
+    fn heron(&self, other: &Self) -> (Vector<T>, T, T) {
+        let (a, c) = (other.slope(self.through), other.level(self.through));
+        let (steep, bend) = (other.size + a.length(), other.weight * self.size);
+        let off = other.distance(self.through);
+        let product = (self.size - off) * (self.size + off) * (steep - bend) * (steep + bend);
+        (a, c, product)
+    }
+
+    /// Whether two cycles cross: at a positive angle, and of two lines at more than `parallel` (its sine).
+    pub(crate) fn meets(&self, other: &Self, parallel: f64) -> bool {
+        if self.is_centred() {
+            return self.heron(other).2.value() > 0.0;
+        }
+        if other.is_centred() {
+            return other.heron(self).2.value() > 0.0;
+        }
+        let (a, c) = (other.slope(self.through), other.level(self.through));
+        let (square, slope) = self.parabola(other, a, c);
+        if self.is_line() && other.is_line() {
+            return slope.value().abs() > parallel;
+        }
+        (slope * slope - T::constant(4.0) * square * c).value() > 0.0
+    }
+
+    /// The centre of a circle; not of a line.
+    fn center(&self) -> Point<T> {
+        if self.is_centred() {
+            return self.through;
+        }
+        self.through - self.normal * (T::constant(1.0) / self.weight)
+    }
+
+    /// Whether both are one line or circle, travelled in either direction, to within `same` (length, and sine of an angle).
+    pub(crate) fn is_one_with(&self, other: &Self, same: f64) -> bool {
+        let is_none = |x: T| x.value().abs() < same;
+        match (self.is_line(), other.is_line()) {
+            (true, true) => {
+                is_none(self.normal.cross(other.normal)) && is_none(other.level(self.through))
+            }
+            (false, false) => {
+                let [r, s] = [self, other].map(|c| c.size / c.weight.abs());
+                is_none(r - s) && is_none(self.center().distance(other.center()))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether travel along it enters the blocked side of another cycle at the crossing with the given name.
+    ///
+    /// Two lines have one crossing. On a line and a circle by its centre, root 0 comes first along the line. On two circles by
+    /// their centres, root 0 lies right of the line from the centre of this one to that of the other. With a large circle, this one
+    /// enters at root 1.
+    pub(crate) fn enters(&self, other: &Self, root: u8) -> bool {
+        let second = root == 1;
+        let outer = |c: &Self| c.weight.value() > 0.0;
+        match (self.is_line(), other.is_line()) {
+            (true, true) => other.normal.dot(self.normal.left()).value() < 0.0,
+            (true, false) if other.is_centred() => second != outer(other),
+            (false, true) if self.is_centred() => second == outer(self),
+            (false, false) if self.is_centred() && other.is_centred() => {
+                (second != outer(self)) == outer(other)
+            }
+            _ => second,
+        }
+    }
+
+    /// Where the crossing with the given name is on this cycle; `swapped` if this one is the second of the two in that name.
+    #[inline]
+    pub(crate) fn root(&self, other: &Self, root: u8, swapped: bool) -> Vector<T> {
+        let enters = if swapped {
+            !other.enters(self, root)
+        } else {
+            self.enters(other, root)
+        };
+        self.crossed_by(other, enters)
+    }
+}
+
+/// Rounding error of a place, in the pair's frame; to be divided by the sine of the angle of crossing.
+pub(crate) const PLACE_ERROR: f64 = 1e-14;
+
+impl Cycle {
+    /// How far rounding may have moved the place at which another cycle crosses this one.
+    ///
+    /// The sharper the crossing, the better it is known. Towards a tangency of curves that bend apart, the error grows like
+    /// the square root of the rounding at most; where two cycles become one, it has no bound.
+    pub(crate) fn place_error(&self, other: &Self, place: Vector) -> f64 {
+        let p = self.at(place);
+        // The place may be off the circle if there is no crossing, or none that rounding leaves.
+        let off = if self.is_centred() {
+            (place.length() - self.size).abs()
+        } else {
+            0.0
+        };
+        let slope = self.slope(p);
+        let normal = slope * (1.0 / slope.length());
+        let beside = other.normal_at(p);
+        // Seen from one side of the common tangent.
+        let bend = self.curvature() - other.curvature() * normal.dot(beside).signum();
+        let sine = normal.cross(beside).abs();
+        let error = off + PLACE_ERROR / sine.max((0.5 * PLACE_ERROR * bend.abs()).sqrt());
+        if error.is_nan() { f64::INFINITY } else { error }
+    }
+
+    /// tan(φ/4) of the angle φ about the centre from one place to another of a cycle that is not written by its centre, positive
+    /// counter-clockwise; 0 if they have passed each other.
+    pub(crate) fn bulge(&self, from: Vector, to: Vector) -> f64 {
+        let (half, from, to) = (0.5 * self.weight, from.x, to.x.max(from.x));
+        let angle = 2.0 * ((half * (to - from)) / (1.0 + half * half * from * to)).atan();
+        (0.25 * angle).tan()
+    }
+
+    /// The distances at which the ray p + t d meets it, in any order, d being a unit vector: |∇F|² = ρ² + 2 λ F, so that the square
+    /// under the root is (∇F·d)² − 2 λ F = ρ² − (∇F × d)².
+    pub(crate) fn met(&self, p: Point, d: Vector) -> [f64; 2] {
+        let (a, level) = (self.slope(p), self.level(p));
+        let slope = a.dot(d);
+        let square = if self.is_centred() {
+            (self.size - a.cross(d)) * (self.size + a.cross(d))
+        } else {
+            slope * slope - 2.0 * self.weight * level
+        };
+        let sum = -(slope + square.sqrt().copysign(slope));
+        [2.0 * level / sum, sum / self.weight]
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;
