@@ -4,6 +4,7 @@ use crate::feature::tolerance::{SAME_CARRIER, WIDEST_ARC};
 use crate::geometry::Point;
 
 use super::curve::Curve;
+use super::cycle::Cycle;
 
 /// A crossing of the lines or circles of two contact curves f and g.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,10 +24,13 @@ pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
     }
     let enters = c.enters(d, root);
     let point = c.at(c.crossed_by(d, enters));
-    let is_near = [c, d].iter().all(|cycle| {
-        cycle.is_centred() || (cycle.place(point).x * cycle.weight).abs() < WIDEST_ARC
-    });
-    is_near.then_some(Crossing { point, enters })
+    let large = [c, d]
+        .into_iter()
+        .find(|cycle| !(cycle.is_centred() || cycle.is_line()));
+    let is_near = |cycle: &Cycle| (cycle.place(point).x * cycle.weight).abs() < WIDEST_ARC;
+    large
+        .is_none_or(is_near)
+        .then_some(Crossing { point, enters })
 }
 
 #[cfg(test)]

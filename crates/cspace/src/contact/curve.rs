@@ -15,43 +15,40 @@ pub(crate) struct Curve {
     pub(crate) start: Point,
     pub(crate) end: Point,
     pub(crate) cycle: Cycle,
-    /// The angle of the contact normal in the middle, and how far it turns from there to either end (radians); only of a circle by
-    /// its centre.
-    pub(crate) mid_angle: f64,
-    pub(crate) half_angle: f64,
+    /// Its middle: of a circle by its centre the angle of the contact normal there (radians), of any other its place.
+    pub(crate) middle: f64,
+    /// Half its length.
+    pub(crate) half: f64,
 }
 
 impl Curve {
-    /// Half its length.
-    #[inline]
-    pub(crate) fn half_length(&self) -> f64 {
-        if self.cycle.is_centred() {
-            return self.half_angle * self.cycle.size;
+    /// From its ends, and the angles of the contact normal there, which only a circle by its centre asks for (radians).
+    pub(crate) fn new(cycle: Cycle, [start, end]: [Point; 2], [from, to]: [f64; 2]) -> Self {
+        let (middle, half) = if cycle.is_centred() {
+            (0.5 * (from + to), 0.5 * (to - from).abs() * cycle.size)
+        } else {
+            let [from, to] = [start, end].map(|p| cycle.place(p).x);
+            (0.5 * (from + to), 0.5 * (to - from).max(0.0))
+        };
+        Self {
+            start,
+            end,
+            cycle,
+            middle,
+            half,
         }
-        let [start, end] = self.end_places();
-        0.5 * (end - start).max(0.0)
     }
 
     /// Turned by `theta`, of which `turn` is the rotation, then moved by `p`.
     pub(crate) fn moved(&self, p: Vector, theta: f64, turn: Rotation) -> Self {
+        let turned = if self.cycle.is_centred() { theta } else { 0.0 };
         Self {
             start: turn * self.start + p,
             end: turn * self.end + p,
             cycle: self.cycle.moved(turn, p),
-            mid_angle: self.mid_angle + theta,
-            half_angle: self.half_angle,
+            middle: self.middle + turned,
+            half: self.half,
         }
-    }
-
-    /// The places of its ends; not of a circle by its centre.
-    fn end_places(&self) -> [f64; 2] {
-        [self.start, self.end].map(|p| self.cycle.place(p).x)
-    }
-
-    /// The place of its middle; not of a circle by its centre.
-    fn middle(&self) -> f64 {
-        let [start, end] = self.end_places();
-        0.5 * (start + end)
     }
 
     /// The signed radius of a circle by its centre.
@@ -64,9 +61,9 @@ impl Curve {
     pub(crate) fn position(&self, p: Point) -> f64 {
         if self.cycle.is_centred() {
             let v = (p - self.cycle.through) * self.cycle.weight;
-            return wrap(v.angle() - self.mid_angle) * self.radius();
+            return wrap(v.angle() - self.middle) * self.radius();
         }
-        self.cycle.place(p).x - self.middle()
+        self.cycle.place(p).x - self.middle
     }
 
     /// The point at a place.
@@ -74,10 +71,10 @@ impl Curve {
     pub(crate) fn point(&self, s: f64) -> Point {
         if self.cycle.is_centred() {
             let radius = self.radius();
-            let normal = Vector::from_angle(self.mid_angle + s / radius);
+            let normal = Vector::from_angle(self.middle + s / radius);
             return self.cycle.through + normal * radius;
         }
-        self.cycle.at(Vector::new(s + self.middle(), 0.0))
+        self.cycle.at(Vector::new(s + self.middle, 0.0))
     }
 
     /// The unit normal towards the free side at a point of the curve.
@@ -90,7 +87,7 @@ impl Curve {
     ///
     /// A ray through the joint of two curves meets both of them.
     pub(crate) fn hit(&self, p: Point, d: Vector, limit: f64) -> Option<f64> {
-        let near = self.half_length() + JOINT;
+        let near = self.half + JOINT;
         // Far around a large circle places are no lengths.
         let beside = |q: Point| {
             let cycle = &self.cycle;
@@ -112,11 +109,11 @@ impl Curve {
         if self.cycle.is_centred() {
             let (center, r) = (self.cycle.through, self.cycle.size);
             let mid = if self.cycle.weight > 0.0 {
-                self.mid_angle
+                self.middle
             } else {
-                self.mid_angle + PI
+                self.middle + PI
             };
-            let half = self.half_angle;
+            let half = self.half / r;
             if wrap(mid).abs() <= half {
                 hi.x = center.x + r;
             }

@@ -80,16 +80,22 @@ impl<T: Real> Cycle<T> {
     #[inline]
     pub(crate) fn level(&self, p: Point<T>) -> T {
         let d = p - self.through;
-        let mut square = d.length_squared();
-        if self.is_centred() {
-            square = square - self.size * self.size;
+        if self.is_line() {
+            return self.normal.dot(d);
         }
-        self.normal.dot(d) + T::constant(0.5) * self.weight * square
+        let bend = T::constant(0.5) * self.weight;
+        if self.is_centred() {
+            return bend * (d.length_squared() - self.size * self.size);
+        }
+        self.normal.dot(d) + bend * d.length_squared()
     }
 
     /// The gradient of the level: the normal times the size, of a place on it.
     #[inline]
     pub(crate) fn slope(&self, p: Point<T>) -> Vector<T> {
+        if self.is_line() {
+            return self.normal;
+        }
         self.normal + (p - self.through) * self.weight
     }
 
@@ -100,6 +106,9 @@ impl<T: Real> Cycle<T> {
             return (self.through.distance(p) - self.size) * self.weight;
         }
         let (level, two) = (self.level(p), T::constant(2.0));
+        if self.is_line() {
+            return level;
+        }
         let gradient = (self.size * self.size + two * self.weight * level).sqrt();
         two * level / (self.size + gradient)
     }
@@ -107,7 +116,11 @@ impl<T: Real> Cycle<T> {
     /// The unit normal towards the free side at a place on it.
     #[inline]
     pub(crate) fn normal_at(&self, p: Point<T>) -> Vector<T> {
-        self.slope(p) * (T::constant(1.0) / self.size)
+        let slope = self.slope(p);
+        if self.is_centred() {
+            return slope * (T::constant(1.0) / self.size);
+        }
+        slope
     }
 
     /// Turned, and then moved.
@@ -129,6 +142,9 @@ impl<T: Real> Cycle<T> {
         if self.is_centred() {
             return self.through + place;
         }
+        if self.is_line() {
+            return self.through + self.normal.left() * place.x;
+        }
         let half = T::constant(0.5) * self.weight * place.x;
         let along = place.x / (T::constant(1.0) + half * half);
         self.through + self.normal.left() * along - self.normal * (along * half)
@@ -141,8 +157,11 @@ impl<T: Real> Cycle<T> {
         if self.is_centred() {
             return d;
         }
-        let fall = T::constant(0.5) * self.weight * self.normal.dot(d);
-        let u = self.normal.left().dot(d) / (T::constant(1.0) + fall);
+        let mut u = self.normal.left().dot(d);
+        if !self.is_line() {
+            let fall = T::constant(0.5) * self.weight * self.normal.dot(d);
+            u = u / (T::constant(1.0) + fall);
+        }
         Vector::new(u, T::constant(0.0))
     }
 
@@ -163,6 +182,9 @@ impl<T: Real> Cycle<T> {
         let real = T::constant;
         let (a, c) = (other.slope(self.through), other.level(self.through));
         let (square, slope) = self.parabola(other, a, c);
+        if self.is_line() && other.is_line() {
+            return Vector::new(-c / slope, real(0.0));
+        }
         let root = (slope * slope - real(4.0) * square * c).sqrt();
         let steep = if enters { -root } else { root };
         // Of two forms that are equal the one in which nothing cancels.
@@ -176,9 +198,11 @@ impl<T: Real> Cycle<T> {
 
     /// The coefficients of u² and u.
     fn parabola(&self, other: &Self, a: Vector<T>, c: T) -> (T, T) {
-        let (n, k) = (self.normal, self.weight);
-        let square =
-            T::constant(0.5) * (other.weight - k * a.dot(n)) + T::constant(0.25) * c * k * k;
+        let (n, k, half) = (self.normal, self.weight, T::constant(0.5));
+        let mut square = half * other.weight;
+        if !self.is_line() {
+            square = square + half * k * (half * c * k - a.dot(n));
+        }
         (square, a.dot(n.left()))
     }
 
@@ -190,22 +214,41 @@ impl<T: Real> Cycle<T> {
     fn arm(&self, other: &Self, enters: bool) -> Vector<T> {
         let (a, c, product) = self.heron(other);
         let half = T::constant(0.5);
-        let along = -(c + half * other.weight * self.size * self.size);
+        let mut along = -c;
+        if !other.is_line() {
+            along = along - half * other.weight * self.size * self.size;
+        }
         let root = half * product.sqrt();
         let across = if enters == (self.weight.value() > 0.0) {
             root
         } else {
             -root
         };
-        (a * along + a.left() * across) * (T::constant(1.0) / a.length_squared())
+        let arm = a * along + a.left() * across;
+        if other.is_line() {
+            return arm;
+        }
+        arm * (T::constant(1.0) / a.length_squared())
     }
 
     /// The other's gradient and level at the centre of this one, and 4 (ρ² a² − h²).
     fn heron(&self, other: &Self) -> (Vector<T>, T, T) {
-        let (a, c) = (other.slope(self.through), other.level(self.through));
-        let (steep, bend) = (other.size + a.length(), other.weight * self.size);
-        let off = other.distance(self.through);
-        let product = (self.size - off) * (self.size + off) * (steep - bend) * (steep + bend);
+        let (a, c, r) = (
+            other.slope(self.through),
+            other.level(self.through),
+            self.size,
+        );
+        if other.is_line() {
+            return (a, c, T::constant(4.0) * (r - c) * (r + c));
+        }
+        let length = a.length();
+        let (steep, bend) = (other.size + length, other.weight * r);
+        let off = if other.is_centred() {
+            (length - other.size) * other.weight
+        } else {
+            T::constant(2.0) * c / steep
+        };
+        let product = (r - off) * (r + off) * (steep - bend) * (steep + bend);
         (a, c, product)
     }
 
@@ -282,6 +325,10 @@ impl<T: Real> Cycle<T> {
 /// Rounding error of a place, in the pair's frame; to be divided by the sine of the angle of crossing.
 pub(crate) const PLACE_ERROR: f64 = 1e-14;
 
+/// The same for a circle by its centre, in units of its radius: coordinates of the centre, sums of them and the distance from there
+/// are rounded.
+const CENTER_ERROR: f64 = 8.0 * f64::EPSILON;
+
 impl Cycle {
     /// How far rounding may have moved the place at which another cycle crosses this one.
     ///
@@ -301,7 +348,8 @@ impl Cycle {
         // Seen from one side of the common tangent.
         let bend = self.curvature() - other.curvature() * normal.dot(beside).signum();
         let sine = normal.cross(beside).abs();
-        let error = off + PLACE_ERROR / sine.max((0.5 * PLACE_ERROR * bend.abs()).sqrt());
+        let rounding = PLACE_ERROR.max(CENTER_ERROR * self.size.max(other.size));
+        let error = off + rounding / sine.max((0.5 * rounding * bend.abs()).sqrt());
         if error.is_nan() { f64::INFINITY } else { error }
     }
 

@@ -29,20 +29,15 @@ impl Body {
             .iter()
             .filter(|f| !f.is_vertex())
             .map(|f| {
-                let start = outline.start(f).point;
-                Curve {
-                    start,
-                    end: outline.end(f).point,
-                    cycle: match (f.shape, f.near) {
-                        (Shape::Line { normal }, _) => Cycle::line(start, normal),
-                        (Shape::Round { radius, .. }, Some(near)) => {
-                            Cycle::flat(near.point, near.normal, 1.0 / radius)
-                        }
-                        (Shape::Round { center, radius }, None) => Cycle::round(center, radius),
-                    },
-                    mid_angle: 0.5 * (f.lo + f.hi),
-                    half_angle: 0.5 * (f.hi - f.lo),
-                }
+                let ends = [outline.start(f), outline.end(f)].map(|joint| joint.point);
+                let cycle = match (f.shape, f.near) {
+                    (Shape::Line { normal }, _) => Cycle::line(ends[0], normal),
+                    (Shape::Round { radius, .. }, Some(near)) => {
+                        Cycle::flat(near.point, near.normal, 1.0 / radius)
+                    }
+                    (Shape::Round { center, radius }, None) => Cycle::round(center, radius),
+                };
+                Curve::new(cycle, ends, [f.lo, f.hi])
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
@@ -83,7 +78,7 @@ impl Body {
 fn cross(f: &Curve, g: &Curve) -> bool {
     /// A crossing where two edges follow each other is on one of them at least (length).
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
-    let is_on = |curve: &Curve, p: Point| curve.position(p).abs() <= curve.half_length() + ROUNDING;
+    let is_on = |curve: &Curve, p: Point| curve.position(p).abs() <= curve.half + ROUNDING;
     (0..2).any(|root| crossing(f, g, root).is_some_and(|c| is_on(f, c.point) && is_on(g, c.point)))
 }
 

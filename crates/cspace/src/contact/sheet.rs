@@ -246,14 +246,9 @@ impl Sheet {
 
     /// Its curve at one orientation.
     pub(crate) fn curve(&self, theta: f64, turn: Rotation) -> Curve {
-        let (from, to) = (self.start_angle.at(theta), self.end_angle.at(theta));
-        Curve {
-            start: self.start.at(turn),
-            end: self.end.at(turn),
-            cycle: self.cycle(turn),
-            mid_angle: 0.5 * (from + to),
-            half_angle: 0.5 * (to - from).abs(),
-        }
+        let ends = [self.start, self.end].map(|p| p.at(turn));
+        let angles = [self.start_angle, self.end_angle].map(|a| a.at(theta));
+        Curve::new(self.cycle(turn), ends, angles)
     }
 
     /// Its contact function.

@@ -164,7 +164,7 @@ impl CurveGeometry {
             } else {
                 core::f64::consts::PI
             };
-            let start = curve.mid_angle + half_turn + from / radius;
+            let start = curve.middle + half_turn + from / radius;
             return Self::Arc {
                 center: outer(cycle.through),
                 radius: frame.outer_length(cycle.size),

@@ -119,7 +119,7 @@ pub(super) fn live_curves(
             continue;
         }
         live_of_sheet[i as usize] = live.len() as u32;
-        let half = curve.half_length();
+        let half = curve.half;
         live.push(Live {
             sheet: i,
             curve,

@@ -246,28 +246,21 @@ fn curves_are_brought_to_the_frames_as_drawn() {
     let theta = 0.4;
     let travel = Vector::from_angle(0.6);
     let start = Point::new(0.1, -0.1);
-    let mut curves = vec![Curve {
-        start,
-        end: start + travel,
-        cycle: Cycle::line(start, travel.right()),
-        mid_angle: 0.0,
-        half_angle: 0.0,
-    }];
+    let line = Cycle::line(start, travel.right());
+    let mut curves = vec![Curve::new(line, [start, start + travel], [0.0; 2])];
     for radius in [0.5_f64, -0.5] {
         let center = Point::new(0.2, 0.1);
         let (mid_angle, half) = (2.9, 0.8);
         let end =
             |turn: f64| center + Vector::from_angle(mid_angle + turn * radius.signum()) * radius;
-        curves.push(Curve {
-            start: end(-half),
-            end: end(half),
-            cycle: Cycle::round(center, radius),
-            mid_angle,
-            half_angle: half,
-        });
+        curves.push(Curve::new(
+            Cycle::round(center, radius),
+            [end(-half), end(half)],
+            [mid_angle - half, mid_angle + half],
+        ));
     }
     for curve in curves {
-        let half = curve.half_length();
+        let half = curve.half;
         let (from, to) = (-0.5 * half, 0.7 * half);
         let outer = CurveGeometry::from_inner(&curve, from, to, &frame, theta);
         assert!((outer.length() - (to - from) / 0.25).abs() < 1e-13);

@@ -193,7 +193,7 @@ fn centres_of_arcs_that_touch_are_their_radii_apart() {
         let c = curve(s, theta);
         let radius = a.radius() + b.radius();
         for at in [-0.9, 0.0, 0.7] {
-            let p = c.point(at * c.half_length());
+            let p = c.point(at * c.half);
             let center = p + (Rotation::by(theta) * b.center().to_vector());
             let apart = center - a.center();
             assert!((apart.length() - radius.abs()).abs() < 1e-9, "{a:?} {b:?}");
@@ -265,7 +265,7 @@ fn curves_are_in_their_boxes() {
         let chord = (c.end - c.start).unit();
         let (mut off, mut inside) = (0.0_f64, f64::INFINITY);
         for k in -50..=50 {
-            let p = c.point(c.half_length() * f64::from(k) / 50.0);
+            let p = c.point(c.half * f64::from(k) / 50.0);
             off = off.max(chord.cross(p - c.start).abs());
             for room in [p.x - lo.x, hi.x - p.x, p.y - lo.y, hi.y - p.y] {
                 assert!(room > -1e-13, "{c:?} {room}");

@@ -86,13 +86,8 @@ fn a_crossing_at_an_end_of_the_first_line_is_that_end() {
     let f = line(Point::new(0.1, 0.2), 0.3);
     for (end, angle) in [(f.start, 0.31), (f.end, 0.31), (f.start, 1.9), (f.end, 1.9)] {
         let travel = Vector::from_angle(angle);
-        let g = Curve {
-            start: end,
-            end: end + travel,
-            cycle: Cycle::line(end, travel.right()),
-            mid_angle: 0.0,
-            half_angle: 0.0,
-        };
+        let cycle = Cycle::line(end, travel.right());
+        let g = Curve::new(cycle, [end, end + travel], [0.0; 2]);
         let found = crossing(&f, &g, 0).unwrap().point;
         assert!(found.distance(end) < 1e-14, "{angle}");
     }

@@ -6,25 +6,16 @@ use super::*;
 pub(in crate::contact) fn line(through: Point, angle: f64) -> Curve {
     let travel = Vector::from_angle(angle);
     let start = through - travel * 2.0;
-    Curve {
-        start,
-        end: through + travel * 3.0,
-        cycle: Cycle::line(start, travel.right()),
-        mid_angle: 0.0,
-        half_angle: 0.0,
-    }
+    let ends = [start, through + travel * 3.0];
+    Curve::new(Cycle::line(start, travel.right()), ends, [0.0; 2])
 }
 
 /// An arc by its normals; one of negative radius is travelled clockwise.
 pub(in crate::contact) fn circle(center: Point, radius: f64, mid_angle: f64, half: f64) -> Curve {
     let end = |turn: f64| center + Vector::from_angle(mid_angle + turn * radius.signum()) * radius;
-    Curve {
-        start: end(-half),
-        end: end(half),
-        cycle: Cycle::round(center, radius),
-        mid_angle,
-        half_angle: half,
-    }
+    let ends = [end(-half), end(half)];
+    let angles = [mid_angle - half, mid_angle + half];
+    Curve::new(Cycle::round(center, radius), ends, angles)
 }
 
 /// How far a point is on the free side of a curve's line or circle.
@@ -63,7 +54,7 @@ fn curves() -> Vec<Curve> {
 #[test]
 fn places_are_lengths_of_travel_from_the_middle() {
     for c in curves() {
-        let half = c.half_length();
+        let half = c.half;
         assert!(c.point(-half).distance(c.start) < 1e-14);
         assert!(c.point(half).distance(c.end) < 1e-14);
         let step = 1e-6;
@@ -88,7 +79,7 @@ fn boxes_are_tight() {
     for c in curves() {
         let (lo, hi) = (c.bounds().min, c.bounds().max);
         let points: Vec<Point> = (-STEPS..=STEPS)
-            .map(|k| c.point(c.half_length() * f64::from(k) / f64::from(STEPS)))
+            .map(|k| c.point(c.half * f64::from(k) / f64::from(STEPS)))
             .collect();
         let least = |by: fn(&Point) -> f64| points.iter().map(by).fold(f64::INFINITY, f64::min);
         let off = [
@@ -107,7 +98,7 @@ fn boxes_are_tight() {
 /// The first meeting of a ray with a curve, found by walking along the curve and looking where it changes sides.
 fn first_by_walking(c: &Curve, p: Point, d: Vector) -> Option<f64> {
     const STEPS: i32 = 500;
-    let at = |k: i32| c.point(c.half_length() * f64::from(k) / f64::from(STEPS)) - p;
+    let at = |k: i32| c.point(c.half * f64::from(k) / f64::from(STEPS)) - p;
     (1 - STEPS..=STEPS)
         .filter_map(|k| {
             let (a, b) = (at(k - 1), at(k));
@@ -174,7 +165,7 @@ fn rays_do_not_slip_through_joints() {
             met.iter().flatten().any(|m| (m - t).abs() < 1e-13),
             "{angle}: {met:?}, expected {t}"
         );
-        let ends = |c: &Curve, m: f64| c.position(p + d * m).abs() <= c.half_length();
+        let ends = |c: &Curve, m: f64| c.position(p + d * m).abs() <= c.half;
         slipped += u32::from(!ends(&one, t) && !ends(&other, t));
     }
     assert!(slipped > 10, "{slipped}: no ray is aimed at a joint");

@@ -11,7 +11,7 @@ pub(crate) struct ExactCurve {
     pub(super) cycle: Cycle<Dd>,
     pub(super) start: Point<Dd>,
     pub(super) end: Point<Dd>,
-    /// From the centre of a circle to about the middle of the curve, of length about one.
+    /// The place of its middle; of a circle by its centre the direction to about there, of length about one.
     pub(super) middle: Vector<Dd>,
 }
 
@@ -36,13 +36,7 @@ impl ExactCurve {
             let (x, y) = (self.middle.dot(place), self.middle.cross(place));
             return Dd::atan2(y, x) * self.radius();
         }
-        place.x - self.middle_place()
-    }
-
-    /// The place of its middle; not of a circle by its centre.
-    fn middle_place(&self) -> Dd {
-        let [start, end] = [self.start, self.end].map(|p| self.cycle.place(p).x);
-        (start + end).scaled(0.5)
+        place.x - self.middle.x
     }
 
     /// What grows with the length of travel to a place: of a circle by its centre y / (|x| + |y|) along and across the direction to
@@ -90,8 +84,8 @@ impl ExactCurve {
     /// The point at a length of travel from about the middle.
     pub(crate) fn point(&self, length: Dd) -> Point<Dd> {
         if !self.cycle.is_centred() {
-            let place = length + self.middle_place();
-            return self.cycle.at(Vector::new(place, Dd::ZERO));
+            let place = Vector::new(length + self.middle.x, Dd::ZERO);
+            return self.cycle.at(place);
         }
         let way = Rotation::by(length / self.radius()) * self.middle;
         self.cycle.through + way * (self.cycle.size / way.length())

@@ -81,23 +81,26 @@ impl<'a> ExactSheet<'a> {
     /// Its curve at an orientation.
     pub(crate) fn curve(&self, turn: &ExactTurn) -> ExactCurve {
         let [start, end] = self.ends().map(|p| p.at(turn.turn));
-        let theta = turn.theta.to_f64();
-        let (from, to) = (
-            self.rough.start_angle.at(theta),
-            self.rough.end_angle.at(theta),
-        );
-        let middle = Vector::from_angle(0.5 * (from + to)) * self.rough.radius.signum();
+        let cycle = self.cycle(turn);
+        let middle = if cycle.is_centred() {
+            let theta = turn.theta.to_f64();
+            let (from, to) = (self.rough.start_angle, self.rough.end_angle);
+            let normal = Vector::from_angle(0.5 * (from.at(theta) + to.at(theta)));
+            (normal * self.rough.radius.signum()).map(Dd::from)
+        } else {
+            (cycle.place(start) + cycle.place(end)) * Dd::from(0.5)
+        };
         ExactCurve {
-            cycle: self.cycle(turn),
+            cycle,
             start,
             end,
-            middle: middle.map(Dd::from),
+            middle,
         }
     }
 
     /// All of the line or circle on which its curve lies at an orientation.
     ///
-    /// A large circle is written by the point nearest to the one that writes it in doubles, as far as that is off the circle.
+    /// A large circle is written by the point with the normal that it is written by in doubles.
     pub(crate) fn cycle(&self, turn: &ExactTurn) -> Cycle<Dd> {
         match self.locus {
             Locus::Line {
@@ -117,8 +120,7 @@ impl<'a> ExactSheet<'a> {
                     cos: turn.turn.cos.to_f64(),
                     sin: turn.turn.sin.to_f64(),
                 });
-                let arm = (rough.through.map(Dd::from) - center).unit();
-                let normal = if radius.is_negative() { -arm } else { arm };
+                let normal = rough.normal.map(Dd::from).unit();
                 Cycle::flat(center + normal * radius, normal, Dd::ONE / radius)
             }
         }

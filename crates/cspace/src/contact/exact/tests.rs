@@ -91,7 +91,7 @@ fn curves_are_those_of_doubles() {
             assert!(point(end).distance(rough.end) < NEAR, "{s:?}");
             let (from, to) = curve.ends();
             let length = (to - from).to_f64();
-            let expected = 2.0 * rough.half_length();
+            let expected = 2.0 * rough.half;
             assert!(
                 (length - expected).abs() < NEAR,
                 "{length} {expected} {s:?}"

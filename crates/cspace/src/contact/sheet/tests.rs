@@ -273,7 +273,7 @@ fn curves_are_zeros_of_the_contact_function() {
             (high, low)
         };
         let curve = s.curve(theta, turn);
-        assert!((curve.half_length() - 0.5 * 0.5 * (1.0 + theta - 0.2)).abs() < 1e-15);
+        assert!((curve.half - 0.5 * 0.5 * (1.0 + theta - 0.2)).abs() < 1e-15);
         let middle = curve.point(0.0);
         let center = through.at(turn);
         assert!(

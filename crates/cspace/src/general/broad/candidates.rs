@@ -342,13 +342,8 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
     if sheet.is_circle() {
         let center = sheet.center();
         let at = |angle: f64| center.at(turn) + Vector::from_angle(angle) * sheet.radius;
-        let arc = Curve {
-            start: at(from),
-            end: at(to),
-            cycle: Cycle::round(center.at(turn), sheet.radius),
-            mid_angle: 0.5 * (from + to),
-            half_angle: 0.5 * (to - from),
-        };
+        let circle = Cycle::round(center.at(turn), sheet.radius);
+        let arc = Curve::new(circle, [at(from), at(to)], [from, to]);
         let Bounds { min: lo, max: hi } = arc.bounds();
         let g = grow(center.w);
         return (lo + (-g), hi + g);

@@ -311,7 +311,7 @@ fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<
         let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
         found[nearest] = None;
     }
-    let (half_f, half_g) = (f.half_length(), g.half_length());
+    let (half_f, half_g) = (f.half, g.half);
     found.map(|c| {
         c.filter(|c| f.position(c.point).abs() < half_f && g.position(c.point).abs() < half_g)
             .map(|c| c.enters)

@@ -409,7 +409,7 @@ impl ShellFinder<'_> {
             let off = cycle.distance(p).abs();
             if off <= reach {
                 let other = s.curve(theta, turn);
-                let on_it = other.position(p).abs() <= other.half_length() + TELLING;
+                let on_it = other.position(p).abs() <= other.half + TELLING;
                 if off < TELLING && on_it {
                     let one_circle = sheet.is_circle() == s.is_circle()
                         && (sheet.radius - s.radius).abs() < TELLING;
