@@ -23,7 +23,7 @@ pub(crate) struct Item {
 
 /// What is asked for.
 pub(crate) enum Asked {
-    Pair(Question),
+    Pair(Box<Question>),
     /// The motion of a whole mechanism.
     Motion(Box<Mechanism>),
 }
@@ -96,7 +96,7 @@ fn of_file(root: &Path, path: &Path, all: &mut Vec<Item>) {
             let Some(relation) = relation else { continue };
             all.push(Item {
                 name: format!("{short} {i}{kind}"),
-                what: Ok(Asked::Pair(question(&model, pair, relation))),
+                what: Ok(Asked::Pair(Box::new(question(&model, pair, relation)))),
                 seed: i,
             });
         }
@@ -155,12 +155,12 @@ fn drawn(source: &Source, number: u64) -> Vec<Item> {
     all.into_iter()
         .map(|(kind, relation, window)| Item {
             name: format!("{number}{kind} {}", drawn.name),
-            what: Ok(Asked::Pair(Question {
+            what: Ok(Asked::Pair(Box::new(Question {
                 fixed: case.fixed.clone(),
                 moving: case.moving.clone(),
                 relation,
                 window,
-            })),
+            }))),
             seed: number,
         })
         .collect()
