@@ -70,7 +70,9 @@
 
 mod arrange;
 mod axis;
+mod bearing;
 mod build;
+mod carriers;
 mod classify;
 mod compute;
 mod condition;
@@ -84,6 +86,7 @@ mod faults;
 mod first_contact;
 mod free;
 mod judge;
+mod meeting;
 mod motion;
 mod nearest;
 mod nodes;

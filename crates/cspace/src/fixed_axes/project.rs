@@ -9,7 +9,7 @@ use crate::geometry::{Point, Vector, images};
 use crate::number::plane::{Xy, dot, left, minus, plus, times, turned};
 use crate::number::{Ball, Bounded, Real, least};
 
-use super::condition::{Carriers, Condition};
+use super::condition::Condition;
 use super::cycle::Cycle;
 use super::motion::{Extent, Motion, brought_between};
 use super::piece::Piece;
@@ -171,37 +171,13 @@ impl Bounded for Search<'_> {
 fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
     let first = Moved::new(condition.motions.first, x);
     let second = Moved::new(condition.motions.second, y);
-    match condition.carriers {
-        Carriers::FirstLine { normal, point, .. } => {
-            let (n, q) = (first.vector(normal), second.point(point));
-            (-dot(n, first.velocity(q)), dot(n, second.velocity(q)))
-        }
-        Carriers::SecondLine { normal, point, .. } => {
-            let (n, p) = (second.vector(normal), first.point(point));
-            (dot(n, first.velocity(p)), -dot(n, second.velocity(p)))
-        }
-        Carriers::Circles {
-            first: p,
-            second: q,
-            ..
-        } => {
-            let (p, q) = (first.point(p), second.point(q));
-            let n = minus(q, p);
-            (-dot(n, first.velocity(p)), dot(n, second.velocity(q)))
-        }
-        Carriers::Cycles {
-            first: a,
-            second: b,
-        } => {
-            let slope = |p: &(Cycle, Moved), q: &(Cycle, Moved)| match q.1.motion {
-                Motion::Still => Ball::constant(0.0),
-                Motion::Turn { center } => -dot(arm(p, center), left(arm(q, center))),
-                Motion::Slide { direction } => dot(constant(direction), centres(p, q)),
-            };
-            let (a, b) = ((a, first), (b, second));
-            (slope(&b, &a), slope(&a, &b))
-        }
-    }
+    let (a, b) = ((condition.first, first), (condition.second, second));
+    let slope = |p: &(Cycle, Moved), q: &(Cycle, Moved)| match q.1.motion {
+        Motion::Still => Ball::constant(0.0),
+        Motion::Turn { center } => -dot(arm(p, center), left(arm(q, center))),
+        Motion::Slide { direction } => dot(constant(direction), centres(p, q)),
+    };
+    (slope(&b, &a), slope(&a, &b))
 }
 
 /// The arm of a moved cycle, seen from a pivot.
@@ -263,15 +239,6 @@ impl Moved {
             Motion::Slide { direction } => {
                 plus(constant(p.to_vector()), times(constant(direction), self.by))
             }
-        }
-    }
-
-    /// The velocity of the point of the part that is now at a place.
-    fn velocity(&self, p: Xy<Ball>) -> Xy<Ball> {
-        match self.motion {
-            Motion::Still => constant(Vector::ZERO),
-            Motion::Turn { center } => left(minus(p, constant(center.to_vector()))),
-            Motion::Slide { direction } => constant(direction),
         }
     }
 }
