@@ -12,8 +12,8 @@ use crate::geometry::{Point, Rotation, Vector};
 pub(super) struct Bearing {
     /// Whether the part turns, not slides.
     turns: bool,
-    /// From the point to the part's pivot, or the direction of sliding.
-    way: Vector,
+    /// The vector from the point to the part's pivot, or the direction of sliding.
+    offset: Vector,
     weight: f64,
     /// Seen from the pivot, or at x = 0.
     arm: Vector,
@@ -39,16 +39,16 @@ pub(super) struct Seen {
 
 impl Bearing {
     pub(super) fn new(motion: Motion, cycle: &Cycle, from: Point, side: f64) -> Self {
-        let (way, arm, moment) = match motion {
+        let (offset, arm, moment) = match motion {
             Motion::Turn { center } => {
-                let way = center - from;
-                let moment = cycle.moment(center) + 0.5 * cycle.weight * way.length_squared();
-                (way, cycle.arm(center), moment)
+                let offset = center - from;
+                let moment = cycle.moment(center) + 0.5 * cycle.weight * offset.length_squared();
+                (offset, cycle.arm(center), moment)
             }
             Motion::Slide { direction } => (direction, cycle.arm(from), cycle.moment(from)),
             Motion::Still => (Vector::ZERO, cycle.arm(from), cycle.moment(from)),
         };
-        let between = way * (cycle.weight * side);
+        let between = offset * (cycle.weight * side);
         let (about, turning) = match motion {
             // λ w + R a: the longer of the two never lies a quarter turn or more from their sum.
             Motion::Turn { .. } if arm.length_squared() < between.length_squared() => {
@@ -65,7 +65,7 @@ impl Bearing {
         };
         Self {
             turns: motion.turns(),
-            way,
+            offset,
             weight: cycle.weight,
             arm,
             moment,
@@ -85,11 +85,11 @@ impl Bearing {
             } else {
                 (self.about, self.angle)
             };
-            let moment = self.moment + self.way.dot(arm);
-            (self.way * self.weight + arm, moment, about, angle)
+            let moment = self.moment + self.offset.dot(arm);
+            (self.offset * self.weight + arm, moment, about, angle)
         } else {
-            let half = self.way * (0.5 * self.weight * x);
-            let moment = self.moment + x * self.way.dot(self.arm + half);
+            let half = self.offset * (0.5 * self.weight * x);
+            let moment = self.moment + x * self.offset.dot(self.arm + half);
             (self.arm + half + half, moment, self.about, self.angle)
         };
         Seen {
@@ -106,16 +106,16 @@ impl Bearing {
         let (arm, c) = (self.arm * self.side, self.side * (self.moment - constant));
         if self.turns {
             Equation::Trig {
-                alpha: arm.dot(self.way),
-                beta: arm.left().dot(self.way),
+                alpha: arm.dot(self.offset),
+                beta: arm.left().dot(self.offset),
                 gamma: c,
             }
-        } else if self.way == Vector::ZERO {
+        } else if self.offset == Vector::ZERO {
             Equation::constant(c)
         } else {
             Equation::Quadratic {
                 a: 0.5 * self.side * self.weight,
-                b: arm.dot(self.way),
+                b: arm.dot(self.offset),
                 c,
             }
         }
@@ -123,7 +123,7 @@ impl Bearing {
 
     /// Whether the cycle's arm is less than `near` at any x.
     pub(super) fn is_nothing(&self, near: f64) -> bool {
-        self.arm.length() < near && (self.way * self.weight).length() < near
+        self.arm.length() < near && (self.offset * self.weight).length() < near
     }
 }
 

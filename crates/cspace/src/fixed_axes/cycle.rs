@@ -5,7 +5,7 @@
 //! as s is. Any other circle has its centre for s, no normal, λ = 1 and ρ = r, and a concave one λ = −1 and ρ = −r. Seen from a
 //! point o, with d = s − o,
 //!
-//! a = λ d − n  (1)  is its *arm*, λ times the way to the centre if it has one,
+//! a = λ d − n  (1)  is its *arm*, λ times the vector to the centre if it has one,
 //!
 //! m = λ d²/2 − n·d − \[n = 0\] λ ρ²/2  (2)  its *moment*, with |a|² = ρ² + 2 λ m, and
 //!
@@ -156,7 +156,7 @@ pub(super) fn total(a: &Cycle, b: &Cycle) -> f64 {
     a.weight * b.size + b.weight * a.size
 }
 
-/// What of F is neither of the way between what both are given by, nor of their normals.
+/// The terms of F that depend neither on the vector from `through` to `through` nor on the normals.
 fn still(a: &Cycle, b: &Cycle) -> f64 {
     if a.is_centred() && b.is_centred() {
         // −λ₁ λ₂ K² / 2: radii that all but cancel leave no rounding.
@@ -173,7 +173,7 @@ pub(super) fn level(a: &Cycle, b: &Cycle, from: Point) -> f64 {
     b.weight * moment(a) + a.weight * moment(b) + still(a, b)
 }
 
-/// F. Seen from the first it is λ₁ λ₂ d²/2 + (λ₂ n₁ − λ₁ n₂)·d − n₁·n₂ and what does not move, for the way d to the second.
+/// F. Seen from the first it is λ₁ λ₂ d²/2 + (λ₂ n₁ − λ₁ n₂)·d − n₁·n₂ and constants, for the vector d to the second.
 pub(super) fn between(a: &Cycle, b: &Cycle) -> f64 {
     let d = b.through - a.through;
     let still = if a.is_centred() || b.is_centred() {

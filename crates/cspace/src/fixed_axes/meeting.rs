@@ -73,7 +73,7 @@ fn turn(from: Vector, to: Vector, square: f64) -> Rotation {
     }
 }
 
-/// Root, angle and way at which what turns about a centre is where what slides along a direction is.
+/// Root, angle and distance at which a cycle that turns about a centre coincides with one that slides along a direction.
 fn slid(
     turning: &Cycle,
     center: Point,
@@ -96,13 +96,17 @@ fn slid(
     let less = more - sliding.weight * sliding.outside(f, sliding.moment(center));
     for (root, half) in [(0, square.sqrt()), (1, -square.sqrt())] {
         // half − along, of two forms the one in which nothing cancels.
-        let way = if (half < 0.0) == (along < 0.0) {
+        let distance = if (half < 0.0) == (along < 0.0) {
             less * (e + f) / (half + along)
         } else {
             half - along
         };
         let at = d * half + side * side.dot(w);
-        found(root, v.cross(at).atan2(v.dot(at)), way / turning.weight);
+        found(
+            root,
+            v.cross(at).atan2(v.dot(at)),
+            distance / turning.weight,
+        );
     }
 }
 
