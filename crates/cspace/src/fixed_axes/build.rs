@@ -3,14 +3,13 @@
 //! Of every orbit of features of the swept part one is looked at, over its full turn; what it touches in the k-th copy of
 //! the window its k-th image touches in the window itself (`repeats`).
 
-use super::condition::{Carriers, Condition};
-use super::cycle::Cycle;
+use super::condition::Condition;
+use super::cycle::{self, Cycle};
 use super::motion::clusters;
 use super::piece::{End, Key, Name, Node, Pair, Piece};
 use super::reach::{Apart, reaches};
 use super::scene::Scene;
 use super::tolerance::{INDEPENDENT, SHORT};
-use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::parallel::prelude::*;
 use crate::union_find::UnionFind;
@@ -242,62 +241,15 @@ pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
     }
 }
 
-/// The pair of two features with its condition, if they can touch.
+/// The pair of two features with its condition, if they can touch: if the sum of their radii is that of a circle.
 pub(super) fn pair(scene: &Scene, first: u32, second: u32) -> Option<Pair> {
-    let (a, b) = (scene.first_feature(first), scene.second_feature(second));
-    let by_centres = by_centres(scene, a, b)?;
-    let carriers = if a.near.is_none() && b.near.is_none() {
-        by_centres
-    } else {
-        Carriers::Cycles {
-            first: Cycle::of(&scene.first, a),
-            second: Cycle::of(&scene.second, b),
-        }
-    };
-    Some(Pair {
+    let a = Cycle::of(&scene.first, scene.first_feature(first));
+    let b = Cycle::of(&scene.second, scene.second_feature(second));
+    let total = cycle::total(&a, &b);
+    let touch = total > 0.0 && total >= SMALLEST_CIRCLE * (a.weight * b.weight).abs();
+    touch.then(|| Pair {
         first,
         second,
-        condition: Condition::new(carriers, scene.motions),
+        condition: Condition::new(a, b, scene.motions),
     })
-}
-
-/// The condition of two features by the centres of those that are round.
-fn by_centres(scene: &Scene, a: &Feature, b: &Feature) -> Option<Carriers> {
-    match (a.is_line(), b.is_line()) {
-        (true, false) if b.radius() >= 0.0 => {
-            let joint = scene.first.outline.start(a);
-            Some(Carriers::FirstLine {
-                normal: joint.normal,
-                through: joint.point,
-                point: b.center(),
-                radius: b.radius(),
-            })
-        }
-        (false, true) if a.radius() >= 0.0 => {
-            let joint = scene.second.outline.start(b);
-            Some(Carriers::SecondLine {
-                normal: joint.normal,
-                through: joint.point,
-                point: a.center(),
-                radius: a.radius(),
-            })
-        }
-        (false, false) => {
-            let radius = a.radius() + b.radius();
-            let convex = a.radius() >= 0.0 && b.radius() >= 0.0;
-            let concave = a.radius() < 0.0 && b.radius() < 0.0;
-            let touch = !concave
-                && if convex {
-                    radius >= SMALLEST_CIRCLE
-                } else {
-                    radius <= -SMALLEST_CIRCLE
-                };
-            touch.then_some(Carriers::Circles {
-                first: a.center(),
-                second: b.center(),
-                radius,
-            })
-        }
-        _ => None,
-    }
 }

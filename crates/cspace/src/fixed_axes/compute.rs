@@ -5,6 +5,7 @@ use crate::part::Part;
 use super::arrange::Arrangement;
 use super::axis::{AxesError, Axis};
 use super::build::build;
+use super::carriers::Carriers;
 use super::copies::Partition;
 use super::data::{AxesData, AxesStatistics, FORMAT, SAVED_AXES_VERSION};
 use super::displacement::Displacement;
@@ -45,17 +46,18 @@ impl FixedAxesSpace {
             });
         }
         let at = |d| displaced((fixed, moving), (fixed_axis, moving_axis), d);
-        let mut best = at(Displacement::NONE)?;
+        let drawn = at(Displacement::NONE)?;
+        if drawn.statistics().conflicts == 0 {
+            return Ok(drawn);
+        }
         for displacement in Displacement::others() {
-            if best.statistics().conflicts == 0 {
-                break;
-            }
             let other = at(displacement)?;
-            if other.statistics().conflicts < best.statistics().conflicts {
-                best = other;
+            if other.statistics().conflicts == 0 {
+                return Ok(other);
             }
         }
-        Ok(best)
+        // With conflicts left, parts are best intersected where they are drawn.
+        Ok(drawn)
     }
 }
 
@@ -127,7 +129,7 @@ fn displaced(
         first_names: firsts.clone(),
         second_names: seconds.clone(),
         pairs: (pairs.iter())
-            .map(|p| (p.first, p.second, p.condition.carriers))
+            .map(|p| (p.first, p.second, Carriers::of(&p.condition)))
             .collect(),
         pieces,
         // No others are kept.

@@ -1,254 +1,349 @@
-//! Contact conditions of two features: what must vanish where they touch.
+//! When two features touch: the contact function of their cycles, and y where it vanishes at a given x.
 
-use crate::geometry::{Point, Vector};
-
-use super::cycle::Bearing;
+use super::bearing::{Bearing, Seen};
 use super::cycle::{self, Cycle};
 use super::motion::{Motion, Motions};
 use super::tolerance::INDEPENDENT;
-
-/// When two features touch: their carriers, at zero coordinates.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) enum Carriers {
-    /// A line of the first part and an arc or vertex of the second: n(x)·(q(y) − l(x)) = ρ.
-    FirstLine {
-        normal: Vector,
-        through: Point,
-        point: Point,
-        radius: f64,
-    },
-    /// An arc or vertex of the first part and a line of the second: n(y)·(p(x) − l(y)) = ρ.
-    SecondLine {
-        normal: Vector,
-        through: Point,
-        point: Point,
-        radius: f64,
-    },
-    /// Two round features: |q(y) − p(x)| = |r|.
-    Circles {
-        first: Point,
-        second: Point,
-        radius: f64,
-    },
-    /// Any two features of which one is an arc whose centre is far away.
-    Cycles { first: Cycle, second: Cycle },
-}
-
-impl Carriers {
-    /// With the parts exchanged.
-    pub(super) fn swapped(&self) -> Self {
-        match *self {
-            Self::FirstLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => Self::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            },
-            Self::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => Self::FirstLine {
-                normal,
-                through,
-                point,
-                radius,
-            },
-            Self::Circles {
-                first,
-                second,
-                radius,
-            } => Self::Circles {
-                first: second,
-                second: first,
-                radius,
-            },
-            Self::Cycles { first, second } => Self::Cycles {
-                first: second,
-                second: first,
-            },
-        }
-    }
-}
+use crate::geometry::Point;
 
 /// A condition prepared to be solved for y.
 ///
 /// Root 0 is where the contact function grows with y (free space above), root 1 where it falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Condition {
-    pub(super) carriers: Carriers,
+    /// At zero coordinates.
+    pub(super) first: Cycle,
+    pub(super) second: Cycle,
     pub(super) motions: Motions,
-    /// Second turning: direction to the carried point, and the angle and the arm of the turning feature. Of cycles, the first
-    /// one's arm, and the angle, the arm and for `offset` the moment of the second, all seen from the second part's pivot.
+    /// Of the first, from the second part's pivot.
     pub(super) bearing: Bearing,
-    pub(super) angle: f64,
-    pub(super) arm: f64,
-    /// What the turning line's distance from its own pivot and the radius add up to.
-    pub(super) offset: f64,
+    /// Of the second, from its part's pivot: the angle by which its arm is to be turned back, how long the arm is, and how far
+    /// the pivot is outside.
+    angle: f64,
+    arm: f64,
+    pub(super) outside: f64,
+    /// 1, or −1 if y is measured from the opposite arm of one of both.
+    side: f64,
 }
 
 impl Condition {
-    pub(super) fn new(carriers: Carriers, motions: Motions) -> Self {
+    pub(super) fn new(first: Cycle, second: Cycle, motions: Motions) -> Self {
         let pivot = match motions.second {
             Motion::Turn { center } => center,
             _ => Point::ORIGIN,
         };
-        let (carried, angle, arm, offset) = match carriers {
-            Carriers::FirstLine { normal, point, .. } => {
-                let w = point - pivot;
-                (point, normal.angle() - w.angle(), w.length(), 0.0)
-            }
-            Carriers::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => (
-                point,
-                -normal.angle(),
-                0.0,
-                radius + normal.dot(through - pivot),
-            ),
-            Carriers::Circles { first, second, .. } => {
-                let w = second - pivot;
-                (first, -w.angle(), w.length(), 0.0)
-            }
-            Carriers::Cycles { first, second } => {
-                let arm = second.arm(pivot);
-                let moment = second.moment(pivot);
-                (first.through, -arm.angle(), arm.length(), moment)
-            }
-        };
-        let bearing = match carriers {
-            Carriers::Cycles { first, .. } => Bearing::of_arm(motions.first, &first, pivot),
-            _ => Bearing::new(motions.first, carried, pivot),
-        };
+        // Which turn a root is in is part of saved spaces: they count from the normal of a line, not from its arm, and from the
+        // centre of a concave arc, unless a centre is far away.
+        let far = first.is_bow() || second.is_bow();
+        let side = |c: &Cycle| if far || c.weight > 0.0 { 1.0 } else { -1.0 };
+        let sides = (side(&first), side(&second));
+        let arm = second.arm(pivot);
         Self {
-            carriers,
+            first,
+            second,
             motions,
-            bearing,
-            angle,
-            arm,
-            offset,
+            bearing: Bearing::new(motions.first, &first, pivot, sides.0),
+            angle: -(arm * sides.1).angle(),
+            arm: arm.length(),
+            outside: second.outside(arm.length(), second.moment(pivot)),
+            side: sides.0 * sides.1,
         }
     }
 
     /// The same condition, to be solved for x.
     pub(super) fn swapped(&self) -> Self {
-        Self::new(self.carriers.swapped(), self.motions.swapped())
+        Self::new(self.second, self.first, self.motions.swapped())
     }
 
-    /// The contact function: the distance of the carriers along the normal, positive where the parts are apart.
-    pub(super) fn value(&self, x: f64, y: f64) -> f64 {
+    /// Both cycles when their parts have moved.
+    pub(super) fn moved(&self, x: f64, y: f64) -> (Cycle, Cycle) {
         let Motions { first, second } = self.motions;
-        match self.carriers {
-            Carriers::FirstLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => {
-                let n = first.vector(x, normal);
-                n.dot(second.point(y, point) - first.point(x, through)) - radius
-            }
-            Carriers::SecondLine {
-                normal,
-                through,
-                point,
-                radius,
-            } => {
-                let n = second.vector(y, normal);
-                n.dot(first.point(x, point) - second.point(y, through)) - radius
-            }
-            Carriers::Circles {
-                first: p,
-                second: q,
-                radius,
-            } => {
-                let apart = second.point(y, q).distance(first.point(x, p));
-                (apart - radius.abs()) * radius.signum()
-            }
-            Carriers::Cycles {
-                first: a,
-                second: b,
-            } => cycle::distance(&a.moved(first, x), &b.moved(second, y)),
-        }
+        (self.first.moved(first, x), self.second.moved(second, y))
+    }
+
+    /// The contact function: the distance of the cycles along the normal, positive where the parts are apart.
+    pub(super) fn value(&self, x: f64, y: f64) -> f64 {
+        let (a, b) = self.moved(x, y);
+        cycle::distance(&a, &b)
     }
 
     /// Its derivatives by x and y.
     pub(super) fn gradient(&self, x: f64, y: f64) -> (f64, f64) {
         let Motions { first, second } = self.motions;
-        match self.carriers {
-            Carriers::FirstLine { normal, point, .. } => {
-                let (n, q) = (first.vector(x, normal), second.point(y, point));
-                (-n.dot(first.velocity(q)), n.dot(second.velocity(q)))
-            }
-            Carriers::SecondLine { normal, point, .. } => {
-                let (n, p) = (second.vector(y, normal), first.point(x, point));
-                (n.dot(first.velocity(p)), -n.dot(second.velocity(p)))
-            }
-            Carriers::Circles {
-                first: p,
-                second: q,
-                radius,
-            } => {
-                let (p, q) = (first.point(x, p), second.point(y, q));
-                let n = (q - p).unit() * radius.signum();
-                (-n.dot(first.velocity(p)), n.dot(second.velocity(q)))
-            }
-            Carriers::Cycles {
-                first: a,
-                second: b,
-            } => {
-                let (a, b) = (a.moved(first, x), b.moved(second, y));
-                let slopes = cycle::slopes(&a, first, &b, second);
-                // F is K d + λ₁ λ₂ d²/2 for the distance d.
-                let rate = cycle::centres(&a, &b).length();
-                (slopes.0 / rate, slopes.1 / rate)
-            }
-        }
+        let (a, b) = self.moved(x, y);
+        let slopes = cycle::slopes(&a, first, &b, second);
+        // F is K d + λ₁ λ₂ d²/2 for the distance d.
+        let rate = cycle::centres(&a, &b).length();
+        (slopes.0 / rate, slopes.1 / rate)
     }
 
     /// Whether the condition does not depend on y: its curves are x = constant.
     pub(super) fn is_vertical(&self) -> bool {
-        let carried_by_pivot = |p: Point| match (self.motions.first, self.motions.second) {
-            (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
-                p.distance(c) < INDEPENDENT && c.distance(d) < INDEPENDENT
+        match self.motions.second {
+            Motion::Still => true,
+            Motion::Turn { .. } => self.arm < INDEPENDENT || self.bearing.is_nothing(INDEPENDENT),
+            Motion::Slide { direction } => {
+                let along =
+                    |c: &Cycle| c.weight == 0.0 && c.normal.dot(direction).abs() < INDEPENDENT;
+                !self.motions.first.turns() && along(&self.first) || along(&self.second)
             }
-            (Motion::Still, Motion::Turn { center: d }) => p.distance(d) < INDEPENDENT,
-            _ => false,
+        }
+    }
+
+    /// Whether the root exists at x.
+    pub(super) fn exists(&self, x: f64, root: u8) -> bool {
+        match self.motions.second {
+            Motion::Still => false,
+            Motion::Turn { .. } => {
+                let (sum, difference) = self.product(&self.bearing.seen(x));
+                sum * difference >= 0.0
+            }
+            Motion::Slide { direction } => {
+                let a = self.first.moved(self.motions.first, x);
+                if a.weight * self.second.weight != 0.0 {
+                    let side = direction.left();
+                    let room = |u| cycle::beside(&a, &self.second, u);
+                    return room(side) * room(-side) >= 0.0;
+                }
+                let slope = direction.dot(cycle::centres(&a, &self.second));
+                if root == 0 { slope > 0.0 } else { slope < 0.0 }
+            }
+        }
+    }
+
+    /// The root at x: continuous in x where it exists; where rounding has just lost it, the double root.
+    ///
+    /// With the arms a of the first and R b of the second, which turns, F is C − a·R b. It vanishes where the angle from one arm
+    /// to the other has the cosine C / (|a| |b|).
+    pub(super) fn y(&self, x: f64, root: u8) -> f64 {
+        self.solved(x, if root == 0 { 1.0 } else { -1.0 })
+    }
+
+    /// The double root at a turning, without the square root of rounding that is between both.
+    pub(super) fn double_y(&self, x: f64) -> f64 {
+        self.solved(x, 0.0)
+    }
+
+    fn solved(&self, x: f64, sign: f64) -> f64 {
+        match self.motions.second {
+            Motion::Still => f64::NAN,
+            Motion::Turn { .. } => {
+                let seen = self.bearing.seen(x);
+                let (sum, difference) = self.product(&seen);
+                let level = 0.5 * (sum - difference) * self.side;
+                self.angle + seen.turned((level, root_of(sum * difference)), sign * self.side)
+            }
+            Motion::Slide { direction } => {
+                // F is λ₁ λ₂ y²/2 + (e·V) y + what it is at 0, with V² = (e·V)² + (e × V)².
+                let a = self.first.moved(self.motions.first, x);
+                let square = a.weight * self.second.weight;
+                let slope = direction.dot(cycle::centres(&a, &self.second));
+                let still = cycle::between(&a, &self.second);
+                if square == 0.0 {
+                    return -still / slope;
+                }
+                let side = direction.left();
+                let room = |u| cycle::beside(&a, &self.second, u);
+                let rate = sign * root_of(room(side) * room(-side));
+                // Of two forms that are equal the one in which nothing cancels.
+                if slope * rate > 0.0 {
+                    -2.0 * still / (slope + rate)
+                } else {
+                    (rate - slope) / square
+                }
+            }
+        }
+    }
+
+    /// |a| |b| + C and |a| |b| − C, for arms a and b and F = C − a·R b.
+    ///
+    /// With the distances e and f of the pivot from both they are (e + f) (2 K + λ₁ λ₂ (e + f)) / 2 and
+    /// (2 ρ₁ + λ₁ (e − f)) (2 ρ₂ + λ₂ (f − e)) / 2: of circles the four factors are those of Heron's formula.
+    fn product(&self, seen: &Seen) -> (f64, f64) {
+        let (a, b) = (&self.first, &self.second);
+        let outside = a.outside(seen.arm.length(), seen.moment);
+        let (sum, difference) = (outside + self.outside, outside - self.outside);
+        (
+            sum * (cycle::total(a, b) + 0.5 * a.weight * b.weight * sum),
+            (a.size + 0.5 * a.weight * difference) * (2.0 * b.size - b.weight * difference),
+        )
+    }
+}
+
+fn root_of(square: f64) -> f64 {
+    square.max(0.0).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixed_axes::motion::wrapped;
+    use crate::geometry::Vector;
+
+    /// A circle by a point of it, which may be anywhere on it.
+    fn bow(center: Point, radius: f64, at: f64) -> Cycle {
+        let normal = Vector::from_angle(at);
+        Cycle::bow(center + normal * radius, normal, 1.0 / radius)
+    }
+
+    fn motions() -> Vec<Motions> {
+        let turn = |x: f64, y: f64| Motion::Turn {
+            center: Point::new(x, y),
         };
-        match (self.carriers, self.motions.second) {
-            (_, Motion::Still) => true,
-            (Carriers::FirstLine { .. }, Motion::Turn { .. }) => self.arm < INDEPENDENT,
-            (Carriers::SecondLine { point, .. }, Motion::Turn { .. }) => carried_by_pivot(point),
-            (Carriers::Circles { first, .. }, Motion::Turn { .. }) => {
-                self.arm < INDEPENDENT || carried_by_pivot(first)
+        let slide = |angle: f64| Motion::Slide {
+            direction: Vector::from_angle(angle),
+        };
+        let pair = |first, second| Motions { first, second };
+        vec![
+            pair(turn(0.1, 0.2), turn(-0.4, 0.3)),
+            pair(turn(0.1, 0.2), slide(0.7)),
+            pair(slide(2.1), turn(-0.4, 0.3)),
+            pair(slide(2.1), slide(0.7)),
+            pair(turn(0.1, 0.2), Motion::Still),
+            pair(Motion::Still, slide(0.7)),
+        ]
+    }
+
+    /// Pairs of all kinds that can touch, with small circles and large ones.
+    fn pairs() -> Vec<(Cycle, Cycle)> {
+        let (p, q) = (Point::new(0.3, -0.8), Point::new(0.9, 0.4));
+        let line = Cycle::bow(p, Vector::from_angle(0.4), 0.0);
+        let large =
+            |at: Point, r: f64, normal: f64| Cycle::bow(at, Vector::from_angle(normal), 1.0 / r);
+        vec![
+            (Cycle::about(p, 0.7), Cycle::about(q, 0.9)),
+            (Cycle::about(p, 1e-9), Cycle::about(q, 0.0)),
+            (Cycle::about(p, -1.9), Cycle::about(q, 0.3)),
+            (Cycle::about(p, 0.3), Cycle::about(q, -1.9)),
+            (line, Cycle::about(q, 0.2)),
+            (line, Cycle::about(q, 1e-9)),
+            (line, large(q, 300.0, 3.3)),
+            (large(p, -300.0, 0.2), Cycle::about(q, 0.4)),
+            (large(p, 2000.0, 0.2), large(q, -1e6, 3.5)),
+        ]
+    }
+
+    /// The contact function by centres and radii. Of a line the centre is far away.
+    fn by_centres(condition: &Condition, x: f64, y: f64) -> f64 {
+        let (a, b) = condition.moved(x, y);
+        let (line, other) = if a.weight == 0.0 { (a, b) } else { (b, a) };
+        let center = |c: &Cycle| c.through - c.normal * (1.0 / c.weight);
+        let radius = |c: &Cycle| c.size / c.weight;
+        if line.weight == 0.0 {
+            return line.normal.dot(center(&other) - line.through) - radius(&other);
+        }
+        let sum = radius(&a) + radius(&b);
+        ((center(&b) - center(&a)).length() - sum.abs()) * sum.signum()
+    }
+
+    #[test]
+    fn contact_functions_are_those_of_centres_and_radii_and_gradients_their_differences() {
+        const STEP: f64 = 1e-5;
+        for motions in motions() {
+            for (first, second) in pairs() {
+                for condition in [
+                    Condition::new(first, second, motions),
+                    Condition::new(first, second, motions.swapped()).swapped(),
+                ] {
+                    // Rounding at the distance of a centre, and of the differences of that.
+                    let size = |c: &Cycle| {
+                        if c.weight == 0.0 {
+                            1.0
+                        } else {
+                            c.size / c.weight.abs()
+                        }
+                    };
+                    let near = 1e-13 * (1.0 + size(&condition.first) + size(&condition.second));
+                    for k in 0..40 {
+                        let (x, y) = (0.31 * f64::from(k) - 6.0, 0.17 * f64::from(k) - 2.0);
+                        let value = condition.value(x, y);
+                        let off = (value - by_centres(&condition, x, y)).abs();
+                        assert!(off < near, "{condition:?} {x} {y} {off} {near}");
+                        let by_x = condition.value(x + STEP, y) - condition.value(x - STEP, y);
+                        let by_y = condition.value(x, y + STEP) - condition.value(x, y - STEP);
+                        let gradient = condition.gradient(x, y);
+                        let off = (by_x / (2.0 * STEP) - gradient.0)
+                            .hypot(by_y / (2.0 * STEP) - gradient.1);
+                        assert!(off < 1e5 * near, "{condition:?} {x} {y} {off}");
+                    }
+                }
             }
-            (Carriers::FirstLine { normal, .. }, Motion::Slide { direction }) => {
-                !self.motions.first.turns() && normal.dot(direction).abs() < INDEPENDENT
+        }
+    }
+
+    #[test]
+    fn roots_are_where_features_touch_and_double_at_turnings() {
+        for motions in motions() {
+            for (first, second) in pairs() {
+                let condition = Condition::new(first, second, motions);
+                for condition in [condition, condition.swapped()] {
+                    let turns = condition.motions.second.turns();
+                    for k in 0..200 {
+                        let x = 0.031 * f64::from(k) - 3.1;
+                        for root in [0, 1] {
+                            if condition.is_vertical() || !condition.exists(x, root) {
+                                continue;
+                            }
+                            let y = condition.y(x, root);
+                            if turns || y.abs() < 100.0 {
+                                assert!(condition.value(x, y).abs() < 1e-12, "{condition:?} {x}");
+                                assert_eq!(condition.gradient(x, y).1 > 0.0, root == 0);
+                            }
+                        }
+                    }
+                    condition.turnings(|x| {
+                        let y = condition.double_y(x);
+                        if x.abs().max(y.abs()) < 100.0 {
+                            assert!(condition.value(x, y).abs() < 1e-12, "{condition:?} {x}");
+                            let by_y = condition.gradient(x, y).1; // Of a circle of 1e-9 the rounding of x, 1e-16, is that much.
+                            assert!(by_y.abs() < 1e-6, "{condition:?} {x} {by_y}");
+                        }
+                    });
+                }
             }
-            (Carriers::SecondLine { normal, .. }, Motion::Slide { direction }) => {
-                normal.dot(direction).abs() < INDEPENDENT
+        }
+    }
+
+    fn assert_same(by_points: &Condition, by_centres: &Condition) {
+        let turnings = |c: &Condition| {
+            let mut all = Vec::new();
+            c.turnings(|x| all.push(wrapped(x)));
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        let (found, expected) = (turnings(by_points), turnings(by_centres));
+        assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+        for (a, b) in found.iter().zip(&expected) {
+            assert!((a - b).abs() < 1e-7, "{found:?} {expected:?}");
+        }
+        for k in 0..40 {
+            let x = -3.0 + 0.15 * f64::from(k);
+            for root in [0, 1] {
+                let exists = by_points.exists(x, root);
+                assert_eq!(exists, by_centres.exists(x, root));
+                if exists {
+                    let off = by_points.y(x, root) - by_centres.y(x, root);
+                    let turns = by_points.motions.second.turns();
+                    let off = if turns { wrapped(off) } else { off };
+                    assert!(off.abs() < 1e-11, "{x} {root}");
+                }
             }
-            (Carriers::Circles { .. }, Motion::Slide { .. }) => false,
-            // The arm of an arc whose centre is far away is about one; that of a line is.
-            (Carriers::Cycles { first, second }, Motion::Turn { .. }) => {
-                second.is_centred() && self.arm < INDEPENDENT
-                    || first.is_centred() && carried_by_pivot(first.through)
-            }
-            (Carriers::Cycles { first, second }, Motion::Slide { direction }) => {
-                let along = |line: &Cycle| {
-                    line.weight == 0.0 && line.normal.dot(direction).abs() < INDEPENDENT
-                };
-                !self.motions.first.turns() && along(&first) || along(&second)
+        }
+    }
+
+    /// A circle by its centre and by a point of it touches at the same places.
+    #[test]
+    fn circles_may_be_given_by_points_or_centres() {
+        let (p, q) = (Point::new(0.3, -0.8), Point::new(0.9, 0.4));
+        for motions in motions() {
+            for (r, s) in [(0.7, 0.9), (0.7, -1.9), (-2.3, 0.8)] {
+                let by_centres = Condition::new(Cycle::about(p, r), Cycle::about(q, s), motions);
+                let (a, b) = (bow(p, r, 0.4), bow(q, s, 2.5));
+                for (first, second) in [(a, b), (a, Cycle::about(q, s)), (Cycle::about(p, r), b)] {
+                    let by_points = Condition::new(first, second, motions);
+                    assert_same(&by_points, &by_centres);
+                    assert_same(&by_points.swapped(), &by_centres.swapped());
+                }
             }
         }
     }

@@ -5,7 +5,7 @@ use crate::part::Part;
 
 use super::arrange::Cell;
 use super::axis::{AxesError, Axis};
-use super::condition::Carriers;
+use super::carriers::Carriers;
 use super::displacement::Displacement;
 use super::motion::Extent;
 use super::motion::Motions;

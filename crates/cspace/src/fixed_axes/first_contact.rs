@@ -1,16 +1,14 @@
 //! The first contact along a motion of constant rates.
 
-use super::condition::Carriers;
 use super::condition::Condition;
-use super::cycle;
-use super::cycle::Cycle;
+use super::cycle::{self, Cycle};
 use super::motion::Extent;
 use super::motion::ExtentKind;
 use super::motion::Motion;
 use super::patches::AxesBranch;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
-use crate::geometry::{Point, time_of_known_angle};
+use crate::geometry::time_of_known_angle;
 use crate::query::Classification;
 use crate::query::MotionError;
 use core::f64::consts::TAU;
@@ -323,11 +321,11 @@ impl Along<'_> {
         )
     }
 
-    /// The smooth condition, its derivative, and a bound on its second derivative over times from `lo` to `hi`.
+    /// F, its derivative, and a bound on its second derivative over times from `lo` to `hi`.
     ///
-    /// With w the vector between what touches, w′ its velocity and w″ its acceleration: (|w|² − r²)″ / 2 = |w′|² + w·w″,
-    /// and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a rate ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R how far
-    /// the point is from the pivot; one that slides has no acceleration.
+    /// Of the terms of F that move each by itself, in the way w from one cycle to the other and in both normals n: with its
+    /// velocity w′ and its acceleration w″, (w²)″ / 2 = w′² + w·w″ and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a
+    /// rate ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R how far the point is from the pivot; one that slides has no acceleration.
     fn smooth(&self, lo: f64, hi: f64) -> (f64, f64, f64) {
         let mid = 0.5 * (lo + hi);
         let Way { x, y, dx, dy } = *self.way;
@@ -337,64 +335,24 @@ impl Along<'_> {
         let rate = |m: Motion, d: f64| if m.turns() { d.abs() } else { 0.0 };
         let (spin, turn) = (rate(first, dx), rate(second, dy));
         let half = 0.5 * (hi - lo);
-        // Bounds on speed and acceleration of a point of the first part and one of the second, and on how far apart they are.
-        let bounds = |p: Point, q: Point| {
-            let rates = (
-                first.velocity(p).length() * dx.abs(),
-                second.velocity(q).length() * dy.abs(),
-            );
-            let speed = rates.0 + rates.1;
-            let acceleration = rates.0 * spin + rates.1 * turn;
-            (speed, acceleration, (q - p).length() + speed * half)
-        };
-        // A bound on what bends a product with a normal that turns at a rate.
-        let across = |rate: f64, (speed, acceleration, reach): (f64, f64, f64)| {
-            rate * (rate * reach + 2.0 * speed) + acceleration
-        };
-        match self.condition.carriers {
-            Carriers::Circles {
-                first: p,
-                second: q,
-                radius,
-            } => {
-                let (p, q) = (first.point(x, p), second.point(y, q));
-                let w = q - p;
-                let velocity = second.velocity(q) * dy - first.velocity(p) * dx;
-                let (speed, acceleration, reach) = bounds(p, q);
-                let sign = radius.signum();
-                let bend = 2.0 * (speed * speed + reach * acceleration);
-                let value = (w.length() - radius.abs()) * (w.length() + radius.abs());
-                (sign * value, sign * 2.0 * w.dot(velocity), bend)
-            }
-            Carriers::Cycles {
-                first: a,
-                second: b,
-            } => {
-                // F, which is K d + λ₁ λ₂ d²/2 for the distance d: of its terms that move each by itself, in the way from one to
-                // the other and in two normals.
-                let (a, b) = (a.moved(first, x), b.moved(second, y));
-                let slopes = cycle::slopes(&a, first, &b, second);
-                let bounds = bounds(a.through, b.through);
-                let (speed, acceleration, reach) = bounds;
-                let normal = |c: &Cycle| if c.is_centred() { 0.0 } else { 1.0 };
-                let bend = (a.weight * b.weight).abs() * (speed * speed + reach * acceleration)
-                    + b.weight.abs() * normal(&a) * across(spin, bounds)
-                    + a.weight.abs() * normal(&b) * across(turn, bounds)
-                    + normal(&a) * normal(&b) * (spin + turn) * (spin + turn);
-                let slope = slopes.0 * dx + slopes.1 * dy;
-                (cycle::between(&a, &b), slope, bend)
-            }
-            Carriers::FirstLine { through, point, .. } => {
-                let (value, slope) = self.distance(mid);
-                let bounds = bounds(first.point(x, through), second.point(y, point));
-                (value, slope, across(spin, bounds))
-            }
-            Carriers::SecondLine { through, point, .. } => {
-                let (value, slope) = self.distance(mid);
-                let bounds = bounds(first.point(x, point), second.point(y, through));
-                (value, slope, across(turn, bounds))
-            }
-        }
+        let (a, b) = self.condition.moved(x, y);
+        // Bounds on the speed and acceleration of what both are given by, and on how far apart they are.
+        let rates = (
+            first.velocity(a.through).length() * dx.abs(),
+            second.velocity(b.through).length() * dy.abs(),
+        );
+        let speed = rates.0 + rates.1;
+        let acceleration = rates.0 * spin + rates.1 * turn;
+        let reach = (b.through - a.through).length() + speed * half;
+        let across = |rate: f64| rate * (rate * reach + 2.0 * speed) + acceleration;
+        let normal = |c: &Cycle| if c.is_centred() { 0.0 } else { 1.0 };
+        let bend = (a.weight * b.weight).abs() * (speed * speed + reach * acceleration)
+            + b.weight.abs() * normal(&a) * across(spin)
+            + a.weight.abs() * normal(&b) * across(turn)
+            + normal(&a) * normal(&b) * (spin + turn) * (spin + turn);
+        let slopes = cycle::slopes(&a, first, &b, second);
+        let slope = slopes.0 * dx + slopes.1 * dy;
+        (cycle::between(&a, &b), slope, bend)
     }
 
     /// Calls `take` with every time at which the condition falls through zero, in order, until it returns true. Returns

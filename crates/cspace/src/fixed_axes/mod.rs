@@ -33,11 +33,11 @@
 //!
 //! 0. *Setting* (`setup`, `scene`, `repeats`): frame, motions, outlines. A part that turns without limits about its own centre of
 //!    symmetry is swept over one period of its motion, the *window*; of every orbit of its features one is looked at.
-//! 1. *Nodes* (`nodes`): a contact curve ends where one of its features gives way to its neighbour. These
+//! 1. *Nodes* (`nodes`, `meeting`): a contact curve ends where one of its features gives way to its neighbour. These
 //!    configurations have closed forms and names: a joint of one part and a feature of the other, two vertices, two lines.
 //!    Pairs that meet at a node compute it from the same numbers, to the same bit; no coordinates are compared to find who
 //!    meets.
-//! 2. *Pieces* (`build`, `sections`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
+//! 2. *Pieces* (`condition`, `build`, `sections`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
 //!    dy = 0, closed forms), at ends of the window and at limits into monotone graphs y(x), and vertical segments where y does
 //!    not matter (dwell). Which are contact is told away from their ends, by the features' extents.
 //! 3. *Crossings* (`cross`): of two monotone graphs, decided by their order at the ends of their common interval;
@@ -70,7 +70,9 @@
 
 mod arrange;
 mod axis;
+mod bearing;
 mod build;
+mod carriers;
 mod classify;
 mod compute;
 mod condition;
@@ -84,6 +86,7 @@ mod faults;
 mod first_contact;
 mod free;
 mod judge;
+mod meeting;
 mod motion;
 mod nearest;
 mod nodes;
@@ -101,6 +104,7 @@ mod slots;
 mod space;
 mod sweep;
 mod tolerance;
+mod turnings;
 
 pub use axis::{AxesError, Axis, AxisMotion, Role};
 pub use data::{AxesData, AxesDataError, AxesStatistics, SAVED_AXES_VERSION};

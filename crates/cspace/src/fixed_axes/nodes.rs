@@ -6,15 +6,14 @@
 
 use super::cycle::Cycle;
 use super::equation::Equation;
-use super::equation::apexes;
-use super::equation::coincidences;
+use super::meeting::meetings;
 use super::motion::Motion;
 use super::motion::Motions;
 use super::motion::Placement;
 use super::piece::Name;
 use super::piece::Node;
 use super::repeats::Image;
-use super::scene::Scene;
+use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
 use crate::feature::Feature;
 use crate::geometry::Point;
@@ -88,14 +87,8 @@ impl Scene {
                     found(name, root, steps, x, y);
                 }
             };
-            if b.near.is_some() {
-                let arc = Cycle::of(&self.second, b);
-                let (tip, of_arc) = (Tip::of_joint(point, normal, arc.weight), Tip::of_arc(&arc));
-                meetings((first, &tip), (second, &of_arc), meets);
-            } else {
-                let at = point + normal * b.radius();
-                coincidences(first, at, second, b.center(), plausible, meets);
-            }
+            let (arc, at) = touching(&self.second, b, point, normal);
+            meetings((first, &at), (second, &arc), plausible, meets);
         }
     }
 
@@ -127,14 +120,8 @@ impl Scene {
                     found(name, root, 0, x, y);
                 }
             };
-            if a.near.is_some() {
-                let arc = Cycle::of(&self.first, a);
-                let (of_arc, tip) = (Tip::of_arc(&arc), Tip::of_joint(point, normal, arc.weight));
-                meetings((first, &of_arc), (second, &tip), meets);
-            } else {
-                let at = point + normal * a.radius();
-                coincidences(first, a.center(), second, at, plausible, meets);
-            }
+            let (arc, at) = touching(&self.first, a, point, normal);
+            meetings((first, &arc), (second, &at), plausible, meets);
         }
     }
 
@@ -237,126 +224,15 @@ impl Scene {
     }
 }
 
-// Configurations at which a joint touches a large arc of the other part, their normals opposite.
-//
-// The centre of the arc is at X + r n then, for the joint X with the normal n: two points that coincide, as in
-// [`coincidences`](super::equation::coincidences), but far away. All lengths are taken κ = 1/r times, so that both points
-// are seen from the pivots at about one, and what their squares differ by is known without the difference.
-
-/// κ times the way from where it is seen to the centre of the arc, and what its square is more than one.
-#[derive(Debug, Clone, Copy)]
-struct Arm {
-    vector: Vector,
-    excess: f64,
-}
-
-/// A point of one part at which the centre of the arc is to be: a joint with its normal, or a point of the arc with the
-/// opposite of its own.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Tip {
-    point: Point,
-    normal: Vector,
-    curvature: f64,
-}
-
-impl Tip {
-    pub(super) fn of_joint(point: Point, normal: Vector, curvature: f64) -> Self {
-        Self {
-            point,
-            normal,
-            curvature,
-        }
+/// A round feature, and where it is when it touches a joint of the other part. Of circles whose centres are near these are
+/// enough.
+fn touching(side: &Side, f: &Feature, joint: Point, normal: Vector) -> (Cycle, Cycle) {
+    if f.near.is_some() {
+        let arc = Cycle::of(side, f);
+        return (arc, Cycle::bow(joint, -normal, arc.weight));
     }
-
-    pub(super) fn of_arc(arc: &Cycle) -> Self {
-        Self::of_joint(arc.through, -arc.normal, arc.weight)
-    }
-
-    fn arm(&self, from: Point) -> Arm {
-        let d = (self.point - from) * self.curvature;
-        Arm {
-            vector: d + self.normal,
-            excess: d.dot(d + self.normal * 2.0),
-        }
-    }
-}
-
-/// Coordinates (s, t) at which both tell the same centre.
-pub(super) fn meetings(
-    (first, p): (Motion, &Tip),
-    (second, q): (Motion, &Tip),
-    mut found: impl FnMut(u8, f64, f64),
-) {
-    match (first, second) {
-        (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
-            let (v, w, between) = (p.arm(c), q.arm(d), (d - c) * p.curvature);
-            if c.distance(d) < INDEPENDENT {
-                return;
-            }
-            let apart = between.length();
-            let (e, f) = (v.vector.length(), w.vector.length());
-            let differ = v.excess - w.excess;
-            let (less, sum) = (differ / (e + f), e + f);
-            let square = (apart - less) * (apart + less) * (sum - apart) * (sum + apart);
-            if square < 0.0 {
-                return;
-            }
-            for (root, [from_first, from_second]) in apexes(between, differ, square) {
-                found(
-                    root,
-                    turn(v.vector, from_first),
-                    turn(w.vector, from_second),
-                );
-            }
-        }
-        (Motion::Turn { center }, Motion::Slide { direction }) => {
-            slid(p, q, center, direction, found);
-        }
-        (Motion::Slide { direction }, Motion::Turn { center }) => {
-            slid(q, p, center, direction, |root, t, s| found(root, s, t));
-        }
-        (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
-            // p + s d + r n = q + t e + r m.
-            let area = d.cross(e);
-            if area.abs() >= INDEPENDENT {
-                let v = (q.point - p.point) + (q.normal - p.normal) * (1.0 / p.curvature);
-                found(0, v.cross(e) / area, v.cross(d) / area);
-            }
-        }
-        (Motion::Still, _) | (_, Motion::Still) => {}
-    }
-}
-
-/// The angle from one direction to another.
-fn turn(from: Vector, to: Vector) -> f64 {
-    from.cross(to).atan2(from.dot(to))
-}
-
-/// Root, angle and way at which what turns about a centre is where what slides is.
-fn slid(
-    turning: &Tip,
-    sliding: &Tip,
-    center: Point,
-    d: Vector,
-    mut found: impl FnMut(u8, f64, f64),
-) {
-    let (v, w) = (turning.arm(center), sliding.arm(center));
-    let (aside, along) = (d.cross(w.vector), d.dot(w.vector));
-    let differ = v.excess - w.excess;
-    let square = along * along + differ;
-    if square < 0.0 {
-        return;
-    }
-    for (root, half) in [(0, square.sqrt()), (1, -square.sqrt())] {
-        // half − along, without the cancelling.
-        let way = if (half < 0.0) == (along < 0.0) {
-            differ / (half + along)
-        } else {
-            half - along
-        };
-        let at = d * half + d.left() * aside;
-        found(root, turn(v.vector, at), way / turning.curvature);
-    }
+    let at = joint + normal * f.radius();
+    (Cycle::about(f.center(), 0.0), Cycle::about(at, 0.0))
 }
 
 // Configurations at which a joint of one part is on a line of the other, their normals opposite.

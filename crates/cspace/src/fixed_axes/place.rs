@@ -1,15 +1,14 @@
 //! Pieces in every turn of y, cut to the limits of motion.
 
 use super::build::Builder;
-use super::condition::Carriers;
-use super::cycle;
-use super::cycle::Cycle;
+use super::condition::Condition;
+use super::cycle::{self, Cycle};
 use super::motion::{ExtentKind, brought_between, wrapped};
 use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
 use crate::feature::Feature;
-use crate::geometry::{Point, Vector};
+use crate::geometry::Vector;
 use core::f64::consts::TAU;
 
 impl Builder<'_> {
@@ -134,74 +133,26 @@ pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
         scene.second_feature(pair.second),
     );
     let motions = scene.motions;
-    let theta = motions.theta(x, y);
     let turning = motions.first.turns() || motions.second.turns();
     let inside =
         |f: &Feature, angle: f64| 0.5 * (f.hi - f.lo) - wrapped(angle - 0.5 * (f.lo + f.hi)).abs();
-    let on = |(start, along, length): (Point, Vector, f64), p: Point| {
-        let at = along.dot(p - start);
-        at.min(length - at)
-    };
     let half_turn = core::f64::consts::PI;
-    match pair.condition.carriers {
-        Carriers::FirstLine { point, .. } => {
-            let (start, along, length) = scene.first.segment(a);
-            let (start, along) = (
-                motions.first.point(x, start),
-                motions.first.vector(x, along),
-            );
-            let foot = on((start, along, length), motions.second.point(y, point));
-            if turning {
-                foot.min(inside(b, a.lo + half_turn - theta))
-            } else {
-                foot
-            }
+    let Condition { first, second, .. } = &pair.condition;
+    let (p, q) = pair.condition.moved(x, y);
+    let n = cycle::centres(&p, &q);
+    let of_first = match place(&p, &q, n) {
+        Some(at) => between_ends(&scene.first, a, first, at),
+        None if turning || !b.is_line() => inside(a, n.angle() - motions.first.angle(x)),
+        None => f64::INFINITY,
+    };
+    let of_second = match place(&q, &p, -n) {
+        Some(at) => between_ends(&scene.second, b, second, at),
+        None if turning || !a.is_line() => {
+            inside(b, n.angle() + half_turn - motions.second.angle(y))
         }
-        Carriers::SecondLine { point, .. } => {
-            let (start, along, length) = scene.second.segment(b);
-            let (start, along) = (
-                motions.second.point(y, start),
-                motions.second.vector(y, along),
-            );
-            let foot = on((start, along, length), motions.first.point(x, point));
-            if turning {
-                foot.min(inside(a, b.lo + half_turn + theta))
-            } else {
-                foot
-            }
-        }
-        Carriers::Circles {
-            first,
-            second,
-            radius,
-        } => {
-            let n =
-                (motions.second.point(y, second) - motions.first.point(x, first)) * radius.signum();
-            let angle = n.angle();
-            inside(a, angle - motions.first.angle(x))
-                .min(inside(b, angle + half_turn - motions.second.angle(y)))
-        }
-        Carriers::Cycles { first, second } => {
-            let (p, q) = (
-                first.moved(motions.first, x),
-                second.moved(motions.second, y),
-            );
-            let n = cycle::centres(&p, &q);
-            let of_first = match place(&p, &q, n) {
-                Some(at) => between_ends(&scene.first, a, &first, at),
-                None if turning || !b.is_line() => inside(a, n.angle() - motions.first.angle(x)),
-                None => f64::INFINITY,
-            };
-            let of_second = match place(&q, &p, -n) {
-                Some(at) => between_ends(&scene.second, b, &second, at),
-                None if turning || !a.is_line() => {
-                    inside(b, (-n).angle() - motions.second.angle(y))
-                }
-                None => f64::INFINITY,
-            };
-            of_first.min(of_second)
-        }
-    }
+        None => f64::INFINITY,
+    };
+    of_first.min(of_second)
 }
 
 /// How far along the tangent of a line or large arc it is touched, from where it is told, n being K times its normal there.

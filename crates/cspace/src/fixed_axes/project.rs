@@ -8,7 +8,7 @@
 use crate::geometry::{Point, Rotation, Vector, images};
 use crate::number::{Ball, Bounded, Real, least};
 
-use super::condition::{Carriers, Condition};
+use super::condition::Condition;
 use super::cycle::Cycle;
 use super::motion::{Extent, Motion, brought_between};
 use super::piece::Piece;
@@ -170,37 +170,13 @@ impl Bounded for Search<'_> {
 fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
     let first = Moved::new(condition.motions.first, x);
     let second = Moved::new(condition.motions.second, y);
-    match condition.carriers {
-        Carriers::FirstLine { normal, point, .. } => {
-            let (n, q) = (first.vector(normal), second.point(point));
-            (-n.dot(first.velocity(q)), n.dot(second.velocity(q)))
-        }
-        Carriers::SecondLine { normal, point, .. } => {
-            let (n, p) = (second.vector(normal), first.point(point));
-            (n.dot(first.velocity(p)), -n.dot(second.velocity(p)))
-        }
-        Carriers::Circles {
-            first: p,
-            second: q,
-            ..
-        } => {
-            let (p, q) = (first.point(p), second.point(q));
-            let n = q - p;
-            (-n.dot(first.velocity(p)), n.dot(second.velocity(q)))
-        }
-        Carriers::Cycles {
-            first: a,
-            second: b,
-        } => {
-            let slope = |p: &(Cycle, Moved), q: &(Cycle, Moved)| match q.1.motion {
-                Motion::Still => Ball::constant(0.0),
-                Motion::Turn { center } => -arm(p, center).dot(arm(q, center).left()),
-                Motion::Slide { direction } => constant(direction).dot(centres(p, q)),
-            };
-            let (a, b) = ((a, first), (b, second));
-            (slope(&b, &a), slope(&a, &b))
-        }
-    }
+    let (a, b) = ((condition.first, first), (condition.second, second));
+    let slope = |p: &(Cycle, Moved), q: &(Cycle, Moved)| match q.1.motion {
+        Motion::Still => Ball::constant(0.0),
+        Motion::Turn { center } => -arm(p, center).dot(arm(q, center).left()),
+        Motion::Slide { direction } => constant(direction).dot(centres(p, q)),
+    };
+    (slope(&b, &a), slope(&a, &b))
 }
 
 /// The arm of a moved cycle, seen from a pivot.
@@ -251,15 +227,6 @@ impl Moved {
             Motion::Still => constant(p.to_vector()),
             Motion::Turn { center } => constant(center.to_vector()) + self.vector(p - center),
             Motion::Slide { direction } => constant(p.to_vector()) + constant(direction) * self.by,
-        }
-    }
-
-    /// The velocity of the point of the part that is now at a place.
-    fn velocity(&self, p: Vector<Ball>) -> Vector<Ball> {
-        match self.motion {
-            Motion::Still => constant(Vector::ZERO),
-            Motion::Turn { center } => (p - constant(center.to_vector())).left(),
-            Motion::Slide { direction } => constant(direction),
         }
     }
 }

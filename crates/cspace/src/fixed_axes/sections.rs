@@ -141,9 +141,8 @@ impl Builder<'_> {
         let mut around = Vec::new();
         let swapped = condition.swapped();
         if !swapped.is_vertical() {
-            // The roots for x are double there: either gives it.
             swapped.turnings(|y| {
-                let x = scene.x.reduced(swapped.y(y, 0));
+                let x = scene.x.reduced(swapped.double_y(y));
                 if x.is_finite() {
                     around.push(Around {
                         x,
