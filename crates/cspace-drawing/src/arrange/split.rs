@@ -9,6 +9,9 @@ use rstar::{AABB, RTree};
 /// Maximum number of places at which an edge is cut: curves that cross more often are hatchings, not the edges of parts.
 const MOST_MEETINGS: usize = 400_000;
 
+/// Maximum number of places that are compared, whether they cut or not: ends of many curves may lie at one place.
+const MOST_PLACES: usize = 4_000_000;
+
 /// Passes at most. Each cuts what the places of the pass before, moved to their vertices, made cross; the second rarely does.
 const MOST_PASSES: usize = 8;
 
@@ -30,7 +33,7 @@ pub(crate) struct Arrangement {
     pub(crate) pieces: Vec<Piece>,
 }
 
-/// Edges that meet at more than [`MOST_MEETINGS`] places.
+/// Edges that meet at more than [`MOST_MEETINGS`] places, or at more than [`MOST_PLACES`] with those at their ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TooMany;
 
@@ -117,7 +120,7 @@ fn meetings(curves: &[Edge], near: f64) -> Result<Vec<(u32, Point)>, TooMany> {
         GeomWithData::new(Rectangle::from_corners(corners.0, corners.1), i as u32)
     });
     let tree = RTree::bulk_load(boxes.collect());
-    let mut meetings = Vec::new();
+    let (mut meetings, mut compared) = (Vec::new(), 0);
     for (i, curve) in curves.iter().enumerate() {
         let b = curve.bounds();
         let reach = AABB::from_corners(
@@ -133,13 +136,14 @@ fn meetings(curves: &[Edge], near: f64) -> Result<Vec<(u32, Point)>, TooMany> {
         for other in others {
             let other_curve = &curves[other as usize];
             for place in curve.meetings(other_curve, near) {
+                compared += 1;
                 if is_end(curve, place) && is_end(other_curve, place) {
                     continue;
                 }
                 meetings.extend([(i as u32, place), (other, place)]);
             }
         }
-        if meetings.len() > MOST_MEETINGS {
+        if meetings.len() > MOST_MEETINGS || compared > MOST_PLACES {
             return Err(TooMany);
         }
     }

@@ -168,5 +168,5 @@ fn rays_do_not_slip_through_joints() {
         let ends = |c: &Curve, m: f64| c.position(p + d * m).abs() <= c.half;
         slipped += u32::from(!ends(&one, t) && !ends(&other, t));
     }
-    assert!(slipped > 10, "{slipped}: no ray is aimed at a joint");
+    assert!(slipped > 3, "{slipped}: no ray is aimed at a joint");
 }

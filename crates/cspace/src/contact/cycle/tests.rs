@@ -107,7 +107,7 @@ fn crossings_are_on_both() {
                     continue;
                 }
                 // The same circle, written twice.
-                if on_g(f.at(Vector::new(0.7, 0.0))).abs() < 1e-12 && f.weight != 0.0 {
+                if f.is_one_with(g, 1e-12) {
                     continue;
                 }
                 assert!(
