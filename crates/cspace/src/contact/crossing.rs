@@ -17,16 +17,14 @@ pub(crate) struct Crossing {
 /// The crossing with the given name ([`Cycle::enters`](super::cycle::Cycle::enters)), wherever it lies on the lines or circles; of
 /// large circles only near the parts. Lines at an angle below [`SAME_CARRIER`] do not cross, whatever rounding makes of them.
 pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
-    let (c, d) = (&f.cycle, &g.cycle);
-    let named = root == 0 || !(c.is_line() && d.is_line());
-    if !named || !c.meets(d, SAME_CARRIER) {
-        return None;
+    let (mut c, d) = (f.cycle, &g.cycle);
+    // From the end of a line that is nearer to the other, so that a crossing near an end is accurate.
+    if c.is_line() && d.level(f.end).abs() <= d.level(f.start).abs() {
+        c.through = f.end;
     }
-    let enters = c.enters(d, root);
-    let point = c.at(c.crossed_by(d, enters));
-    let large = [c, d]
-        .into_iter()
-        .find(|cycle| !(cycle.is_centred() || cycle.is_line()));
+    let (place, enters) = c.crossing(d, root, SAME_CARRIER)?;
+    let point = c.at(place);
+    let large = [&c, d].into_iter().find(|cycle| cycle.is_large());
     let is_near = |cycle: &Cycle| (cycle.place(point).x * cycle.weight).abs() < WIDEST_ARC;
     large
         .is_none_or(is_near)
@@ -34,5 +32,4 @@ pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests;

@@ -51,17 +51,12 @@ impl Curve {
         }
     }
 
-    /// The signed radius of a circle by its centre.
-    fn radius(&self) -> f64 {
-        self.cycle.size * self.cycle.weight
-    }
-
     /// Place of a point of the curve: length of travel from the middle.
     #[inline]
     pub(crate) fn position(&self, p: Point) -> f64 {
         if self.cycle.is_centred() {
             let v = (p - self.cycle.through) * self.cycle.weight;
-            return wrap(v.angle() - self.middle) * self.radius();
+            return wrap(v.angle() - self.middle) * self.cycle.radius();
         }
         self.cycle.place(p).x - self.middle
     }
@@ -70,7 +65,7 @@ impl Curve {
     #[inline]
     pub(crate) fn point(&self, s: f64) -> Point {
         if self.cycle.is_centred() {
-            let radius = self.radius();
+            let radius = self.cycle.radius();
             let normal = Vector::from_angle(self.middle + s / radius);
             return self.cycle.through + normal * radius;
         }

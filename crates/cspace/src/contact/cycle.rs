@@ -71,6 +71,18 @@ impl<T: Real> Cycle<T> {
         self.normal.x.value() == 0.0 && self.normal.y.value() == 0.0
     }
 
+    /// Whether it is a circle written by a place on it.
+    #[inline]
+    pub(crate) fn is_large(&self) -> bool {
+        !(self.is_line() || self.is_centred())
+    }
+
+    /// The signed radius of a circle written by its centre.
+    #[inline]
+    pub(crate) fn radius(&self) -> T {
+        self.size * self.weight
+    }
+
     /// 1/r, 0 of a line.
     pub(crate) fn curvature(&self) -> T {
         self.weight / self.size
@@ -163,6 +175,39 @@ impl<T: Real> Cycle<T> {
             u = u / (T::constant(1.0) + fall);
         }
         Vector::new(u, T::constant(0.0))
+    }
+
+    /// A number that grows with the place: of a circle by its centre y / (|x| + |y|) along and across the direction to the middle of
+    /// a curve on it, continued beyond the quarter turns.
+    #[inline]
+    pub(crate) fn rank(&self, place: Vector<T>, middle: Vector<T>) -> T {
+        if !self.is_centred() {
+            return place.x;
+        }
+        let (x, y) = (middle.dot(place), middle.cross(place) * self.weight);
+        let (quarter, two) = (y / (x.abs() + y.abs()), T::constant(2.0));
+        if x.value() >= 0.0 {
+            quarter
+        } else if y.value() < 0.0 {
+            -two - quarter
+        } else {
+            two - quarter
+        }
+    }
+
+    /// The crossing with the given name: its place, and whether travel enters the blocked side of the other there. `None` where they
+    /// do not cross; two lines at more than `parallel` (the sine of the angle) do.
+    pub(crate) fn crossing(
+        &self,
+        other: &Self,
+        root: u8,
+        parallel: f64,
+    ) -> Option<(Vector<T>, bool)> {
+        let named = root == 0 || !(self.is_line() && other.is_line());
+        (named && self.meets(other, parallel)).then(|| {
+            let enters = self.enters(other, root);
+            (self.crossed_by(other, enters), enters)
+        })
     }
 
     /// Where travel crosses another cycle, entering its blocked side or leaving it. Where the crossing is just lost, the nearest

@@ -158,7 +158,7 @@ impl CurveGeometry {
         let outer = |p: Point| frame.outer_from_inner(p, theta).position();
         let cycle = &curve.cycle;
         if cycle.is_centred() {
-            let radius = cycle.size * cycle.weight;
+            let radius = cycle.radius();
             let half_turn = if radius > 0.0 {
                 0.0
             } else {

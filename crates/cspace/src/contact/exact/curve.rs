@@ -25,36 +25,18 @@ pub(crate) struct ExactCrossing {
 }
 
 impl ExactCurve {
-    /// The signed radius of a circle by its centre.
-    fn radius(&self) -> Dd {
-        self.cycle.size * self.cycle.weight
-    }
-
     /// Length of travel from about the middle of the curve to a place of its cycle.
     pub(crate) fn length_of(&self, place: Vector<Dd>) -> Dd {
         if self.cycle.is_centred() {
             let (x, y) = (self.middle.dot(place), self.middle.cross(place));
-            return Dd::atan2(y, x) * self.radius();
+            return Dd::atan2(y, x) * self.cycle.radius();
         }
         place.x - self.middle.x
     }
 
-    /// What grows with the length of travel to a place: of a circle by its centre y / (|x| + |y|) along and across the direction to
-    /// its middle, continued beyond the quarter turns.
+    /// What grows with the length of travel to a place: see [`Cycle::rank`].
     pub(crate) fn rank(&self, place: Vector<Dd>) -> Dd {
-        if !self.cycle.is_centred() {
-            return place.x;
-        }
-        let (x, y) = (self.middle.dot(place), self.middle.cross(place));
-        let y = y * self.cycle.weight;
-        let quarter = y / (x.abs() + y.abs());
-        if !x.is_negative() {
-            quarter
-        } else if y.is_negative() {
-            -quarter - 2.0
-        } else {
-            -quarter + 2.0
-        }
+        self.cycle.rank(place, self.middle)
     }
 
     /// The places of its ends.
@@ -87,7 +69,7 @@ impl ExactCurve {
             let place = Vector::new(length + self.middle.x, Dd::ZERO);
             return self.cycle.at(place);
         }
-        let way = Rotation::by(length / self.radius()) * self.middle;
+        let way = Rotation::by(length / self.cycle.radius()) * self.middle;
         self.cycle.through + way * (self.cycle.size / way.length())
     }
 
@@ -112,12 +94,7 @@ impl ExactCurve {
         /// Lines at a smaller angle are parallel (radians).
         const PARALLEL: f64 = 1e-28;
         let (f, g) = (&self.cycle, &other.cycle);
-        let named = root == 0 || !(f.is_line() && g.is_line());
-        if !named || !f.meets(g, PARALLEL) {
-            return None;
-        }
-        let enters = f.enters(g, root);
-        let on = f.crossed_by(g, enters);
+        let (on, enters) = f.crossing(g, root, PARALLEL)?;
         Some(ExactCrossing {
             on,
             point: f.at(on),

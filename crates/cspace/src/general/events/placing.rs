@@ -110,7 +110,7 @@ pub(crate) fn between<T: Real>(cycle: &Cycle<T>, p: Vector<T>, q: Vector<T>) -> 
     if !cycle.is_centred() {
         return p.x - q.x;
     }
-    let radius = cycle.size * cycle.weight;
+    let radius = cycle.radius();
     let sine = p.cross(q) / radius;
     if p.dot(q).value() >= 0.0 {
         return sine;
@@ -209,8 +209,7 @@ impl<'a> Placing<'a> {
     pub(crate) fn crossed_by(&self, b: &Branch) -> (Vector, f64) {
         let other = self.other(b);
         let place = self.cycle.root(&other, b.root, b.second == self.index);
-        let large = |c: &Cycle| !(c.is_centred() || c.is_line());
-        if large(&self.cycle) || large(&other) || place.x.is_nan() || place.y.is_nan() {
+        if self.cycle.is_large() || other.is_large() || place.x.is_nan() || place.y.is_nan() {
             return (place, f64::INFINITY);
         }
         (place, self.cycle.place_error(&other, place))
@@ -228,26 +227,12 @@ impl<'a> Placing<'a> {
     }
 
     /// What orders branches by their places, as the places themselves would, at less cost; with the place on the
-    /// cycle, and its error.
-    ///
-    /// On a circle it grows with the angle from the middle of the curve: y / (|x| + |y|) along and across that
-    /// direction, continued beyond the quarter turns.
+    /// cycle, and its error: see [`Cycle::rank`].
     pub(crate) fn ranking(&self) -> impl Fn(&Branch) -> Rank {
-        let centred = self.cycle.is_centred();
         let middle = Vector::from_angle(self.mid_angle) * self.cycle.weight;
         move |b| {
             let (place, error) = self.crossed_by(b);
-            let rank = if centred {
-                let (x, y) = (middle.dot(place), middle.cross(place) * self.cycle.weight);
-                let quarter = y / (x.abs() + y.abs());
-                if x >= 0.0 {
-                    quarter
-                } else {
-                    2.0_f64.copysign(y) - quarter
-                }
-            } else {
-                place.x
-            };
+            let rank = self.cycle.rank(place, middle);
             Rank { rank, place, error }
         }
     }
@@ -268,7 +253,7 @@ impl<'a> Placing<'a> {
     fn length_of(&self, place: Vector) -> f64 {
         if self.cycle.is_centred() {
             let v = place * self.cycle.weight;
-            return wrap(v.angle() - self.mid_angle) * self.cycle.size * self.cycle.weight;
+            return wrap(v.angle() - self.mid_angle) * self.cycle.radius();
         }
         place.x - self.middle
     }

@@ -4,6 +4,8 @@ use cspace::Mechanism;
 use cspace_motion::{Record, Settings, Simulation};
 use serde_json::{Value, json};
 
+use crate::queries::said;
+
 /// Seconds that are simulated, with samples at tenths of it: few impacts, so that differences of rounding stay small.
 const TIME: f64 = 0.25;
 
@@ -16,17 +18,16 @@ pub(crate) fn motion(mechanism: &Mechanism) -> Value {
         Ok(simulation) => simulation,
         Err(error) => return json!({ "refused": error.to_string() }),
     };
-    let said = |record: Result<Record, cspace_motion::SimulateError>| match record {
-        Ok(record) => json!({
+    let parts = |record: Record| {
+        json!({
             "status": record.status,
             "until": record.until,
             "events": record.events,
             "samples": record.samples,
-        }),
-        Err(error) => json!({ "refused": error.to_string() }),
+        })
     };
     json!({
-        "kinematic": said(simulation.kinematic(&settings)),
-        "dynamic": said(simulation.dynamic(&settings)),
+        "kinematic": said(simulation.kinematic(&settings).map(parts)),
+        "dynamic": said(simulation.dynamic(&settings).map(parts)),
     })
 }

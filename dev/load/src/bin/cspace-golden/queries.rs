@@ -133,7 +133,7 @@ fn rates(from: Coordinates, to: Coordinates) -> Coordinates {
 }
 
 /// What serializes, or the message of an error.
-fn said<T: serde::Serialize, E: core::fmt::Display>(result: Result<T, E>) -> Value {
+pub(crate) fn said<T: serde::Serialize, E: core::fmt::Display>(result: Result<T, E>) -> Value {
     match result {
         Ok(value) => serde_json::to_value(value).unwrap_or(Value::Null),
         Err(error) => json!({ "refused": error.to_string() }),
