@@ -124,6 +124,11 @@ impl<T: Real> TrigPolynomial<T> {
         found: &mut impl FnMut(T, T),
         vague: &mut impl FnMut(T, T),
     ) {
+        // Of numbers out of range nothing can be said, on however short an interval.
+        if !self.twist.is_finite() {
+            vague(lo, hi);
+            return;
+        }
         let middle = T::constant(0.5);
         let (mid, half) = (middle * (lo + hi), 0.5 * (hi - lo).value());
         let (sin, cos) = mid.sin_cos();
