@@ -1,7 +1,7 @@
 //! Doors to the arithmetic for fuzz targets. No part of the library's interface: it may change with every version.
 
-use crate::contact::{EndAngle, EndAt, Seam, Sheet, SheetKind, Spiral, Swing, conditions};
-use crate::geometry::{Point, Vector};
+use crate::contact::{Locus, SheetKind, Spiral, conditions};
+use crate::geometry::Vector;
 use crate::number::{Ball, Dd, Dual, Real, Trig, TrigPolynomial};
 
 /// An orientation and its error, radians.
@@ -47,51 +47,25 @@ pub struct Curve {
 
 /// All orientations at which the crossings of two contact curves can come or go.
 pub fn events(f: &Curve, g: &Curve, mid: f64, half: f64) -> Vec<Root> {
-    let (f, g) = (sheet(f, 0), sheet(g, 2));
     let mut all = Vec::new();
-    conditions(&f, &g, &f.shared_ends(&g, u32::MAX), |trig| {
-        all.extend(roots(&trig, mid, half));
-    });
+    let take = |_, condition: Trig| all.extend(roots(&condition, mid, half));
+    conditions(&locus(f), &locus(g), [false; 2], |_| true, take);
     all
 }
 
-fn sheet(curve: &Curve, name: u32) -> Sheet {
-    let (kind, normal) = match curve.carrier {
-        Carrier::Circle(..) => (SheetKind::RoundRound, Vector::ZERO),
-        Carrier::Line(normal) => (SheetKind::LineRound, normal),
-        Carrier::TurningLine(normal) => (SheetKind::RoundLine, normal),
+fn locus(curve: &Curve) -> Locus {
+    let (kind, through, normal, radius) = match curve.carrier {
+        Carrier::Circle(center, radius) => (SheetKind::RoundRound, center, Vector::ZERO, radius),
+        Carrier::Line(normal) => (SheetKind::LineRound, curve.start, normal, 0.0),
+        Carrier::TurningLine(normal) => (SheetKind::RoundLine, curve.start, normal, 0.0),
     };
-    let (center, radius) = match curve.carrier {
-        Carrier::Circle(center, radius) => (center, radius),
-        _ => (curve.start, 0.0),
-    };
-    let angle = EndAngle {
-        offset: 0.0,
-        turns: false,
-    };
-    Sheet {
+    Locus {
         kind,
-        fixed: name,
-        moving: name,
-        lo: -4.0,
-        hi: 4.0,
-        from: Dd::from(-4.0),
-        to: Dd::from(4.0),
-        start_at: EndAt::Fixed(0),
-        end_at: EndAt::Fixed(1),
-        fixed_point: center.u,
-        moving_point: Point::ORIGIN - center.w,
-        swing: Swing::NONE,
+        through,
         normal,
         radius,
         start: curve.start,
         end: curve.end,
-        start_name: name,
-        end_name: name + 1,
-        start_angle: angle,
-        end_angle: angle,
-        bottom: Seam::Window,
-        top: Seam::Window,
     }
 }
 

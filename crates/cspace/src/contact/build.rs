@@ -7,6 +7,7 @@ use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
 
 use super::end_names::EndNames;
+use super::locus::Locus;
 use super::sheet::{EndAngle, EndAt, Seam, Sheet, SheetKind};
 use super::spiral::{Spiral, Swing};
 use super::symmetry::{Period, Span};
@@ -124,69 +125,66 @@ impl Builder<'_> {
         let (b_lo, b_hi) = b.joints_by_angle();
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.lo - b.lo - PI);
         let (lo_seam, hi_seam) = (self.line_seam(ia, b_hi), self.line_seam(ia, b_lo));
-        let normal = self.fixed.start(a).normal;
-        let sheet = Sheet {
+        let ends = [a.start, a.end].map(|joint| SheetEnd {
+            spiral: self.fixed_joint_spiral(joint, b),
+            name: self.fixed_joint_name(joint, ib, b),
+            angle: EndAngle::NONE,
+            at: EndAt::Fixed(joint),
+        });
+        let locus = Locus {
             kind: SheetKind::LineRound,
-            fixed: ia,
-            moving: ib,
-            start_at: EndAt::Fixed(a.start),
-            end_at: EndAt::Fixed(a.end),
-            fixed_point: self.fixed.start(a).point,
-            moving_point: b.center(),
-            normal,
+            through: ends[0].spiral,
+            normal: self.fixed.start(a).normal,
             radius: b.radius(),
-            start: self.fixed_joint_spiral(a.start, b),
-            end: self.fixed_joint_spiral(a.end, b),
-            start_name: self.fixed_joint_name(a.start, ib, b),
-            end_name: self.fixed_joint_name(a.end, ib, b),
-            ..Sheet::BLANK
+            start: ends[0].spiral,
+            end: ends[1].spiral,
         };
-        self.add_line(
-            &sheet,
-            [
-                (theta_lo, (a.start, b_hi), lo_seam),
-                (theta_hi, (a.start, b_lo), hi_seam),
-            ],
-        );
+        let bounds = [
+            (theta_lo, (a.start, b_hi), lo_seam),
+            (theta_hi, (a.start, b_lo), hi_seam),
+        ];
+        self.add_line((ia, ib), &locus, &ends, bounds);
     }
 
     fn add_round_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
         let (a_lo, a_hi) = a.joints_by_angle();
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         let (lo_seam, hi_seam) = (self.joint_seam(a_lo, ib), self.joint_seam(a_hi, ib));
-        let sheet = Sheet {
+        let ends = [b.start, b.end].map(|joint| SheetEnd {
+            spiral: self.moving_joint_spiral(a, joint),
+            name: self.moving_joint_name(ia, a, joint),
+            angle: EndAngle::NONE,
+            at: EndAt::Moving(joint),
+        });
+        let locus = Locus {
             kind: SheetKind::RoundLine,
-            fixed: ia,
-            moving: ib,
-            start_at: EndAt::Moving(b.start),
-            end_at: EndAt::Moving(b.end),
-            fixed_point: a.center(),
-            moving_point: self.moving.start(b).point,
+            through: ends[0].spiral,
             normal: -self.moving.start(b).normal,
             radius: a.radius(),
-            start: self.moving_joint_spiral(a, b.start),
-            end: self.moving_joint_spiral(a, b.end),
-            start_name: self.moving_joint_name(ia, a, b.start),
-            end_name: self.moving_joint_name(ia, a, b.end),
-            ..Sheet::BLANK
+            start: ends[0].spiral,
+            end: ends[1].spiral,
         };
-        self.add_line(
-            &sheet,
-            [
-                (theta_lo, (a_lo, b.start), lo_seam),
-                (theta_hi, (a_hi, b.start), hi_seam),
-            ],
-        );
+        let bounds = [
+            (theta_lo, (a_lo, b.start), lo_seam),
+            (theta_hi, (a_hi, b.start), hi_seam),
+        ];
+        self.add_line((ia, ib), &locus, &ends, bounds);
     }
 
     /// Adds the sheet of a line: its least and its greatest orientation, the joints whose normals oppose each other there, and
     /// what it meets.
-    fn add_line(&mut self, sheet: &Sheet, bounds: [(f64, (u32, u32), Seam); 2]) {
+    fn add_line(
+        &mut self,
+        features: (u32, u32),
+        locus: &Locus,
+        ends: &[SheetEnd; 2],
+        bounds: [(f64, (u32, u32), Seam); 2],
+    ) {
         self.instances(bounds[0].0, bounds[1].0, |this, shift, k| {
             let [lo, hi] = bounds.map(|(theta, (fixed, moving), seam)| {
                 Bound::new(this.alignment(fixed, moving, theta + shift), seam)
             });
-            this.push(*sheet, lo, hi, k, 0);
+            this.push(features, locus, ends, [lo, hi], (k, 0));
         });
     }
 
@@ -203,7 +201,7 @@ impl Builder<'_> {
         }
         let (a_lo, a_hi) = a.joints_by_angle();
         let (b_lo, b_hi) = b.joints_by_angle();
-        let (kind, fixed_point, moving_point, normal, swing) = large(a, b);
+        let (kind, through, normal) = carrier(a, b);
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.
         let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
@@ -234,31 +232,20 @@ impl Builder<'_> {
                     this.fixed_end(ib, a, b, a_hi, radius, a.hi)
                 };
                 // Travel goes with the normal's angle on convex circles, against it on concave ones.
-                let (start, end) = if radius > 0.0 {
-                    (low, high)
+                let ends = if radius > 0.0 {
+                    [low, high]
                 } else {
-                    (high, low)
+                    [high, low]
                 };
-                let sheet = Sheet {
+                let locus = Locus {
                     kind,
-                    fixed: ia,
-                    moving: ib,
-                    start_at: start.at,
-                    end_at: end.at,
-                    fixed_point,
-                    moving_point,
-                    swing,
+                    through,
                     normal,
                     radius,
-                    start: start.spiral,
-                    end: end.spiral,
-                    start_name: start.name,
-                    end_name: end.name,
-                    start_angle: start.angle,
-                    end_angle: end.angle,
-                    ..Sheet::BLANK
+                    start: ends[0].spiral,
+                    end: ends[1].spiral,
                 };
-                this.push(sheet, from, to, k, piece);
+                this.push((ia, ib), &locus, &ends, [from, to], (k, piece));
             }
         });
     }
@@ -275,30 +262,50 @@ impl Builder<'_> {
         }
     }
 
-    /// Cuts a sheet to the window and keeps it if anything is left.
-    fn push(&mut self, mut sheet: Sheet, from: Bound, to: Bound, k: i32, piece: u8) {
-        (sheet.from, sheet.bottom) = (from.theta, from.seam);
-        (sheet.to, sheet.top) = (to.theta, to.seam);
+    /// Cuts a sheet to the window and keeps it if anything is left. `piece` is the turn in which it is, and which of its features'.
+    fn push(
+        &mut self,
+        (fixed, moving): (u32, u32),
+        locus: &Locus,
+        [start, end]: &[SheetEnd; 2],
+        [mut from, mut to]: [Bound; 2],
+        (k, piece): (i32, u8),
+    ) {
         let span = self.span;
-        if sheet.from < span.from() {
-            sheet.from = span.from();
-            sheet.bottom = if span.full {
-                Seam::Wrap(sheet.fixed, sheet.moving, k, piece)
+        if from.theta < span.from() {
+            let seam = if span.full {
+                Seam::Wrap(fixed, moving, k, piece)
             } else {
                 Seam::Window
             };
+            from = Bound::new(span.from(), seam);
         }
-        if sheet.to > span.to() {
-            sheet.to = span.to();
-            sheet.top = if span.full {
-                self.seam_below(sheet.fixed, sheet.moving, k, piece)
+        if to.theta > span.to() {
+            let seam = if span.full {
+                self.seam_below(fixed, moving, k, piece)
             } else {
                 Seam::Window
             };
+            to = Bound::new(span.to(), seam);
         }
-        (sheet.lo, sheet.hi) = (sheet.from.to_f64(), sheet.to.to_f64());
-        if (sheet.to - sheet.from).to_f64() > SHORTEST {
-            self.sheets.push(sheet);
+        if (to.theta - from.theta).to_f64() > SHORTEST {
+            self.sheets.push(Sheet {
+                fixed,
+                moving,
+                lo: from.theta.to_f64(),
+                hi: to.theta.to_f64(),
+                from: from.theta,
+                to: to.theta,
+                start_at: start.at,
+                end_at: end.at,
+                locus: *locus,
+                start_name: start.name,
+                end_name: end.name,
+                start_angle: start.angle,
+                end_angle: end.angle,
+                bottom: from.seam,
+                top: to.seam,
+            });
         }
     }
 
@@ -421,37 +428,33 @@ fn swing(n: Vector, m: Vector, radius: f64) -> Swing {
     }
 }
 
-/// What the circle of two round features is written by: both centres; or if one is far away, a point of the circle near the parts
-/// and the normal there, which is on the arc it belongs to.
-fn large(a: &Feature, b: &Feature) -> (SheetKind, Point, Point, Vector, Swing) {
+/// What the circle of two round features is written by: the spiral of its centre; or if one is far away, that of a point of the circle
+/// near the parts, and the normal there, which is on the arc it belongs to.
+fn carrier(a: &Feature, b: &Feature) -> (SheetKind, Spiral, Vector) {
+    let spiral = |fixed: Point, moving: Point| Spiral::new(fixed, -moving.to_vector());
     match (a.near, b.near) {
         (None, None) => (
             SheetKind::RoundRound,
-            a.center(),
-            b.center(),
+            spiral(a.center(), b.center()),
             Vector::ZERO,
-            Swing::NONE,
         ),
         (Some(n), None) => (
             SheetKind::FixedFlatArc,
-            n.point + n.normal * b.radius(),
-            b.center(),
+            spiral(n.point + n.normal * b.radius(), b.center()),
             n.normal,
-            Swing::NONE,
         ),
         (None, Some(m)) => (
             SheetKind::MovingFlatArc,
-            a.center(),
-            m.point + m.normal * a.radius(),
+            spiral(a.center(), m.point + m.normal * a.radius()),
             -m.normal,
-            Swing::NONE,
         ),
         (Some(n), Some(m)) => (
             SheetKind::FixedFlatArc,
-            n.point,
-            m.point,
+            Spiral {
+                swing: swing(n.normal, m.normal, b.radius()),
+                ..spiral(n.point, m.point)
+            },
             n.normal,
-            swing(n.normal, m.normal, b.radius()),
         ),
     }
 }

@@ -4,129 +4,106 @@
 //! or when they become tangent. Put a spiral u + R w into the equation of a line or of a circle, or a centre into a
 //! condition of tangency: each is α cos θ + β sin θ + γ = 0, with R w = w cos θ + left(w) sin θ.
 
-use crate::geometry::{Point, Vector};
-use crate::number::{Known, Real, Trig};
+use crate::geometry::Vector;
+use crate::number::{Distances, Real, Trig};
 
-use super::shared::SharedEnds;
-use super::sheet::{Sheet, SheetKind};
+use super::locus::Locus;
 use super::spiral::Spiral;
 
-/// Calls `take` with every condition of the pair.
-pub(crate) fn conditions(f: &Sheet, g: &Sheet, shared: &SharedEnds, mut take: impl FnMut(Trig)) {
-    let [f_end_shared, f_start_shared] = shared.corners.map(|c| c.is_some());
-    let mut passing = |shared: bool, end, over| {
-        if !shared {
-            take(on_carrier(end, over));
+/// Calls `take` with every condition of two loci that is `asked` for, and its number, by which it is asked for.
+///
+/// Of flat arcs the centres are far away: that is for double-double. `corners` tells whether the first ends, and starts, where
+/// the other starts, and ends.
+pub(crate) fn conditions<T: Real>(
+    f: &Locus<T>,
+    g: &Locus<T>,
+    [end_shared, start_shared]: [bool; 2],
+    asked: impl Fn(usize) -> bool,
+    mut take: impl FnMut(usize, Trig<T>),
+) {
+    let mut number = 0;
+    let mut ask = |condition: &dyn Fn() -> Trig<T>| {
+        if asked(number) {
+            take(number, condition());
         }
+        number += 1;
     };
-    passing(f_start_shared, &f.start, g);
-    passing(f_end_shared, &f.end, g);
-    // The end of f that is shared is the start of g, and the other way round.
-    passing(f_end_shared, &g.start, f);
-    passing(f_start_shared, &g.end, f);
-    match (f.is_circle(), g.is_circle()) {
-        (false, false) => {}
-        (false, true) => line_tangent(f, g, &mut take),
-        (true, false) => line_tangent(g, f, &mut take),
-        (true, true) => {
+    for (shared, end, over) in [
+        (start_shared, &f.start, g),
+        (end_shared, &f.end, g),
+        // The end of f that is shared is the start of g, and the other way round.
+        (end_shared, &g.start, f),
+        (start_shared, &g.end, f),
+    ] {
+        if !shared {
+            ask(&|| match over.center() {
+                Some(center) => apart(end, &center, over.radius),
+                None => height(end, over, T::constant(0.0)),
+            });
+        }
+    }
+    match (f.center(), g.center()) {
+        (None, None) => {}
+        (None, Some(center)) => {
+            for r in [g.radius, -g.radius] {
+                ask(&|| height(&center, f, r));
+            }
+        }
+        (Some(center), None) => {
+            for r in [f.radius, -f.radius] {
+                ask(&|| height(&center, g, r));
+            }
+        }
+        (Some(c), Some(d)) => {
             let (r, s) = (f.radius.abs(), g.radius.abs());
             for distance in [r + s, r - s] {
-                take(apart(&f.center(), &g.center(), distance.abs()));
+                ask(&|| apart(&c, &d, distance));
             }
         }
     }
 }
 
-/// Error of a length computed from coordinates, in units of the sizes of these.
-const LENGTH_ERROR: f64 = 4.0 * f64::EPSILON;
-
-/// The spiral on the line or circle.
-fn on_carrier(spiral: &Spiral, sheet: &Sheet) -> Trig {
-    if sheet.is_circle() {
-        return apart(spiral, &sheet.center(), sheet.radius.abs());
-    }
-    height(spiral, sheet, 0.0)
-}
-
-/// n·(p − start) − offset for a spiral p and a line.
-fn height(spiral: &Spiral, line: &Sheet, offset: f64) -> Trig {
-    let (stays, turns) = line.seen(spiral);
-    let scale = size(spiral) + size(&line.start) + offset.abs();
-    let line_turns = line.kind == SheetKind::RoundLine;
-    let [alpha, beta, gamma] = height_coefficients(line.normal, stays, turns, offset, line_turns);
-    let amplitude = turns.length();
-    let known = |value| Known {
-        value,
-        error: LENGTH_ERROR * scale,
-    };
+/// n·(p − through) − offset for a spiral p and a line, which may turn.
+fn height<T: Real>(p: &Spiral<T>, line: &Locus<T>, offset: T) -> Trig<T> {
+    let (stays, turns) = line.seen(p);
+    let beta = turns.cross(line.normal);
     Trig {
-        alpha,
-        beta,
-        gamma,
-        scale,
-        most: known(amplitude + gamma),
-        least: known(amplitude - gamma),
+        alpha: line.normal.dot(turns),
+        beta: if line.turns() { -beta } else { beta },
+        gamma: line.normal.dot(stays) - offset,
+        scale: size_of(p) + size_of(&line.through) + offset.value().abs(),
+        distances: None,
     }
 }
 
-/// n·(u + R w) − d as α cos θ + β sin θ + γ, of a way of which one part stays and the other turns as seen from the line's
-/// normal; the line itself may turn.
-pub(super) fn height_coefficients<T: Real>(
-    n: Vector<T>,
-    stays: Vector<T>,
-    turns: Vector<T>,
-    offset: T,
-    line_turns: bool,
-) -> [T; 3] {
-    let beta = turns.cross(n);
-    let beta = if line_turns { -beta } else { beta };
-    [n.dot(turns), beta, n.dot(stays) - offset]
-}
-
-/// |u + R w|² − d² as α cos θ + β sin θ + γ.
-pub(super) fn apart_coefficients<T: Real>(u: Vector<T>, w: Vector<T>, distance: T) -> [T; 3] {
-    let two = T::constant(2.0);
-    [
-        two * u.dot(w),
-        two * u.dot(w.left()),
-        u.length_squared() + w.length_squared() - distance * distance,
-    ]
-}
-
-/// |u + R w|² − d² for the difference u + R w of two spirals and a distance d.
-///
-/// With a = |u| and b = |w| its largest value is (a + b)² − d² and its least (a − b)² − d², both products of lengths: the
-/// angle of a triangle with the sides a, b and d, by its half.
-fn apart(p: &Spiral, q: &Spiral, distance: f64) -> Trig {
+/// |u + R w|² − d² for the difference u + R w of two spirals and a distance d of any sign.
+fn apart<T: Real>(p: &Spiral<T>, q: &Spiral<T>, distance: T) -> Trig<T> {
     let (u, w) = (p.u - q.u, p.w - q.w);
-    let (a, b) = (u.length(), w.length());
-    // u and w are differences of vectors of the pair's frame, of length 4 at most.
-    let scale = 4.0 * (a + b + distance);
-    let error = LENGTH_ERROR * (size(p) + size(q) + distance);
-    let product = |x: f64, y: f64| Known {
-        value: x * y,
-        error: error * (x.abs() + y.abs() + error),
-    };
-    let [alpha, beta, gamma] = apart_coefficients(u, w, distance);
+    let (two, d) = (T::constant(2.0), distance.value().abs());
+    let parts = size_of(p) + size_of(q) + d;
     Trig {
-        alpha,
-        beta,
-        gamma,
-        scale,
-        most: product(a + b - distance, a + b + distance),
-        least: product(distance - (a - b), distance + (a - b)),
+        alpha: two * u.dot(w),
+        beta: two * u.dot(w.left()),
+        gamma: u.length_squared() + w.length_squared() - distance * distance,
+        scale: (size(u) + size(w) + d) * parts,
+        distances: Some(Distances {
+            u,
+            w,
+            distance: distance.abs(),
+            parts,
+        }),
     }
 }
 
-fn line_tangent(line: &Sheet, circle: &Sheet, take: &mut impl FnMut(Trig)) {
-    for distance in [circle.radius, -circle.radius] {
-        take(height(&circle.center(), line, distance));
-    }
+/// The sum of a vector's coordinates, for the rounding of what is computed from it.
+fn size<T: Real>(v: Vector<T>) -> f64 {
+    v.x.value().abs() + v.y.value().abs()
 }
 
-fn size(spiral: &Spiral) -> f64 {
-    (spiral.u - Point::ORIGIN).length() + spiral.w.length()
+fn size_of<T: Real>(p: &Spiral<T>) -> f64 {
+    size(p.u.to_vector()) + size(p.w)
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests;

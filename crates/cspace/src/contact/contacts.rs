@@ -53,7 +53,7 @@ impl Contacts {
     /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
     /// second order, so that computing would tell little.
     fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
-        let lines = f.is_line() && g.is_line() && f.kind != g.kind;
+        let lines = f.is_line() && g.is_line() && f.locus.kind != g.locus.kind;
         let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
         let bridge = |before: &Sheet, after: &Sheet| {
             self.starting_at(before.end_name).any(|c| {

@@ -1,34 +1,59 @@
 //! Where two contact curves of one slice cross.
 
-use crate::feature::tolerance::{SAME_CARRIER, WIDEST_ARC};
+use crate::feature::tolerance::WIDEST_ARC;
 use crate::geometry::Point;
 
 use super::curve::Curve;
 use super::cycle::Cycle;
+use super::pair::Precision;
 
 /// A crossing of the lines or circles of two contact curves f and g.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Crossing {
-    pub(crate) point: Point,
+pub(crate) struct Crossing<T = f64> {
+    pub(crate) point: Point<T>,
     /// Whether travel along f enters the blocked side of g there (then g leaves that of f).
     pub(crate) enters: bool,
 }
 
 /// The crossing with the given name ([`Cycle::enters`](super::cycle::Cycle::enters)), wherever it lies on the lines or circles; of
-/// large circles only near the parts. Lines at an angle below [`SAME_CARRIER`] do not cross, whatever rounding makes of them.
-pub(crate) fn crossing(f: &Curve, g: &Curve, root: u8) -> Option<Crossing> {
+/// large circles only near the parts. Lines at an angle below [`Precision::PARALLEL`] do not cross, whatever rounding makes of them.
+pub(crate) fn crossing<T: Precision>(f: &Curve<T>, g: &Curve<T>, root: u8) -> Option<Crossing<T>> {
     let (mut c, d) = (f.cycle, &g.cycle);
     // From the end of a line that is nearer to the other, so that a crossing near an end is accurate.
     if c.is_line() && d.level(f.end).abs() <= d.level(f.start).abs() {
         c.through = f.end;
     }
-    let (place, enters) = c.crossing(d, root, SAME_CARRIER)?;
+    let (place, enters) = c.crossing(d, root, T::PARALLEL)?;
     let point = c.at(place);
     let large = [&c, d].into_iter().find(|cycle| cycle.is_large());
-    let is_near = |cycle: &Cycle| (cycle.place(point).x * cycle.weight).abs() < WIDEST_ARC;
+    let is_near =
+        |cycle: &Cycle<T>| (cycle.place(point).x * cycle.weight).value().abs() < WIDEST_ARC;
     large
         .is_none_or(is_near)
         .then_some(Crossing { point, enters })
+}
+
+/// For each root whether two curves cross there between their ends, and if so whether the first enters. Where the first ends, and
+/// starts, they may share a corner: that is no crossing.
+pub(crate) fn crossings<T: Precision>(
+    f: &Curve<T>,
+    g: &Curve<T>,
+    corners: [bool; 2],
+) -> [Option<bool>; 2] {
+    let mut found = [0, 1].map(|root| crossing(f, g, root));
+    for (shared, p) in corners.into_iter().zip([f.end, f.start]) {
+        if shared {
+            let distance =
+                |c: &Option<Crossing<T>>| c.map_or(f64::INFINITY, |c| c.point.distance(p).value());
+            let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
+            found[nearest] = None;
+        }
+    }
+    let is_on = |curve: &Curve<T>, p: Point<T>| curve.holds(curve.cycle.place(p));
+    found.map(|c| {
+        c.filter(|c| is_on(f, c.point) && is_on(g, c.point))
+            .map(|c| c.enters)
+    })
 }
 
 #[cfg(test)]

@@ -1,34 +1,36 @@
 //! A contact curve of one slice: a directed segment or arc with blocked space on its left.
 
-use core::f64::consts::PI;
-
 use crate::feature::tolerance::{JOINT, WIDEST_ARC};
-use crate::geometry::{Point, Rotation, Vector, wrap};
-
+use crate::geometry::{Point, Rotation, Vector};
+use crate::number::Ordered;
 use crate::part::Bounds;
 
 use super::cycle::Cycle;
 
 /// A directed segment or arc; free space, if any, is on the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Curve {
-    pub(crate) start: Point,
-    pub(crate) end: Point,
-    pub(crate) cycle: Cycle,
-    /// Its middle: of a circle by its centre the angle of the contact normal there (radians), of any other its place.
-    pub(crate) middle: f64,
+pub(crate) struct Curve<T = f64> {
+    pub(crate) start: Point<T>,
+    pub(crate) end: Point<T>,
+    pub(crate) cycle: Cycle<T>,
+    /// The place of its middle: of a circle by its centre the direction to about there, of length about one.
+    pub(crate) middle: Vector<T>,
     /// Half its length.
     pub(crate) half: f64,
 }
 
-impl Curve {
+impl<T: Ordered> Curve<T> {
     /// From its ends, and the angles of the contact normal there, which only a circle by its centre asks for (radians).
-    pub(crate) fn new(cycle: Cycle, [start, end]: [Point; 2], [from, to]: [f64; 2]) -> Self {
+    pub(crate) fn new(cycle: Cycle<T>, [start, end]: [Point<T>; 2], [from, to]: [f64; 2]) -> Self {
         let (middle, half) = if cycle.is_centred() {
-            (0.5 * (from + to), 0.5 * (to - from).abs() * cycle.size)
+            let direction = Vector::from_angle(0.5 * (from + to)) * cycle.weight.value();
+            let half = 0.5 * (to - from).abs() * cycle.size.value();
+            (direction.map(T::constant), half)
         } else {
             let [from, to] = [start, end].map(|p| cycle.place(p).x);
-            (0.5 * (from + to), 0.5 * (to - from).max(0.0))
+            let middle = T::constant(0.5) * (from + to);
+            let half = 0.5 * (to - from).value().max(0.0);
+            (Vector::new(middle, T::constant(0.0)), half)
         };
         Self {
             start,
@@ -39,43 +41,96 @@ impl Curve {
         }
     }
 
-    /// Turned by `theta`, of which `turn` is the rotation, then moved by `p`.
-    pub(crate) fn moved(&self, p: Vector, theta: f64, turn: Rotation) -> Self {
-        let turned = if self.cycle.is_centred() { theta } else { 0.0 };
-        Self {
-            start: turn * self.start + p,
-            end: turn * self.end + p,
-            cycle: self.cycle.moved(turn, p),
-            middle: self.middle + turned,
-            half: self.half,
+    /// Length of travel from about the middle of the curve to a place of its cycle.
+    #[inline]
+    pub(crate) fn length_to(&self, place: Vector<T>) -> T {
+        if self.cycle.is_centred() {
+            let (x, y) = (self.middle.dot(place), self.middle.cross(place));
+            return T::atan2(y, x) * self.cycle.radius();
+        }
+        place.x - self.middle.x
+    }
+
+    /// Length of travel from about the middle to a point of the curve.
+    #[inline]
+    pub(crate) fn position(&self, p: Point<T>) -> T {
+        self.length_to(self.cycle.place(p))
+    }
+
+    /// The point at a length of travel from about the middle.
+    #[inline]
+    pub(crate) fn point(&self, length: T) -> Point<T> {
+        if self.cycle.is_centred() {
+            let arm = Rotation::by(length / self.cycle.radius()) * self.middle;
+            return self.cycle.through + arm * (self.cycle.size / arm.length());
+        }
+        let place = Vector::new(length + self.middle.x, T::constant(0.0));
+        self.cycle.at(place)
+    }
+
+    /// A number that grows with the length of travel to a place: see [`Cycle::rank`].
+    #[inline]
+    pub(crate) fn rank(&self, place: Vector<T>) -> T {
+        self.cycle.rank(place, self.middle)
+    }
+
+    /// Lengths of travel from about the middle to both ends.
+    pub(crate) fn ends(&self) -> (T, T) {
+        self.ends_by(|place| self.length_to(place))
+    }
+
+    /// The ends by a number that grows with the length of travel, and is its negative as far before the middle.
+    fn ends_by(&self, number: impl Fn(Vector<T>) -> T) -> (T, T) {
+        let [start, end] = [self.start, self.end].map(|p| number(self.cycle.place(p)));
+        // All of a circle ends where it starts, half a turn from the middle.
+        if !self.cycle.is_centred() || start <= end {
+            (start, end)
+        } else if start.abs() > end.abs() {
+            (-start.abs(), end)
+        } else {
+            (start, end.abs())
         }
     }
 
-    /// Place of a point of the curve: length of travel from the middle.
-    #[inline]
-    pub(crate) fn position(&self, p: Point) -> f64 {
-        if self.cycle.is_centred() {
-            let v = (p - self.cycle.through) * self.cycle.weight;
-            return wrap(v.angle() - self.middle) * self.cycle.radius();
-        }
-        self.cycle.place(p).x - self.middle
+    /// Whether a place of its cycle is between its ends.
+    pub(crate) fn holds(&self, place: Vector<T>) -> bool {
+        let (rank, (lo, hi)) = (self.rank(place), self.ends_by(|v| self.rank(v)));
+        lo < rank && rank < hi
     }
 
-    /// The point at a place.
-    #[inline]
-    pub(crate) fn point(&self, s: f64) -> Point {
-        if self.cycle.is_centred() {
-            let radius = self.cycle.radius();
-            let normal = Vector::from_angle(self.middle + s / radius);
-            return self.cycle.through + normal * radius;
-        }
-        self.cycle.at(Vector::new(s + self.middle, 0.0))
+    /// Whether a point beside it is on its free side; `None` of a point beyond its ends.
+    pub(crate) fn is_free(&self, p: Point<T>) -> Option<bool> {
+        self.holds(self.cycle.place(p))
+            .then(|| self.cycle.level(p).value() >= 0.0)
+    }
+
+    /// How far outward along a direction from a point its line or circle lies, near that point and at right angles to it.
+    pub(crate) fn height(&self, p: Point<T>, outward: Vector<T>) -> T {
+        -self.cycle.distance(p) / self.cycle.normal_at(p).dot(outward)
     }
 
     /// The unit normal towards the free side at a point of the curve.
     #[inline]
-    pub(crate) fn normal(&self, p: Point) -> Vector {
+    pub(crate) fn normal(&self, p: Point<T>) -> Vector<T> {
         self.cycle.normal_at(p)
+    }
+}
+
+impl Curve {
+    /// Turned, then moved by `p`.
+    pub(crate) fn moved(&self, p: Vector, turn: Rotation) -> Self {
+        let middle = if self.cycle.is_centred() {
+            turn * self.middle
+        } else {
+            self.middle
+        };
+        Self {
+            start: turn * self.start + p,
+            end: turn * self.end + p,
+            cycle: self.cycle.moved(turn, p),
+            middle,
+            half: self.half,
+        }
     }
 
     /// The smallest distance t in (0, `limit`) at which the ray p + t d meets the curve; d is a unit vector.
@@ -97,37 +152,25 @@ impl Curve {
 
     /// A box that contains the curve.
     pub(crate) fn bounds(&self) -> Bounds {
-        let Bounds {
-            min: mut lo,
-            max: mut hi,
-        } = Bounds::of(self.start, self.end);
+        let mut bounds = Bounds::of(self.start, self.end);
         if self.cycle.is_centred() {
-            let (center, r) = (self.cycle.through, self.cycle.size);
-            let mid = if self.cycle.weight > 0.0 {
-                self.middle
-            } else {
-                self.middle + PI
-            };
-            let half = self.half / r;
-            if wrap(mid).abs() <= half {
-                hi.x = center.x + r;
-            }
-            if wrap(mid - PI).abs() <= half {
-                lo.x = center.x - r;
-            }
-            if wrap(mid - 0.5 * PI).abs() <= half {
-                hi.y = center.y + r;
-            }
-            if wrap(mid + 0.5 * PI).abs() <= half {
-                lo.y = center.y - r;
+            let (x, y) = (Vector::new(1.0, 0.0), Vector::new(0.0, 1.0));
+            for arm in [x, y, -x, -y].map(|axis| axis * self.cycle.size) {
+                if self.length_to(arm).abs() <= self.half {
+                    let p = self.cycle.through + arm;
+                    bounds = bounds.union(Bounds::of(p, p));
+                }
             }
         } else {
             // Twice the height of the arc over its chord, and more.
             let height = 0.25 * self.cycle.weight.abs() * (self.end - self.start).length_squared();
             let height = Vector::new(height, height);
-            (lo, hi) = (lo + -height, hi + height);
+            bounds = Bounds {
+                min: bounds.min + -height,
+                max: bounds.max + height,
+            };
         }
-        Bounds { min: lo, max: hi }
+        bounds
     }
 }
 

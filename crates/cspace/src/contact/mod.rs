@@ -34,10 +34,10 @@
 //!
 //! # Levels of precision
 //!
-//! 1. Doubles: `curve.rs`, `crossing.rs`. All lines and circles are cycles (`cycle.rs`); one whose centre is far from the parts is
-//!    written by a point near them, so that nothing in it is large.
-//! 2. Double-double (`exact/`), wherever doubles leave open which of two things is the case. The parts have been changed so that
-//!    nothing coincides at that level (see the features).
+//! All lines and circles are cycles (`cycle.rs`). A sheet has its locus (`locus.rs`) in doubles, and in double-double where doubles
+//! leave open which of two things is the case; curves, crossings and conditions are written once for both. The parts have been
+//! changed so that nothing coincides in double-double (see the features). A cycle whose centre is far from the parts is written by a
+//! point near them, so that nothing in it is large.
 
 mod build;
 mod condition;
@@ -47,8 +47,9 @@ mod curve;
 mod cycle;
 mod drawn;
 mod end_names;
-mod exact;
 mod function;
+mod locus;
+mod orientation;
 mod overlap;
 mod pair;
 mod placement;
@@ -59,20 +60,21 @@ mod symmetry;
 mod tangent;
 
 pub(crate) use condition::conditions;
-pub(crate) use crossing::{Crossing, crossing};
+pub(crate) use crossing::{crossing, crossings};
 pub(crate) use curve::Curve;
 pub(crate) use cycle::{Cycle, PLACE_ERROR};
 pub use drawn::{
     ContactValue, FeatureShape, Touching, TouchingPlace, contact_function, touching, touching_place,
 };
-pub(crate) use exact::{ExactCurve, ExactSheet, ExactTurn, Rough, exact_crossings};
 pub use function::ContactFunction;
-pub(crate) use overlap::{Body, overlap};
-pub(crate) use pair::{Bodies, Geometry, Placed, growths};
-pub use placement::Placement;
-pub(crate) use shared::SharedEnds;
 #[cfg(feature = "fuzzing")]
-pub(crate) use sheet::{EndAngle, EndAt, SheetKind};
+pub(crate) use locus::Locus;
+pub(crate) use orientation::Orientation;
+pub(crate) use overlap::{Body, overlap};
+pub(crate) use pair::{Bodies, Geometry, Placed, Precision, growths};
+pub use placement::Placement;
+#[cfg(feature = "fuzzing")]
+pub(crate) use sheet::SheetKind;
 pub(crate) use sheet::{Seam, Sheet};
 pub use spiral::{Spiral, Swing};
 pub(crate) use symmetry::{Permutation, SlabMotion, Steps};

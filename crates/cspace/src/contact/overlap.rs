@@ -90,7 +90,7 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
     let turn = Rotation::by(theta);
     let shift = p.to_vector();
     for g in &moving.curves {
-        let g = g.moved(shift, theta, turn);
+        let g = g.moved(shift, turn);
         let around = g.bounds();
         let meets = |b: &Bounds| !b.is_apart(around, 0.0);
         if (fixed.boxes).any(meets, |f| cross(&fixed.curves[f as usize], &g)) {

@@ -1,11 +1,21 @@
 //! Everything about a pair of parts that does not depend on the orientation.
 
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION};
+use std::sync::OnceLock;
+
+use crate::feature::tolerance::{
+    GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION, SAME_CARRIER,
+};
 use crate::feature::{Growths, Outline, PairFrame, Perturbation, inscribed_disc};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
+use crate::number::{Dd, Ordered};
+
 use super::contacts::Contacts;
+use super::curve::Curve;
+use super::cycle::Cycle;
+use super::locus::Locus;
+use super::orientation::Orientation;
 use super::overlap::{Body, overlap};
 use super::symmetry::{Period, Span, Steps};
 
@@ -26,6 +36,33 @@ pub(crate) struct Geometry {
     pub(crate) growths: (f64, f64),
     fixed_body: Body,
     moving_body: Body,
+    /// The loci of sheets in double-double, each made when it is first asked for.
+    exact: Vec<OnceLock<Box<Locus<Dd>>>>,
+}
+
+/// The numbers in which the loci of a pair are known: doubles and double-double.
+pub(crate) trait Precision: Ordered {
+    /// Lines are parallel if the sine of the angle between them is smaller.
+    const PARALLEL: f64;
+    /// The locus of a sheet.
+    fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self>;
+}
+
+impl Precision for f64 {
+    const PARALLEL: f64 = SAME_CARRIER;
+    fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self> {
+        &geometry.contacts.sheets[sheet as usize].locus
+    }
+}
+
+impl Precision for Dd {
+    const PARALLEL: f64 = 1e-28;
+    fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self> {
+        geometry.exact[sheet as usize].get_or_init(|| {
+            let rough = &geometry.contacts.sheets[sheet as usize];
+            Box::new(Locus::exact(&geometry.fixed, &geometry.moving, rough))
+        })
+    }
 }
 
 /// A part as it is to be computed.
@@ -98,6 +135,16 @@ impl Geometry {
         )?;
         let span = Span::slab(&outlines.fixed, &outlines.moving, steps.slabs);
         Some(outlines.sheets(span, period, most))
+    }
+
+    /// All of the line or circle of a sheet at an orientation.
+    pub(crate) fn cycle<T: Precision>(&self, sheet: u32, turn: Rotation<T>) -> Cycle<T> {
+        T::locus(self, sheet).cycle(turn)
+    }
+
+    /// The curve of a sheet at an orientation.
+    pub(crate) fn curve<T: Precision>(&self, sheet: u32, at: &Orientation<T>) -> Curve<T> {
+        self.contacts.sheets[sheet as usize].curve_on(T::locus(self, sheet), at)
     }
 
     pub(crate) fn fixed_part(&self) -> &Part {
@@ -220,6 +267,7 @@ impl Outlines {
         let scale = self.frame.scale;
         let disc = |body: &Body| inscribed_disc(body.part(), body.center(), scale);
         Geometry {
+            exact: (contacts.sheets.iter()).map(|_| OnceLock::new()).collect(),
             frame: self.frame,
             fixed_disc: disc(&self.fixed_body),
             moving_disc: disc(&self.moving_body),

@@ -10,15 +10,15 @@ use super::spiral::Spiral;
 pub(crate) struct SharedEnds {
     /// The carriers are one, or tangent at every orientation: the curves do not cross.
     pub(crate) tangent: bool,
-    /// Ends at which they cross, but only there.
-    pub(crate) corners: [Option<Spiral>; 2],
+    /// Whether they cross where the first ends, and where it starts, but only there.
+    pub(crate) corners: [bool; 2],
 }
 
 impl Sheet {
     /// Whether both curves are lines that are parallel at every orientation, or opposite.
     pub(crate) fn is_parallel(&self, other: &Self) -> bool {
-        let lines = self.is_line() && self.kind == other.kind;
-        lines && self.normal.cross(other.normal).abs() <= SAME_CARRIER
+        let lines = self.is_line() && self.locus.kind == other.locus.kind;
+        lines && self.locus.normal.cross(other.locus.normal).abs() <= SAME_CARRIER
     }
 
     /// The ends that two sheets share.
@@ -39,16 +39,12 @@ impl Sheet {
         shared
     }
 
-    /// The ends of two vertices that it shares with another sheet: its own end, and its start.
-    pub(crate) fn shared_corners(
-        &self,
-        other: &Self,
-        first_vertex_name: u32,
-    ) -> [Option<Spiral>; 2] {
+    /// Whether its own end, and its start, is an end of two vertices that it shares with another sheet.
+    pub(crate) fn shared_corners(&self, other: &Self, first_vertex_name: u32) -> [bool; 2] {
         let corner = |name: u32, other: u32| name == other && name >= first_vertex_name;
         [
-            corner(self.end_name, other.start_name).then_some(self.end),
-            corner(self.start_name, other.end_name).then_some(self.start),
+            corner(self.end_name, other.start_name),
+            corner(self.start_name, other.end_name),
         ]
     }
 
@@ -61,7 +57,7 @@ impl Sheet {
         if !(self.is_circle() && other.is_circle()) {
             return None;
         }
-        let (c, d) = (self.center(), other.center());
+        let (c, d) = (self.locus.through, other.locus.through);
         let apart = (d.u - c.u).length() + (d.w - c.w).length();
         (0.0 < apart && apart < CLOSE_CENTERS).then_some((c, apart))
     }

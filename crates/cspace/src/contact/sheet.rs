@@ -1,13 +1,14 @@
 //! The surface on which two features touch, before it is cut where other features are in the way.
 
 use crate::feature::tolerance::{LONGEST, SMALL_CIRCLE, WIDEST_SAGITTA};
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::Rotation;
+use crate::number::{Dd, Ordered, Real};
 
 use super::curve::Curve;
 use super::cycle::Cycle;
 use super::function::ContactFunction;
-use super::spiral::{Spiral, Swing};
-use crate::number::{Dd, Real};
+use super::locus::Locus;
+use super::orientation::Orientation;
 
 /// Which features touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,7 +78,6 @@ pub(crate) enum EndAt {
 /// The contact of one feature pair over an interval of orientations in which its ends keep their identity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sheet {
-    pub(crate) kind: SheetKind,
     pub(crate) fixed: u32,
     pub(crate) moving: u32,
     pub(crate) lo: f64,
@@ -87,20 +87,7 @@ pub(crate) struct Sheet {
     pub(crate) to: Dd,
     pub(crate) start_at: EndAt,
     pub(crate) end_at: EndAt,
-    /// Centre of the fixed round feature, or a point of the fixed line. Of a flat arc, the point it goes through is this less the
-    /// moving one, turned, and the swing.
-    pub(crate) fixed_point: Point,
-    /// Centre of the moving round feature, or a point of the moving line.
-    pub(crate) moving_point: Point,
-    /// Only for two large arcs.
-    pub(crate) swing: Swing,
-    /// Normal on the fixed part: of the fixed line, or minus the normal of the moving line (to be turned). Of a flat arc, where it
-    /// goes through its point.
-    pub(crate) normal: Vector,
-    /// Sum of the signed radii.
-    pub(crate) radius: f64,
-    pub(crate) start: Spiral,
-    pub(crate) end: Spiral,
+    pub(crate) locus: Locus,
     /// Identity of the end: equal for the two sheets that share it.
     pub(crate) start_name: u32,
     pub(crate) end_name: u32,
@@ -112,66 +99,29 @@ pub(crate) struct Sheet {
 }
 
 impl Sheet {
-    /// Nothing yet.
-    pub(super) const BLANK: Self = Self {
-        kind: SheetKind::RoundRound,
-        fixed: 0,
-        moving: 0,
-        lo: 0.0,
-        hi: 0.0,
-        from: Dd::ZERO,
-        to: Dd::ZERO,
-        start_at: EndAt::Fixed(0),
-        end_at: EndAt::Fixed(0),
-        fixed_point: Point::ORIGIN,
-        moving_point: Point::ORIGIN,
-        swing: Swing::NONE,
-        normal: Vector::ZERO,
-        radius: 0.0,
-        start: Spiral::new(Point::ORIGIN, Vector::ZERO),
-        end: Spiral::new(Point::ORIGIN, Vector::ZERO),
-        start_name: 0,
-        end_name: 0,
-        start_angle: EndAngle::NONE,
-        end_angle: EndAngle::NONE,
-        bottom: Seam::Window,
-        top: Seam::Window,
-    };
-
-    /// A spiral from the start of a line, seen by its normal: what stays, and what turns.
-    pub(crate) fn seen(&self, spiral: &Spiral) -> (Vector, Vector) {
-        let (u, w) = (spiral.u - self.start.u, spiral.w - self.start.w);
-        if self.turns() {
-            // R n · (u + R w) = n·w + (R n)·u.
-            (w, u)
-        } else {
-            (u, w)
-        }
-    }
-
     /// Whether its curves are circles about a centre.
     #[inline]
     pub(crate) fn is_circle(&self) -> bool {
-        self.kind == SheetKind::RoundRound
+        self.locus.kind == SheetKind::RoundRound
     }
 
     /// Whether its curves are circles so small that doubles do not tell places on them.
     #[inline]
     pub(crate) fn is_small(&self) -> bool {
-        self.is_circle() && self.radius.abs() < SMALL_CIRCLE
+        self.is_circle() && self.locus.radius.abs() < SMALL_CIRCLE
     }
 
     /// Whether its curves are lines.
     #[inline]
     pub(crate) fn is_line(&self) -> bool {
-        matches!(self.kind, SheetKind::LineRound | SheetKind::RoundLine)
+        matches!(self.locus.kind, SheetKind::LineRound | SheetKind::RoundLine)
     }
 
     /// Whether its curves are flat arcs.
     #[inline]
     pub(crate) fn is_flat_arc(&self) -> bool {
         matches!(
-            self.kind,
+            self.locus.kind,
             SheetKind::FixedFlatArc | SheetKind::MovingFlatArc
         )
     }
@@ -179,106 +129,42 @@ impl Sheet {
     /// Whether a flat arc is involved: its curve is one, or its ends move with one.
     #[inline]
     pub(crate) fn is_flat(&self) -> bool {
-        self.is_flat_arc() || !self.start.swing.is_none() || !self.end.swing.is_none()
-    }
-
-    fn turns(&self) -> bool {
-        matches!(self.kind, SheetKind::RoundLine | SheetKind::MovingFlatArc)
+        self.is_flat_arc() || !self.locus.start.swing.is_none() || !self.locus.end.swing.is_none()
     }
 
     /// How far a flat arc may be off its chord: half the height of the largest circle over all of the pair, or what an arc may
     /// turn that is part of it. 0 for a line.
     pub(crate) fn height(&self) -> f64 {
         if self.is_flat_arc() {
-            let whole = 0.125 * LONGEST * LONGEST / self.radius.abs();
+            let whole = 0.125 * LONGEST * LONGEST / self.locus.radius.abs();
             whole.min(WIDEST_SAGITTA)
         } else {
             0.0
         }
     }
 
-    /// The spiral that its carrier is placed by: a position on it, or its centre.
-    pub(crate) fn any(&self) -> Spiral {
-        if self.is_line() {
-            self.start
-        } else {
-            self.near()
-        }
-    }
-
-    /// A position through which a flat arc goes.
-    #[inline]
-    fn near(&self) -> Spiral {
-        Spiral {
-            u: self.fixed_point,
-            w: -self.moving_point.to_vector(),
-            swing: self.swing,
-        }
-    }
-
-    /// The outward normal of the fixed line, or of the turning one, at an orientation; of a flat arc where it goes through its
-    /// point. Not for circles.
-    #[inline]
-    pub(crate) fn normal_at(&self, turn: Rotation) -> Vector {
-        if self.turns() {
-            turn * self.normal
-        } else {
-            self.normal
-        }
-    }
-
-    /// The circle's centre P − R Q, a spiral too.
-    #[inline]
-    pub(crate) fn center(&self) -> Spiral {
-        Spiral::new(self.fixed_point, -self.moving_point.to_vector())
-    }
-
-    /// The same circle, seen from a place that moves: in a frame that does not turn and has that place for its origin.
-    pub(crate) fn about(&self, place: &Spiral) -> Self {
-        Self {
-            fixed_point: self.fixed_point - place.u.to_vector(),
-            moving_point: self.moving_point + place.w,
-            start: self.start.about(place),
-            end: self.end.about(place),
-            ..*self
-        }
-    }
-
     /// Its curve at one orientation.
     pub(crate) fn curve(&self, theta: f64, turn: Rotation) -> Curve {
-        let ends = [self.start, self.end].map(|p| p.at(turn));
-        let angles = [self.start_angle, self.end_angle].map(|a| a.at(theta));
-        Curve::new(self.cycle(turn), ends, angles)
+        self.curve_on(&self.locus, &Orientation { theta, turn })
     }
 
-    /// Its contact function.
-    pub(crate) fn function(&self) -> ContactFunction {
-        match self.kind {
-            SheetKind::LineRound => ContactFunction::FixedLine {
-                normal: self.normal,
-                through: self.start,
-            },
-            SheetKind::RoundLine => ContactFunction::MovingLine {
-                normal: self.normal,
-                through: self.start,
-            },
-            SheetKind::RoundRound => ContactFunction::Circle {
-                center: self.center(),
-                radius: self.radius,
-            },
-            SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => ContactFunction::FlatCircle {
-                through: self.near(),
-                normal: self.normal,
-                turns: self.turns(),
-                radius: self.radius,
-            },
-        }
+    /// Its curve at one orientation, on the locus in numbers of any kind.
+    pub(crate) fn curve_on<T: Ordered>(&self, locus: &Locus<T>, at: &Orientation<T>) -> Curve<T> {
+        let theta = at.theta.value();
+        let angles = [self.start_angle, self.end_angle].map(|a| a.at(theta));
+        Curve::new(locus.cycle(at.turn), locus.ends(at.turn), angles)
     }
 
     /// All of the line or circle on which its curve lies at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
         self.function().cycle(turn)
+    }
+
+    /// Its contact function.
+    #[inline(always)]
+    pub(crate) fn function(&self) -> ContactFunction {
+        self.locus.function()
     }
 }
 

@@ -226,9 +226,9 @@ impl SlabMotion {
         }
     }
 
-    /// A curve at one orientation; `angle` is that of the rotation of positions.
-    pub(crate) fn curve(&self, c: &Curve, angle: f64) -> Curve {
-        c.moved(Vector::ZERO, angle, self.fixed)
+    /// A curve at one orientation.
+    pub(crate) fn curve(&self, c: &Curve) -> Curve {
+        c.moved(Vector::ZERO, self.fixed)
     }
 }
 

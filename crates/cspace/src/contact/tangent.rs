@@ -16,12 +16,12 @@ impl Sheet {
     /// about the same centres. Their curves do not cross, whatever rounding makes of it.
     pub(crate) fn same_circle(&self, other: &Self) -> bool {
         let apart = |a: Vector, b: Vector| (a - b).length() > SAME_CARRIER;
-        let (c, d) = (self.center(), other.center());
+        let (c, d) = (self.locus.through, other.locus.through);
         self.is_circle()
             && other.is_circle()
             && !apart(c.u.to_vector(), d.u.to_vector())
             && !apart(c.w, d.w)
-            && (self.radius.abs() - other.radius.abs()).abs() <= SAME_CARRIER
+            && (self.locus.radius.abs() - other.locus.radius.abs()).abs() <= SAME_CARRIER
     }
 
     /// Whether two flat arcs are one circle at every orientation at which both exist: the same three places are on both at the
@@ -51,19 +51,19 @@ impl Sheet {
             (false, true) => (self, other),
             (true, false) => (other, self),
             (true, true) => {
-                let (c, d) = (self.center(), other.center());
+                let (c, d) = (self.locus.through, other.locus.through);
                 let (u, w) = (c.u - d.u, c.w - d.w);
                 let apart = match (u.length() <= SAME_CARRIER, w.length() <= SAME_CARRIER) {
                     (false, true) => u.length(),
                     (true, false) => w.length(),
                     _ => return false,
                 };
-                let (r, s) = (self.radius.abs(), other.radius.abs());
+                let (r, s) = (self.locus.radius.abs(), other.locus.radius.abs());
                 return (apart - (r + s)).abs().min((apart - (r - s).abs()).abs()) <= SAME_CARRIER;
             }
         };
-        let (stays, turns) = line.seen(&circle.center());
-        let off = line.normal.dot(stays).abs() - circle.radius.abs();
+        let (stays, turns) = line.locus.seen(&circle.locus.through);
+        let off = line.locus.normal.dot(stays).abs() - circle.locus.radius.abs();
         turns.length() <= SAME_CARRIER && off.abs() <= SAME_CARRIER
     }
 }
@@ -132,8 +132,12 @@ impl Condition<'_> {
             Self::Circle(f, g, outer) => {
                 // |c − d|² = (r ± s)² for the centre c = X − r n and a circle about d, over −2 r.
                 let f = f.cycle(turn);
-                let r = real(if outer { g.radius } else { -g.radius });
-                let v = f.through - g.center().lift().at(turn);
+                let r = real(if outer {
+                    g.locus.radius
+                } else {
+                    -g.locus.radius
+                });
+                let v = f.through - g.locus.through.lift().at(turn);
                 let value = v.dot(f.normal) + r - (v.length_squared() - r * r) * half * f.weight;
                 (value, 1.0)
             }
@@ -144,7 +148,7 @@ impl Condition<'_> {
     fn pace(&self) -> f64 {
         let of = |s: &Spiral| s.turning().length();
         let (Self::Alike(f, g, _) | Self::Circle(f, g, _)) = *self;
-        1.0 + of(&f.any()) + of(&g.any())
+        1.0 + of(&f.locus.through) + of(&g.locus.through)
     }
 }
 
@@ -177,18 +181,11 @@ pub(super) mod tests {
     pub(in crate::contact) fn plain(sheet: &Sheet) -> Sheet {
         let spiral = |s: &Spiral| Spiral::new(s.u + s.swing.arm, s.turning());
         let mut plain = *sheet;
-        (plain.start, plain.end) = (spiral(&sheet.start), spiral(&sheet.end));
-        let near = spiral(&sheet.any());
-        if sheet.is_flat_arc() {
-            let inward = -(sheet.normal * sheet.radius);
-            let (mut u, mut w) = (near.u, near.w);
-            if sheet.kind == SheetKind::MovingFlatArc {
-                w = w + inward;
-            } else {
-                u += inward;
-            }
-            plain.kind = SheetKind::RoundRound;
-            (plain.fixed_point, plain.moving_point) = (u, Point::ORIGIN + -w);
+        let locus = &mut plain.locus;
+        (locus.start, locus.end) = (spiral(&locus.start), spiral(&locus.end));
+        locus.through = spiral(&locus.through);
+        if let Some(center) = locus.center() {
+            (locus.kind, locus.through) = (SheetKind::RoundRound, center);
         }
         plain
     }
@@ -336,11 +333,11 @@ pub(super) mod tests {
     fn what_is_all_but_tangent_is_known_to_its_own_digits() {
         let geometry = flat_geometry();
         let (f, ..) = (flat_pairs(&geometry).into_iter())
-            .find(|(f, ..)| f.is_flat_arc() && f.swing.is_none())
+            .find(|(f, ..)| f.is_flat_arc() && f.locus.through.swing.is_none())
             .unwrap();
         for angle in [1e-3_f64, 1e-6, -1e-6] {
             let mut g = *f;
-            g.normal = Rotation::by(angle) * f.normal;
+            g.locus.normal = Rotation::by(angle) * f.locus.normal;
             // Flat arcs of one curvature through one point: the squares of half the angle and no more.
             let condition = Condition::Alike(f, &g, true);
             let expected = 2.0 * (0.5 * angle).sin().powi(2);
@@ -356,9 +353,9 @@ pub(super) mod tests {
     /// A line that stands still, with its normal upwards.
     fn upright() -> Sheet {
         let geometry = flat_geometry();
-        let of = |s: &&Sheet| s.kind == SheetKind::LineRound && !s.is_flat();
+        let of = |s: &&Sheet| s.locus.kind == SheetKind::LineRound && !s.is_flat();
         let mut line = *geometry.contacts.sheets.iter().find(of).unwrap();
-        line.normal = Vector::new(0.0, 1.0);
+        line.locus.normal = Vector::new(0.0, 1.0);
         line
     }
 
@@ -368,7 +365,7 @@ pub(super) mod tests {
         let mut round = *(geometry.contacts.sheets.iter())
             .find(|s| s.is_circle())
             .unwrap();
-        (round.fixed_point, round.moving_point, round.radius) = (center, Point::ORIGIN, radius);
+        (round.locus.through, round.locus.radius) = (Spiral::new(center, Vector::ZERO), radius);
         round
     }
 
@@ -377,10 +374,10 @@ pub(super) mod tests {
     fn touching_at_two_orientations_is_not_touching_always() {
         let mut line = upright();
         let mut circle = round(Point::ORIGIN, 0.3);
-        circle.moving_point = Point::new(-1.0, 0.0);
+        circle.locus.through.w = Vector::new(1.0, 0.0);
         // At these and half a turn less them.
         for at in [0.0, FRAC_PI_2 - 0.05, FRAC_PI_2 + 0.05] {
-            line.start = Spiral::new(Point::new(0.0, at.sin() + 0.3), Vector::ZERO);
+            line.locus.through = Spiral::new(Point::new(0.0, at.sin() + 0.3), Vector::ZERO);
             let holds = |d: f64| {
                 let value = |c: Condition<'_>| dual(&c, at + d).value;
                 tangencies(&line, &circle).any(|c| value(c).abs() < 1e-14)

@@ -18,8 +18,9 @@ use crate::general::broad::discs::Cores;
 use crate::general::cells::sweep::Sweep;
 use crate::general::events::branch::on_sheets;
 use crate::general::events::clusters::{Clusters, Moment};
+use crate::general::events::coming::{PairEvents, pair_events};
 use crate::general::events::gathered::Gathered;
-use crate::general::events::trace::{PairEvents, branches, pair_events};
+use crate::general::events::trace::branches;
 use crate::general::events::triple::triple_events;
 use crate::general::limits::{
     MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS,

@@ -6,7 +6,7 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::Real;
+use super::{Ordered, Real};
 
 /// A number hi + lo with |lo| ≤ ulp(hi) / 2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -76,11 +76,6 @@ impl Dd {
     #[inline]
     pub(crate) fn to_real<T: Real>(self) -> T {
         T::constant(self.hi) + T::constant(self.lo)
-    }
-
-    #[inline]
-    pub(crate) fn abs(self) -> Self {
-        if self.is_negative() { -self } else { self }
     }
 
     #[inline]
@@ -322,6 +317,12 @@ impl Div<f64> for Dd {
     #[inline]
     fn div(self, o: f64) -> Self {
         self / Self::from(o)
+    }
+}
+
+impl Ordered for Dd {
+    fn atan2(y: Self, x: Self) -> Self {
+        Self::atan2(y, x)
     }
 }
 

@@ -15,5 +15,6 @@ pub use dual::{Dual, SecondOrder};
 pub(crate) use expansion::Expansion;
 pub(crate) use least::{Bounded, least};
 pub(crate) use polynomial::TrigPolynomial;
+pub(crate) use real::Ordered;
 pub use real::Real;
-pub(crate) use trig::{Event, Known, Trig};
+pub(crate) use trig::{Distances, Event, Trig};

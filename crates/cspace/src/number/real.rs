@@ -72,3 +72,16 @@ impl Real for f64 {
         self.hypot(other)
     }
 }
+
+/// A real number by which places on a curve can be ordered: doubles and double-double.
+pub(crate) trait Ordered: Real + PartialOrd {
+    /// The angle of the vector (x, y), in (−π, π].
+    fn atan2(y: Self, x: Self) -> Self;
+}
+
+impl Ordered for f64 {
+    #[inline]
+    fn atan2(y: Self, x: Self) -> Self {
+        y.atan2(x)
+    }
+}

@@ -2,28 +2,31 @@
 
 use core::f64::consts::TAU;
 
-/// A number and a bound on its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Known {
-    pub(crate) value: f64,
-    pub(crate) error: f64,
-}
+use super::{Dd, Ordered};
+use crate::geometry::Vector;
 
 /// The function α cos θ + β sin θ + γ, of amplitude A = √(α² + β²).
-///
-/// Where it all but touches zero, A and −γ are equal but for the last digits, and their difference is what the roots
-/// depend on. So it is given too, made from lengths before they are squared.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Trig {
-    pub(crate) alpha: f64,
-    pub(crate) beta: f64,
-    pub(crate) gamma: f64,
+pub(crate) struct Trig<T = f64> {
+    pub(crate) alpha: T,
+    pub(crate) beta: T,
+    pub(crate) gamma: T,
     /// A bound on the absolute values added up in any coefficient: the coefficients are right to a few ulps of it.
     pub(crate) scale: f64,
-    /// A + γ, its largest value.
-    pub(crate) most: Known,
-    /// A − γ, minus its least value.
-    pub(crate) least: Known,
+    /// What it is made of, if it is a difference of squares of distances.
+    pub(crate) distances: Option<Distances<T>>,
+}
+
+/// |u + R w|² − d²: of circles of nearly one radius about nearly one centre the differences of lengths are known, not those of
+/// their squares.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Distances<T> {
+    pub(crate) u: Vector<T>,
+    pub(crate) w: Vector<T>,
+    /// d ≥ 0.
+    pub(crate) distance: T,
+    /// A bound on the absolute values added up in any of the three lengths.
+    pub(crate) parts: f64,
 }
 
 /// An orientation known up to an error: radians.
@@ -41,8 +44,27 @@ impl Event {
     }
 }
 
-/// Error of a coefficient, in units of its scale.
-const COEFFICIENT_ERROR: f64 = 8.0 * f64::EPSILON;
+/// A number and a bound on its error.
+pub(crate) type Known<T> = (T, f64);
+
+/// Errors of coefficients, in units of their scale.
+pub(crate) trait Errors: Ordered {
+    /// Error of a coefficient.
+    const COEFFICIENT: f64;
+    /// Error of a length, in units of [`Distances::parts`].
+    const LENGTH: f64;
+}
+
+impl Errors for f64 {
+    const COEFFICIENT: f64 = 8.0 * Self::EPSILON;
+    const LENGTH: f64 = 4.0 * Self::EPSILON;
+}
+
+impl Errors for Dd {
+    const COEFFICIENT: f64 = 64.0 * Self::EPSILON;
+    const LENGTH: f64 = 64.0 * Self::EPSILON;
+}
+
 /// Error of an angle computed from exact coefficients, radians.
 const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
 /// A function that varies by less than this (in units of its scale) is constant up to rounding and has no roots.
@@ -53,22 +75,43 @@ const CONSTANT: f64 = 64.0 * f64::EPSILON;
 /// all.
 const LARGEST_ERROR: f64 = 1e-6;
 
+impl<T: Errors> Trig<T> {
+    /// A + γ, its largest value, and A − γ, minus its least.
+    ///
+    /// Where the function all but touches zero, A and −γ are equal but for the last digits, and the roots depend on their
+    /// difference. For distances, with a = |u| and b = |w|, it is (a + b)² − d² and d² − (a − b)², both products of lengths: the
+    /// angle of a triangle with the sides a, b and d, by its half.
+    pub(crate) fn extremes(&self) -> [Known<T>; 2] {
+        let Some(Distances {
+            u,
+            w,
+            distance: d,
+            parts,
+        }) = self.distances
+        else {
+            let amplitude = (self.alpha * self.alpha + self.beta * self.beta).sqrt();
+            let error = T::COEFFICIENT * self.scale;
+            return [amplitude + self.gamma, amplitude - self.gamma].map(|x| (x, error));
+        };
+        let (a, b) = (u.length(), w.length());
+        [(a + b - d, a + b + d), (d - (a - b), d + (a - b))].map(|(x, y)| {
+            let error = T::LENGTH * parts;
+            let sizes = x.value().abs() + y.value().abs();
+            (x * y, error * (sizes + error))
+        })
+    }
+}
+
 impl Trig {
     /// From coefficients that are right to a few ulps of `scale`, and nothing better known.
     #[cfg(any(test, feature = "fuzzing"))]
     pub(crate) fn from_coefficients([alpha, beta, gamma]: [f64; 3], scale: f64) -> Self {
-        let amplitude = alpha.hypot(beta);
-        let known = |value| Known {
-            value,
-            error: COEFFICIENT_ERROR * scale,
-        };
         Self {
             alpha,
             beta,
             gamma,
             scale,
-            most: known(amplitude + gamma),
-            least: known(amplitude - gamma),
+            distances: None,
         }
     }
 
@@ -87,7 +130,7 @@ impl Trig {
     ) {
         let square = self.alpha * self.alpha + self.beta * self.beta;
         let value = self.alpha * cos + self.beta * sin + self.gamma;
-        let slack = COEFFICIENT_ERROR * self.scale;
+        let slack = f64::COEFFICIENT * self.scale;
         // |value| ≤ A half is necessary for a root within the interval.
         if (value.abs() - slack).max(0.0).powi(2) > square * half * half * (1.0 + 1e-12) {
             return;
@@ -96,9 +139,9 @@ impl Trig {
         if amplitude <= CONSTANT * self.scale {
             return;
         }
-        let (most, least) = (self.most, self.least);
-        let up_to = |k: Known| (k.value + k.error).max(0.0);
-        let down_to = |k: Known| (k.value - k.error).max(0.0);
+        let [most, least] = self.extremes();
+        let up_to = |k: Known<f64>| (k.0 + k.1).max(0.0);
+        let down_to = |k: Known<f64>| (k.0 - k.1).max(0.0);
         if up_to(most) == 0.0 || up_to(least) == 0.0 {
             return;
         }
@@ -113,10 +156,10 @@ impl Trig {
         };
         // What may be nothing is taken for nothing: the middle of two roots, if there are any, is known best, unless
         // that is too far from them.
-        let none = |k: Known| if down_to(k) > 0.0 { k.value } else { 0.0 };
+        let none = |k: Known<f64>| if down_to(k) > 0.0 { k.0 } else { 0.0 };
         let (aside, error) = Some(from(angle(none(most), none(least))))
             .filter(|(_, error)| *error <= LARGEST_ERROR)
-            .unwrap_or_else(|| from(angle(most.value.max(0.0), least.value.max(0.0))));
+            .unwrap_or_else(|| from(angle(most.0.max(0.0), least.0.max(0.0))));
         let error = error.min(LARGEST_ERROR);
         let middle = self.beta.atan2(self.alpha);
         let mut report = |theta: f64| {
@@ -127,6 +170,60 @@ impl Trig {
         report(middle + aside);
         if aside > 0.0 {
             report(middle - aside);
+        }
+    }
+}
+
+/// In double-double: parts are changed so far that a double root is one by their making, as where two arcs face each other and the
+/// contact of their ends touches the circle of their contacts. What only touches zero changes nothing, and is no root.
+impl Trig<Dd> {
+    /// Whether it has just one root near to one found in doubles to within an error, and [`root_near`](Self::root_near) finds it.
+    pub(crate) fn is_simple(&self, theta: f64, error: f64) -> bool {
+        /// The angle from a double root, at least.
+        const FAR: f64 = 1e-3;
+        // The cube of the distance of a root from where doubles find it, in double-double, is nothing.
+        let near = 10.0 * error;
+        let [alpha, beta, gamma] = [self.alpha, self.beta, self.gamma].map(Dd::to_f64);
+        let (sin, cos) = theta.sin_cos();
+        let slope = beta * cos - alpha * sin;
+        let value = alpha * cos + beta * sin + gamma;
+        slope.abs() > FAR * alpha.hypot(beta)
+            && value.abs() <= near * slope.abs()
+            && slope.abs() > FAR * self.scale
+    }
+
+    /// The root near to where doubles find it: by the parabola there.
+    pub(crate) fn root_near(&self, theta: f64) -> (Dd, f64) {
+        let (sin, cos) = Dd::from(theta).sin_cos();
+        let wave = self.alpha * cos + self.beta * sin;
+        let (value, slope, bend) = (wave + self.gamma, self.beta * cos - self.alpha * sin, -wave);
+        let step = -(value / slope);
+        let step = step - step * step * bend / slope * 0.5;
+        let error = 2.0 * Dd::COEFFICIENT * self.scale / slope.to_f64().abs() + Dd::COEFFICIENT;
+        (Dd::from(theta) + step, error)
+    }
+
+    /// Calls `found` with its roots up to whole turns, and their errors: as in doubles.
+    pub(crate) fn exact_roots(&self, mut found: impl FnMut(Dd, f64)) {
+        let (alpha, beta) = (self.alpha, self.beta);
+        let a = (alpha * alpha + beta * beta).sqrt().to_f64();
+        let error = Dd::COEFFICIENT * self.scale;
+        if a <= 4.0 * error {
+            return;
+        }
+        let [(most, most_error), (least, least_error)] = self.extremes();
+        let (m, l) = (most.to_f64(), least.to_f64());
+        if m <= most_error || l <= least_error {
+            return;
+        }
+        let middle = Dd::atan2(beta, alpha);
+        let aside = Dd::atan2(most.sqrt(), least.sqrt()).scaled(2.0);
+        // By the derivatives of twice the angle whose tangent is √(most / least).
+        let of_aside = (m * l).sqrt() / (m + l) * (most_error / m + least_error / l);
+        let error = 2.0 * (of_aside + error / a) + Dd::COEFFICIENT;
+        found(middle + aside, error);
+        if !aside.is_zero() {
+            found(middle - aside, error);
         }
     }
 }
@@ -188,7 +285,7 @@ mod tests {
     #[test]
     fn errors_are_what_coefficients_leave_open() {
         for (amplitude, scale) in [(1.0, 1.0), (1e-3, 1.0), (1.0, 3.0)] {
-            let open = 2.0 * COEFFICIENT_ERROR * scale / amplitude;
+            let open = 2.0 * f64::COEFFICIENT * scale / amplitude;
             let all = roots(cosine(amplitude, 0.0, scale));
             assert_eq!(all.len(), 2);
             for e in all {

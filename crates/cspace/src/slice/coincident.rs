@@ -36,7 +36,7 @@ impl Coincidences {
             for sum in sums {
                 for (first, f) in of(sum.fixed.0, sum.moving.0) {
                     for (second, g) in of(sum.fixed.1, sum.moving.1) {
-                        let apart = (f.radius - g.radius).abs() > SAME_CARRIER;
+                        let apart = (f.locus.radius - g.locus.radius).abs() > SAME_CARRIER;
                         if apart || !f.same_circle(g) {
                             continue;
                         }

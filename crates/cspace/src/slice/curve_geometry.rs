@@ -159,12 +159,7 @@ impl CurveGeometry {
         let cycle = &curve.cycle;
         if cycle.is_centred() {
             let radius = cycle.radius();
-            let half_turn = if radius > 0.0 {
-                0.0
-            } else {
-                core::f64::consts::PI
-            };
-            let start = curve.middle + half_turn + from / radius;
+            let start = curve.middle.angle() + from / radius;
             return Self::Arc {
                 center: outer(cycle.through),
                 radius: frame.outer_length(cycle.size),

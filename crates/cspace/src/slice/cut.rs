@@ -173,7 +173,7 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
     let origin = fs.close_to(gs).map(|c| c.0);
     let seen = |sheet: &Sheet, curve: &Curve| match origin {
         Some(o) => Curve {
-            cycle: sheet.about(&o).cycle(turn),
+            cycle: sheet.locus.about(&o).cycle(turn),
             ..*curve
         },
         None => *curve,
@@ -201,8 +201,8 @@ fn cut_pair(live: &mut [Live], geometry: &Geometry, turn: Rotation, i: u32, j: u
         })
     };
     tied |= found == [None; 2] && (grazes(f, g) || grazes(g, f));
-    for spiral in shared.corners.into_iter().flatten() {
-        let p = spiral.at(turn);
+    let ends = shared.corners.into_iter().zip([f.curve.end, f.curve.start]);
+    for (_, p) in ends.filter(|end| end.0) {
         let distance = |c: &Option<(Point, bool)>| c.map_or(f64::INFINITY, |c| c.0.distance(p));
         let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
         found[nearest] = None;

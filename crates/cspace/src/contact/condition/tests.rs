@@ -1,8 +1,13 @@
 //! Conditions against the distances that they say vanish.
 
+use super::super::locus::tests::{exact, geometry, pairs};
 use super::super::sheet::tests::{round, straight};
+use super::super::sheet::{Sheet, SheetKind};
+use super::super::tangent::tests::plain;
 use super::*;
-use crate::geometry::{Rotation, Vector};
+use crate::geometry::{Point, Rotation};
+use crate::number::Dd;
+use core::f64::consts::{FRAC_PI_2, PI};
 
 fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
     Spiral::new(Point::new(u.0, u.1), Vector::new(w.0, w.1))
@@ -10,10 +15,9 @@ fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
 
 /// A fixed line, a turning one, and two circles, with ends that are in general position.
 fn sheets() -> [Sheet; 4] {
-    let ends = |sheet: Sheet, start, end| Sheet {
-        start,
-        end,
-        ..sheet
+    let ends = |mut sheet: Sheet, start, end| {
+        (sheet.locus.start, sheet.locus.end) = (start, end);
+        sheet
     };
     let (a, b) = (
         spiral((0.1, 0.3), (0.4, -0.2)),
@@ -34,9 +38,12 @@ fn sheets() -> [Sheet; 4] {
 /// The distance of a point from a carrier.
 fn off(p: Point, sheet: &Sheet, turn: Rotation) -> f64 {
     if sheet.is_circle() {
-        p.distance(sheet.center().at(turn)) - sheet.radius.abs()
+        p.distance(sheet.locus.through.at(turn)) - sheet.locus.radius.abs()
     } else {
-        sheet.normal_at(turn).dot(p - sheet.start.at(turn))
+        sheet
+            .locus
+            .normal_at(turn)
+            .dot(p - sheet.locus.start.at(turn))
     }
 }
 
@@ -45,20 +52,26 @@ fn vanishing(f: &Sheet, g: &Sheet, shared: [bool; 2], turn: Rotation) -> Vec<f64
     let mut all = Vec::new();
     let [end, start] = shared;
     if !start {
-        all.extend([off(f.start.at(turn), g, turn), off(g.end.at(turn), f, turn)]);
+        all.extend([
+            off(f.locus.start.at(turn), g, turn),
+            off(g.locus.end.at(turn), f, turn),
+        ]);
     }
     if !end {
-        all.extend([off(f.end.at(turn), g, turn), off(g.start.at(turn), f, turn)]);
+        all.extend([
+            off(f.locus.end.at(turn), g, turn),
+            off(g.locus.start.at(turn), f, turn),
+        ]);
     }
     for (f, g) in [(f, g), (g, f)] {
         if !f.is_circle() && g.is_circle() {
-            let height = off(g.center().at(turn), f, turn);
-            all.extend([height - g.radius, height + g.radius]);
+            let height = off(g.locus.through.at(turn), f, turn);
+            all.extend([height - g.locus.radius, height + g.locus.radius]);
         }
     }
     if f.is_circle() && g.is_circle() {
-        let apart = f.center().at(turn).distance(g.center().at(turn));
-        let (r, s) = (f.radius.abs(), g.radius.abs());
+        let apart = f.locus.through.at(turn).distance(g.locus.through.at(turn));
+        let (r, s) = (f.locus.radius.abs(), g.locus.radius.abs());
         all.extend([apart - (r + s), apart - (r - s).abs()]);
     }
     all
@@ -76,12 +89,8 @@ fn conditions_vanish_where_distances_do() {
             continue;
         }
         for corners in [[false, false], [true, false], [false, true], [true, true]] {
-            let shared = SharedEnds {
-                tangent: false,
-                corners: corners.map(|c| c.then_some(f.start)),
-            };
             let mut found = Vec::new();
-            conditions(f, g, &shared, |t| found.push(t));
+            conditions(&f.locus, &g.locus, corners, |_| true, |_, t| found.push(t));
             let zero = vanishing(f, g, corners, Rotation::IDENTITY);
             assert_eq!(found.len(), zero.len());
             // Where one changes its sign, so does the other: each condition has the roots of a distance of its own.
@@ -123,22 +132,24 @@ fn extremes_are_known_from_lengths() {
         if f.fixed == g.fixed {
             continue;
         }
-        let shared = SharedEnds {
-            tangent: false,
-            corners: [None; 2],
-        };
-        conditions(f, g, &shared, |t| {
-            let amplitude = t.alpha.hypot(t.beta);
-            for (known, value) in [
-                (t.most, amplitude + t.gamma),
-                (t.least, amplitude - t.gamma),
-            ] {
-                assert!((known.value - value).abs() < 1e-14, "{t:?}");
-                assert!((1e-16..3e-14).contains(&known.error), "{t:?}");
-            }
-            assert!(t.scale >= t.alpha.abs().max(t.beta.abs()).max(t.gamma.abs()));
-            assert!(t.scale < 40.0);
-        });
+        conditions(
+            &f.locus,
+            &g.locus,
+            [false; 2],
+            |_| true,
+            |_, t| {
+                let amplitude = t.alpha.hypot(t.beta);
+                for (known, value) in [
+                    (t.extremes()[0], amplitude + t.gamma),
+                    (t.extremes()[1], amplitude - t.gamma),
+                ] {
+                    assert!((known.0 - value).abs() < 1e-14, "{t:?}");
+                    assert!((1e-16..3e-14).contains(&known.1), "{t:?}");
+                }
+                assert!(t.scale >= t.alpha.abs().max(t.beta.abs()).max(t.gamma.abs()));
+                assert!(t.scale < 40.0);
+            },
+        );
     }
 }
 
@@ -152,27 +163,32 @@ fn errors_grow_with_lengths() {
     );
     let errors = |by: f64| {
         let (p, q) = (scaled(p, by), scaled(q, by));
-        let high = height(&p, &straight(0, SheetKind::LineRound, 0.7, q), 0.3 * by);
+        let high = height(
+            &p,
+            &straight(0, SheetKind::LineRound, 0.7, q).locus,
+            0.3 * by,
+        );
         let far = apart(&p, &q, 0.3 * by);
-        for known in [high.most, high.least, far.most, far.least] {
-            let lengths = size(&p) + size(&q) + 0.3 * by;
+        let ([a, b], [c, d]) = (high.extremes(), far.extremes());
+        let lengths = size_of(&p) + size_of(&q) + 0.3 * by;
+        for (known, of) in [
+            (a, lengths),
+            (b, lengths),
             // One rounding for every length, of a square beside the other length.
-            let least = f64::EPSILON
-                * if known == high.most || known == high.least {
-                    lengths
-                } else {
-                    lengths * known.value.abs().sqrt()
-                };
-            assert!(known.error > least, "{known:?} {least}");
+            (c, lengths * c.0.abs().sqrt()),
+            (d, lengths * d.0.abs().sqrt()),
+        ] {
+            assert!(known.1 > f64::EPSILON * of, "{known:?}");
         }
-        let errors = [high.most, high.least, far.most, far.least].map(|k| k.error);
+        let errors = [a, b, c, d].map(|k| k.1);
         (errors, [high.scale, far.scale])
     };
     let (one, two) = (errors(1.0), errors(2.0));
     for (i, times) in [2.0, 2.0, 4.0, 4.0].into_iter().enumerate() {
         assert!((two.0[i] / one.0[i] - times).abs() < 1e-9, "{i}");
     }
-    assert_eq!(two.1, one.1.map(|scale| 2.0 * scale));
+    // A height is a length, what a distance vanishes with a square.
+    assert_eq!(two.1, [2.0 * one.1[0], 4.0 * one.1[1]]);
 }
 
 /// Absolute values that are added up in a coefficient, at their largest and where lengths are alike.
@@ -191,7 +207,218 @@ fn scales_bound_what_is_added_up() {
             "{a} {b} {d}"
         );
         let line = straight(0, SheetKind::LineRound, 0.7, q);
-        let scale = height(&p, &line, d).scale;
+        let scale = height(&p, &line.locus, d).scale;
         assert!(scale >= a + b + d);
     }
+}
+
+/// Conditions in double-double have the roots of those in doubles, by their numbers too; and the same roots are found from those.
+#[test]
+fn exact_conditions_are_those_of_doubles() {
+    let geometry = geometry();
+    let (mut compared, mut flat) = (0, 0);
+    for (f, g, (lo, hi), corners) in pairs(&geometry) {
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let mut theirs = Vec::new();
+        let (p, q) = (plain(f).locus, plain(g).locus);
+        conditions(
+            &p,
+            &q,
+            corners,
+            |_| true,
+            |_, t| {
+                let mut roots = Vec::new();
+                t.roots(mid, mid.cos(), mid.sin(), half, |e| roots.push(e));
+                theirs.push(roots);
+            },
+        );
+        let (x, y) = (exact(&geometry, f), exact(&geometry, g));
+        conditions(
+            &x,
+            &y,
+            corners,
+            |n| n != 1,
+            |number, t| {
+                let mut ours = Vec::new();
+                t.exact_roots(|theta, error| {
+                    let turns = ((theta.to_f64() - mid) / core::f64::consts::TAU).round();
+                    ours.push((theta - Dd::TAU * turns, error));
+                });
+                // What is known well, and not at the very end, is found by both.
+                let known = theirs[number]
+                    .iter()
+                    .filter(|e| e.error < 1e-10 && (e.theta - mid).abs() < half - 1e-8);
+                for e in known {
+                    compared += 1;
+                    flat += usize::from(f.is_flat() || g.is_flat());
+                    let near = |o: &&(Dd, f64)| (o.0.to_f64() - e.theta).abs() < 1e-9;
+                    let (theta, error) = *ours.iter().find(near).unwrap();
+                    assert!(error < 1e-24, "{error} {f:?} {g:?}");
+                    if t.is_simple(theta.to_f64() + 1e-13, 1e-11) {
+                        let (again, e) = t.root_near(theta.to_f64() + 1e-13);
+                        assert!((again - theta).to_f64().abs() <= e + error && e < 1e-24);
+                    }
+                }
+                let clear =
+                    |o: &&(Dd, f64)| o.1 < 1e-26 && (o.0.to_f64() - mid).abs() < half - 1e-8;
+                for (theta, _) in ours.iter().filter(clear) {
+                    let near = (theirs[number].iter())
+                        .any(|e| (theta.to_f64() - e.theta).abs() < 1e-9 + 2.0 * e.error);
+                    assert!(near, "{theta:?} {f:?} {g:?}");
+                }
+            },
+        );
+        let mut taken = Vec::new();
+        conditions(&x, &y, corners, |n| n != 1, |number, _| taken.push(number));
+        let asked: Vec<usize> = (0..theirs.len()).filter(|&n| n != 1).collect();
+        assert_eq!(taken, asked);
+    }
+    assert!(compared > 500 && flat > 200, "{compared} {flat}");
+}
+
+fn exactly(x: f64, y: f64) -> Vector<Dd> {
+    Vector::new(x, y).map(Dd::from)
+}
+
+fn exact_spiral(u: Vector<Dd>, w: Vector<Dd>) -> Spiral<Dd> {
+    Spiral::new(Point::new(u.x, u.y), w)
+}
+
+/// The height of a point over a line through another whose normal is upwards.
+fn over(point: &Spiral<Dd>, through: Spiral<Dd>) -> Trig<Dd> {
+    let line = Locus {
+        kind: SheetKind::LineRound,
+        through,
+        normal: exactly(0.0, 1.0),
+        radius: Dd::ZERO,
+        start: through,
+        end: through,
+    };
+    height(point, &line, Dd::ZERO)
+}
+
+/// The height of a point that goes around a circle over a line: size sin θ − h.
+fn high(size: f64, h: Dd) -> Trig<Dd> {
+    let none = exactly(0.0, 0.0);
+    let point = exact_spiral(none, exactly(size, 0.0));
+    over(&point, exact_spiral(Vector::new(Dd::ZERO, h), none))
+}
+
+/// The roots of a condition in rising order.
+fn roots_of(c: &Trig<Dd>) -> Vec<(Dd, f64)> {
+    let mut found = Vec::new();
+    c.exact_roots(|theta, error| found.push((theta, error)));
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found
+}
+
+fn value(c: &Trig<Dd>, theta: Dd) -> Dd {
+    let (sin, cos) = theta.sin_cos();
+    c.alpha * cos + c.beta * sin + c.gamma
+}
+
+/// A condition passes zero within the error that is told, which beside a double root is the square root of the rounding.
+#[test]
+fn roots_are_where_they_are_told_to_be() {
+    // 1 − h, and the least and the largest error to be expected, in units of rounding.
+    for (less, least, largest) in [
+        (0.7, 1.0, 1e3),
+        (1.9, 1.0, 1e3),
+        (1e-4, 1e3, 1e5),
+        (1e-10, 1e5, 1e8),
+        (1e-20, 1e11, 1e13),
+        (1e-27, 1e14, 1e16),
+    ] {
+        let c = high(1.0, Dd::ONE - less);
+        let roots = roots_of(&c);
+        assert_eq!(roots.len(), 2, "{less}");
+        for &(theta, error) in &roots {
+            let [before, after] = [theta - error, theta + error].map(|t| value(&c, t));
+            assert_ne!(before.is_negative(), after.is_negative(), "{less}");
+            let units = error / Dd::EPSILON;
+            assert!((least..largest).contains(&units), "{less} {units}");
+        }
+        // As far from a quarter turn on one side as on the other.
+        let sum = (roots[0].0 + roots[1].0 - Dd::PI).to_f64();
+        let turns = (sum / (2.0 * PI)).round();
+        assert!((sum - 2.0 * PI * turns).abs() < 1e-15, "{less} {sum}");
+    }
+    // What stays clear of the line, or only touches it, has none, nor what does not move.
+    for h in [1.0, -1.0, 1.0 + 1e-12, -1.0 - 1e-9, 1.5] {
+        assert!(roots_of(&high(1.0, Dd::from(h))).is_empty(), "{h}");
+    }
+    for h in [Dd::ZERO, Dd::from(1e-33), Dd::from(0.3)] {
+        assert!(roots_of(&high(0.0, h)).is_empty());
+    }
+}
+
+/// A point at a distance of one that goes around is at a distance from another as the sides of a triangle tell; and of circles of
+/// nearly one radius the differences of lengths are known.
+#[test]
+fn distances_are_known_as_lengths_are() {
+    let spiral = |u: (f64, f64), w: (f64, f64)| exact_spiral(exactly(u.0, u.1), exactly(w.0, w.1));
+    for (from, distance) in [(1.0, 0.5), (2.0, 1.5), (1e-3, 1.0)] {
+        let (p, q) = (
+            spiral((0.0, 0.0), (1.0, 0.0)),
+            spiral((from, 0.0), (0.0, 0.0)),
+        );
+        let distance = Dd::from(distance);
+        let roots = roots_of(&apart(&p, &q, distance));
+        assert_eq!(roots.len(), 2, "{from}");
+        for (theta, error) in roots {
+            let turn = Rotation::by(theta);
+            let off = (p.at(turn) - q.at(turn)).length() - distance;
+            assert!(off.to_f64().abs() < 8.0 * error + 1e-30, "{off:?} {error}");
+            assert!(error < 1e-24, "{error}");
+        }
+    }
+    // The centres 2 d apart at most, and the distance d, wherever the centres are.
+    let d = 1e-12;
+    let (p, q) = (
+        spiral((0.7, 0.3), (d, 0.0)),
+        spiral((0.7 + d, 0.3), (0.0, 0.0)),
+    );
+    let roots = roots_of(&apart(&p, &q, (Dd::from(0.7 + d) - 0.7).abs()));
+    assert_eq!(roots.len(), 2);
+    for (theta, error) in roots {
+        // A sixth of a turn, as far as d is known.
+        assert!((theta.to_f64().cos() - 0.5).abs() < 1e-3, "{theta:?}");
+        assert!(error < 1e-15, "{error}");
+    }
+}
+
+/// From where doubles tell a root the same root is found; what is near a double root, or off, is not told by them.
+#[test]
+fn a_root_is_refined_where_it_is_simple() {
+    /// How far off doubles are, at most (radians).
+    const NEAR: f64 = 1e-11;
+    for less in [0.3, 1.0, 1.7] {
+        let c = high(1.0, Dd::ONE - less);
+        for (theta, error) in roots_of(&c) {
+            for off in [0.0, 1e-12, -1e-11] {
+                let near = theta.to_f64() + off;
+                assert!(c.is_simple(near, NEAR), "{less}");
+                let (root, e) = c.root_near(near);
+                assert!((root - theta).to_f64().abs() <= error + e, "{less} {off}");
+                assert!(e < 1e-26, "{e}");
+            }
+            assert!(!c.is_simple(theta.to_f64() + 1e-9, NEAR));
+        }
+    }
+    let c = high(1.0, Dd::ONE - 1e-8);
+    assert!(
+        roots_of(&c)
+            .iter()
+            .all(|r| !c.is_simple(r.0.to_f64(), NEAR))
+    );
+    assert!(!high(1.0, Dd::ONE).is_simple(FRAC_PI_2, NEAR));
+    // Little that moves beside much that does not is known to less.
+    let c = high(1e-6, Dd::ZERO);
+    assert!(c.is_simple(0.0, NEAR));
+    let far = exact_spiral(exactly(3.0, 1.0), exactly(0.0, 0.0));
+    let point = Spiral {
+        w: exactly(1e-6, 0.0),
+        ..far
+    };
+    assert!(!over(&point, far).is_simple(0.0, NEAR));
 }

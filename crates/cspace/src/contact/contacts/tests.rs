@@ -50,8 +50,14 @@ fn lines_are_bridged_if_a_circle_is_always_between() {
     let contacts = &geometry.contacts;
     let sheets = &contacts.sheets;
     let (mut bridged, mut at_times, mut never) = (0, 0, 0);
-    for f in sheets.iter().filter(|s| s.kind == SheetKind::LineRound) {
-        for g in sheets.iter().filter(|s| s.kind == SheetKind::RoundLine) {
+    for f in sheets
+        .iter()
+        .filter(|s| s.locus.kind == SheetKind::LineRound)
+    {
+        for g in sheets
+            .iter()
+            .filter(|s| s.locus.kind == SheetKind::RoundLine)
+        {
             let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
             if hi - lo < 1e-3 {
                 continue;
@@ -85,7 +91,7 @@ fn lines_are_bridged_if_a_circle_is_always_between() {
     for f in sheets {
         let others = sheets
             .iter()
-            .filter(|g| !f.is_line() || !g.is_line() || f.kind == g.kind);
+            .filter(|g| !f.is_line() || !g.is_line() || f.locus.kind == g.locus.kind);
         assert!(others.into_iter().all(|g| !contacts.bridged(f, g)), "{f:?}");
     }
 }
@@ -167,7 +173,7 @@ fn lines_touch_what_is_convex() {
     let geometry = bulging();
     let mut kinds = [0; 2];
     for s in geometry.contacts.sheets.iter().filter(|s| s.is_line()) {
-        let (kind, round) = if s.kind == SheetKind::LineRound {
+        let (kind, round) = if s.locus.kind == SheetKind::LineRound {
             (0, &geometry.moving.features[s.moving as usize])
         } else {
             (1, &geometry.fixed.features[s.fixed as usize])

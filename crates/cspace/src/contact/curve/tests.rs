@@ -1,5 +1,7 @@
 //! Places, normals, boxes and rays, against points computed from angles.
 
+use core::f64::consts::PI;
+
 use super::*;
 
 /// A line through a point that travels in the direction of `angle`, from 2 before to 3 after the point.

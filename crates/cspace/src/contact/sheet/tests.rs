@@ -1,15 +1,17 @@
 //! What sheets know of each other without computing, against distances at many orientations.
 
+use super::super::spiral::Spiral;
 use super::*;
+use crate::geometry::{Point, Vector};
 
 fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
     Spiral::new(Point::new(u.0, u.1), Vector::new(w.0, w.1))
 }
 
 /// A sheet with names of its own, made from four times `number` on.
-fn sheet(kind: SheetKind, number: u32) -> Sheet {
+fn sheet(locus: Locus, number: u32) -> Sheet {
     Sheet {
-        kind,
+        locus,
         fixed: number,
         moving: number,
         lo: -3.0,
@@ -18,18 +20,27 @@ fn sheet(kind: SheetKind, number: u32) -> Sheet {
         to: Dd::from(3.0),
         start_name: 4 * number,
         end_name: 4 * number + 1,
-        ..Sheet::BLANK
+        start_at: EndAt::Fixed(0),
+        end_at: EndAt::Fixed(0),
+        start_angle: EndAngle::NONE,
+        end_angle: EndAngle::NONE,
+        bottom: Seam::Window,
+        top: Seam::Window,
     }
 }
 
 /// A circle about a spiral.
 pub(in crate::contact) fn round(number: u32, u: (f64, f64), w: (f64, f64), radius: f64) -> Sheet {
-    Sheet {
-        fixed_point: Point::new(u.0, u.1),
-        moving_point: Point::new(-w.0, -w.1),
+    let through = spiral(u, w);
+    let locus = Locus {
+        kind: SheetKind::RoundRound,
+        through,
+        normal: Vector::ZERO,
         radius,
-        ..sheet(SheetKind::RoundRound, number)
-    }
+        start: through,
+        end: through,
+    };
+    sheet(locus, number)
 }
 
 /// A line through a spiral, whose normal has an angle in the fixed part's frame or in the moving one's.
@@ -39,25 +50,31 @@ pub(in crate::contact) fn straight(
     angle: f64,
     through: Spiral,
 ) -> Sheet {
-    Sheet {
+    let locus = Locus {
+        kind,
+        through,
         normal: Vector::from_angle(angle),
+        radius: 0.0,
         start: through,
         end: through,
-        ..sheet(kind, number)
-    }
+    };
+    sheet(locus, number)
 }
 
 /// How far the carriers of two sheets are from being tangent, or one, at the worst of many orientations.
 fn furthest_from_tangent(f: &Sheet, g: &Sheet) -> f64 {
     let off = |turn: Rotation| match (f.is_circle(), g.is_circle()) {
         (true, true) => {
-            let apart = f.center().at(turn).distance(g.center().at(turn));
-            let (r, s) = (f.radius.abs(), g.radius.abs());
+            let apart = f.locus.through.at(turn).distance(g.locus.through.at(turn));
+            let (r, s) = (f.locus.radius.abs(), g.locus.radius.abs());
             (apart - (r + s)).abs().min((apart - (r - s).abs()).abs())
         }
         (false, true) => {
-            let n = f.normal_at(turn);
-            (n.dot(g.center().at(turn) - f.start.at(turn)).abs() - g.radius.abs()).abs()
+            let n = f.locus.normal_at(turn);
+            (n.dot(g.locus.through.at(turn) - f.locus.start.at(turn))
+                .abs()
+                - g.locus.radius.abs())
+            .abs()
         }
         _ => panic!("a line comes first"),
     };
@@ -194,11 +211,8 @@ fn shared_ends_are_those_with_one_name() {
         spiral((0.0, 0.0), (0.1, 0.0)),
         spiral((1.0, 0.0), (0.2, 0.0)),
     );
-    let f = Sheet {
-        start: a,
-        end: b,
-        ..straight(0, SheetKind::LineRound, 0.7, a)
-    };
+    let mut f = straight(0, SheetKind::LineRound, 0.7, a);
+    f.locus.end = b;
     let g = straight(1, SheetKind::LineRound, 0.2, b);
     let with = |start_name, end_name| Sheet {
         start_name,
@@ -206,18 +220,18 @@ fn shared_ends_are_those_with_one_name() {
         ..g
     };
     let shared = |g: &Sheet, first_vertex| f.shared_ends(g, first_vertex);
-    assert_eq!(shared(&g, 0).corners, [None; 2]);
+    assert_eq!(shared(&g, 0).corners, [false; 2]);
     assert!(!shared(&g, 0).tangent);
     // The end of f is the start of g; then the start of f the end of g; then both.
     for (g, corners) in [
-        (with(1, 9), [Some(b), None]),
-        (with(9, 0), [None, Some(a)]),
-        (with(1, 0), [Some(b), Some(a)]),
+        (with(1, 9), [true, false]),
+        (with(9, 0), [false, true]),
+        (with(1, 0), [true, true]),
     ] {
         let crossing = shared(&g, 0);
         assert_eq!((crossing.tangent, crossing.corners), (false, corners));
         let smooth = shared(&g, 2);
-        assert_eq!((smooth.tangent, smooth.corners), (true, [None; 2]));
+        assert_eq!((smooth.tangent, smooth.corners), (true, [false; 2]));
     }
     // Names from the first vertex's on are vertices'.
     assert!(shared(&with(1, 9), 2).tangent && !shared(&with(1, 9), 1).tangent);
@@ -249,7 +263,7 @@ fn curves_are_zeros_of_the_contact_function() {
         let curve = s.curve(theta, turn);
         let normal = curve.normal(curve.start);
         assert!((normal - Vector::from_angle(0.7 + turned)).length() < 1e-15);
-        s.end = spiral((0.0, 0.0), (0.0, 0.0));
+        s.locus.end = spiral((0.0, 0.0), (0.0, 0.0));
         let p = through.at(turn) + normal.left() * 0.8 + normal * 0.01;
         assert!((s.function().value(p, theta) - 0.01).abs() < 1e-15);
         assert_eq!(s.curve(theta, turn).end, Point::ORIGIN);
@@ -295,11 +309,13 @@ fn close_circles_are_seen_from_one_of_them() {
     let (origin, apart) = f.close_to(&g).unwrap();
     assert!((apart / 13f64.sqrt() - 1e-9).abs() < 1e-23);
     let turn = Rotation::by(0.3);
-    let seen = g.about(&origin).center().at(turn).to_vector();
+    let center = |s: &Sheet| s.locus.about(&origin).through.at(turn).to_vector();
+    let seen = center(&g);
     let expected = turn * Vector::new(-3e-9, 2e-9);
     assert!((seen - expected).length() < 1e-24);
-    assert!(f.about(&origin).center().at(turn).to_vector().length() < 1e-24);
-    let ends = g.about(&origin).start.at(turn) - (g.start.at(turn) - origin.at(turn).to_vector());
+    assert!(center(&f).length() < 1e-24);
+    let ends = g.locus.about(&origin).start.at(turn)
+        - (g.locus.start.at(turn) - origin.at(turn).to_vector());
     assert!(ends.length() < 1e-15);
     // One centre, centres far apart, or a line.
     assert_eq!(f.close_to(&f), None);

@@ -340,9 +340,9 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
         Vector::new(v.x.abs() * half + bend, v.y.abs() * half + bend)
     };
     if sheet.is_circle() {
-        let center = sheet.center();
-        let at = |angle: f64| center.at(turn) + Vector::from_angle(angle) * sheet.radius;
-        let circle = Cycle::round(center.at(turn), sheet.radius);
+        let center = sheet.locus.through;
+        let at = |angle: f64| center.at(turn) + Vector::from_angle(angle) * sheet.locus.radius;
+        let circle = Cycle::round(center.at(turn), sheet.locus.radius);
         let arc = Curve::new(circle, [at(from), at(to)], [from, to]);
         let Bounds { min: lo, max: hi } = arc.bounds();
         let g = grow(center.w);
@@ -350,9 +350,12 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
     }
     if sheet.is_flat() {
         // A curve is within its height of its chord, and moves no faster than the ends do.
-        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
+        let (start, end) = (sheet.locus.start.at(turn), sheet.locus.end.at(turn));
         let (s, e) = (start.lerp(end, from), start.lerp(end, to));
-        let (g, h) = (grow(sheet.start.turning()), grow(sheet.end.turning()));
+        let (g, h) = (
+            grow(sheet.locus.start.turning()),
+            grow(sheet.locus.end.turning()),
+        );
         let off = MARGIN + 2.0 * sheet.height();
         let off = Vector::new(off + g.x.max(h.x), off + g.y.max(h.y));
         return (
@@ -361,8 +364,8 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
         );
     }
     let at = |t: f64| {
-        let w = sheet.start.w + (sheet.end.w - sheet.start.w) * t;
-        let u = sheet.start.u + (sheet.end.u - sheet.start.u) * t;
+        let w = sheet.locus.start.w + (sheet.locus.end.w - sheet.locus.start.w) * t;
+        let u = sheet.locus.start.u + (sheet.locus.end.u - sheet.locus.start.u) * t;
         (u + turn * w, grow(w))
     };
     let ((s, g), (e, h)) = (at(from), at(to));

@@ -159,10 +159,10 @@ enum Shape {
 
 impl Path {
     fn new(sheet: &Sheet, turn: Rotation, half_angle: f64) -> Self {
-        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
+        let (start, end) = (sheet.locus.start.at(turn), sheet.locus.end.at(turn));
         if sheet.is_circle() {
-            let spiral = sheet.center();
-            let (center, radius) = (spiral.at(turn), sheet.radius);
+            let spiral = sheet.locus.through;
+            let (center, radius) = (spiral.at(turn), sheet.locus.radius);
             let both = ((start - center) + (end - center)) * radius.signum();
             let mid = both * (1.0 / both.length());
             Self {
@@ -182,7 +182,7 @@ impl Path {
                     start,
                     along: end - start,
                 },
-                ends: (sheet.start.turning(), sheet.end.turning()),
+                ends: (sheet.locus.start.turning(), sheet.locus.end.turning()),
                 middle: start.midpoint(end),
                 reach: 0.5 * (end - start).length(),
                 off: sheet.height(),
@@ -321,9 +321,12 @@ mod tests {
                         let ends = [sheet.start_angle.at(at), sheet.end_angle.at(at)];
                         let angle = ends[0] + (ends[1] - ends[0]) * share;
                         let normal = Vector::from_angle(angle);
-                        (angle, sheet.center().at(turn) + normal * sheet.radius)
+                        (
+                            angle,
+                            sheet.locus.through.at(turn) + normal * sheet.locus.radius,
+                        )
                     } else {
-                        let (start, end) = (sheet.start.at(turn), sheet.end.at(turn));
+                        let (start, end) = (sheet.locus.start.at(turn), sheet.locus.end.at(turn));
                         (share, start + (end - start) * share)
                     };
                     asked += 1;

@@ -1,13 +1,13 @@
 //! How far cells reach along their contact curves where they meet a cluster of events, and what two of them share.
 
-use crate::contact::{ExactTurn, Geometry, PLACE_ERROR};
+use crate::contact::{Geometry, Orientation, PLACE_ERROR};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::number::Dd;
 
 use crate::general::cells::cell::{Cell, END};
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
-use crate::general::events::placing::{ExactPlacing, Placing};
+use crate::general::events::placing::Placing;
 
 /// A cell's range along its contact curve at one orientation, with the errors of both ends.
 #[derive(Debug, Clone, Copy)]
@@ -86,9 +86,9 @@ pub(crate) struct CellExtents<'a> {
     /// The same as far as doubles tell.
     rough: Vec<(u32, (f64, f64))>,
     /// The cluster's orientation in double-double, once it is asked for.
-    turn: Option<ExactTurn>,
+    turn: Option<Orientation<Dd>>,
     /// The curve in double-double at the orientations asked for so far, with the places of its ends.
-    exact: Vec<(Dd, ExactPlacing<'a>, (Dd, Dd))>,
+    exact: Vec<(Dd, Placing<'a, Dd>, (Dd, Dd))>,
     /// What is known better than this is known well enough (length).
     good: f64,
 }
@@ -101,16 +101,15 @@ impl<'a> CellExtents<'a> {
         sheet: u32,
         cluster: u32,
     ) -> Self {
-        let at = Placing::turned_by(
-            geometry,
-            sheet,
-            clusters.at(cluster),
-            clusters.turn(cluster),
-        );
+        let orientation = Orientation {
+            theta: clusters.at(cluster),
+            turn: clusters.turn(cluster),
+        };
+        let at = Placing::new(geometry, sheet, orientation);
         // Ends that turn about a far centre are lost in the rounding of the orientation.
         let half = if geometry.contacts.sheets[sheet as usize].is_flat() {
-            let turn = ExactTurn::by(clusters.exact_at(cluster));
-            let (from, to) = ExactPlacing::new(geometry, sheet, turn).ends();
+            let turn = Orientation::by(clusters.exact_at(cluster));
+            let (from, to) = Placing::new(geometry, sheet, turn).ends();
             (0.5 * (to - from).to_f64()).max(0.0)
         } else {
             at.half()
@@ -284,12 +283,13 @@ impl<'a> CellExtents<'a> {
     }
 
     /// The curve in double-double at an orientation, with the places of its ends.
-    fn exact_at(&mut self, theta: Dd) -> (&ExactPlacing<'a>, (Dd, Dd)) {
+    fn exact_at(&mut self, theta: Dd) -> (&Placing<'a, Dd>, (Dd, Dd)) {
         let known = self.exact.iter().position(|e| e.0 == theta);
         let index = known.unwrap_or_else(|| {
             let (clusters, cluster) = (self.clusters, self.cluster);
-            let turn = (self.turn).get_or_insert_with(|| ExactTurn::by(clusters.exact_at(cluster)));
-            let placing = ExactPlacing::new(self.geometry, self.sheet, turn.turned_to(theta));
+            let turn =
+                (self.turn).get_or_insert_with(|| Orientation::by(clusters.exact_at(cluster)));
+            let placing = Placing::new(self.geometry, self.sheet, turn.turned_to(theta));
             let ends = placing.ends();
             self.exact.push((theta, placing, ends));
             self.exact.len() - 1

@@ -3,12 +3,12 @@
 //! Right after a curve has entered the blocked side of another, and right before it leaves it, it is in blocked space.
 //! So is an end that no other curve continues. A gap is open if nothing of that kind bounds it.
 
-use crate::contact::{ExactTurn, Geometry};
+use crate::contact::{Geometry, Orientation};
 use crate::number::Dd;
 
 use crate::general::cells::cell::END;
 use crate::general::events::branch::Branch;
-use crate::general::events::placing::{ExactPlacing, Placing, Rank};
+use crate::general::events::placing::{Placing, Rank};
 
 /// The branches that cross a contact curve at one orientation, in order of travel.
 #[derive(Debug, Default)]
@@ -55,11 +55,13 @@ impl Gaps {
                 .any(|&b| small(branches[b as usize].other(sheet)));
         let told = active.len() < 2
             || !some_small && {
-                let placing = Placing::new(geometry, sheet, theta.to_f64());
-                let rank = placing.ranking();
+                let placing = Placing::new(geometry, sheet, Orientation::by(theta.to_f64()));
                 self.rough.clear();
-                self.rough
-                    .extend(active.iter().map(|&b| (rank(&branches[b as usize]), b)));
+                self.rough.extend(
+                    active
+                        .iter()
+                        .map(|&b| (placing.ranking(&branches[b as usize]), b)),
+                );
                 self.rough
                     .sort_unstable_by(|a, b| a.0.rank.total_cmp(&b.0.rank).then(a.1.cmp(&b.1)));
                 self.rough
@@ -71,7 +73,7 @@ impl Gaps {
         } else if told {
             self.order.extend(self.rough.iter().map(|r| r.1));
         } else {
-            let placing = ExactPlacing::new(geometry, sheet, ExactTurn::by(theta));
+            let placing = Placing::new(geometry, sheet, Orientation::by(theta));
             self.exact.clear();
             let rank = |&b: &u32| (placing.rank(&branches[b as usize]), b);
             self.exact.extend(active.iter().map(rank));

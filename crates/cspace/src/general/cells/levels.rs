@@ -10,7 +10,7 @@ use core::cell::LazyCell;
 use core::ops::Deref;
 use std::collections::BTreeMap;
 
-use crate::contact::{ExactTurn, Geometry, Seam};
+use crate::contact::{Geometry, Orientation, Seam};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
@@ -23,7 +23,6 @@ use crate::general::cells::sweep::Cells;
 use crate::general::cells::track::{Piece, Place, Track};
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
-use crate::general::events::placing::exact_sheet;
 use crate::general::events::trace::Coincidence;
 
 pub(crate) struct Levels<'a> {
@@ -192,8 +191,8 @@ impl Levels<'_> {
         marks.sort_unstable_by(f64::total_cmp);
         let (just_below, just_above) = self.clusters.exactly_beside(at);
         // Most often one piece covers a place, and none is asked how high it is.
-        let turn_below = LazyCell::new(|| ExactTurn::by(just_below));
-        let turn_above = LazyCell::new(|| ExactTurn::by(just_above));
+        let turn_below = LazyCell::new(|| Orientation::by(just_below));
+        let turn_above = LazyCell::new(|| Orientation::by(just_above));
         let (mut near_below, mut near_above) = (track.covering(below), track.covering(above));
         stretches.iter_mut().for_each(Vec::clear);
         for w in marks.windows(2) {
@@ -300,7 +299,7 @@ impl Levels<'_> {
         pieces: impl Iterator<Item = &'p Piece>,
         track: &Track,
         place: &Place,
-        turn: &impl Deref<Target = ExactTurn>,
+        turn: &impl Deref<Target = Orientation<Dd>>,
     ) -> [Option<&'p Piece>; 2] {
         let mut covering = pieces.filter(|q| q.covers(track, place.coordinate));
         let (first, second) = (covering.next(), covering.next());
@@ -326,10 +325,8 @@ impl Levels<'_> {
     }
 
     /// How far outward from a point the line or circle of a cell's sheet lies.
-    fn height(&self, cell: u32, p: Point, outward: Vector, turn: &ExactTurn) -> Dd {
-        let sheet = exact_sheet(self.geometry, self.sheet_of(cell));
-        sheet
-            .curve(turn)
+    fn height(&self, cell: u32, p: Point, outward: Vector, turn: &Orientation<Dd>) -> Dd {
+        (self.geometry.curve(self.sheet_of(cell), turn))
             .height(p.map(Dd::from), outward.map(Dd::from))
     }
 

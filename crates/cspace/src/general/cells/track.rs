@@ -71,7 +71,7 @@ impl Track {
                 zero: 0.0,
             };
         }
-        let zero = (sheet.start.at(turn) - cycle.through).angle();
+        let zero = (sheet.locus.start.at(turn) - cycle.through).angle();
         Self { cycle, zero }
     }
 
@@ -94,7 +94,7 @@ impl Track {
     /// with the coordinate. On a line that does if the normals agree, on a circle if the radius is positive.
     pub(crate) fn ways(&self, sheet: &Sheet, normal: Vector, p: Point) -> (bool, bool) {
         if self.cycle.is_centred() {
-            let forward = sheet.radius > 0.0;
+            let forward = sheet.locus.radius > 0.0;
             return (forward == (self.cycle.weight > 0.0), forward);
         }
         let along = self.normal(p).dot(normal) > 0.0;

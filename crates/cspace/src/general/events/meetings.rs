@@ -45,6 +45,6 @@ impl<'a> Meetings<'a> {
         let contacts = &self.geometry.contacts;
         let shared = contacts.sheets[f as usize]
             .shared_ends(&contacts.sheets[g as usize], contacts.first_vertex_name);
-        shared.tangent || shared.corners.iter().any(Option::is_some)
+        shared.tangent || shared.corners.contains(&true)
     }
 }

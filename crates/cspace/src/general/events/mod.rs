@@ -7,13 +7,15 @@
 //!     │  ─────●───┼────  ← event of a pair: the crossing a comes to be
 //! ```
 //!
-//! `trace.rs` finds where crossings of two sheets come and go (roots of α cos θ + β sin θ + γ) and follows the branches between.
+//! `coming.rs` finds where crossings of two sheets come and go (roots of α cos θ + β sin θ + γ), and `trace.rs` follows the branches
+//! between.
 //! `triple.rs` and `passing.rs` find where branches pass each other. `clusters.rs` gathers events that cannot be told apart,
 //! `gathered.rs` all that happens at them.
 //! `placing.rs` says where on its curve a branch is.
 
 pub(crate) mod branch;
 pub(crate) mod clusters;
+pub(crate) mod coming;
 pub(crate) mod gathered;
 pub(crate) mod meetings;
 pub(crate) mod passing;

@@ -4,13 +4,13 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Cycle, ExactSheet, ExactTurn, Geometry, Sheet};
+use crate::contact::{Cycle, Geometry, Orientation, Sheet};
 use crate::geometry::{Rotation, Vector};
 use crate::number::{Ball, Dd, Dual, Event, Real, TrigPolynomial};
 
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Moment;
-use crate::general::events::placing::{ExactPlacing, Placing, between, exact_sheet};
+use crate::general::events::placing::{Placing, between};
 
 /// Pieces narrower than this are not halved further (radians).
 ///
@@ -91,7 +91,7 @@ impl Sample {
     pub(crate) fn new(
         geometry: &Geometry,
         sheet: u32,
-        placings: &[ExactPlacing<'_>; 3],
+        placings: &[Placing<'_, Dd>; 3],
         b: &Branch,
         length: f64,
     ) -> Option<Self> {
@@ -103,7 +103,7 @@ impl Sample {
         let sheets = &geometry.contacts.sheets;
         let both = [sheet, b.other(sheet)].map(|s| &sheets[s as usize]);
         let radii = both.iter().filter(|s| s.is_circle());
-        let least = radii.map(|s| s.radius.abs()).fold(1.0, f64::min);
+        let least = radii.map(|s| s.locus.radius.abs()).fold(1.0, f64::min);
         let share = SPEED * length / (placings[1].sharpness(b).powi(2) * least);
         (share < NARROW && !both.iter().any(|s| s.is_flat())).then(|| Self {
             places: [0, 1, 2].map(|i: usize| placings[i].place(b)),
@@ -162,14 +162,14 @@ impl Passing<'_> {
             let g = &sheets[b.other(self.sheet) as usize];
             let (swapped, root) = (b.second == self.sheet, b.root);
             if let Some((o, _)) = f.close_to(g) {
-                let about = |s: &Sheet| s.about(&o).cycle(turn);
+                let about = |s: &Sheet| s.locus.about(&o).function().cycle(turn);
                 return about(f).root(&about(g), root, swapped);
             }
             cycle.root(&g.cycle(turn), root, swapped)
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
-            p.cross(q) * T::constant(1.0 / f.radius.abs())
+            p.cross(q) * T::constant(1.0 / f.locus.radius.abs())
         } else {
             p.x - q.x
         }
@@ -272,13 +272,11 @@ impl Passing<'_> {
 
     /// The difference of the places of the two branches in double-double as a function of the orientation; see [`between`].
     fn exactly_apart(&self) -> impl Fn(Dd) -> Dd {
-        let [f, g, h] = self.sheets().map(|s| exact_sheet(self.geometry, s));
-        move |theta| {
-            let turn = ExactTurn::by(theta);
-            let f = f.cycle(&turn);
-            let place = |b: &Branch, other: &ExactSheet<'_>| {
-                f.root(&other.cycle(&turn), b.root, b.second == self.sheet)
-            };
+        |theta| {
+            let turn = Rotation::by(theta);
+            let [f, g, h] = self.sheets().map(|s| self.geometry.cycle(s, turn));
+            let place =
+                |b: &Branch, other: &Cycle<Dd>| f.root(other, b.root, b.second == self.sheet);
             between(&f, place(self.x, &g), place(self.y, &h))
         }
     }
@@ -287,13 +285,16 @@ impl Passing<'_> {
     fn roughly_apart(&self, theta: f64) -> Option<f64> {
         /// Errors are estimates; this much worse they may be.
         const MARGIN: f64 = 8.0;
-        let placing = Placing::new(self.geometry, self.sheet, theta);
+        let placing = Placing::new(self.geometry, self.sheet, Orientation::by(theta));
         let small = |s: &u32| self.geometry.contacts.sheets[*s as usize].is_small();
         if self.sheets().iter().any(small) {
             return None;
         }
-        let ((p, e), (q, f)) = (placing.crossed_by(self.x), placing.crossed_by(self.y));
-        let apart = between(placing.cycle(), p, q);
+        let ((p, e), (q, f)) = (
+            placing.place_and_error(self.x),
+            placing.place_and_error(self.y),
+        );
+        let apart = between(&placing.curve().cycle, p, q);
         (apart.abs() > MARGIN * (e + f)).then_some(apart)
     }
 
@@ -375,11 +376,8 @@ impl Passing<'_> {
 
     /// The same in double-double.
     fn polynomial(&self) -> TrigPolynomial<Dd> {
-        let three = self.sheets().map(|s| exact_sheet(self.geometry, s));
-        TrigPolynomial::sampled(|turn| {
-            let turn = ExactTurn::of(turn);
-            concurrency([0, 1, 2].map(|i| three[i].cycle(&turn)))
-        })
+        let three = self.sheets();
+        TrigPolynomial::sampled(|turn| concurrency(three.map(|s| self.geometry.cycle(s, turn))))
     }
 
     /// The sheet and those of both branches.

@@ -5,12 +5,11 @@
 //! by less than is told apart, so that there is none before and none after. What was in front of the other curve is behind it
 //! then: a cell that is there does not go on.
 
-use crate::contact::{ExactCurve, ExactTurn, Geometry};
+use crate::contact::{Curve, Geometry, Orientation};
 use crate::geometry::Point;
 use crate::number::Dd;
 
 use crate::general::events::clusters::Clusters;
-use crate::general::events::placing::exact_sheet;
 
 /// A sheet of which some has come behind another sheet, within a cluster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,11 +27,15 @@ pub(crate) fn pinches_of(all: &[Pinch], sheet: u32, at: u32) -> &[Pinch] {
 }
 
 /// Whether of two sheets that do not cross just below and just above a cluster one comes behind the other where both are.
-pub(crate) fn pinched(geometry: &Geometry, sheets: (u32, u32), beside: &[ExactTurn; 2]) -> bool {
+pub(crate) fn pinched(
+    geometry: &Geometry,
+    sheets: (u32, u32),
+    beside: &[Orientation<Dd>; 2],
+) -> bool {
     let [f, g] = [sheets.0, sheets.1].map(|s| placed(geometry, s, beside));
-    let passes = |f: &[ExactCurve; 2], g: &[ExactCurve; 2], end: usize| {
-        let p = f.map(|c| c.end_points()[end]);
-        let [m, n] = [f, g].map(|c| c[0].cycle().normal_at(p[0]));
+    let passes = |f: &[Curve<Dd>; 2], g: &[Curve<Dd>; 2], end: usize| {
+        let p = f.map(|c| [c.start, c.end][end]);
+        let [m, n] = [f, g].map(|c| c[0].normal(p[0]));
         let opposite = m.dot(n).is_negative();
         opposite && is_passed(g, p)
     };
@@ -46,7 +49,7 @@ pub(crate) fn pinched(geometry: &Geometry, sheets: (u32, u32), beside: &[ExactTu
 pub(crate) fn swallowed(
     geometry: &Geometry,
     (f, g): (u32, u32),
-    beside: &[ExactTurn; 2],
+    beside: &[Orientation<Dd>; 2],
 ) -> Option<u32> {
     [(f, g), (g, f)]
         .into_iter()
@@ -67,18 +70,18 @@ impl Pinch {
 }
 
 /// Just below and just above a cluster.
-pub(crate) fn turns_beside(clusters: &Clusters, at: u32) -> [ExactTurn; 2] {
+pub(crate) fn turns_beside(clusters: &Clusters, at: u32) -> [Orientation<Dd>; 2] {
     let (below, above) = clusters.exactly_beside(at);
-    [below, above].map(ExactTurn::by)
+    [below, above].map(Orientation::by)
 }
 
 /// A sheet's curves at two orientations.
-fn placed(geometry: &Geometry, sheet: u32, turns: &[ExactTurn; 2]) -> [ExactCurve; 2] {
-    [0, 1].map(|k: usize| exact_sheet(geometry, sheet).curve(&turns[k]))
+fn placed(geometry: &Geometry, sheet: u32, turns: &[Orientation<Dd>; 2]) -> [Curve<Dd>; 2] {
+    [0, 1].map(|k: usize| geometry.curve(sheet, &turns[k]))
 }
 
 /// Whether a curve passes a point that is beside it before and after.
-fn is_passed(curve: &[ExactCurve; 2], point: [Point<Dd>; 2]) -> bool {
+fn is_passed(curve: &[Curve<Dd>; 2], point: [Point<Dd>; 2]) -> bool {
     let sides = [0, 1].map(|k: usize| curve[k].is_free(point[k]));
     matches!(sides, [Some(a), Some(b)] if a != b)
 }

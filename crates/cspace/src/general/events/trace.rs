@@ -1,8 +1,6 @@
-//! Where crossings of two sheets come and go, and the branches between.
+//! The branches of crossings of two sheets, between the events at which crossings come and go.
 
-use crate::contact::{
-    Crossing, ExactTurn, Geometry, Rough, SharedEnds, Sheet, conditions, crossing, exact_crossings,
-};
+use crate::contact::{Geometry, Orientation, Sheet, crossings};
 use crate::geometry::Rotation;
 use crate::number::Dd;
 use crate::parallel;
@@ -10,86 +8,8 @@ use crate::parallel;
 use crate::general::broad::candidates::PairRun;
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::{Clusters, Moment};
+use crate::general::events::coming::PairEvents;
 use crate::general::events::pinches::{Pinch, pinched, swallowed, turns_beside};
-use crate::general::events::placing::exact_sheet;
-
-/// The events of pairs that may cross.
-#[derive(Debug, Default)]
-pub(crate) struct PairEvents {
-    pub(crate) events: Vec<Moment>,
-    /// For every pair how many there are of it and those before.
-    until: Vec<usize>,
-}
-
-impl PairEvents {
-    fn of(&self, pair: usize) -> &[Moment] {
-        let from = (pair.checked_sub(1)).map_or(0, |before| self.until[before]);
-        &self.events[from..self.until[pair]]
-    }
-}
-
-/// The events of every pair.
-pub(crate) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents {
-    let found = parallel::chunks(pairs, CHUNK, |_, runs| {
-        let mut found = PairEvents::default();
-        let mut rough = Vec::new();
-        for run in runs {
-            let events = &mut found.events;
-            events_of(geometry, run, &mut rough, |e| events.push(e));
-            found.until.push(found.events.len());
-        }
-        found
-    });
-    let mut all = PairEvents::default();
-    for f in found {
-        let before = all.events.len();
-        all.events.extend(f.events);
-        all.until.extend(f.until.into_iter().map(|n| before + n));
-    }
-    all
-}
-
-/// The events of one pair in double-double, of those conditions that have any as far as doubles tell.
-fn events_of(
-    geometry: &Geometry,
-    run: &PairRun,
-    rough: &mut Vec<Rough>,
-    mut found: impl FnMut(Moment),
-) {
-    let contacts = &geometry.contacts;
-    let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
-    // Pairs that are tangent by their making are not among them.
-    let shared = SharedEnds {
-        tangent: false,
-        corners: f.shared_corners(g, contacts.first_vertex_name),
-    };
-    rough.clear();
-    if !f.is_flat() && !g.is_flat() {
-        let (lo, hi) = (run.lo.to_f64(), run.hi.to_f64());
-        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        let (sin, cos) = mid.sin_cos();
-        conditions(f, g, &shared, |t| {
-            let mut all = Rough::None;
-            t.roots(mid, cos, sin, half, |root| {
-                all = match all {
-                    _ if root.error > Rough::ERROR => Rough::Unknown,
-                    Rough::None => Rough::At([Some(root.theta), None]),
-                    Rough::At([first, None]) => Rough::At([first, Some(root.theta)]),
-                    _ => Rough::Unknown,
-                };
-            });
-            rough.push(all);
-        });
-        if rough.iter().all(|r| *r == Rough::None) {
-            return;
-        }
-    }
-    let [x, y] = [run.first, run.second].map(|s| exact_sheet(geometry, s));
-    let rough = |condition: usize| rough.get(condition).map_or(Rough::Unknown, |r| *r);
-    x.events(&y, &shared, (run.lo, run.hi), rough, |theta, error| {
-        found(Moment { theta, error });
-    });
-}
 
 /// Two sheets whose curves lie on one carrier at one orientation, not before and not after.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -269,53 +189,35 @@ impl Tracer<'_> {
 fn coincide(geometry: &Geometry, run: &PairRun, theta: Dd) -> bool {
     /// Orientations at which circles become one are known to the square root of the rounding (length, and sine of an angle).
     const SAME: f64 = 1e-14;
-    let turn = ExactTurn::by(theta);
-    let [f, g] = [run.first, run.second].map(|s| exact_sheet(geometry, s).cycle(&turn));
+    let turn = Rotation::by(theta);
+    let [f, g] = [run.first, run.second].map(|s| geometry.cycle(s, turn));
     f.is_one_with(&g, SAME)
 }
 
-/// The same as [`crossings_between`] in double-double.
+/// For each root whether the curves cross there in double-double, and if so whether the first enters.
 fn exact_crossings_between(geometry: &Geometry, run: &PairRun, theta: Dd) -> [Option<bool>; 2] {
-    let contacts = &geometry.contacts;
-    let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
-    let [x, y] = [run.first, run.second].map(|s| exact_sheet(geometry, s));
-    let shared = SharedEnds {
-        tangent: false,
-        corners: f.shared_corners(g, contacts.first_vertex_name),
-    };
-    exact_crossings(&x, &y, &shared, &ExactTurn::by(theta))
+    let at = Orientation::by(theta);
+    let [f, g] = [run.first, run.second].map(|s| geometry.curve(s, &at));
+    crossings(&f, &g, corners(geometry, run))
 }
 
-/// For each root whether the curves cross there, and if so whether the first enters.
+/// The same as [`exact_crossings_between`] in doubles.
 fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<bool>; 2] {
-    let contacts = &geometry.contacts;
-    let (fs, gs) = (
-        &contacts.sheets[run.first as usize],
-        &contacts.sheets[run.second as usize],
-    );
-    let turn = Rotation::by(theta);
-    let origin = fs.close_to(gs).map(|c| c.0);
+    let [f, g] = [run.first, run.second].map(|s| &geometry.contacts.sheets[s as usize]);
+    let at = Orientation::by(theta);
+    let origin = f.close_to(g).map(|c| c.0);
     let curve = |sheet: &Sheet| match origin {
-        Some(o) => sheet.about(&o).curve(theta, turn),
-        None => sheet.curve(theta, turn),
+        Some(o) => sheet.curve_on(&sheet.locus.about(&o), &at),
+        None => sheet.curve_on(&sheet.locus, &at),
     };
-    let (f, g) = (curve(fs), curve(gs));
-    let mut found: [Option<Crossing>; 2] = [None; 2];
-    for root in 0..2 {
-        found[usize::from(root)] = crossing(&f, &g, root);
-    }
-    let corners = fs.shared_corners(gs, contacts.first_vertex_name);
-    for spiral in corners.into_iter().flatten() {
-        let p = origin.map_or(spiral, |o| spiral.about(&o)).at(turn);
-        let distance = |c: &Option<Crossing>| c.map_or(f64::INFINITY, |c| c.point.distance(p));
-        let nearest = usize::from(distance(&found[1]) < distance(&found[0]));
-        found[nearest] = None;
-    }
-    let (half_f, half_g) = (f.half, g.half);
-    found.map(|c| {
-        c.filter(|c| f.position(c.point).abs() < half_f && g.position(c.point).abs() < half_g)
-            .map(|c| c.enters)
-    })
+    crossings(&curve(f), &curve(g), corners(geometry, run))
+}
+
+/// Whether two sheets share a corner where the first ends, and where it starts.
+fn corners(geometry: &Geometry, run: &PairRun) -> [bool; 2] {
+    let contacts = &geometry.contacts;
+    let [f, g] = [run.first, run.second].map(|s| &contacts.sheets[s as usize]);
+    f.shared_corners(g, contacts.first_vertex_name)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use crate::contact::{ExactTurn, Geometry};
+use crate::contact::{Geometry, Orientation};
 use crate::grouped::Grouped;
 use crate::number::{Dd, TrigPolynomial};
 use crate::parallel;
@@ -16,7 +16,7 @@ use crate::general::events::branch::Branch;
 use crate::general::events::clusters::{Clusters, Moment, SAME};
 use crate::general::events::meetings::Meetings;
 use crate::general::events::passing::{Passing, Sample};
-use crate::general::events::placing::ExactPlacing;
+use crate::general::events::placing::Placing;
 use crate::general::events::trace::Traced;
 
 /// In intervals narrower than this (radians) samples of branches tell which of them pass each other.
@@ -142,7 +142,7 @@ struct Window<'w, 'a> {
     /// Where branches are, in a narrow window: of each that was asked for, if it can be told.
     samples: Vec<Option<Option<Sample>>>,
     /// The sheet at the beginning, in the middle and at the end of a narrow window.
-    placings: Option<[ExactPlacing<'a>; 3]>,
+    placings: Option<[Placing<'a, Dd>; 3]>,
 }
 
 impl<'a> Search<'a> {
@@ -230,7 +230,7 @@ impl<'a> Search<'a> {
         let (geometry, sheet) = (self.geometry, self.sheet);
         let placings = window.placings.get_or_insert_with(|| {
             [lo, (lo + hi).scaled(0.5), hi]
-                .map(|theta| ExactPlacing::new(geometry, sheet, ExactTurn::by(theta)))
+                .map(|theta| Placing::new(geometry, sheet, Orientation::by(theta)))
         });
         *window.samples[index]
             .get_or_insert_with(|| Sample::new(geometry, sheet, placings, b, length))

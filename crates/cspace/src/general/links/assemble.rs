@@ -225,8 +225,8 @@ impl Assembler<'_> {
             function: sheet.function(),
             lo: chain.lo,
             hi: chain.hi,
-            left: bound(cell.left, sheet.start),
-            right: bound(cell.right, sheet.end),
+            left: bound(cell.left, sheet.locus.start),
+            right: bound(cell.right, sheet.locus.end),
             region: 0,
         }
     }

@@ -190,7 +190,7 @@ impl Links<'_> {
     /// What two cells share of their curve, some slabs further.
     fn overlap(&self, curve: &Curve, v: &VerticalContact, slabs: i64, at: f64) -> CurveGeometry {
         let steps = &self.lifts.steps;
-        let curve = steps.motion(slabs).curve(curve, steps.angle(slabs));
+        let curve = steps.motion(slabs).curve(curve);
         CurveGeometry::from_inner(&curve, v.lo, v.hi, &self.linker.geometry.frame, at)
     }
 }

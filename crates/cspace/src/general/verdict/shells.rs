@@ -1,6 +1,6 @@
 //! Shells: cells that hang together, and whether they bound free space.
 
-use crate::contact::{Curve, Cycle, ExactTurn, Geometry};
+use crate::contact::{Curve, Cycle, Geometry, Orientation};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::grouped::Grouped;
 use crate::number::Dd;
@@ -13,7 +13,7 @@ use crate::general::cells::levels::Levels;
 use crate::general::cells::sweep::Cells;
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
-use crate::general::events::placing::{ExactPlacing, Placing};
+use crate::general::events::placing::Placing;
 use crate::general::events::trace::Coincidence;
 
 /// Contacts between cells, and the verdict on each cell.
@@ -329,7 +329,7 @@ impl ShellFinder<'_> {
     }
 
     fn range(&self, cell: &Cell, theta: f64) -> (f64, f64) {
-        let placing = Placing::new(self.geometry, cell.sheet, theta);
+        let placing = Placing::new(self.geometry, cell.sheet, Orientation::by(theta));
         let place = |b: u32, end: f64| {
             if b == END {
                 end
@@ -356,9 +356,9 @@ impl ShellFinder<'_> {
     }
 
     /// The same place along the curve in double-double.
-    fn exact_place(&self, cell: &Cell, share: f64) -> (ExactPlacing<'_>, Dd) {
-        let turn = ExactTurn::by(self.clusters.exact_between(cell.from, cell.to));
-        let placing = ExactPlacing::new(self.geometry, cell.sheet, turn);
+    fn exact_place(&self, cell: &Cell, share: f64) -> (Placing<'_, Dd>, Dd) {
+        let turn = Orientation::by(self.clusters.exact_between(cell.from, cell.to));
+        let placing = Placing::new(self.geometry, cell.sheet, turn);
         let (from, to) = placing.ends();
         let place = |b: u32, end: Dd| {
             if b == END {
@@ -395,7 +395,7 @@ impl ShellFinder<'_> {
         let p = self.point(cell, share, &curve);
         let normal: Vector = curve.normal(p);
         let mut reach = if !sheet.is_line() {
-            STEP.min(0.5 * sheet.radius.abs())
+            STEP.min(0.5 * sheet.locus.radius.abs())
         } else {
             STEP
         };
@@ -412,7 +412,7 @@ impl ShellFinder<'_> {
                 let on_it = other.position(p).abs() <= other.half + TELLING;
                 if off < TELLING && on_it {
                     let one_circle = sheet.is_circle() == s.is_circle()
-                        && (sheet.radius - s.radius).abs() < TELLING;
+                        && (sheet.locus.radius - s.locus.radius).abs() < TELLING;
                     if !one_circle || other.normal(p).dot(normal) < 0.0 {
                         return None;
                     }

@@ -1,6 +1,7 @@
 //! Events against crossings that are looked at densely.
 
 use super::*;
+use crate::general::events::coming::pair_events;
 use crate::part::{Part, Vertex};
 
 /// tan(90° / 4).
