@@ -20,11 +20,13 @@
 //!
 //! Travel is to the left of the normal, with blocked space on the left.
 
+use crate::feature::{Feature, Outline, Shape};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
 /// An oriented circle or line.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Cycle<T = f64> {
     pub(crate) through: Point<T>,
     /// Zero of a cycle written by its centre.
@@ -117,12 +119,21 @@ impl<T: Real> Cycle<T> {
         if self.is_centred() {
             return (self.through.distance(p) - self.size) * self.weight;
         }
-        let (level, two) = (self.level(p), T::constant(2.0));
+        let level = self.level(p);
         if self.is_line() {
             return level;
         }
-        let gradient = (self.size * self.size + two * self.weight * level).sqrt();
-        two * level / (self.size + gradient)
+        let steepness = self.size * self.size + T::constant(2.0) * self.weight * level;
+        self.off(steepness.sqrt(), level)
+    }
+
+    /// The same of a place at which the length of the gradient and the level are known.
+    #[inline]
+    pub(crate) fn off(&self, gradient: T, level: T) -> T {
+        if self.is_centred() {
+            return (gradient - self.size) * self.weight;
+        }
+        T::constant(2.0) * level / (self.size + gradient)
     }
 
     /// The unit normal towards the free side at a place on it.
@@ -218,11 +229,11 @@ impl<T: Real> Cycle<T> {
     #[inline]
     pub(crate) fn crossed_by(&self, other: &Self, enters: bool) -> Vector<T> {
         if self.is_centred() {
-            return self.arm(other, enters);
+            return self.to_crossing(other, enters);
         }
         if other.is_centred() {
             // Where this one enters the blocked side of the other, the other leaves that of this one.
-            return self.place(other.through + other.arm(self, !enters));
+            return self.place(other.through + other.to_crossing(self, !enters));
         }
         let real = T::constant;
         let (a, c) = (other.slope(self.through), other.level(self.through));
@@ -256,7 +267,7 @@ impl<T: Real> Cycle<T> {
     /// The vector v has the length ρ, and a·v = h = −(c + k ρ²/2) with the other's gradient a and level c at the centre. With δ,
     /// the distance of the centre from the other, and its size K, ρ² a² − h² = (ρ − δ)(ρ + δ)(K + |a| − k ρ)(K + |a| + k ρ)/4:
     /// Heron's formula, in which no two squares cancel.
-    fn arm(&self, other: &Self, enters: bool) -> Vector<T> {
+    fn to_crossing(&self, other: &Self, enters: bool) -> Vector<T> {
         let (a, c, product) = self.heron(other);
         let half = T::constant(0.5);
         let mut along = -c;
@@ -288,11 +299,7 @@ impl<T: Real> Cycle<T> {
         }
         let length = a.length();
         let (steep, bend) = (other.size + length, other.weight * r);
-        let off = if other.is_centred() {
-            (length - other.size) * other.weight
-        } else {
-            T::constant(2.0) * c / steep
-        };
+        let off = other.off(length, c);
         let product = (r - off) * (r + off) * (steep - bend) * (steep + bend);
         (a, c, product)
     }
@@ -367,6 +374,102 @@ impl<T: Real> Cycle<T> {
     }
 }
 
+/// Two cycles that touch from outside, their normals opposite: features of two parts.
+///
+/// With the levels m₁ and m₂ of a place and the gradients there, of which the opposites a₁ and a₂ are the *arms* of the place,
+///
+/// ```text
+/// G = λ₁ m₂ + λ₂ m₁ − a₁·a₂ − ρ₁ ρ₂
+/// ```
+///
+/// is the same from wherever both are seen. It vanishes where the cycles touch and is positive where they are apart: λ₁ λ₂ / 2
+/// times what the square of the distance of the centres is more than that of the sum of the radii. With K = λ₁ ρ₂ + λ₂ ρ₁, the sum
+/// of the radii times λ₁ λ₂, and V = λ₁ a₂ − λ₂ a₁, from centre to centre times λ₁ λ₂, V² = K² + 2 λ₁ λ₂ G, and the distance along
+/// the common normal is 2 G / (K + |V|). Cycles that can touch have K > 0; where they do, V is K times the normal of the first.
+impl<T: Real> Cycle<T> {
+    /// a: minus the gradient at a place, λ times the vector to the centre if there is one.
+    #[inline]
+    pub(crate) fn arm(&self, from: Point<T>) -> Vector<T> {
+        (self.through - from) * self.weight - self.normal
+    }
+
+    /// K.
+    #[inline]
+    pub(crate) fn total(&self, other: &Self) -> T {
+        self.weight * other.size + other.weight * self.size
+    }
+
+    /// V.
+    #[inline]
+    pub(crate) fn between(&self, other: &Self) -> Vector<T> {
+        let way = (other.through - self.through) * (self.weight * other.weight);
+        way + self.normal * other.weight - other.normal * self.weight
+    }
+
+    /// G. With the vector d from `through` to `through` it is λ₁ λ₂ d²/2 + (λ₂ n₁ − λ₁ n₂)·d − n₁·n₂ and constants.
+    pub(crate) fn apart(&self, other: &Self) -> T {
+        let (d, half) = (other.through - self.through, T::constant(0.5));
+        let still = if self.is_centred() || other.is_centred() {
+            self.still(other)
+        } else {
+            // 1 + n₁·n₂, without the cancelling.
+            -half * (self.normal + other.normal).length_squared()
+        };
+        half * self.weight * other.weight * d.length_squared()
+            + (self.normal * other.weight - other.normal * self.weight).dot(d)
+            + still
+    }
+
+    /// G without a₁·a₂, seen from a place: what stays when one of both turns about it.
+    pub(crate) fn still_about(&self, other: &Self, place: Point<T>) -> T {
+        let raised = |c: &Self| c.level(place) - c.own_level();
+        other.weight * raised(self) + self.weight * raised(other) + self.still(other)
+    }
+
+    /// The terms of G that depend neither on d nor on the normals.
+    fn still(&self, other: &Self) -> T {
+        if self.is_centred() && other.is_centred() {
+            // Radii that all but cancel leave no rounding.
+            let total = self.total(other);
+            return T::constant(-0.5) * self.weight * other.weight * total * total;
+        }
+        let levels = other.weight * self.own_level() + self.weight * other.own_level();
+        levels - self.size * other.size
+    }
+
+    /// The level at `through`.
+    fn own_level(&self) -> T {
+        if self.is_centred() {
+            T::constant(-0.5) * self.weight * self.size * self.size
+        } else {
+            T::constant(0.0)
+        }
+    }
+
+    /// How far the cycles are apart along their common normal.
+    pub(crate) fn gap(&self, other: &Self) -> T {
+        let (apart, total, two) = (self.apart(other), self.total(other), T::constant(2.0));
+        let square = total * total + two * self.weight * other.weight * apart;
+        two * apart / (total + square.sqrt())
+    }
+
+    /// K − u·V for a unit vector u, times which K + u·V is K² − (u·V)².
+    pub(crate) fn beside(&self, other: &Self, u: Vector<T>) -> T {
+        self.weight * other.support(self.through, -u) + other.weight * self.support(self.through, u)
+    }
+
+    /// ρ + u·a for a unit vector u: λ times how far the tangent with the normal −u is from a place. Nothing cancels if u is almost
+    /// the normal of a large circle.
+    pub(crate) fn support(&self, from: Point<T>, u: Vector<T>) -> T {
+        let own = if self.is_centred() {
+            self.size
+        } else {
+            T::constant(0.5) * (u - self.normal).length_squared()
+        };
+        own + self.weight * u.dot(self.through - from)
+    }
+}
+
 /// Rounding error of a place, in the pair's frame; to be divided by the sine of the angle of crossing.
 pub(crate) const PLACE_ERROR: f64 = 1e-14;
 
@@ -375,6 +478,27 @@ pub(crate) const PLACE_ERROR: f64 = 1e-14;
 const CENTER_ERROR: f64 = 8.0 * f64::EPSILON;
 
 impl Cycle {
+    /// The line or circle that a feature is a piece of.
+    pub(crate) fn of(outline: &Outline, feature: &Feature) -> Self {
+        match (feature.shape, feature.near) {
+            (Shape::Line { normal }, _) => Self::line(outline.start(feature).point, normal),
+            (Shape::Round { radius, .. }, Some(near)) => {
+                Self::flat(near.point, near.normal, 1.0 / radius)
+            }
+            (Shape::Round { center, radius }, None) => Self::round(center, radius),
+        }
+    }
+
+    /// The same in numbers of another kind.
+    pub(crate) fn lift<T: Real>(&self) -> Cycle<T> {
+        Cycle {
+            through: self.through.map(T::constant),
+            normal: self.normal.map(T::constant),
+            weight: T::constant(self.weight),
+            size: T::constant(self.size),
+        }
+    }
+
     /// How far rounding may have moved the place at which another cycle crosses this one.
     ///
     /// The sharper the crossing, the better it is known. Towards a tangency of curves that bend apart, the error grows like

@@ -1,8 +1,8 @@
 //! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
 
 use crate::boxes::Boxes;
+use crate::feature::Outline;
 use crate::feature::tolerance::{MOVING_GROWTH, WITHIN};
-use crate::feature::{Outline, Shape};
 use crate::geometry::{Point, Rotation};
 use crate::part::{Bounds, Inside, Part};
 
@@ -30,14 +30,7 @@ impl Body {
             .filter(|f| !f.is_vertex())
             .map(|f| {
                 let ends = [outline.start(f), outline.end(f)].map(|joint| joint.point);
-                let cycle = match (f.shape, f.near) {
-                    (Shape::Line { normal }, _) => Cycle::line(ends[0], normal),
-                    (Shape::Round { radius, .. }, Some(near)) => {
-                        Cycle::flat(near.point, near.normal, 1.0 / radius)
-                    }
-                    (Shape::Round { center, radius }, None) => Cycle::round(center, radius),
-                };
-                Curve::new(cycle, ends, [f.lo, f.hi])
+                Curve::new(Cycle::of(outline, f), ends, [f.lo, f.hi])
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;

@@ -2,9 +2,9 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use super::cycle::Cycle;
 use super::equation::Equation;
 use super::motion::Motion;
+use crate::contact::Cycle;
 use crate::geometry::{Point, Rotation, Vector};
 
 /// A carried cycle. Directions are those of its arm, or of the opposite one.
@@ -42,11 +42,11 @@ impl Bearing {
         let (offset, arm, moment) = match motion {
             Motion::Turn { center } => {
                 let offset = center - from;
-                let moment = cycle.moment(center) + 0.5 * cycle.weight * offset.length_squared();
+                let moment = cycle.level(center) + 0.5 * cycle.weight * offset.length_squared();
                 (offset, cycle.arm(center), moment)
             }
-            Motion::Slide { direction } => (direction, cycle.arm(from), cycle.moment(from)),
-            Motion::Still => (Vector::ZERO, cycle.arm(from), cycle.moment(from)),
+            Motion::Slide { direction } => (direction, cycle.arm(from), cycle.level(from)),
+            Motion::Still => (Vector::ZERO, cycle.arm(from), cycle.level(from)),
         };
         let between = offset * (cycle.weight * side);
         let (about, turning) = match motion {

@@ -4,12 +4,12 @@
 //! the window its k-th image touches in the window itself (`repeats`).
 
 use super::condition::Condition;
-use super::cycle::{self, Cycle};
 use super::motion::clusters;
 use super::piece::{End, Key, Name, Node, Pair, Piece};
 use super::reach::{Apart, reaches};
 use super::scene::Scene;
 use super::tolerance::{INDEPENDENT, SHORT};
+use crate::contact::Cycle;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::parallel::prelude::*;
 use crate::union_find::UnionFind;
@@ -243,9 +243,9 @@ pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
 
 /// The pair of two features with its condition, if they can touch: if the sum of their radii is that of a circle.
 pub(super) fn pair(scene: &Scene, first: u32, second: u32) -> Option<Pair> {
-    let a = Cycle::of(&scene.first, scene.first_feature(first));
-    let b = Cycle::of(&scene.second, scene.second_feature(second));
-    let total = cycle::total(&a, &b);
+    let a = Cycle::of(&scene.first.outline, scene.first_feature(first));
+    let b = Cycle::of(&scene.second.outline, scene.second_feature(second));
+    let total = a.total(&b);
     let touch = total > 0.0 && total >= SMALLEST_CIRCLE * (a.weight * b.weight).abs();
     touch.then(|| Pair {
         first,

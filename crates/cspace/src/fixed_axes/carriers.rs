@@ -1,7 +1,7 @@
 //! Contact conditions as saved spaces have them: one form for each kind of features.
 
 use super::condition::Condition;
-use super::cycle::Cycle;
+use crate::contact::Cycle;
 use crate::geometry::{Point, Vector};
 
 /// What must vanish where two features touch, at zero coordinates.

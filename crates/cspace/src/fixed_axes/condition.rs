@@ -1,10 +1,11 @@
 //! When two features touch: the contact function of their cycles, and y where it vanishes at a given x.
 
 use super::bearing::{Bearing, Seen};
-use super::cycle::{self, Cycle};
 use super::motion::{Motion, Motions};
 use super::tolerance::INDEPENDENT;
+use crate::contact::Cycle;
 use crate::geometry::Point;
+use crate::number::Real;
 
 /// A condition prepared to be solved for y.
 ///
@@ -34,7 +35,7 @@ impl Condition {
         };
         // Which turn a root is in is part of saved spaces: they count from the normal of a line, not from its arm, and from the
         // centre of a concave arc, unless a centre is far away.
-        let far = first.is_bow() || second.is_bow();
+        let far = first.is_large() || second.is_large();
         let side = |c: &Cycle| if far || c.weight > 0.0 { 1.0 } else { -1.0 };
         let sides = (side(&first), side(&second));
         let arm = second.arm(pivot);
@@ -45,7 +46,7 @@ impl Condition {
             bearing: Bearing::new(motions.first, &first, pivot, sides.0),
             angle: -(arm * sides.1).angle(),
             arm: arm.length(),
-            outside: second.outside(arm.length(), second.moment(pivot)),
+            outside: second.off(arm.length(), second.level(pivot)),
             side: sides.0 * sides.1,
         }
     }
@@ -56,25 +57,38 @@ impl Condition {
     }
 
     /// Both cycles when their parts have moved.
-    pub(super) fn moved(&self, x: f64, y: f64) -> (Cycle, Cycle) {
+    pub(super) fn moved<T: Real>(&self, x: T, y: T) -> (Cycle<T>, Cycle<T>) {
         let Motions { first, second } = self.motions;
-        (self.first.moved(first, x), self.second.moved(second, y))
+        (first.moved(x, &self.first), second.moved(y, &self.second))
     }
 
     /// The contact function: the distance of the cycles along the normal, positive where the parts are apart.
     pub(super) fn value(&self, x: f64, y: f64) -> f64 {
         let (a, b) = self.moved(x, y);
-        cycle::distance(&a, &b)
+        a.gap(&b)
     }
 
     /// Its derivatives by x and y.
     pub(super) fn gradient(&self, x: f64, y: f64) -> (f64, f64) {
-        let Motions { first, second } = self.motions;
         let (a, b) = self.moved(x, y);
-        let slopes = cycle::slopes(&a, first, &b, second);
-        // F is K d + λ₁ λ₂ d²/2 for the distance d.
-        let rate = cycle::centres(&a, &b).length();
-        (slopes.0 / rate, slopes.1 / rate)
+        let (by_x, by_y) = self.slopes(&a, &b);
+        // G is K d + λ₁ λ₂ d²/2 for the distance d.
+        let rate = a.between(&b).length();
+        (by_x / rate, by_y / rate)
+    }
+
+    /// The derivatives of G by x and y, of both cycles when their parts have moved.
+    pub(super) fn slopes<T: Real>(&self, a: &Cycle<T>, b: &Cycle<T>) -> (T, T) {
+        let slope = |p: &Cycle<T>, q: &Cycle<T>, motion: Motion| match motion {
+            Motion::Still => T::constant(0.0),
+            Motion::Turn { center } => {
+                let center = center.map(T::constant);
+                -p.arm(center).dot(q.arm(center).left())
+            }
+            Motion::Slide { direction } => direction.map(T::constant).dot(p.between(q)),
+        };
+        let Motions { first, second } = self.motions;
+        (slope(b, a, first), slope(a, b, second))
     }
 
     /// Whether the condition does not depend on y: its curves are x = constant.
@@ -99,13 +113,13 @@ impl Condition {
                 sum * difference >= 0.0
             }
             Motion::Slide { direction } => {
-                let a = self.first.moved(self.motions.first, x);
+                let a = self.motions.first.moved(x, &self.first);
                 if a.weight * self.second.weight != 0.0 {
                     let side = direction.left();
-                    let room = |u| cycle::beside(&a, &self.second, u);
+                    let room = |u| a.beside(&self.second, u);
                     return room(side) * room(-side) >= 0.0;
                 }
-                let slope = direction.dot(cycle::centres(&a, &self.second));
+                let slope = direction.dot(a.between(&self.second));
                 if root == 0 { slope > 0.0 } else { slope < 0.0 }
             }
         }
@@ -113,7 +127,7 @@ impl Condition {
 
     /// The root at x: continuous in x where it exists; where rounding has just lost it, the double root.
     ///
-    /// With the arms a of the first and R b of the second, which turns, F is C − a·R b. It vanishes where the angle from one arm
+    /// With the arms a of the first and R b of the second, which turns, G is C − a·R b. It vanishes where the angle from one arm
     /// to the other has the cosine C / (|a| |b|).
     pub(super) fn y(&self, x: f64, root: u8) -> f64 {
         self.solved(x, if root == 0 { 1.0 } else { -1.0 })
@@ -134,16 +148,16 @@ impl Condition {
                 self.angle + seen.turned((level, root_of(sum * difference)), sign * self.side)
             }
             Motion::Slide { direction } => {
-                // F is λ₁ λ₂ y²/2 + (e·V) y + what it is at 0, with V² = (e·V)² + (e × V)².
-                let a = self.first.moved(self.motions.first, x);
+                // G is λ₁ λ₂ y²/2 + (e·V) y + what it is at 0, with V² = (e·V)² + (e × V)².
+                let a = self.motions.first.moved(x, &self.first);
                 let square = a.weight * self.second.weight;
-                let slope = direction.dot(cycle::centres(&a, &self.second));
-                let still = cycle::between(&a, &self.second);
+                let slope = direction.dot(a.between(&self.second));
+                let still = a.apart(&self.second);
                 if square == 0.0 {
                     return -still / slope;
                 }
                 let side = direction.left();
-                let room = |u| cycle::beside(&a, &self.second, u);
+                let room = |u| a.beside(&self.second, u);
                 let rate = sign * root_of(room(side) * room(-side));
                 // Of two forms that are equal the one in which nothing cancels.
                 if slope * rate > 0.0 {
@@ -155,16 +169,16 @@ impl Condition {
         }
     }
 
-    /// |a| |b| + C and |a| |b| − C, for arms a and b and F = C − a·R b.
+    /// |a| |b| + C and |a| |b| − C, for arms a and b and G = C − a·R b.
     ///
     /// With the distances e and f of the pivot from both they are (e + f) (2 K + λ₁ λ₂ (e + f)) / 2 and
     /// (2 ρ₁ + λ₁ (e − f)) (2 ρ₂ + λ₂ (f − e)) / 2: of circles the four factors are those of Heron's formula.
     fn product(&self, seen: &Seen) -> (f64, f64) {
         let (a, b) = (&self.first, &self.second);
-        let outside = a.outside(seen.arm.length(), seen.moment);
+        let outside = a.off(seen.arm.length(), seen.moment);
         let (sum, difference) = (outside + self.outside, outside - self.outside);
         (
-            sum * (cycle::total(a, b) + 0.5 * a.weight * b.weight * sum),
+            sum * (a.total(b) + 0.5 * a.weight * b.weight * sum),
             (a.size + 0.5 * a.weight * difference) * (2.0 * b.size - b.weight * difference),
         )
     }
@@ -183,7 +197,7 @@ mod tests {
     /// A circle by a point of it, which may be anywhere on it.
     fn bow(center: Point, radius: f64, at: f64) -> Cycle {
         let normal = Vector::from_angle(at);
-        Cycle::bow(center + normal * radius, normal, 1.0 / radius)
+        Cycle::flat(center + normal * radius, normal, 1.0 / radius)
     }
 
     fn motions() -> Vec<Motions> {
@@ -207,18 +221,18 @@ mod tests {
     /// Pairs of all kinds that can touch, with small circles and large ones.
     fn pairs() -> Vec<(Cycle, Cycle)> {
         let (p, q) = (Point::new(0.3, -0.8), Point::new(0.9, 0.4));
-        let line = Cycle::bow(p, Vector::from_angle(0.4), 0.0);
+        let line = Cycle::flat(p, Vector::from_angle(0.4), 0.0);
         let large =
-            |at: Point, r: f64, normal: f64| Cycle::bow(at, Vector::from_angle(normal), 1.0 / r);
+            |at: Point, r: f64, normal: f64| Cycle::flat(at, Vector::from_angle(normal), 1.0 / r);
         vec![
-            (Cycle::about(p, 0.7), Cycle::about(q, 0.9)),
-            (Cycle::about(p, 1e-9), Cycle::about(q, 0.0)),
-            (Cycle::about(p, -1.9), Cycle::about(q, 0.3)),
-            (Cycle::about(p, 0.3), Cycle::about(q, -1.9)),
-            (line, Cycle::about(q, 0.2)),
-            (line, Cycle::about(q, 1e-9)),
+            (Cycle::round(p, 0.7), Cycle::round(q, 0.9)),
+            (Cycle::round(p, 1e-9), Cycle::round(q, 0.0)),
+            (Cycle::round(p, -1.9), Cycle::round(q, 0.3)),
+            (Cycle::round(p, 0.3), Cycle::round(q, -1.9)),
+            (line, Cycle::round(q, 0.2)),
+            (line, Cycle::round(q, 1e-9)),
             (line, large(q, 300.0, 3.3)),
-            (large(p, -300.0, 0.2), Cycle::about(q, 0.4)),
+            (large(p, -300.0, 0.2), Cycle::round(q, 0.4)),
             (large(p, 2000.0, 0.2), large(q, -1e6, 3.5)),
         ]
     }
@@ -337,9 +351,9 @@ mod tests {
         let (p, q) = (Point::new(0.3, -0.8), Point::new(0.9, 0.4));
         for motions in motions() {
             for (r, s) in [(0.7, 0.9), (0.7, -1.9), (-2.3, 0.8)] {
-                let by_centres = Condition::new(Cycle::about(p, r), Cycle::about(q, s), motions);
+                let by_centres = Condition::new(Cycle::round(p, r), Cycle::round(q, s), motions);
                 let (a, b) = (bow(p, r, 0.4), bow(q, s, 2.5));
-                for (first, second) in [(a, b), (a, Cycle::about(q, s)), (Cycle::about(p, r), b)] {
+                for (first, second) in [(a, b), (a, Cycle::round(q, s)), (Cycle::round(p, r), b)] {
                     let by_points = Condition::new(first, second, motions);
                     assert_same(&by_points, &by_centres);
                     assert_same(&by_points.swapped(), &by_centres.swapped());

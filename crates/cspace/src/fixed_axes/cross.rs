@@ -7,7 +7,6 @@
 //! conditions, a trigonometric polynomial of degree four at most, isolates all crossings.
 
 use super::condition::Condition;
-use super::cycle::Cycle;
 use super::equation::Equation;
 use super::motion::Motion;
 use super::motion::Placement;
@@ -15,6 +14,7 @@ use super::piece::Height;
 use super::piece::Pair;
 use super::piece::Piece;
 use super::tolerance::INDEPENDENT;
+use crate::contact::Cycle;
 use crate::geometry::Rotation;
 use crate::geometry::Vector;
 use crate::number::TrigPolynomial;

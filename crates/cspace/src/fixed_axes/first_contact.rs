@@ -1,13 +1,13 @@
 //! The first contact along a motion of constant rates.
 
 use super::condition::Condition;
-use super::cycle::{self, Cycle};
 use super::motion::Extent;
 use super::motion::ExtentKind;
 use super::motion::Motion;
 use super::patches::AxesBranch;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
+use crate::contact::Cycle;
 use crate::geometry::time_of_known_angle;
 use crate::query::Classification;
 use crate::query::MotionError;
@@ -321,9 +321,9 @@ impl Along<'_> {
         )
     }
 
-    /// F, its derivative, and a bound on its second derivative over times from `lo` to `hi`.
+    /// G, its derivative, and a bound on its second derivative over times from `lo` to `hi`.
     ///
-    /// Of the terms of F that move each by itself, in the way w from one cycle to the other and in both normals n: with its
+    /// Of the terms of G that move each by itself, in the way w from one cycle to the other and in both normals n: with its
     /// velocity w′ and its acceleration w″, (w²)″ / 2 = w′² + w·w″ and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a
     /// rate ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R how far the point is from the pivot; one that slides has no acceleration.
     fn smooth(&self, lo: f64, hi: f64) -> (f64, f64, f64) {
@@ -350,9 +350,9 @@ impl Along<'_> {
             + b.weight.abs() * normal(&a) * across(spin)
             + a.weight.abs() * normal(&b) * across(turn)
             + normal(&a) * normal(&b) * (spin + turn) * (spin + turn);
-        let slopes = cycle::slopes(&a, first, &b, second);
+        let slopes = self.condition.slopes(&a, &b);
         let slope = slopes.0 * dx + slopes.1 * dy;
-        (cycle::between(&a, &b), slope, bend)
+        (a.apart(&b), slope, bend)
     }
 
     /// Calls `take` with every time at which the condition falls through zero, in order, until it returns true. Returns

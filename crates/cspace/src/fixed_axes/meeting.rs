@@ -3,9 +3,9 @@
 //! A joint X with the normal n touches a circle of radius r, their normals opposite, where the circle's centre is at X + r n: at
 //! the centre of an equal circle that has X on it and the normal −n there.
 
-use super::cycle::Cycle;
 use super::motion::Motion;
 use super::tolerance::INDEPENDENT;
+use crate::contact::Cycle;
 use crate::geometry::{Point, Rotation, Vector};
 
 /// Coordinates (s, t) of both parts at which two cycles of one weight and size coincide: two at most, and of parts that both
@@ -22,7 +22,7 @@ pub(super) fn meetings(
             let (e, f, apart) = (v.length(), w.length(), between.length());
             let (sum, less) = (
                 e + f,
-                p.weight * (p.outside(e, p.moment(c)) - q.outside(f, q.moment(d))),
+                p.weight * (p.off(e, p.level(c)) - q.off(f, q.level(d))),
             );
             // Heron: 16 times the square of the area of the triangle of both pivots and the centre.
             let square = (apart - less) * (apart + less) * (sum - apart) * (sum + apart);
@@ -88,12 +88,12 @@ fn slid(
         return;
     }
     // |v| − ρ, of which |v| ∓ d × w is made without cancelling.
-    let more = turning.weight * turning.outside(e, turning.moment(center));
+    let more = turning.weight * turning.off(e, turning.level(center));
     let square = (more + sliding.support(center, -side)) * (more + sliding.support(center, side));
     if square < 0.0 {
         return;
     }
-    let less = more - sliding.weight * sliding.outside(f, sliding.moment(center));
+    let less = more - sliding.weight * sliding.off(f, sliding.level(center));
     for (root, half) in [(0, square.sqrt()), (1, -square.sqrt())] {
         // half − along, of two forms the one in which nothing cancels.
         let distance = if (half < 0.0) == (along < 0.0) {
@@ -125,7 +125,7 @@ mod tests {
         };
         let bow = |center: Point, radius: f64, at: f64| {
             let normal = Vector::from_angle(at);
-            Cycle::bow(center + normal * radius, normal, 1.0 / radius)
+            Cycle::flat(center + normal * radius, normal, 1.0 / radius)
         };
         let (p, q) = (Point::new(0.3, -0.8), Point::new(0.5, 0.1));
         let mut count = 0;
@@ -136,7 +136,7 @@ mod tests {
             (slide(2.1), slide(0.7)),
         ] {
             for (a, b) in [
-                (Cycle::about(p, 0.0), Cycle::about(q, 0.0)),
+                (Cycle::round(p, 0.0), Cycle::round(q, 0.0)),
                 (bow(p, 500.0, 1.1), bow(q, 500.0, 1.2)),
                 (bow(p, -3000.0, 1.1), bow(q, -3000.0, 1.1)),
             ] {
@@ -146,7 +146,7 @@ mod tests {
                     |_| true,
                     |_, s, t| {
                         let from = Point::new(0.7, 0.7);
-                        let (a, b) = (a.moved(first, s), b.moved(second, t));
+                        let (a, b) = (first.moved(s, &a), second.moved(t, &b));
                         let off = (a.arm(from) - b.arm(from)).length() / a.weight.abs();
                         assert!(off < 1e-11, "{first:?} {second:?} {a:?} {b:?}");
                         count += 1;

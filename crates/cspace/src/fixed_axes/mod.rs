@@ -78,7 +78,6 @@ mod compute;
 mod condition;
 mod copies;
 mod cross;
-mod cycle;
 mod data;
 mod displacement;
 mod equation;

@@ -1,8 +1,10 @@
 //! How a part moves on its axis, in the frame of the pair.
 
+use crate::contact::Cycle;
 use crate::geometry::Point;
 use crate::geometry::Rotation;
 use crate::geometry::Vector;
+use crate::number::Real;
 use core::f64::consts::PI;
 use core::f64::consts::TAU;
 
@@ -35,6 +37,27 @@ impl Motion {
         match self {
             Self::Turn { .. } => Rotation::by(t) * v,
             _ => v,
+        }
+    }
+
+    /// Where a cycle of the part is.
+    #[inline]
+    pub(super) fn moved<T: Real>(&self, t: T, cycle: &Cycle) -> Cycle<T> {
+        let cycle = cycle.lift();
+        match *self {
+            Self::Still => cycle,
+            Self::Turn { center } => {
+                let (turn, center) = (Rotation::by(t), center.map(T::constant));
+                Cycle {
+                    through: center + turn * (cycle.through - center),
+                    normal: turn * cycle.normal,
+                    ..cycle
+                }
+            }
+            Self::Slide { direction } => Cycle {
+                through: cycle.through + direction.map(T::constant) * t,
+                ..cycle
+            },
         }
     }
 

@@ -4,7 +4,6 @@
 //! of features. All pairs that meet there compute it from the same numbers, so it is the same to the last bit, and its
 //! name tells that it is one.
 
-use super::cycle::Cycle;
 use super::equation::Equation;
 use super::meeting::meetings;
 use super::motion::Motion;
@@ -15,6 +14,7 @@ use super::piece::Node;
 use super::repeats::Image;
 use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
+use crate::contact::Cycle;
 use crate::feature::Feature;
 use crate::geometry::Point;
 use crate::geometry::Rotation;
@@ -228,11 +228,11 @@ impl Scene {
 /// enough.
 fn touching(side: &Side, f: &Feature, joint: Point, normal: Vector) -> (Cycle, Cycle) {
     if f.near.is_some() {
-        let arc = Cycle::of(side, f);
-        return (arc, Cycle::bow(joint, -normal, arc.weight));
+        let arc = Cycle::of(&side.outline, f);
+        return (arc, Cycle::flat(joint, -normal, arc.weight));
     }
     let at = joint + normal * f.radius();
-    (Cycle::about(f.center(), 0.0), Cycle::about(at, 0.0))
+    (Cycle::round(f.center(), 0.0), Cycle::round(at, 0.0))
 }
 
 // Configurations at which a joint of one part is on a line of the other, their normals opposite.

@@ -2,11 +2,11 @@
 
 use super::build::Builder;
 use super::condition::Condition;
-use super::cycle::{self, Cycle};
 use super::motion::{ExtentKind, brought_between, wrapped};
 use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
+use crate::contact::Cycle;
 use crate::feature::Feature;
 use crate::geometry::Vector;
 use core::f64::consts::TAU;
@@ -139,7 +139,7 @@ pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
     let half_turn = core::f64::consts::PI;
     let Condition { first, second, .. } = &pair.condition;
     let (p, q) = pair.condition.moved(x, y);
-    let n = cycle::centres(&p, &q);
+    let n = p.between(&q);
     let of_first = match place(&p, &q, n) {
         Some(at) => between_ends(&scene.first, a, first, at),
         None if turning || !b.is_line() => inside(a, n.angle() - motions.first.angle(x)),
@@ -168,7 +168,7 @@ fn place(own: &Cycle, other: &Cycle, n: Vector) -> Option<f64> {
     }
     let t = own.normal.left();
     let way = (other.through - own.through) * other.weight - other.normal;
-    Some(t.dot(way) / cycle::total(own, other))
+    Some(t.dot(way) / own.total(other))
 }
 
 /// How far inside the ends of a line or large arc a place along its tangent is.

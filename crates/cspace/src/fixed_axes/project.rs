@@ -5,11 +5,9 @@
 //! grows or falls as S = d × ∇f tells: over a box in which S has no zero, none but the ends of the part count. What is
 //! left is halved (`number/least.rs`).
 
-use crate::geometry::{Point, Rotation, Vector, images};
+use crate::geometry::images;
 use crate::number::{Ball, Bounded, Real, least};
 
-use super::condition::Condition;
-use super::cycle::Cycle;
 use super::motion::{Extent, Motion, brought_between};
 use super::piece::Piece;
 use super::space::FixedAxesSpace;
@@ -138,7 +136,8 @@ impl Bounded for Search<'_> {
         let (low, high) = (start.min(end) - NEAR, start.max(end) + NEAR);
         let (x, y) = (Ball::between(lo, hi), Ball::between(low, high));
         let condition = &self.space.pairs[self.piece.pair as usize].condition;
-        let (by_x, by_y) = gradient(condition, x, y);
+        let (a, b) = condition.moved(x, y);
+        let (by_x, by_y) = condition.slopes(&a, &b);
         let pull = |t: Ball, from: f64, weight: f64| {
             (t - Ball::constant(from)) * Ball::constant(weight) * Ball::constant(weight)
         };
@@ -161,72 +160,5 @@ impl Bounded for Search<'_> {
         let change = 2.0 * (rate.mid.abs() + rate.radius) * way;
         let square = self.distance((mid, middle)).powi(2) - change;
         direct.max(square.max(0.0).sqrt())
-    }
-}
-
-/// A multiple of the derivatives of a contact condition by x and y, over all x and y of two intervals.
-///
-/// The formulas are those of [`Condition::gradient`], without what makes normals unit vectors.
-fn gradient(condition: &Condition, x: Ball, y: Ball) -> (Ball, Ball) {
-    let first = Moved::new(condition.motions.first, x);
-    let second = Moved::new(condition.motions.second, y);
-    let (a, b) = ((condition.first, first), (condition.second, second));
-    let slope = |p: &(Cycle, Moved), q: &(Cycle, Moved)| match q.1.motion {
-        Motion::Still => Ball::constant(0.0),
-        Motion::Turn { center } => -arm(p, center).dot(arm(q, center).left()),
-        Motion::Slide { direction } => constant(direction).dot(centres(p, q)),
-    };
-    (slope(&b, &a), slope(&a, &b))
-}
-
-/// The arm of a moved cycle, seen from a pivot.
-fn arm((cycle, moved): &(Cycle, Moved), pivot: Point) -> Vector<Ball> {
-    let way = moved.point(cycle.through) - constant(pivot.to_vector());
-    way * Ball::constant(cycle.weight) - moved.vector(cycle.normal)
-}
-
-/// From the centre of a moved cycle to that of another, times both weights.
-fn centres(a: &(Cycle, Moved), b: &(Cycle, Moved)) -> Vector<Ball> {
-    let weight = |c: &(Cycle, Moved)| Ball::constant(c.0.weight);
-    let normal = |c: &(Cycle, Moved)| c.1.vector(c.0.normal);
-    let way = b.1.point(b.0.through) - a.1.point(a.0.through);
-    let way = way * (weight(a) * weight(b));
-    way + normal(a) * weight(b) - normal(b) * weight(a)
-}
-
-fn constant(v: Vector) -> Vector<Ball> {
-    v.map(Ball::constant)
-}
-
-/// A part that has moved by any of an interval.
-#[derive(Clone, Copy)]
-struct Moved {
-    motion: Motion,
-    by: Ball,
-    turn: Rotation<Ball>,
-}
-
-impl Moved {
-    fn new(motion: Motion, by: Ball) -> Self {
-        Self {
-            motion,
-            by,
-            turn: Rotation::by(by),
-        }
-    }
-
-    fn vector(&self, v: Vector) -> Vector<Ball> {
-        match self.motion {
-            Motion::Turn { .. } => self.turn * constant(v),
-            _ => constant(v),
-        }
-    }
-
-    fn point(&self, p: Point) -> Vector<Ball> {
-        match self.motion {
-            Motion::Still => constant(p.to_vector()),
-            Motion::Turn { center } => constant(center.to_vector()) + self.vector(p - center),
-            Motion::Slide { direction } => constant(p.to_vector()) + constant(direction) * self.by,
-        }
     }
 }

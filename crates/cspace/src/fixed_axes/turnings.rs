@@ -1,31 +1,30 @@
 //! Where the roots of a condition come and go, and the condition as an equation for y.
 
 use super::condition::Condition;
-use super::cycle;
 use super::equation::Equation;
 use super::motion::{Motion, Placement};
 use super::tolerance::INDEPENDENT;
 use crate::geometry::Vector;
 
 impl Condition {
-    /// F by y, the first part being at a place.
+    /// G by y, the first part being at a place.
     pub(super) fn in_y(&self, first: Placement) -> Equation {
-        let (a, b) = (self.first.placed(first), &self.second);
+        let (a, b) = (self.first.moved(first.turn, first.shift), &self.second);
         match self.motions.second {
             Motion::Turn { center } => {
                 let (p, q) = (a.arm(center), b.arm(center));
                 Equation::Trig {
                     alpha: -p.dot(q),
                     beta: -p.dot(q.left()),
-                    gamma: cycle::level(&a, b, center),
+                    gamma: a.still_about(b, center),
                 }
             }
             Motion::Slide { direction } => Equation::Quadratic {
                 a: 0.5 * a.weight * b.weight,
-                b: direction.dot(cycle::centres(&a, b)),
-                c: cycle::between(&a, b),
+                b: direction.dot(a.between(b)),
+                c: a.apart(b),
             },
-            Motion::Still => Equation::constant(cycle::between(&a, b)),
+            Motion::Still => Equation::constant(a.apart(b)),
         }
     }
 
@@ -43,7 +42,7 @@ impl Condition {
     fn turnings_of_turns(&self, found: &mut impl FnMut(f64)) {
         let (a, b, near) = (&self.first, &self.second, self.outside);
         let half = 0.5 * a.weight * near;
-        let far = (near + 2.0 * b.size / b.weight) * (cycle::total(a, b) / b.weight + half);
+        let far = (near + 2.0 * b.size / b.weight) * (a.total(b) / b.weight + half);
         // Roots are numbered as they are found, and saved spaces have their numbers.
         let mut levels = [far, near * (half - a.size)];
         if self.bearing.side < 0.0 {
@@ -73,7 +72,7 @@ impl Condition {
                         gamma: still,
                     };
                     // λ₂² |a|² − (λ₁ s + λ₂ ρ₁)², with |a| = ρ₁ + λ₁ e.
-                    let outside = a.outside(length, a.moment(center));
+                    let outside = a.off(length, a.level(center));
                     let product = (b.weight * outside - s) * (b.weight * length + still);
                     equation.roots_of(a.weight * product, found);
                 }
@@ -81,7 +80,7 @@ impl Condition {
                     // V changes by −λ₁ λ₂ times the distance.
                     if u.dot(direction).abs() >= INDEPENDENT {
                         let rate = a.weight * b.weight * u.dot(direction);
-                        found(-cycle::beside(a, b, u) / rate);
+                        found(-a.beside(b, u) / rate);
                     }
                 }
                 Motion::Still => {}
