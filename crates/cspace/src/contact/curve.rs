@@ -154,10 +154,12 @@ impl Curve {
     pub(crate) fn bounds(&self) -> Bounds {
         let mut bounds = Bounds::of(self.start, self.end);
         if self.cycle.is_centred() {
+            let size = self.cycle.size;
+            let least = (self.half / size).cos();
             let (x, y) = (Vector::new(1.0, 0.0), Vector::new(0.0, 1.0));
-            for arm in [x, y, -x, -y].map(|axis| axis * self.cycle.size) {
-                if self.length_to(arm).abs() <= self.half {
-                    let p = self.cycle.through + arm;
+            for axis in [x, y, -x, -y] {
+                if self.middle.dot(axis) >= least {
+                    let p = self.cycle.through + axis * size;
                     bounds = bounds.union(Bounds::of(p, p));
                 }
             }
