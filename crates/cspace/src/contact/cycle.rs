@@ -146,6 +146,23 @@ impl<T: Real> Cycle<T> {
         slope
     }
 
+    /// The point of a circle at which it has a unit normal.
+    pub(crate) fn place_of_normal(&self, normal: Vector<T>) -> Point<T> {
+        if self.is_centred() {
+            return self.through + normal * self.radius();
+        }
+        self.through + (normal - self.normal) * (T::constant(1.0) / self.weight)
+    }
+
+    /// The same line or circle with its free side exchanged for the blocked one.
+    pub(crate) fn reversed(&self) -> Self {
+        Self {
+            normal: -self.normal,
+            weight: -self.weight,
+            ..*self
+        }
+    }
+
     /// Turned, and then moved.
     pub(crate) fn moved(&self, turn: Rotation<T>, by: Vector<T>) -> Self {
         Self {

@@ -1,8 +1,7 @@
 //! The contact function of two features as they are drawn, in the user's coordinates and in any numbers.
 //!
-//! Every feature is a piece of one oriented circle: a line has curvature 0, an arc the curvature 1/r, positive where it is
-//! convex, and a vertex is a convex arc of radius 0. An edge is told by its ends and its bulge b: from its middle point q
-//! with the outward normal n,
+//! Every feature is a piece of an oriented circle (`cycle.rs`): a vertex is a convex arc of radius 0. An edge is given by its ends and
+//! its bulge b: from its middle point q with the outward normal n,
 //!
 //! ```text
 //!          n
@@ -13,22 +12,15 @@
 //!     (material)
 //! ```
 //!
-//! Two features touch where their circles are tangent with opposing normals. With the flatter of the two as the base (q, n, k)
-//! and the other (p, m, r) placed against it, the place that the other's centre has in contact lies on a circle of curvature
-//! κ = k/(1 + k r) through q + r n, and with
-//!
-//! d = p − q − r (n + m),  g = n·d + κ d²/2,  f = 2 g / (1 + √(1 + 2 κ g))
-//!
-//! f is the distance along the normal by which they are apart, negative where they overlap. It is n·d for a line (equation 1
-//! of Sacks 1999), and ±(|c| − |r₁ + r₂|) for arcs whose centres are apart by c (equations 2 and 3). No centre is far away,
-//! however flat an arc is.
+//! The contact function is the gap of the two cycles, equations (1) to (3) of Sacks 1999 in one.
 
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
+use super::cycle::Cycle;
 use super::placement::Placement;
 
-/// Bases with a larger |bulge| are told by their centre: it is near them.
+/// Arcs with a larger |bulge| are written by their centre: it is near them.
 const NEAR_CENTER: f64 = 0.125;
 
 /// The outline of a feature as it is drawn, in its part's frame, with material on the left.
@@ -75,36 +67,6 @@ pub struct ContactValue {
     pub hessian: [[f64; 3]; 3],
 }
 
-/// An oriented circle by one of its points.
-struct Osculating<T> {
-    point: [T; 2],
-    normal: [T; 2],
-    curvature: T,
-    /// Infinite for a line.
-    radius: T,
-    bulge: f64,
-}
-
-fn add<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn sub<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn scale<T: Real>(a: [T; 2], s: T) -> [T; 2] {
-    [a[0] * s, a[1] * s]
-}
-
-fn dot<T: Real>(a: [T; 2], b: [T; 2]) -> T {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn length<T: Real>(a: [T; 2]) -> T {
-    dot(a, a).sqrt()
-}
-
 impl<T: Real> FeatureShape<T> {
     /// The same with each of its numbers made another kind of number; they are counted from 0 as start, end and bulge, or as
     /// the vertex.
@@ -121,98 +83,46 @@ impl<T: Real> FeatureShape<T> {
         }
     }
 
-    fn osculating(&self) -> Osculating<T> {
+    /// The line or circle that it is a piece of. A line may have a curvature of which only the derivatives are not 0.
+    fn cycle(&self) -> Cycle<T> {
         let real = T::constant;
         match *self {
-            Self::Edge { start, end, bulge } => {
-                let chord = sub(end, start);
-                let right = [chord[1], -chord[0]];
-                let long = length(chord);
-                let middle = scale(add(start, end), real(0.5));
-                let curvature = real(4.0) * bulge / (long * (real(1.0) + bulge * bulge));
-                Osculating {
-                    point: add(middle, scale(right, real(0.5) * bulge)),
-                    normal: scale(right, real(1.0) / long),
-                    curvature,
-                    radius: if bulge.value() == 0.0 {
-                        real(f64::INFINITY)
-                    } else {
-                        real(1.0) / curvature
-                    },
-                    bulge: bulge.value(),
+            Self::Edge {
+                start: [x, y],
+                end: [to_x, to_y],
+                bulge,
+            } => {
+                let half = real(0.5);
+                let chord = Vector::new(to_x - x, to_y - y);
+                let long = chord.length();
+                let q = Point::new(x, y) + chord * half + chord.right() * (half * bulge);
+                let n = chord.right() * (real(1.0) / long);
+                let k = real(4.0) * bulge / (long * (real(1.0) + bulge * bulge));
+                if bulge.value().abs() > NEAR_CENTER {
+                    let radius = real(1.0) / k;
+                    return Cycle::round(q + n * -radius, radius);
                 }
+                Cycle::flat(q, n, k)
             }
-            Self::Vertex { at } => Osculating {
-                point: at,
-                normal: [real(0.0); 2],
-                curvature: real(f64::INFINITY),
-                radius: real(0.0),
-                bulge: f64::INFINITY,
-            },
+            Self::Vertex { at: [x, y] } => Cycle::round(Point::new(x, y), real(0.0)),
         }
     }
 }
 
-/// The base, the flatter of two features, with the other placed against it.
-struct Against<T> {
-    base: Osculating<T>,
-    other: Osculating<T>,
-    /// Whether the base is the moving part's.
-    moves: bool,
-}
-
-impl<T: Real> Against<T> {
-    fn new(
-        fixed: &FeatureShape<T>,
-        moving: &FeatureShape<T>,
-        fixed_from_moving: &Placement<T>,
-    ) -> Self {
-        let (first, second) = (fixed.osculating(), moving.osculating());
-        let moves = second.curvature.value().abs() < first.curvature.value().abs();
-        let (base, other, placed) = if moves {
-            (second, first, fixed_from_moving.inverse())
-        } else {
-            (first, second, *fixed_from_moving)
-        };
-        Self {
-            base,
-            other: Osculating {
-                point: placed.point(other.point),
-                normal: placed.vector(other.normal),
-                ..other
-            },
-            moves,
-        }
-    }
-
-    /// f, and the gradient of f by the place of the other feature, in the base's frame: the base's normal in contact.
-    fn value_and_normal(&self) -> (T, [T; 2]) {
-        let real = T::constant;
-        let (base, other) = (&self.base, &self.other);
-        if base.bulge.abs() > NEAR_CENTER {
-            let center = |o: &Osculating<T>| sub(o.point, scale(o.normal, o.radius));
-            let apart = sub(center(other), center(base));
-            let radius = base.radius + other.radius;
-            let sign = real(if radius.value() < 0.0 { -1.0 } else { 1.0 });
-            let far = length(apart);
-            return (far * sign - radius, scale(apart, sign / far));
-        }
-        let (k, r, n) = (base.curvature, other.radius, base.normal);
-        let facing = if r.value() == 0.0 {
-            scale(n, r)
-        } else {
-            scale(add(n, other.normal), r)
-        };
-        let d = sub(sub(other.point, base.point), facing);
-        let bend = k / (real(1.0) + k * r);
-        let g = dot(n, d) + real(0.5) * bend * dot(d, d);
-        let root = (real(1.0) + real(2.0) * bend * g).sqrt();
-        let normal = add(n, scale(d, bend));
-        (
-            real(2.0) * g / (real(1.0) + root),
-            scale(normal, real(1.0) / length(normal)),
-        )
-    }
+/// The cycles of two features in the fixed part's frame.
+fn cycles<T: Real>(
+    fixed: &FeatureShape<T>,
+    moving: &FeatureShape<T>,
+    fixed_from_moving: &Placement<T>,
+) -> (Cycle<T>, Cycle<T>) {
+    let Placement {
+        position: [x, y],
+        cos,
+        sin,
+    } = *fixed_from_moving;
+    let turn = Rotation { cos, sin };
+    let placed = moving.cycle().moved(turn, Vector::new(x, y));
+    (fixed.cycle(), placed)
 }
 
 /// The contact function of two features: how far they are apart along their common normal, in the unit of length in which
@@ -237,9 +147,8 @@ pub fn contact_function<T: Real>(
     moving: &FeatureShape<T>,
     fixed_from_moving: &Placement<T>,
 ) -> T {
-    Against::new(fixed, moving, fixed_from_moving)
-        .value_and_normal()
-        .0
+    let (a, b) = cycles(fixed, moving, fixed_from_moving);
+    a.gap(&b)
 }
 
 /// Where two features touch, or would along their common normal, in numbers of any kind: in the fixed part's frame.
@@ -274,33 +183,24 @@ pub fn touching_place<T: Real>(
     moving: &FeatureShape<T>,
     fixed_from_moving: &Placement<T>,
 ) -> TouchingPlace<T> {
-    let against = Against::new(fixed, moving, fixed_from_moving);
-    let (gap, normal) = against.value_and_normal();
-    let (base, other) = (&against.base, &against.other);
-    // From the other's circle along its normal, which is the opposite one: p − r (m + N).
-    let on_other = if other.radius.value() == 0.0 {
-        other.point
+    let (a, b) = cycles(fixed, moving, fixed_from_moving);
+    let gap = a.gap(&b);
+    let normal = a.between(&b);
+    let normal = normal * (T::constant(1.0) / normal.length());
+    // From the rounder of the two, so that no centre is far away.
+    let curvature = |c: &Cycle<T>| c.curvature().value().abs();
+    let (on_fixed, on_moving) = if curvature(&b) >= curvature(&a) {
+        let p = b.place_of_normal(-normal);
+        (p + normal * -gap, p)
     } else {
-        sub(other.point, scale(add(other.normal, normal), other.radius))
+        let p = a.place_of_normal(normal);
+        (p, p + normal * gap)
     };
-    let on_base = sub(on_other, scale(normal, gap));
-    debug_assert!(base.bulge.is_finite() || other.bulge.is_infinite());
-    if against.moves {
-        let place = |p| fixed_from_moving.point(p);
-        let turned = fixed_from_moving.vector(normal);
-        TouchingPlace {
-            gap,
-            on_fixed: place(on_other),
-            on_moving: place(on_base),
-            normal: [-turned[0], -turned[1]],
-        }
-    } else {
-        TouchingPlace {
-            gap,
-            on_fixed: on_base,
-            on_moving: on_other,
-            normal,
-        }
+    TouchingPlace {
+        gap,
+        on_fixed: [on_fixed.x, on_fixed.y],
+        on_moving: [on_moving.x, on_moving.y],
+        normal: [normal.x, normal.y],
     }
 }
 

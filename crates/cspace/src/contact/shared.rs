@@ -27,9 +27,7 @@ impl Sheet {
     /// crossing. Where two vertices touch, they cross at the shared end, which is no crossing of interiors.
     pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
         let mut shared = SharedEnds {
-            tangent: self.same_circle(other)
-                || self.same_flat_arc(other)
-                || self.always_tangent(other)
+            tangent: self.always_tangent(other)
                 || (self.fixed == other.fixed && self.moving == other.moving),
             corners: self.shared_corners(other, first_vertex_name),
         };

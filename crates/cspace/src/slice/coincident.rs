@@ -37,7 +37,9 @@ impl Coincidences {
                 for (first, f) in of(sum.fixed.0, sum.moving.0) {
                     for (second, g) in of(sum.fixed.1, sum.moving.1) {
                         let apart = (f.locus.radius - g.locus.radius).abs() > SAME_CARRIER;
-                        if apart || !f.same_circle(g) {
+                        let (c, d) = (f.locus.through, g.locus.through);
+                        let off = (c.u - d.u).length().max((c.w - d.w).length());
+                        if apart || off > SAME_CARRIER {
                             continue;
                         }
                         found.extend(shared(f, g).map(|(lo, hi)| Coincidence {

@@ -180,7 +180,7 @@ fn one_circle_is_told_whatever_its_sign() {
         (round(1, (0.1, 0.2 + 1e-9), (0.3, -0.1), 0.5), false),
         (round(1, (0.1, 0.2), (0.3 + 1e-9, -0.1), 0.5), false),
     ] {
-        assert_eq!(f.same_circle(&g), same, "{g:?}");
+        assert_eq!(f.always_tangent(&g), same, "{g:?}");
         assert_eq!(f.shared_ends(&g, u32::MAX).tangent, same);
     }
     let line = straight(
@@ -189,7 +189,7 @@ fn one_circle_is_told_whatever_its_sign() {
         0.0,
         spiral((0.1, 0.2), (0.3, -0.1)),
     );
-    assert!(!f.same_circle(&line) && !line.same_circle(&f));
+    assert!(!f.always_tangent(&line) && !line.always_tangent(&f));
 }
 
 #[test]

@@ -42,7 +42,7 @@ fn curves_that_lie_on_each_other_are_known() {
         for &i in &circles {
             for &j in circles.iter().filter(|&&j| j != i) {
                 let (f, g) = (&sheets[i], &sheets[j]);
-                if !f.same_circle(g) || f.locus.radius * g.locus.radius < 0.0 {
+                if !f.always_tangent(g) || f.locus.radius * g.locus.radius < 0.0 {
                     continue;
                 }
                 // Of many places of one, some are on the other.
