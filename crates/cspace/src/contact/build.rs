@@ -55,9 +55,6 @@ struct Builder<'a> {
     sheets: Vec<Sheet>,
 }
 
-/// Sheets that last no longer than this are there by rounding only (radians).
-const SHORTEST: f64 = 1e-26;
-
 /// Where a curve ends.
 struct SheetEnd {
     spiral: Spiral,
@@ -222,6 +219,9 @@ impl Builder<'_> {
             let bounds = [first, inner(m1, 0), inner(m2, 1), last];
             for piece in 0..3u8 {
                 let (from, to) = (bounds[usize::from(piece)], bounds[usize::from(piece) + 1]);
+                if to.theta < this.span.from() || this.span.to() < from.theta {
+                    continue;
+                }
                 let middle = (from.theta + to.theta).scaled(0.5);
                 let low = if middle < switch_low {
                     this.fixed_end(ib, a, b, a_lo, radius, a.lo)
@@ -279,25 +279,13 @@ impl Builder<'_> {
     fn push(&mut self, mut sheet: Sheet, from: Bound, to: Bound, k: i32, piece: u8) {
         (sheet.from, sheet.bottom) = (from.theta, from.seam);
         (sheet.to, sheet.top) = (to.theta, to.seam);
-        let span = self.span;
-        if sheet.from < span.from() {
-            sheet.from = span.from();
-            sheet.bottom = if span.full {
-                Seam::Wrap(sheet.fixed, sheet.moving, k, piece)
-            } else {
-                Seam::Window
-            };
-        }
-        if sheet.to > span.to() {
-            sheet.to = span.to();
-            sheet.top = if span.full {
-                self.seam_below(sheet.fixed, sheet.moving, k, piece)
-            } else {
-                Seam::Window
-            };
-        }
-        (sheet.lo, sheet.hi) = (sheet.from.to_f64(), sheet.to.to_f64());
-        if (sheet.to - sheet.from).to_f64() > SHORTEST {
+        let (a, b, span) = (sheet.fixed, sheet.moving, self.span);
+        let at_end = |goes_on: Seam| if span.full { goes_on } else { Seam::Window };
+        let (bottom, top) = (
+            || at_end(Seam::Wrap(a, b, k, piece)),
+            || at_end(self.seam_below(a, b, k, piece)),
+        );
+        if let Some(sheet) = sheet.cut(span, bottom, top) {
             self.sheets.push(sheet);
         }
     }

@@ -37,13 +37,19 @@ impl<'a> Surface<'a> {
 
     /// The slice at an orientation; see [`ContactSpace::slice`](crate::ContactSpace::slice).
     pub(crate) fn slice(&self, theta: f64) -> Slice {
-        self.slice_of(theta, 0..self.patches.len() as u32)
+        self.slice_of(theta, theta, 0..self.patches.len() as u32)
     }
 
-    /// The same, given patches in ascending order among which are all that exist there.
-    pub(crate) fn slice_of(&self, theta: f64, among: impl Iterator<Item = u32>) -> Slice {
+    /// The same as positions at another orientation, which differs from it by whole turns, given patches in ascending order among
+    /// which are all that exist there.
+    pub(crate) fn slice_of(
+        &self,
+        theta: f64,
+        asked: f64,
+        among: impl Iterator<Item = u32>,
+    ) -> Slice {
         let settled = self.settled(theta);
-        let asked = Turned::by(theta);
+        let asked = Turned::by(asked);
         let mut turned = Turned::by(settled);
         let (mut curves, mut ends, mut at) = (Vec::new(), Vec::new(), Vec::new());
         for i in among {
@@ -75,7 +81,8 @@ impl<'a> Surface<'a> {
                 curve.next = next as u32;
             }
         }
-        Slice::from_curves_and_ends(theta, curves, &ends, self.doubts().hold(theta), self.frame)
+        let doubtful = self.doubts().hold(theta);
+        Slice::from_curves_and_ends(asked.theta, curves, &ends, doubtful, self.frame)
     }
 
     /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.
