@@ -56,9 +56,6 @@ struct Builder<'a> {
     sheets: Vec<Sheet>,
 }
 
-/// Sheets that last no longer than this are there by rounding only (radians).
-const SHORTEST: f64 = 1e-26;
-
 /// Where a curve ends.
 struct SheetEnd {
     spiral: Spiral,
@@ -220,6 +217,9 @@ impl Builder<'_> {
             let bounds = [first, inner(m1, 0), inner(m2, 1), last];
             for piece in 0..3u8 {
                 let (from, to) = (bounds[usize::from(piece)], bounds[usize::from(piece) + 1]);
+                if to.theta < this.span.from() || this.span.to() < from.theta {
+                    continue;
+                }
                 let middle = (from.theta + to.theta).scaled(0.5);
                 let low = if middle < switch_low {
                     this.fixed_end(ib, a, b, a_lo, radius, a.lo)
@@ -268,44 +268,34 @@ impl Builder<'_> {
         (fixed, moving): (u32, u32),
         locus: &Locus,
         [start, end]: &[SheetEnd; 2],
-        [mut from, mut to]: [Bound; 2],
+        [from, to]: [Bound; 2],
         (k, piece): (i32, u8),
     ) {
+        let sheet = Sheet {
+            fixed,
+            moving,
+            lo: from.theta.to_f64(),
+            hi: to.theta.to_f64(),
+            from: from.theta,
+            to: to.theta,
+            start_at: start.at,
+            end_at: end.at,
+            locus: *locus,
+            start_name: start.name,
+            end_name: end.name,
+            start_angle: start.angle,
+            end_angle: end.angle,
+            bottom: from.seam,
+            top: to.seam,
+        };
         let span = self.span;
-        if from.theta < span.from() {
-            let seam = if span.full {
-                Seam::Wrap(fixed, moving, k, piece)
-            } else {
-                Seam::Window
-            };
-            from = Bound::new(span.from(), seam);
-        }
-        if to.theta > span.to() {
-            let seam = if span.full {
-                self.seam_below(fixed, moving, k, piece)
-            } else {
-                Seam::Window
-            };
-            to = Bound::new(span.to(), seam);
-        }
-        if (to.theta - from.theta).to_f64() > SHORTEST {
-            self.sheets.push(Sheet {
-                fixed,
-                moving,
-                lo: from.theta.to_f64(),
-                hi: to.theta.to_f64(),
-                from: from.theta,
-                to: to.theta,
-                start_at: start.at,
-                end_at: end.at,
-                locus: *locus,
-                start_name: start.name,
-                end_name: end.name,
-                start_angle: start.angle,
-                end_angle: end.angle,
-                bottom: from.seam,
-                top: to.seam,
-            });
+        let at_end = |goes_on: Seam| if span.full { goes_on } else { Seam::Window };
+        let (bottom, top) = (
+            || at_end(Seam::Wrap(fixed, moving, k, piece)),
+            || at_end(self.seam_below(fixed, moving, k, piece)),
+        );
+        if let Some(sheet) = sheet.cut(span, bottom, top) {
+            self.sheets.push(sheet);
         }
     }
 

@@ -5,7 +5,7 @@ use crate::feature::tolerance::NARROWEST_BAND;
 
 use super::build::sheets;
 use super::end_names::EndNames;
-use super::sheet::Sheet;
+use super::sheet::{Seam, Sheet};
 use super::symmetry::{Period, Span};
 
 /// The sheets, and who shares their ends.
@@ -82,6 +82,20 @@ impl Contacts {
     ) -> Self {
         let names = EndNames::new(fixed, moving);
         let sheets = sheets(fixed, moving, span, &period, most);
+        Self::of(sheets, span, period, names)
+    }
+
+    /// What there is in a part of the window, given numbers of sheets among which are all that exist there.
+    pub(crate) fn within(&self, span: Span, sheets: &[u32]) -> Self {
+        let window = || Seam::Window;
+        let sheets = (sheets.iter().map(|&i| &self.sheets[i as usize]))
+            .filter(|s| s.lo < span.hi && span.lo < s.hi)
+            .filter_map(|s| s.cut(span, window, window))
+            .collect();
+        Self::of(sheets, span, self.period.clone(), self.names)
+    }
+
+    fn of(sheets: Vec<Sheet>, span: Span, period: Period, names: EndNames) -> Self {
         let index = |name: fn(&Sheet) -> u32| {
             let mut list: Vec<(u32, u32)> = (0..).zip(&sheets).map(|(i, s)| (name(s), i)).collect();
             list.sort_unstable();

@@ -60,7 +60,7 @@ mod symmetry;
 mod tangent;
 
 pub(crate) use condition::conditions;
-pub(crate) use crossing::{crossing, crossings};
+pub(crate) use crossing::crossings;
 pub(crate) use curve::Curve;
 pub(crate) use cycle::{Cycle, PLACE_ERROR};
 pub use drawn::{

@@ -1,6 +1,6 @@
 //! Everything about a pair of parts that does not depend on the orientation.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use crate::feature::tolerance::{
     GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION, SAME_CARRIER,
@@ -23,8 +23,8 @@ use super::symmetry::{Period, Span, Steps};
 #[derive(Debug)]
 pub(crate) struct Geometry {
     pub(crate) frame: PairFrame,
-    pub(crate) fixed: Outline,
-    pub(crate) moving: Outline,
+    pub(crate) fixed: Arc<Outline>,
+    pub(crate) moving: Arc<Outline>,
     pub(crate) contacts: Contacts,
     /// A large disc inside each part, centre and radius, if one is found.
     pub(crate) fixed_disc: Option<(Point, f64)>,
@@ -34,10 +34,15 @@ pub(crate) struct Geometry {
     pub(crate) moving_fold: u32,
     /// By how much the sides of the fixed and of the moving part are grown, at most (length).
     pub(crate) growths: (f64, f64),
-    fixed_body: Body,
-    moving_body: Body,
+    fixed_body: Arc<Body>,
+    moving_body: Arc<Body>,
     /// The loci of sheets in double-double, each made when it is first asked for.
     exact: Vec<OnceLock<Box<Locus<Dd>>>>,
+}
+
+/// Loci in double-double of which none is made.
+fn unmade(contacts: &Contacts) -> Vec<OnceLock<Box<Locus<Dd>>>> {
+    contacts.sheets.iter().map(|_| OnceLock::new()).collect()
 }
 
 /// The numbers in which the loci of a pair are known: doubles and double-double.
@@ -147,6 +152,21 @@ impl Geometry {
         self.contacts.sheets[sheet as usize].curve_on(T::locus(self, sheet), at)
     }
 
+    /// The same pair from one orientation to another, given numbers of sheets among which are all that exist there.
+    pub(crate) fn within(&self, (lo, hi): (f64, f64), sheets: &[u32]) -> Self {
+        let full = false;
+        let contacts = self.contacts.within(Span { lo, hi, full }, sheets);
+        Self {
+            exact: unmade(&contacts),
+            contacts,
+            fixed: self.fixed.clone(),
+            moving: self.moving.clone(),
+            fixed_body: self.fixed_body.clone(),
+            moving_body: self.moving_body.clone(),
+            ..*self
+        }
+    }
+
     pub(crate) fn fixed_part(&self) -> &Part {
         self.fixed_body.part()
     }
@@ -168,13 +188,6 @@ impl Geometry {
     /// Whether the parts overlap with the moving one at `p` in the pair's frame.
     pub(crate) fn overlaps(&self, p: Point, theta: f64) -> bool {
         overlap(&self.fixed_body, &self.moving_body, p, theta)
-    }
-
-    /// Where the centre of the moving part's inscribed disc meets that of the fixed part, and how near is blocked, if both
-    /// have one.
-    pub(crate) fn core(&self, turn: Rotation) -> Option<(Point, f64)> {
-        let ((a, ra), (b, rb)) = (self.fixed_disc?, self.moving_disc?);
-        Some((a + (-(turn * b.to_vector())), ra + rb))
     }
 }
 
@@ -271,14 +284,14 @@ impl Outlines {
             frame: self.frame,
             fixed_disc: disc(&self.fixed_body),
             moving_disc: disc(&self.moving_body),
-            fixed: self.fixed,
-            moving: self.moving,
+            fixed: Arc::new(self.fixed),
+            moving: Arc::new(self.moving),
             contacts,
             fixed_fold: self.fixed_fold,
             moving_fold: self.moving_fold,
             growths: self.growths,
-            fixed_body: self.fixed_body,
-            moving_body: self.moving_body,
+            fixed_body: Arc::new(self.fixed_body),
+            moving_body: Arc::new(self.moving_body),
         }
     }
 }

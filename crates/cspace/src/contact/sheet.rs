@@ -9,6 +9,7 @@ use super::cycle::Cycle;
 use super::function::ContactFunction;
 use super::locus::Locus;
 use super::orientation::Orientation;
+use super::symmetry::Span;
 
 /// Which features touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,7 +99,27 @@ pub(crate) struct Sheet {
     pub(crate) top: Seam,
 }
 
+/// Sheets that last no longer than this are there by rounding only (radians).
+const SHORTEST: f64 = 1e-26;
+
 impl Sheet {
+    /// What of it is within a window, and what it meets at the ends of that; `None` if nothing.
+    pub(super) fn cut(
+        mut self,
+        span: Span,
+        bottom: impl FnOnce() -> Seam,
+        top: impl FnOnce() -> Seam,
+    ) -> Option<Self> {
+        if self.from < span.from() {
+            (self.from, self.bottom) = (span.from(), bottom());
+        }
+        if self.to > span.to() {
+            (self.to, self.top) = (span.to(), top());
+        }
+        (self.lo, self.hi) = (self.from.to_f64(), self.to.to_f64());
+        ((self.to - self.from).to_f64() > SHORTEST).then_some(self)
+    }
+
     /// Whether its curves are circles about a centre.
     #[inline]
     pub(crate) fn is_circle(&self) -> bool {

@@ -5,16 +5,13 @@
 //! Where both contacts exist their curves lie on each other, and if one ends before the other, what continues it may go on
 //! behind the other without ever crossing it. Growing parts evenly changes both sums alike.
 
-use crate::geometry::wrap;
-
-use super::tolerance::{COMMON_NORMALS, SAME_CARRIER};
+use super::tolerance::SAME_CARRIER;
 use super::types::{Feature, Outline};
 
 /// More equal sums than this are not listed.
 const MOST: usize = 1 << 20;
 
-/// Two round features of a part about one centre, with normals in common, by their index; the signed radius of the first is
-/// less.
+/// Two round features of a part about one centre, by their index; the signed radius of the first is less.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Concentric {
     lesser: u32,
@@ -25,26 +22,16 @@ struct Concentric {
 
 /// Feature `fixed.0` touches `moving.0` along the same circle as `fixed.1` touches `moving.1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct EqualSum {
+pub(super) struct EqualSum {
     /// The lesser radius first.
-    pub(crate) fixed: (u32, u32),
+    pub(super) fixed: (u32, u32),
     /// The greater radius first.
-    pub(crate) moving: (u32, u32),
+    pub(super) moving: (u32, u32),
 }
 
-/// All equal sums of arcs with normals in common; `None` if there are too many to list.
-pub(crate) fn equal_sums(fixed: &Outline, moving: &Outline) -> Option<Vec<EqualSum>> {
-    let all = |outline: &Outline| concentric(&round(outline), share_normals);
-    let of_fixed = all(fixed)?;
-    if of_fixed.is_empty() {
-        return Some(Vec::new());
-    }
-    equal(of_fixed, all(moving)?)
-}
-
-/// The same of arcs of which a loop has one only about each centre with each radius, whatever their normals: where one contact
-/// ends another may begin.
-pub(super) fn equal_sums_of_loops(fixed: &Outline, moving: &Outline) -> Option<Vec<EqualSum>> {
+/// All equal sums of arcs, of which a loop has one only about each centre with each radius, whatever their normals: where one
+/// contact ends another may begin. `None` if there are too many to list.
+pub(super) fn equal_sums(fixed: &Outline, moving: &Outline) -> Option<Vec<EqualSum>> {
     let all = |outline: &Outline| {
         let mut round = round(outline);
         round.dedup_by(|b, a| {
@@ -53,7 +40,7 @@ pub(super) fn equal_sums_of_loops(fixed: &Outline, moving: &Outline) -> Option<V
             let one_radius = (f.radius() - g.radius()).abs() <= SAME_CARRIER;
             one_loop && one_radius && f.center().distance(g.center()) <= SAME_CARRIER
         });
-        concentric(&round, |_, _| true)
+        concentric(&round)
     };
     let of_fixed = all(fixed)?;
     if of_fixed.is_empty() {
@@ -97,17 +84,14 @@ fn round(outline: &Outline) -> Vec<(u32, &Feature)> {
     round
 }
 
-fn concentric(
-    round: &[(u32, &Feature)],
-    together: impl Fn(&Feature, &Feature) -> bool,
-) -> Option<Vec<Concentric>> {
+fn concentric(round: &[(u32, &Feature)]) -> Option<Vec<Concentric>> {
     let mut found = Vec::new();
     for (n, &(i, f)) in round.iter().enumerate() {
         let end = place(f) + 2.0 * SAME_CARRIER;
         for &(j, g) in round[n + 1..].iter().take_while(|r| place(r.1) <= end) {
             let apart = g.radius() - f.radius();
             let one_center = f.center().distance(g.center()) <= SAME_CARRIER;
-            if !one_center || apart.abs() <= SAME_CARRIER || !together(f, g) {
+            if !one_center || apart.abs() <= SAME_CARRIER {
                 continue;
             }
             let (lesser, greater) = if apart > 0.0 { (i, j) } else { (j, i) };
@@ -122,10 +106,4 @@ fn concentric(
         }
     }
     Some(found)
-}
-
-/// Whether two features have outward normals in common, not of single directions only.
-fn share_normals(f: &Feature, g: &Feature) -> bool {
-    let halves = 0.5 * ((f.hi - f.lo) + (g.hi - g.lo));
-    wrap(0.5 * (f.lo + f.hi) - 0.5 * (g.lo + g.hi)).abs() < halves - COMMON_NORMALS
 }

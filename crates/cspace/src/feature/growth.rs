@@ -2,9 +2,9 @@
 //!
 //! All loops of a part are grown alike, unless arcs of two of them touch the other part along one circle at every orientation
 //! (see `concentric.rs`): growing them evenly does not change that. Those loops are put on levels, each grown by a little more
-//! than the one below. Arcs of one loop are grown alike: their coincidences are found by slices from scratch (`slice/coincident.rs`).
+//! than the one below. Arcs of one loop are grown alike.
 
-use super::concentric::{EqualSum, equal_sums_of_loops};
+use super::concentric::{EqualSum, equal_sums};
 use super::tolerance::{GROWTH, LEVEL, MOVING_GROWTH, ONE_LENGTH};
 use super::types::Outline;
 
@@ -33,7 +33,7 @@ impl Growths {
     ///
     /// All levels of the fixed part together are less than one of the moving part, so that they do not cancel out.
     pub(crate) fn new(fixed: &Outline, moving: &Outline) -> (Self, Self) {
-        let sums = equal_sums_of_loops(fixed, moving).unwrap_or_default();
+        let sums = equal_sums(fixed, moving).unwrap_or_default();
         let alike = (Alike::new(fixed), Alike::new(moving));
         let of_fixed = |s: &EqualSum| alike.0.of_features(fixed, s.fixed);
         let of_moving = |s: &EqualSum| alike.1.of_features(moving, s.moving);

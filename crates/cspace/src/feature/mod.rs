@@ -36,7 +36,6 @@ pub(crate) mod tolerance;
 mod types;
 
 pub(crate) use as_drawn::as_drawn;
-pub(crate) use concentric::equal_sums;
 pub use frame::PairFrame;
 pub(crate) use growth::Growths;
 pub(crate) use inscribed::{Plenty, inscribed_disc, inscribed_discs};

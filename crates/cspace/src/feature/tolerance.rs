@@ -94,9 +94,6 @@ pub(crate) const SAME_CARRIER: f64 = GROWTH / 8.0;
 /// Loops are of one length if their lengths differ by less (length).
 pub(crate) const ONE_LENGTH: f64 = 1e-9;
 
-/// Features have outward normals in common if more than this (radians): a joint belongs to two of them.
-pub(crate) const COMMON_NORMALS: f64 = 1e-9;
-
 /// Circles of a larger radius are reckoned from a point near them instead of from their centres (length).
 ///
 /// A place on a circle about its centre is as exact as the radius times the rounding of f64: up to here that is a thirtieth
@@ -164,21 +161,6 @@ pub(crate) const LEAST_CLEARANCE: f64 = 4.0 * NARROWEST_BAND;
 pub(crate) const SHORTEST_OVERLAP: f64 = 1e-11;
 
 // Slices.
-
-/// Crossings closer than this to the end of a curve may be on either side of it (length): the orientation may be known no better,
-/// or be one at which the crossing comes or goes.
-pub(crate) const TIED: f64 = 1e-11;
-
-/// Curves that cross at a smaller angle are all but tangent (sine, and length beyond their ends): two crossings this close to a
-/// tangency are closer to each other than their rounding.
-pub(crate) const BLUNT: f64 = 1e-5;
-
-/// Gaps shorter than this, and those with a curve nearer than this on their free side, are not looked at one by one (length):
-/// what is there is known no better than the crossings. Nor are curves that are so much further out than any that is free.
-pub(crate) const ROOM: f64 = 1e-9;
-
-/// The free side of a curve is looked at no further than this from it (length).
-pub(crate) const LONGEST_STEP: f64 = 1.0 / 256.0;
 
 /// Ends of a slice's curves that nothing else joins are one place within this (length).
 ///

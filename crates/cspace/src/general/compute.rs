@@ -25,8 +25,8 @@ use crate::general::events::triple::triple_events;
 use crate::general::limits::{
     MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS,
 };
-use crate::general::links::assemble::Assembler;
-use crate::general::plan::{Method, Plan};
+use crate::general::links::assemble::{Assembler, Linked};
+use crate::general::plan::{Method, Names, Plan};
 use crate::general::verdict::contract::contract;
 use crate::general::verdict::doubt::doubtful;
 use crate::general::verdict::shells::ShellFinder;
@@ -129,154 +129,39 @@ impl Computation<'_> {
     /// The contact space by a method; `None` if it divides circles that are touched.
     fn by(&self, method: Method) -> Result<Option<ContactSpace>, ComputeError> {
         let (fixed, moving) = (self.fixed, self.moving);
-        let (n, m) = (fixed.edges().count(), moving.edges().count());
-        let mut seconds = StageSeconds::default();
-        let mut clock = Instant::now();
-        let mut lap = |to: &mut f64| {
-            *to = clock.elapsed().as_secs_f64();
-            clock = Instant::now();
-        };
-
+        let mut clock = Clock::new();
         self.progress.stage(Stage::Sheets)?;
         let Plan {
             mut geometry,
             symmetry,
             names,
         } = Plan::new(fixed, moving, self.window, method);
-        let (span, sheets) = (geometry.contacts.span, &geometry.contacts.sheets);
-        if sheets.len() > MOST_SHEETS {
-            return Err(ComputeError::TooManyContacts {
-                fixed: n,
-                moving: m,
-                limit: MOST_SHEETS,
-            });
-        }
-        lap(&mut seconds.sheets);
-
-        self.progress.stage(Stage::Candidates)?;
-        let cores = Cores::new(&geometry);
-        let Some(mut candidates) = Candidates::find(&geometry, &cores) else {
-            return Err(ComputeError::TooManyCrossings {
-                fixed: n,
-                moving: m,
-                limit: MOST_CROSSING,
-            });
+        let mut seconds = StageSeconds {
+            sheets: clock.lap(),
+            ..StageSeconds::default()
         };
-        lap(&mut seconds.candidates);
-
-        self.progress.stage(Stage::PairEvents)?;
-        // What is not needed any more is dropped: a large pair takes as much memory as its largest stage.
-        let pairs = core::mem::take(&mut candidates.pairs);
-        let pair_count = pairs.len() as u64;
-        let pair_events = pair_events(&geometry, &pairs);
-        let pair_event_count = pair_events.events.len() as u64;
-        let clusters = first_clusters(&geometry, &candidates, &pair_events);
-        lap(&mut seconds.pair_events);
-
-        self.progress.stage(Stage::Branches)?;
-        let traced = branches(&geometry, &pairs, &pair_events, &clusters);
-        drop((pairs, pair_events));
-        lap(&mut seconds.branches);
-
-        self.progress.stage(Stage::TripleEvents)?;
-        let on_sheet = on_sheets(sheets.len(), &traced.branches);
-        let triples = triple_events(&geometry, &traced, &on_sheet, &clusters);
-        let Gathered {
-            clusters,
-            branches,
-            on_sheet,
-            coincidences,
-            passings,
-            splits,
-            pinches,
-        } = Gathered::new(traced, on_sheet, &triples, &clusters);
-        lap(&mut seconds.triple_events);
-
-        self.progress.stage(Stage::Cells)?;
-        let sweep = Sweep {
-            geometry: &geometry,
-            clusters: &clusters,
-            branches: &branches,
-            on_sheet: &on_sheet,
-            passings: &passings,
-            splits: &splits,
-            pinches: &pinches,
-        };
-        let mut cells = sweep.run(&candidates.sheets);
-        drop((on_sheet, passings, splits, pinches));
-        lap(&mut seconds.cells);
-
-        self.progress.stage(Stage::Shells)?;
-        let finder = ShellFinder {
-            geometry: &geometry,
-            clusters: &clusters,
-            branches: &branches,
-            candidates: &candidates,
-            coincidences: &coincidences,
-        };
-        let mut shells = finder.find(&mut cells);
-        drop((candidates, coincidences));
-        lap(&mut seconds.shells);
-
-        self.progress.stage(Stage::Graph)?;
-        let counts = Statistics {
-            sheets: sheets.len() as u64,
-            pairs: pair_count,
-            pair_events: pair_event_count,
-            triple_events: triples.events.len() as u64,
-            clusters: clusters.len() as u64,
-            branches: branches.len() as u64,
-            cells: cells.cells.len() as u64 + cells.dropped,
-            overlap_tests: shells.tests as u64,
-            conflicts: shells.conflicts as u64,
-            decisions: Decisions {
-                passings: triples.isolated,
-                passings_by_places: triples.by_places,
-                orientations: clusters.len() as u64,
-                orientations_rough: clusters.rough().count() as u64,
-                overlaps: shells.overlaps.0,
-                overlaps_uncertain: shells.overlaps.1,
-                shells: shells.judged as u64,
-            },
-            seconds: StageSeconds::default(),
-        };
+        let span = geometry.contacts.span;
         let (lo, hi) = self.window.unwrap_or((span.lo, span.lo + TAU));
         let window = Window {
             lo,
             hi,
             full_turn: self.window.is_none(),
         };
-        let doubtful = doubtful(&clusters, &cells.cells, &shells);
-        let contracted = contract(
-            &geometry,
-            &branches,
-            &clusters,
-            &mut cells.cells,
-            &mut shells,
-        );
-        let assembler = Assembler {
+        self.progress.stage(Stage::Candidates)?;
+        let stages = Stages {
             geometry: &geometry,
-            clusters: contracted.unwrap_or(clusters),
-            branches,
-            cells: cells.cells,
-            shells,
-            doubtful,
-            window,
+            cores: &Cores::new(&geometry),
             names: &names,
+            window,
+            edges: (fixed.edges().count(), moving.edges().count()),
+            progress: self.progress,
         };
-        if assembler.divides_contacts() {
+        let Some((linked, counts)) = stages.run(&mut seconds, &mut clock)? else {
             return Ok(None);
-        }
-        let Some(linked) = assembler.link() else {
-            return Err(ComputeError::TooManyPatches {
-                fixed: n,
-                moving: m,
-                limit: MOST_PATCHES,
-            });
         };
         geometry.contacts.sheets = Vec::new();
         let graph = linked.graph(&geometry.frame);
-        lap(&mut seconds.graph);
+        seconds.graph = clock.lap();
         seconds.total = self.begin.elapsed().as_secs_f64();
         let (more_fixed, more_moving) = names.added();
         let data = SpaceData {
@@ -301,6 +186,165 @@ impl Computation<'_> {
             statistics: Statistics { seconds, ..counts },
         };
         Ok(Some(ContactSpace::of(data, graph.walk, geometry.growths)))
+    }
+}
+
+/// What takes the seconds of a stage.
+pub(crate) struct Clock(Instant);
+
+impl Clock {
+    pub(crate) fn new() -> Self {
+        Self(Instant::now())
+    }
+
+    /// Seconds since the last lap.
+    fn lap(&mut self) -> f64 {
+        let last = core::mem::replace(&mut self.0, Instant::now());
+        self.0.duration_since(last).as_secs_f64()
+    }
+}
+
+/// The stages from sheets to patches and links: of a contact space, or of the few orientations about a slice.
+pub(crate) struct Stages<'a> {
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) cores: &'a Cores,
+    pub(crate) names: &'a Names,
+    pub(crate) window: Window,
+    /// Edges of the fixed and of the moving part.
+    pub(crate) edges: (usize, usize),
+    pub(crate) progress: &'a dyn Progress,
+}
+
+impl Stages<'_> {
+    /// What is linked, and counts; `None` if circles that were divided are touched.
+    pub(crate) fn run(
+        &self,
+        seconds: &mut StageSeconds,
+        clock: &mut Clock,
+    ) -> Result<Option<(Linked, Statistics)>, ComputeError> {
+        let (geometry, sheets) = (self.geometry, &self.geometry.contacts.sheets);
+        let (n, m) = self.edges;
+        if sheets.len() > MOST_SHEETS {
+            return Err(ComputeError::TooManyContacts {
+                fixed: n,
+                moving: m,
+                limit: MOST_SHEETS,
+            });
+        }
+        let Some(mut candidates) = Candidates::find(geometry, self.cores) else {
+            return Err(ComputeError::TooManyCrossings {
+                fixed: n,
+                moving: m,
+                limit: MOST_CROSSING,
+            });
+        };
+        seconds.candidates = clock.lap();
+
+        self.progress.stage(Stage::PairEvents)?;
+        // What is not needed any more is dropped: a large pair takes as much memory as its largest stage.
+        let pairs = core::mem::take(&mut candidates.pairs);
+        let pair_count = pairs.len() as u64;
+        let pair_events = pair_events(geometry, &pairs);
+        let pair_event_count = pair_events.events.len() as u64;
+        let clusters = first_clusters(geometry, &candidates, &pair_events);
+        seconds.pair_events = clock.lap();
+
+        self.progress.stage(Stage::Branches)?;
+        let traced = branches(geometry, &pairs, &pair_events, &clusters);
+        drop((pairs, pair_events));
+        seconds.branches = clock.lap();
+
+        self.progress.stage(Stage::TripleEvents)?;
+        let on_sheet = on_sheets(sheets.len(), &traced.branches);
+        let triples = triple_events(geometry, &traced, &on_sheet, &clusters);
+        let Gathered {
+            clusters,
+            branches,
+            on_sheet,
+            coincidences,
+            passings,
+            splits,
+            pinches,
+        } = Gathered::new(traced, on_sheet, &triples, &clusters);
+        seconds.triple_events = clock.lap();
+
+        self.progress.stage(Stage::Cells)?;
+        let sweep = Sweep {
+            geometry,
+            clusters: &clusters,
+            branches: &branches,
+            on_sheet: &on_sheet,
+            passings: &passings,
+            splits: &splits,
+            pinches: &pinches,
+        };
+        let mut cells = sweep.run(&candidates.sheets);
+        drop((on_sheet, passings, splits, pinches));
+        seconds.cells = clock.lap();
+
+        self.progress.stage(Stage::Shells)?;
+        let finder = ShellFinder {
+            geometry,
+            clusters: &clusters,
+            branches: &branches,
+            candidates: &candidates,
+            coincidences: &coincidences,
+        };
+        let mut shells = finder.find(&mut cells);
+        drop((candidates, coincidences));
+        seconds.shells = clock.lap();
+
+        self.progress.stage(Stage::Graph)?;
+        let counts = Statistics {
+            sheets: sheets.len() as u64,
+            pairs: pair_count,
+            pair_events: pair_event_count,
+            triple_events: triples.events.len() as u64,
+            clusters: clusters.len() as u64,
+            branches: branches.len() as u64,
+            cells: cells.cells.len() as u64 + cells.dropped,
+            overlap_tests: shells.tests as u64,
+            conflicts: shells.conflicts as u64,
+            decisions: Decisions {
+                passings: triples.isolated,
+                passings_by_places: triples.by_places,
+                orientations: clusters.len() as u64,
+                orientations_rough: clusters.rough().count() as u64,
+                overlaps: shells.overlaps.0,
+                overlaps_uncertain: shells.overlaps.1,
+                shells: shells.judged as u64,
+            },
+            seconds: StageSeconds::default(),
+        };
+        let doubtful = doubtful(&clusters, &cells.cells, &shells);
+        let contracted = contract(
+            geometry,
+            &branches,
+            &clusters,
+            &mut cells.cells,
+            &mut shells,
+        );
+        let assembler = Assembler {
+            geometry,
+            clusters: contracted.unwrap_or(clusters),
+            branches,
+            cells: cells.cells,
+            shells,
+            doubtful,
+            window: self.window,
+            names: self.names,
+        };
+        if assembler.divides_contacts() {
+            return Ok(None);
+        }
+        let Some(linked) = assembler.link() else {
+            return Err(ComputeError::TooManyPatches {
+                fixed: n,
+                moving: m,
+                limit: MOST_PATCHES,
+            });
+        };
+        Ok(Some((linked, counts)))
     }
 }
 

@@ -26,4 +26,7 @@ pub(crate) mod events;
 pub(crate) mod limits;
 pub(crate) mod links;
 pub(crate) mod plan;
+mod slicer;
 pub(crate) mod verdict;
+
+pub use slicer::Slicer;

@@ -43,7 +43,7 @@ pub(crate) struct Names {
 
 /// How far beyond the ends of a window is looked, radians: more than the width of what is known worst of events, so
 /// that no event of the window lies in one cluster with the end of what was looked at.
-const BEYOND_WINDOW: f64 = 1.0 / 65536.0;
+pub(crate) const BEYOND_WINDOW: f64 = 1.0 / 65536.0;
 
 impl Plan {
     /// Prepares a pair by the method that the options and the parts ask for.

@@ -1,27 +1,21 @@
-//! Slices: the boundary of free space at one orientation, computed from nothing but the two parts.
+//! Slices as a user sees them: the boundary of free space at one orientation.
 //!
 //! ```text
-//!      blocked   ╲   ╱  blocked          Contact curves of a pair at one orientation: blocked space on
-//!   ───────────→──╳───→──────            the left of travel. They cross (╳) and are cut there into gaps
-//!                ╱ ╲                     (`cut.rs`); a gap is on the boundary of free space as a whole
-//!      free     ╱   ╲   blocked          or not at all, and gaps hang together in shells (`arrange.rs`).
+//!      blocked   ╲   ╱  blocked          The curves of a slice are pieces of contact curves, with blocked space on
+//!   ───────────→──╳                      the left of travel and free space on the right. Where two of them
+//!                ╱                       cross (╳) the boundary goes over from one to the other, and it comes
+//!      free     ╱       blocked          back to where it began: `boundary.rs` has the loops.
 //! ```
 //!
-//! Slices are computed in doubles, and independently of the contact space: each is a test of it. What doubles leave open is
-//! decided by testing the parts for overlap beside a gap, or a slice says that it is doubtful. `curve_geometry.rs` and
-//! `boundary.rs` have what the user sees.
+//! `curve_geometry.rs` has the curves. Slices are read off patches (`space/slice.rs`): those of a contact space, or those that
+//! the general method finds about one orientation (`general/slicer.rs`).
 
-mod arrange;
 mod boundary;
-mod coincident;
 mod curve_geometry;
-mod cut;
-mod slicer;
 
 pub use boundary::{Slice, SliceCurve};
 pub use curve_geometry::CurveGeometry;
 pub(crate) use curve_geometry::is_on_arc;
-pub use slicer::Slicer;
 
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::contact::ContactFunction;
 use crate::feature::PairFrame;
+use crate::feature::tolerance::PERTURBATION;
 use crate::geometry::{Point, Rotation};
 use crate::slice::{CurveGeometry, Slice, SliceCurve};
 
@@ -37,13 +38,19 @@ impl<'a> Surface<'a> {
 
     /// The slice at an orientation; see [`ContactSpace::slice`](crate::ContactSpace::slice).
     pub(crate) fn slice(&self, theta: f64) -> Slice {
-        self.slice_of(theta, 0..self.patches.len() as u32)
+        self.slice_of(theta, theta, 0..self.patches.len() as u32)
     }
 
-    /// The same, given patches in ascending order among which are all that exist there.
-    pub(crate) fn slice_of(&self, theta: f64, among: impl Iterator<Item = u32>) -> Slice {
+    /// The same as positions at another orientation, which differs from it by whole turns, given patches in ascending order among
+    /// which are all that exist there.
+    pub(crate) fn slice_of(
+        &self,
+        theta: f64,
+        asked: f64,
+        among: impl Iterator<Item = u32>,
+    ) -> Slice {
         let settled = self.settled(theta);
-        let asked = Turned::by(theta);
+        let asked = Turned::by(asked);
         let mut turned = Turned::by(settled);
         let (mut curves, mut ends, mut at) = (Vec::new(), Vec::new(), Vec::new());
         for i in among {
@@ -75,7 +82,8 @@ impl<'a> Surface<'a> {
                 curve.next = next as u32;
             }
         }
-        Slice::from_curves_and_ends(theta, curves, &ends, self.doubts().hold(theta), self.frame)
+        let doubtful = self.doubts().hold(theta);
+        Slice::from_curves_and_ends(asked.theta, curves, &ends, doubtful, self.frame)
     }
 
     /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.
@@ -83,9 +91,10 @@ impl<'a> Surface<'a> {
     /// Patches that end at a critical orientation, and those that begin there, may be turns apart, so that their
     /// orientations differ by a rounding.
     pub(crate) fn settled(&self, theta: f64) -> f64 {
-        /// Some roundings, and twice as many; radians, relative to orientations beyond one.
-        const NEAR: f64 = 4e-15;
-        const ASIDE: f64 = 8e-15;
+        /// Vertices are moved to make parts generic, and with them an orientation at which edges are parallel: by this much if the
+        /// edges have an eighth of the pair's size (radians, relative to orientations beyond one).
+        const NEAR: f64 = 16.0 * PERTURBATION;
+        const ASIDE: f64 = 2.0 * NEAR;
         let (window, critical) = (&self.window, self.critical_orientations);
         let scale = theta.abs().max(1.0);
         // Where critical orientations are: in [−π, π), wherever the turn was cut.

@@ -61,8 +61,8 @@ fn prepared_pairs_give_the_same_slices() {
             all
         };
         let slicer = Slicer::new(&pair.fixed, &pair.moving);
-        // The last are about where the sheets of a full turn are cut.
-        let cut = 0.01234 - core::f64::consts::PI;
+        // The last are about where the turn begins that slices of a prepared pair are taken from.
+        let cut = -core::f64::consts::PI;
         let even = (0..12).map(|k| -3.0 + 0.7123 * f64::from(k));
         for theta in even.chain([-3e-7, -1e-9, 0.0, 1e-9].map(|d| cut + d)) {
             let made = described(&Slice::compute(&pair.fixed, &pair.moving, theta));

@@ -273,7 +273,8 @@ fn exact_conditions_are_those_of_doubles() {
         let asked: Vec<usize> = (0..theirs.len()).filter(|&n| n != 1).collect();
         assert_eq!(taken, asked);
     }
-    assert!(compared > 500 && flat > 200, "{compared} {flat}");
+    // Of large circles about their centres doubles know little.
+    assert!(compared > 400 && flat > 200, "{compared} {flat}");
 }
 
 fn exactly(x: f64, y: f64) -> Vector<Dd> {

@@ -3,6 +3,7 @@
 use super::super::curve::tests::{circle, line};
 use super::super::{ContactFunction, Spiral, crossing};
 use super::*;
+use crate::contact::crossing::crossing;
 use crate::number::{Ball, Dd, Dual};
 
 /// A circle about a centre, written by the place at an angle.

@@ -1,6 +1,5 @@
 //! Rings, whose sums are known.
 
-use super::super::concentric::equal_sums;
 use super::super::tolerance::SAME_CARRIER;
 use super::*;
 use crate::geometry::Point;
@@ -108,7 +107,7 @@ fn copies_are_grown_alike() {
     let part = Part::new("pieces", (0..3).map(piece).collect()).unwrap();
     let pieces = Outline::new(&part, Point::ORIGIN, 0.125, GROWTH);
     let rings = outline(&[1.5, 1.2, 0.5], MOVING_GROWTH);
-    let sums = equal_sums_of_loops(&pieces, &rings).unwrap();
+    let sums = equal_sums(&pieces, &rings).unwrap();
     assert!(!sums.is_empty());
     let (p, r) = Growths::new(&pieces, &rings);
     assert!(are_even(&p) && !are_even(&r));

@@ -102,7 +102,9 @@ impl Candidates {
         let lives: f64 = sheets.iter().map(|s| s.hi - s.lo).sum();
         let short_lived = SLOTS_IN_A_LIFE * TAU * sheets.len() as f64 / lives;
         let in_turn = (in_turn.clamp(SLOTS.0, SLOTS.1)).max(in_turn.min(short_lived));
-        let count = (turns * in_turn).ceil().clamp(1.0, MOST_SLOTS) as usize;
+        let count = (turns * in_turn.min(MOST_SLOTS))
+            .ceil()
+            .clamp(1.0, MOST_SLOTS) as usize;
         let width = (span.hi - span.lo) / count as f64;
         let mut slots: Vec<f64> = (0..count).map(|i| span.lo + width * i as f64).collect();
         slots.push(span.hi);
@@ -121,7 +123,9 @@ impl Candidates {
         let in_slots = parallel::map(&in_slots, 1, |(first, list)| {
             let (lo, hi) = (slots[*first], slots[(first + large).min(count)]);
             let mut list = list.clone();
-            drop_covered(sheets, &cores.largest(), &mut list, (lo, hi));
+            if count > TOGETHER {
+                drop_covered(sheets, &cores.largest(), &mut list, (lo, hi));
+            }
             (*first, list)
         });
         let together: Vec<(usize, &[u32])> = (in_slots.iter())
@@ -144,7 +148,9 @@ impl Candidates {
                 list.clear();
             }
             let layout = cores.about(0.5 * (lo + hi));
-            drop_covered(sheets, &layout, &mut list, (lo, hi));
+            if count > 1 {
+                drop_covered(sheets, &layout, &mut list, (lo, hi));
+            }
             let look = |slot| {
                 let found =
                     look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1]);

@@ -59,11 +59,7 @@ impl Cores {
         let mut pairs = Vec::new();
         for a in &fixed {
             for b in &moving {
-                pairs.push(DiscPair {
-                    fixed: a.0,
-                    moving: b.0.to_vector(),
-                    reach: a.1 + b.1,
-                });
+                pairs.push(DiscPair::new(*a, *b));
             }
         }
         pairs.sort_by(|a, b| b.reach.total_cmp(&a.reach));
@@ -74,6 +70,15 @@ impl Cores {
             anchors: many
                 .then(|| Anchors::new(geometry, &fixed, &moving))
                 .flatten(),
+        }
+    }
+
+    /// The largest disc of each part alone.
+    pub(crate) fn single(geometry: &Geometry) -> Self {
+        let both = geometry.fixed_disc.zip(geometry.moving_disc);
+        Self {
+            pairs: both.map(|(a, b)| DiscPair::new(a, b)).into_iter().collect(),
+            anchors: None,
         }
     }
 
@@ -111,6 +116,15 @@ impl Cores {
 }
 
 impl DiscPair {
+    /// Of a disc in each part, by their centres and radii.
+    fn new(fixed: (Point, f64), moving: (Point, f64)) -> Self {
+        Self {
+            fixed: fixed.0,
+            moving: moving.0.to_vector(),
+            reach: fixed.1 + moving.1,
+        }
+    }
+
     pub(crate) fn at(&self, turn: Rotation) -> Disc {
         Disc {
             center: self.fixed + (-(turn * self.moving)),

@@ -17,6 +17,7 @@ use crate::general::links::regions::{Copying, find_regions};
 use crate::general::plan::Names;
 use crate::general::verdict::doubt::doubts;
 use crate::general::verdict::shells::Shells;
+use crate::slice::Slice;
 use crate::space::{
     Boundary, FreeRegion, Patch, SideLink, Surface, VerticalLink, Walk, Window, bands,
 };
@@ -233,6 +234,21 @@ impl Assembler<'_> {
 }
 
 impl Linked {
+    /// The slice at an orientation of the window, as positions at another that differs from it by whole turns.
+    pub(crate) fn slice(&self, theta: f64, asked: f64, frame: &PairFrame) -> Slice {
+        let walk = Walk::new(self.patches.len(), &self.side_links, &self.vertical_links);
+        let surface = Surface {
+            window: self.window,
+            frame,
+            critical_orientations: &self.critical_orientations,
+            patches: &self.patches,
+            side_links: &self.side_links,
+            walk: &walk,
+            doubtful: &self.doubtful_orientations,
+        };
+        surface.slice_of(theta, asked, 0..self.patches.len() as u32)
+    }
+
     /// The graph: what follows from the links, and the regions.
     pub(crate) fn graph(self, frame: &PairFrame) -> Graph {
         let Self {

@@ -1,0 +1,147 @@
+//! Slices of two parts of which no contact space is known: the general method over a few orientations, one time or many.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::contact::Geometry;
+use crate::part::Part;
+use crate::slice::Slice;
+use crate::space::{Silent, StageSeconds, Window};
+
+use crate::general::broad::discs::Cores;
+use crate::general::compute::{Clock, Stages};
+use crate::general::plan::{BEYOND_WINDOW, Names};
+
+/// The least orientation at which slices are computed, radians; others are turned.
+const FIRST: f64 = -PI;
+
+/// How far around a slice is computed, radians: what is known worst of events is known better, so that the slice is no nearer
+/// to the ends of what is computed than that.
+const ABOUT: f64 = BEYOND_WINDOW;
+
+/// Slots of orientations, each with the sheets that exist in it.
+const SLOTS: usize = 256;
+
+/// A pair of parts prepared for slices at any orientation: what does not depend on it is computed once.
+///
+/// ```
+/// use cspace::{Part, Slice, Slicer, Vertex};
+/// let square = |name: &str, r: f64| {
+///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+/// };
+/// let slicer = Slicer::new(&square("fixed", 2.0)?, &square("moving", 1.0)?);
+/// assert_eq!(slicer.slice(0.1).curves.len(), 8);
+/// assert_eq!(slicer.slice(0.1 + core::f64::consts::TAU).loops.len(), 1);
+/// # Ok::<(), cspace::PartError>(())
+/// ```
+#[derive(Debug)]
+pub struct Slicer {
+    /// From [`FIRST`] over a full turn, and a little beyond both ends.
+    geometry: Geometry,
+    cores: Cores,
+    /// Numbers of sheets in order.
+    slots: Vec<Vec<u32>>,
+}
+
+impl Slicer {
+    /// Prepares a pair.
+    pub fn new(fixed: &Part, moving: &Part) -> Self {
+        let window = (FIRST - ABOUT, FIRST + TAU + ABOUT);
+        let geometry = Geometry::new(fixed, moving, Some(window), usize::MAX);
+        let mut slots = vec![Vec::new(); SLOTS];
+        for (i, sheet) in (0u32..).zip(&geometry.contacts.sheets) {
+            for slot in &mut slots[slot(sheet.lo - ABOUT)..=slot(sheet.hi + ABOUT)] {
+                slot.push(i);
+            }
+        }
+        Self {
+            cores: Cores::new(&geometry),
+            geometry,
+            slots,
+        }
+    }
+
+    /// The slice at an orientation in radians, as [`Slice::compute`] gives it.
+    ///
+    /// An orientation that is not finite has an empty slice.
+    pub fn slice(&self, theta: f64) -> Slice {
+        let at = turned(theta);
+        if at.is_nan() {
+            return Slice::from_curves(theta, Vec::new(), false, &self.geometry.frame);
+        }
+        let geometry = (self.geometry).within((at - ABOUT, at + ABOUT), &self.slots[slot(at)]);
+        slice_of(&geometry, &self.cores, at, theta)
+    }
+}
+
+impl Slice {
+    /// Computes the slice of a pair at one orientation from scratch.
+    ///
+    /// If `theta` is a critical orientation, the slice just above it is meant. A pair with too many contacts has an empty slice
+    /// that is doubtful. For many slices of one pair a [`Slicer`] is faster.
+    ///
+    /// ```
+    /// use cspace::{Part, Slice, Vertex};
+    /// let square = |name: &str, r: f64| {
+    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let slice = Slice::compute(&square("fixed", 2.0)?, &square("moving", 1.0)?, 0.1);
+    /// assert_eq!(slice.loops.len(), 1);
+    /// assert_eq!(slice.curves.len(), 8);
+    /// # Ok::<(), cspace::PartError>(())
+    /// ```
+    pub fn compute(fixed: &Part, moving: &Part, theta: f64) -> Self {
+        let at = turned(theta);
+        let geometry = Geometry::new(fixed, moving, Some((at - ABOUT, at + ABOUT)), usize::MAX);
+        if at.is_nan() {
+            return Self::from_curves(theta, Vec::new(), false, &geometry.frame);
+        }
+        slice_of(&geometry, &Cores::single(&geometry), at, theta)
+    }
+}
+
+/// The slice in the middle of what a geometry was made for, as positions at an orientation that differs from it by whole turns.
+fn slice_of(geometry: &Geometry, cores: &Cores, at: f64, theta: f64) -> Slice {
+    let span = geometry.contacts.span;
+    let stages = Stages {
+        geometry,
+        cores,
+        names: &Names::default(),
+        window: Window {
+            lo: span.lo,
+            hi: span.hi,
+            full_turn: false,
+        },
+        edges: (0, 0),
+        progress: &Silent,
+    };
+    let linked = stages.run(&mut StageSeconds::default(), &mut Clock::new());
+    let Ok(Some((linked, _))) = linked else {
+        return Slice::from_curves(theta, Vec::new(), true, &geometry.frame);
+    };
+    let mut slice = linked.slice(at, theta, &geometry.frame);
+    for curve in &mut slice.curves {
+        curve.patch = None;
+    }
+    slice
+}
+
+/// An orientation brought to the turn that begins with [`FIRST`]; NaN if it is not finite.
+fn turned(theta: f64) -> f64 {
+    let above = theta - FIRST;
+    if (0.0..TAU).contains(&above) {
+        theta
+    } else {
+        FIRST + above.rem_euclid(TAU)
+    }
+}
+
+/// The slot of an orientation.
+fn slot(theta: f64) -> usize {
+    (((theta - FIRST) / TAU * SLOTS as f64).max(0.0) as usize).min(SLOTS - 1)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;
