@@ -402,7 +402,8 @@ impl<T: Real> Cycle<T> {
 /// is the same from wherever both are seen. It vanishes where the cycles touch and is positive where they are apart: λ₁ λ₂ / 2
 /// times what the square of the distance of the centres is more than that of the sum of the radii. With K = λ₁ ρ₂ + λ₂ ρ₁, the sum
 /// of the radii times λ₁ λ₂, and V = λ₁ a₂ − λ₂ a₁, from centre to centre times λ₁ λ₂, V² = K² + 2 λ₁ λ₂ G, and the distance along
-/// the common normal is 2 G / (K + |V|). Cycles that can touch have K > 0; where they do, V is K times the normal of the first.
+/// the common normal is 2 G / (K + |V|). Cycles that can touch from outside have K > 0; where they do, V is K times the normal of the
+/// first. Others, as an arc in a smaller fillet, have K < 0: they are tangent where |V| = −K.
 impl<T: Real> Cycle<T> {
     /// a: minus the gradient at a place, λ times the vector to the centre if there is one.
     #[inline]
@@ -463,11 +464,22 @@ impl<T: Real> Cycle<T> {
         }
     }
 
-    /// How far the cycles are apart along their common normal.
+    /// How far the cycles are apart along their common normal: 2 G / (K ± |V|), with the sign of K.
     pub(crate) fn gap(&self, other: &Self) -> T {
         let (apart, total, two) = (self.apart(other), self.total(other), T::constant(2.0));
-        let square = total * total + two * self.weight * other.weight * apart;
-        two * apart / (total + square.sqrt())
+        let length = (total * total + two * self.weight * other.weight * apart).sqrt();
+        two * apart / (total + if total.value() < 0.0 { -length } else { length })
+    }
+
+    /// The normal of this cycle along which they are apart: V / |V|, with the sign of K.
+    pub(crate) fn common_normal(&self, other: &Self) -> Vector<T> {
+        let between = self.between(other);
+        let sign = if self.total(other).value() < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
+        between * (T::constant(sign) / between.length())
     }
 
     /// K − u·V for a unit vector u, times which K + u·V is K² − (u·V)².

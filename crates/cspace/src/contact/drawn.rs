@@ -185,8 +185,7 @@ pub fn touching_place<T: Real>(
 ) -> TouchingPlace<T> {
     let (a, b) = cycles(fixed, moving, fixed_from_moving);
     let gap = a.gap(&b);
-    let normal = a.between(&b);
-    let normal = normal * (T::constant(1.0) / normal.length());
+    let normal = a.common_normal(&b);
     // From the rounder of the two, so that no centre is far away.
     let curvature = |c: &Cycle<T>| c.curvature().value().abs();
     let (on_fixed, on_moving) = if curvature(&b) >= curvature(&a) {
@@ -218,3 +217,6 @@ pub fn touching(
         normal: Vector::new(place.normal[0], place.normal[1]),
     }
 }
+
+#[cfg(test)]
+mod tests;

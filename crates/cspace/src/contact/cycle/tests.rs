@@ -1,7 +1,7 @@
 //! Cycles against lines and circles by their centres, in every arithmetic; crossings, and how far rounding moves them.
 
 use super::super::curve::tests::{circle, line};
-use super::super::{ContactFunction, Spiral, crossing};
+use super::super::{ContactFunction, Spiral};
 use super::*;
 use crate::contact::crossing::crossing;
 use crate::number::{Ball, Dd, Dual};
