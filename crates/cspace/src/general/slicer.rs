@@ -77,8 +77,8 @@ impl Slicer {
 impl Slice {
     /// Computes the slice of a pair at one orientation from scratch.
     ///
-    /// If `theta` is a critical orientation, the slice just above it is meant. A pair with too many contacts has an empty slice
-    /// that is doubtful. For many slices of one pair a [`Slicer`] is faster.
+    /// If `theta` is a critical orientation, or up to 1.2·10⁻¹⁰ rad below one, the slice just above it is meant. A pair with too
+    /// many contacts has an empty slice that is doubtful. For many slices of one pair a [`Slicer`] is faster.
     ///
     /// ```
     /// use cspace::{Part, Slice, Vertex};
@@ -103,16 +103,17 @@ impl Slice {
 
 /// The slice in the middle of what a geometry was made for, as positions at an orientation that differs from it by whole turns.
 fn slice_of(geometry: &Geometry, cores: &Cores, at: f64, theta: f64) -> Slice {
-    let span = geometry.contacts.span;
+    // What ends within the narrowest band of the window's beginning has ended there, and what begins has begun.
+    let window = Window {
+        lo: at,
+        hi: geometry.contacts.span.hi,
+        full_turn: false,
+    };
     let stages = Stages {
         geometry,
         cores,
         names: &Names::default(),
-        window: Window {
-            lo: span.lo,
-            hi: span.hi,
-            full_turn: false,
-        },
+        window,
         edges: (0, 0),
         progress: &Silent,
     };
