@@ -2,10 +2,12 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::contact::Geometry;
+use crate::contact::{ContactFunction, Geometry};
+use crate::feature::tolerance::SAME_CARRIER;
+use crate::geometry::{Point, Rotation, wrap};
 use crate::part::Part;
-use crate::slice::Slice;
-use crate::space::{Silent, StageSeconds, Window};
+use crate::slice::{CurveGeometry, Slice, SliceCurve};
+use crate::space::{Patch, Silent, StageSeconds, Window};
 
 use crate::general::broad::discs::Cores;
 use crate::general::compute::{Clock, Stages};
@@ -77,8 +79,8 @@ impl Slicer {
 impl Slice {
     /// Computes the slice of a pair at one orientation from scratch.
     ///
-    /// If `theta` is a critical orientation, the slice just above it is meant. A pair with too many contacts has an empty slice
-    /// that is doubtful. For many slices of one pair a [`Slicer`] is faster.
+    /// If `theta` is a critical orientation, or up to 1.2·10⁻¹⁰ rad below one, the slice just above it is meant. A pair with too
+    /// many contacts has an empty slice that is doubtful. For many slices of one pair a [`Slicer`] is faster.
     ///
     /// ```
     /// use cspace::{Part, Slice, Vertex};
@@ -103,16 +105,17 @@ impl Slice {
 
 /// The slice in the middle of what a geometry was made for, as positions at an orientation that differs from it by whole turns.
 fn slice_of(geometry: &Geometry, cores: &Cores, at: f64, theta: f64) -> Slice {
-    let span = geometry.contacts.span;
+    // What ends within the narrowest band of the window's beginning has ended there, and what begins has begun.
+    let window = Window {
+        lo: at,
+        hi: geometry.contacts.span.hi,
+        full_turn: false,
+    };
     let stages = Stages {
         geometry,
         cores,
         names: &Names::default(),
-        window: Window {
-            lo: span.lo,
-            hi: span.hi,
-            full_turn: false,
-        },
+        window,
         edges: (0, 0),
         progress: &Silent,
     };
@@ -121,10 +124,65 @@ fn slice_of(geometry: &Geometry, cores: &Cores, at: f64, theta: f64) -> Slice {
         return Slice::from_curves(theta, Vec::new(), true, &geometry.frame);
     };
     let mut slice = linked.slice(at, theta, &geometry.frame);
+    slice.doubtful |= lies_on_another(&slice, &linked.patches, geometry, at);
     for curve in &mut slice.curves {
         curve.patch = None;
     }
     slice
+}
+
+/// Whether an arc of a slice lies on another contact, circle on circle: what is in front of the other is not known.
+///
+/// Contacts of equal room within one loop of each part are such, and no crossing tells where one goes over into the other.
+fn lies_on_another(slice: &Slice, patches: &[Patch], geometry: &Geometry, theta: f64) -> bool {
+    /// Circles share more than this where they do not just follow each other (radians).
+    const SHARED: f64 = 1e-9;
+    struct Arc<'a> {
+        function: &'a ContactFunction,
+        center: Point,
+        radius: f64,
+        /// Of the normals: the middle one, and how far they go to both sides (radians).
+        middle: f64,
+        half: f64,
+    }
+    let turn = Rotation::by(theta);
+    let arc = |c: &SliceCurve| {
+        let function = &patches[c.patch? as usize].function;
+        let CurveGeometry::Arc {
+            start_angle, sweep, ..
+        } = c.geometry
+        else {
+            return None;
+        };
+        let &ContactFunction::Circle { center, radius } = function else {
+            return None;
+        };
+        let behind = if radius < 0.0 { PI } else { 0.0 };
+        Some(Arc {
+            function,
+            center: center.at(turn),
+            radius,
+            middle: start_angle + 0.5 * sweep + behind,
+            half: 0.5 * sweep.abs(),
+        })
+    };
+    let mut arcs: Vec<Arc<'_>> = slice.curves.iter().filter_map(arc).collect();
+    arcs.sort_by(|a, b| a.center.x.total_cmp(&b.center.x));
+    let sheets = &geometry.contacts.sheets;
+    let mut circles = (sheets.iter()).filter(|s| s.is_circle() && s.lo <= theta && theta <= s.hi);
+    circles.any(|s| {
+        let center = s.center().at(turn);
+        let (start, end) = (s.start_angle.at(theta), s.end_angle.at(theta));
+        let (middle, half) = (0.5 * (start + end), 0.5 * (start - end).abs());
+        let first = arcs.partition_point(|a| a.center.x < center.x - SAME_CARRIER);
+        let mut near = (arcs[first..].iter())
+            .take_while(|a| a.center.x <= center.x + SAME_CARRIER)
+            .filter(|a| a.center.distance(center) <= SAME_CARRIER)
+            .filter(|a| (a.radius - s.radius).abs() <= SAME_CARRIER);
+        near.any(|a| {
+            wrap(a.middle - middle).abs() < a.half + half - SHARED && *a.function != s.function()
+        })
+    })
 }
 
 /// An orientation brought to the turn that begins with [`FIRST`]; NaN if it is not finite.

@@ -34,9 +34,9 @@ pub struct Slice {
     pub loops: Vec<Vec<u32>>,
     /// Whether the curves are not to be relied upon.
     ///
-    /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations); of a slice from scratch: at
-    /// those that the space of the orientations around it has, and if there are too many contacts to compute it. Of either: a
-    /// curve does not begin where the one before it ends.
+    /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations). Of a slice from scratch: at
+    /// those of the space of orientations around it; where an arc lies on another contact, circle on circle; and if there are
+    /// too many contacts to compute it. Of either: a curve does not begin where the one before it ends.
     #[cfg_attr(feature = "serde", serde(default))]
     pub doubtful: bool,
 }

@@ -39,7 +39,7 @@ pub(crate) struct Assembler<'a> {
 pub(crate) struct Linked {
     window: Window,
     critical_orientations: Vec<f64>,
-    patches: Vec<Patch>,
+    pub(crate) patches: Vec<Patch>,
     side_links: Vec<SideLink>,
     vertical_links: Vec<VerticalLink>,
     computed_bands: u32,
