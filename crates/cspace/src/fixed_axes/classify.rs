@@ -2,9 +2,7 @@
 
 use super::condition::Condition;
 use super::motion::brought_between;
-use super::patches::AxesBranch;
-use super::patches::AxesPatch;
-use super::patches::BranchForm;
+use super::patches::{AxesBranch, AxesPatch, BranchForm};
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use crate::query::Classification;

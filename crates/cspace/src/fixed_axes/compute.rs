@@ -10,17 +10,13 @@ use super::copies::Partition;
 use super::data::{AxesData, AxesStatistics, FORMAT, SAVED_AXES_VERSION};
 use super::displacement::Displacement;
 use super::judge::Judge;
-use super::patches::Patches;
-use super::patches::chains;
+use super::patches::{Patches, chains};
 use super::piece::Pair;
-use super::region::AxesRegion;
-use super::region::components;
+use super::region::{AxesRegion, components};
 use super::scene::Scene;
-use super::setup::Bodies;
-use super::setup::set_up;
+use super::setup::{Bodies, set_up};
 use super::space::FixedAxesSpace;
-use super::sweep::Sweep;
-use super::sweep::{Gaps, Graphs};
+use super::sweep::{Gaps, Graphs, Sweep};
 use super::tolerance::{MOST_EDGE_PAIRS, MOST_MEETINGS};
 
 impl FixedAxesSpace {

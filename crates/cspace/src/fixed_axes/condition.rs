@@ -191,8 +191,7 @@ fn root_of(square: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fixed_axes::motion::wrapped;
-    use crate::geometry::Vector;
+    use crate::geometry::{Vector, wrap};
 
     /// A circle by a point of it, which may be anywhere on it.
     fn bow(center: Point, radius: f64, at: f64) -> Cycle {
@@ -321,7 +320,7 @@ mod tests {
     fn assert_same(by_points: &Condition, by_centres: &Condition) {
         let turnings = |c: &Condition| {
             let mut all = Vec::new();
-            c.turnings(|x| all.push(wrapped(x)));
+            c.turnings(|x| all.push(wrap(x)));
             all.sort_by(f64::total_cmp);
             all
         };
@@ -338,7 +337,7 @@ mod tests {
                 if exists {
                     let off = by_points.y(x, root) - by_centres.y(x, root);
                     let turns = by_points.motions.second.turns();
-                    let off = if turns { wrapped(off) } else { off };
+                    let off = if turns { wrap(off) } else { off };
                     assert!(off.abs() < 1e-11, "{x} {root}");
                 }
             }

@@ -4,8 +4,7 @@ use super::arrange::{Cell, Stop};
 use super::build;
 use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::Scene;
-use super::sweep::{Band, Gap};
-use super::sweep::{Link, Swept};
+use super::sweep::{Band, Gap, Link, Swept};
 use core::f64::consts::TAU;
 
 impl Partition {

@@ -8,15 +8,11 @@
 
 use super::condition::Condition;
 use super::equation::Equation;
-use super::motion::Motion;
-use super::motion::Placement;
-use super::piece::Height;
-use super::piece::Pair;
-use super::piece::Piece;
+use super::motion::{Motion, Placement};
+use super::piece::{Height, Pair, Piece};
 use super::tolerance::INDEPENDENT;
 use crate::contact::Cycle;
-use crate::geometry::Rotation;
-use crate::geometry::Vector;
+use crate::geometry::{Rotation, Vector};
 use crate::number::TrigPolynomial;
 use core::f64::consts::TAU;
 

@@ -7,12 +7,10 @@ use super::arrange::Cell;
 use super::axis::{AxesError, Axis};
 use super::carriers::Carriers;
 use super::displacement::Displacement;
-use super::motion::Extent;
-use super::motion::Motions;
+use super::motion::{Extent, Motions};
 use super::patches::{AxesBranch, AxesPatch};
 use super::piece::Piece;
-use super::region::AxesRegion;
-use super::region::Region;
+use super::region::{AxesRegion, Region};
 use super::setup::Map;
 use super::sweep::{Band, Gap};
 

@@ -1,16 +1,14 @@
 //! The first contact along a motion of constant rates.
 
 use super::condition::Condition;
-use super::motion::Extent;
-use super::motion::ExtentKind;
-use super::motion::Motion;
+use super::motion::{Extent, ExtentKind, Motion};
 use super::patches::AxesBranch;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use crate::contact::Cycle;
 use crate::geometry::time_of_known_angle;
-use crate::query::Classification;
-use crate::query::MotionError;
+use crate::number::halved;
+use crate::query::{Classification, MotionError};
 use core::f64::consts::TAU;
 
 /// Branches are looked up along ways that are shorter than this share of the extent.
@@ -369,26 +367,11 @@ impl Along<'_> {
         let narrow = half <= NARROWEST * (1.0 + hi.abs());
         if slope.abs() > bend * half || narrow {
             let (a, b) = (self.smooth(lo, lo).0, self.smooth(hi, hi).0);
-            return a >= 0.0 && b < 0.0 && take(self.root(lo, hi));
+            let falls = a >= 0.0 && b < 0.0;
+            return falls && take(halved((lo, hi), 0.0, |t| self.smooth(t, t).0 >= 0.0).0);
         }
         let mid = 0.5 * (lo + hi);
         self.falls(lo, mid, take) || self.falls(mid, hi, take)
-    }
-
-    /// Where the condition changes from positive to negative, by halving.
-    fn root(&self, mut lo: f64, mut hi: f64) -> f64 {
-        for _ in 0..200 {
-            let mid = 0.5 * (lo + hi);
-            if mid <= lo || mid >= hi {
-                break;
-            }
-            if self.smooth(mid, mid).0 >= 0.0 {
-                lo = mid;
-            } else {
-                hi = mid;
-            }
-        }
-        lo
     }
 }
 

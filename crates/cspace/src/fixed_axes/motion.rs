@@ -1,12 +1,9 @@
 //! How a part moves on its axis, in the frame of the pair.
 
 use crate::contact::Cycle;
-use crate::geometry::Point;
-use crate::geometry::Rotation;
-use crate::geometry::Vector;
+use crate::geometry::{Point, Rotation, Vector, wrap};
 use crate::number::Real;
-use core::f64::consts::PI;
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 /// A motion of one degree of freedom at most, with coordinate t.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -240,20 +237,12 @@ impl Extent {
 
     /// a − b, less whole turns if values repeat.
     pub(super) fn difference(&self, a: f64, b: f64) -> f64 {
-        if self.repeats() {
-            wrapped(a - b)
-        } else {
-            a - b
-        }
+        if self.repeats() { wrap(a - b) } else { a - b }
     }
 
     /// a − b; where both ends are the same place, the shorter way around.
     pub(super) fn apart(&self, a: f64, b: f64) -> f64 {
-        if self.is_circle() {
-            wrapped(a - b)
-        } else {
-            a - b
-        }
+        if self.is_circle() { wrap(a - b) } else { a - b }
     }
 
     /// The value brought into the circle; itself if the ends are not the same place.
@@ -307,9 +296,4 @@ pub(super) fn clusters(mut values: Vec<f64>, near: f64) -> Vec<(f64, f64)> {
         }
     }
     clusters
-}
-
-/// The angle brought to (−π, π] by whole turns.
-pub(super) fn wrapped(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }

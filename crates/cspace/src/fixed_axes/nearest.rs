@@ -1,8 +1,6 @@
 //! The nearest contact, one part being moved and the other held.
 
-use super::motion::Extent;
-use super::motion::Motion;
-use super::motion::brought_between;
+use super::motion::{Extent, Motion, brought_between};
 use super::place::crossing_of_level;
 use super::slots::Slots;
 use super::space::FixedAxesSpace;

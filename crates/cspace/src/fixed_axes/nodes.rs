@@ -6,19 +6,14 @@
 
 use super::equation::Equation;
 use super::meeting::meetings;
-use super::motion::Motion;
-use super::motion::Motions;
-use super::motion::Placement;
-use super::piece::Name;
-use super::piece::Node;
+use super::motion::{Motion, Motions, Placement};
+use super::piece::{Name, Node};
 use super::repeats::Image;
 use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
 use crate::contact::Cycle;
 use crate::feature::Feature;
-use crate::geometry::Point;
-use crate::geometry::Rotation;
-use crate::geometry::Vector;
+use crate::geometry::{Point, Rotation, Vector};
 use core::f64::consts::PI;
 
 impl Scene {
@@ -46,143 +41,114 @@ impl Scene {
                 copy,
             });
         };
-        if !b.is_line() {
-            self.first_joints(a, ib, b, &mut found);
-        }
-        if !a.is_line() {
-            self.second_joints(ia, a, b, &mut found);
-        }
-        if a.is_line() {
-            self.aligned_with_first(ia, ib, &mut found);
-        }
-        if b.is_line() {
-            self.aligned_with_second(ia, ib, &mut found);
+        for swap in [false, true] {
+            let [(_, f), (_, other)] = swapped(swap, [(ia, a), (ib, b)]);
+            if !other.is_line() {
+                self.joints(swap, [(ia, a), (ib, b)], &mut found);
+            }
+            if f.is_line() {
+                self.alignments(swap, [(ia, a), (ib, b)], &mut found);
+            }
         }
     }
 
-    /// Ends of a feature of the first part touch a round feature: the centre is at X + ρ n.
-    fn first_joints(
+    /// Ends of a feature of the first part, or with `swap` of the second, touch a round one of the other: its centre is at X + ρ n.
+    fn joints(
         &self,
-        a: &Feature,
-        ib: u32,
-        b: &Feature,
+        swap: bool,
+        features: [(u32, &Feature); 2],
         found: &mut impl FnMut(Name, u8, u32, f64, f64),
     ) {
-        let Motions { first, second } = self.motions;
-        for joint in [a.start, a.end] {
-            let Image { of: joint, steps } = self.repeats.joint(joint);
-            let (point, normal) = (self.first.point(joint), self.first.normal(joint));
-            let name = match self.first.vertex[joint as usize] {
-                Some(vertex) if b.is_vertex() => Name::Vertices(vertex, ib),
-                _ => Name::FirstJoint(joint, ib),
+        let [own, other] = swapped(swap, [&self.first, &self.second]);
+        let [(_, f), (i, round)] = swapped(swap, features);
+        for joint in [f.start, f.end] {
+            let Image { of: joint, steps } = self.image(swap, joint);
+            let (point, normal) = (own.point(joint), own.normal(joint));
+            let name = match own.vertex[joint as usize] {
+                Some(vertex) if round.is_vertex() => {
+                    let [v, w] = swapped(swap, [vertex, i]);
+                    Name::Vertices(v, w)
+                }
+                _ if swap => Name::SecondJoint(i, joint),
+                _ => Name::FirstJoint(joint, i),
             };
-            let cone = self.second.cones[ib as usize];
-            let plausible = |theta: Rotation| cone.may_hold(-(theta.inverse() * normal));
+            let cone = other.cones[i as usize];
+            let plausible = |theta: Rotation| {
+                let [seen, _] = swapped(swap, [theta.inverse(), theta]);
+                cone.may_hold(-(seen * normal))
+            };
             let meets = |root, x: f64, y: f64| {
                 let theta = self.motions.theta(x, y);
-                let tied = |k: &u32| self.tied(joint, *k, theta);
-                if let Some(k) = [b.start, b.end].into_iter().find(tied) {
-                    found(Name::Joints(joint, k), root, steps, x, y);
-                } else if self.second_has(b, joint, theta) {
+                let ends = [round.start, round.end].map(|k| swapped(swap, [joint, k]));
+                if let Some([j, k]) = ends.into_iter().find(|&[j, k]| self.tied(j, k, theta)) {
+                    let Image { of, steps: on } = self.repeats.joint(j);
+                    // The orbit's joint is there when x is larger by the steps between them.
+                    let x = x + self.repeats.period() * f64::from(on);
+                    found(Name::Joints(of, k), root, steps, x, y);
+                } else if self.has(!swap, round, joint, theta) {
                     found(name, root, steps, x, y);
                 }
             };
-            let (arc, at) = touching(&self.second, b, point, normal);
-            meetings((first, &at), (second, &arc), plausible, meets);
-        }
-    }
-
-    fn second_joints(
-        &self,
-        ia: u32,
-        a: &Feature,
-        b: &Feature,
-        found: &mut impl FnMut(Name, u8, u32, f64, f64),
-    ) {
-        let Motions { first, second } = self.motions;
-        for joint in [b.start, b.end] {
-            let (point, normal) = (self.second.point(joint), self.second.normal(joint));
-            let name = match self.second.vertex[joint as usize] {
-                Some(vertex) if a.is_vertex() => Name::Vertices(ia, vertex),
-                _ => Name::SecondJoint(ia, joint),
-            };
-            let cone = self.first.cones[ia as usize];
-            let plausible = |theta: Rotation| cone.may_hold(-(theta * normal));
-            let meets = |root, x: f64, y: f64| {
-                let theta = self.motions.theta(x, y);
-                let tied = |k: &u32| self.tied(*k, joint, theta);
-                if let Some(k) = [a.start, a.end].into_iter().find(tied) {
-                    let Image { of, steps } = self.repeats.joint(k);
-                    // The orbit's joint is there when x is larger by the steps between them.
-                    let x = x + self.repeats.period() * f64::from(steps);
-                    found(Name::Joints(of, joint), root, steps, x, y);
-                } else if self.first_has(a, joint, theta) {
-                    found(name, root, 0, x, y);
-                }
-            };
-            let (arc, at) = touching(&self.first, a, point, normal);
-            meetings((first, &arc), (second, &at), plausible, meets);
-        }
-    }
-
-    /// The round feature of the second part ends where its normal is a line's of the first.
-    fn aligned_with_first(
-        &self,
-        ia: u32,
-        ib: u32,
-        found: &mut impl FnMut(Name, u8, u32, f64, f64),
-    ) {
-        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
-        for joint in [b.start, b.end] {
-            if let Some(line) = self.second.line[joint as usize] {
-                self.lines((ia, 0), line, found, |from_first, at| {
-                    !from_first && at == joint
-                });
-                continue;
-            }
+            let (arc, at) = touching(other, round, point, normal);
+            let [p, q] = swapped(swap, [&at, &arc]);
             let Motions { first, second } = self.motions;
-            let side = self.first.line(a);
-            let (point, beta) = (self.second.point(joint), self.second.angle(joint));
-            let accepts = self.first.beside(a, point);
-            aligned(first, side, second, (point, beta), accepts, |root, x, y| {
-                found(Name::LineJoint(ia, joint), root, 0, x, y);
-            });
+            meetings((first, p), (second, q), plausible, meets);
         }
     }
 
-    fn aligned_with_second(
+    /// A round feature of the second part, or with `swap` of the first, ends where its normal is that of a line of the other.
+    fn alignments(
         &self,
-        ia: u32,
-        ib: u32,
+        swap: bool,
+        features: [(u32, &Feature); 2],
         found: &mut impl FnMut(Name, u8, u32, f64, f64),
     ) {
-        let (a, b) = (self.first_feature(ia), self.second_feature(ib));
-        for (joint, at_start) in [(a.start, true), (a.end, false)] {
-            if let Some(line) = self.first.line[joint as usize] {
-                let Image { of, steps } = self.repeats.feature(line);
+        let [own, other] = swapped(swap, [&self.first, &self.second]);
+        let [(i, line), (_, round)] = swapped(swap, features);
+        let motions = swapped(swap, [self.motions.first, self.motions.second]);
+        for (joint, at_start) in [(round.start, true), (round.end, false)] {
+            if let Some(beside) = other.line[joint as usize] {
+                let Image { of, steps } = if swap {
+                    self.repeats.feature(beside)
+                } else {
+                    Image::itself(beside)
+                };
                 // Travel goes on: where the feature starts the line ends.
-                let line = self.first_feature(of);
-                let joint = if at_start { line.end } else { line.start };
-                self.lines((of, steps), ib, found, |from_first, at| {
-                    from_first && at == joint
+                let before = &other.outline.features[of as usize];
+                let joint = if at_start { before.end } else { before.start };
+                let [ia, ib] = swapped(swap, [i, of]);
+                self.lines((ia, steps), ib, found, |from_first, at| {
+                    from_first == swap && at == joint
                 });
                 continue;
             }
-            let Image { of: joint, steps } = self.repeats.joint(joint);
-            let Motions { first, second } = self.motions;
-            let side = self.second.line(b);
-            let (point, alpha) = (self.first.point(joint), self.first.angle(joint));
-            let accepts = self.second.beside(b, point);
+            let Image { of: joint, steps } = self.image(!swap, joint);
+            let end = (other.point(joint), other.angle(joint));
+            let name = if swap {
+                Name::JointLine(joint, i)
+            } else {
+                Name::LineJoint(i, joint)
+            };
             aligned(
-                second,
-                side,
-                first,
-                (point, alpha),
-                accepts,
-                |root, y, x| {
-                    found(Name::JointLine(joint, ib), root, steps, x, y);
+                motions[0],
+                own.line(line),
+                motions[1],
+                end,
+                own.beside(line, end.0),
+                |root, s, t| {
+                    let [x, y] = swapped(swap, [s, t]);
+                    found(name, root, steps, x, y);
                 },
             );
+        }
+    }
+
+    /// A joint of the first part as the image of the one that stands for its orbit; with `swap` one of the second, itself.
+    fn image(&self, swap: bool, joint: u32) -> Image {
+        if swap {
+            Image::itself(joint)
+        } else {
+            self.repeats.joint(joint)
         }
     }
 
@@ -221,6 +187,15 @@ impl Scene {
         aligned(first, side, second, joint, accepts, |root, x, y| {
             found(Name::Lines(ia, ib), root, steps, x, y);
         });
+    }
+}
+
+/// Something of the first part and of the second, exchanged if that is wanted.
+fn swapped<T>(swap: bool, [first, second]: [T; 2]) -> [T; 2] {
+    if swap {
+        [second, first]
+    } else {
+        [first, second]
     }
 }
 

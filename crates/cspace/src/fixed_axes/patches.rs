@@ -1,14 +1,10 @@
 //! Chains of cells made patches: their branches, and the region that each bounds.
 
-use super::arrange::Cell;
-use super::arrange::Stop;
+use super::arrange::{Cell, Stop};
 use super::motion::Extent;
-use super::piece::Name;
-use super::piece::Pair;
-use super::piece::Piece;
+use super::piece::{Name, Pair, Piece};
 use super::setup::Setting;
-use super::sweep::Gaps;
-use super::sweep::Graphs;
+use super::sweep::{Gaps, Graphs};
 use super::tolerance::NEAR;
 use crate::feature::FeatureName;
 

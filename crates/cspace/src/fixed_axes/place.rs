@@ -2,13 +2,14 @@
 
 use super::build::Builder;
 use super::condition::Condition;
-use super::motion::{ExtentKind, brought_between, wrapped};
+use super::motion::{ExtentKind, brought_between};
 use super::piece::{End, Key, Name, Pair, Piece};
 use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
 use crate::contact::Cycle;
 use crate::feature::Feature;
-use crate::geometry::Vector;
+use crate::geometry::{Vector, wrap};
+use crate::number::halved;
 use core::f64::consts::TAU;
 
 impl Builder<'_> {
@@ -103,21 +104,12 @@ impl Builder<'_> {
 pub(super) fn crossing_of_level(
     piece: &Piece,
     pairs: &[Pair],
-    (mut lo, mut hi): (f64, f64),
+    range: (f64, f64),
     level: f64,
 ) -> f64 {
     let rising = piece.start.y() < piece.end.y();
-    loop {
-        let middle = 0.5 * (lo + hi);
-        if middle <= lo || middle >= hi {
-            return middle;
-        }
-        if (piece.y(pairs, middle) < level) == rising {
-            lo = middle;
-        } else {
-            hi = middle;
-        }
-    }
+    let (lo, hi) = halved(range, 0.0, |x| (piece.y(pairs, x) < level) == rising);
+    0.5 * (lo + hi)
 }
 
 // Which sections of a curve are contact: where both features have the point and the normal.
@@ -135,7 +127,7 @@ pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
     let motions = scene.motions;
     let turning = motions.first.turns() || motions.second.turns();
     let inside =
-        |f: &Feature, angle: f64| 0.5 * (f.hi - f.lo) - wrapped(angle - 0.5 * (f.lo + f.hi)).abs();
+        |f: &Feature, angle: f64| 0.5 * (f.hi - f.lo) - wrap(angle - 0.5 * (f.lo + f.hi)).abs();
     let half_turn = core::f64::consts::PI;
     let Condition { first, second, .. } = &pair.condition;
     let (p, q) = pair.condition.moved(x, y);

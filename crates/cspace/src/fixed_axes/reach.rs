@@ -3,10 +3,9 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::feature::{Feature, Near};
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Vector, wrap};
 
 use super::motion::Motion;
-use super::motion::wrapped;
 use super::scene::Scene;
 
 /// Where a feature can come, and how its normals lean.
@@ -63,7 +62,7 @@ fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) 
     let (m, r) = (f.center().distance(center), f.radius().abs());
     let sees = |toward: Vector| {
         let outward = if f.radius() < 0.0 { -toward } else { toward };
-        wrapped(outward.angle() - 0.5 * (f.lo + f.hi)).abs() < 0.5 * (f.hi - f.lo)
+        wrap(outward.angle() - 0.5 * (f.lo + f.hi)).abs() < 0.5 * (f.hi - f.lo)
     };
     let toward = center - f.center();
     let least = if m > 0.0 && sees(toward) {
@@ -194,7 +193,7 @@ impl Apart {
         ((b0, b1), (b, b_width)): ((f64, f64), (f64, f64)),
     ) -> bool {
         let aside = Self::aside(apart, (a0, a1), b1) + Self::aside(apart, (b0, b1), a1);
-        wrapped(a - b).abs() <= a_width + b_width + aside + Self::TURN
+        wrap(a - b).abs() <= a_width + b_width + aside + Self::TURN
     }
 
     /// The largest angle beside the line of the pivots at which points at distances from r₀ to r₁ from one pivot, and no

@@ -1,12 +1,8 @@
 //! The connected components of free space, as the user sees them.
 
-use super::motion::Extent;
-use super::motion::ExtentKind;
-use super::motion::Motion;
+use super::motion::{Extent, ExtentKind, Motion};
 use super::setup::Setting;
-use super::sweep::Band;
-use super::sweep::Gap;
-use super::sweep::Swept;
+use super::sweep::{Band, Gap, Swept};
 use core::f64::consts::TAU;
 
 /// A connected component of free space.

@@ -19,6 +19,13 @@ pub(super) struct Image {
     pub(super) steps: u32,
 }
 
+impl Image {
+    /// Of one that stands for itself.
+    pub(super) const fn itself(of: u32) -> Self {
+        Self { of, steps: 0 }
+    }
+}
+
 /// How the swept part repeats itself.
 #[derive(Debug)]
 pub(super) struct Repeats {
@@ -119,6 +126,6 @@ fn orbits(step: &[u32]) -> Vec<Image> {
             steps += 1;
         }
     }
-    let itself = |(i, image): (u32, Option<Image>)| image.unwrap_or(Image { of: i, steps: 0 });
+    let itself = |(i, image): (u32, Option<Image>)| image.unwrap_or(Image::itself(i));
     (0u32..).zip(images).map(itself).collect()
 }

@@ -1,10 +1,9 @@
 //! Both parts on their axes, and which of their normals oppose each other.
 
-use super::motion::{Extent, wrapped};
-use super::motion::{Motions, Placement};
+use super::motion::{Extent, Motions, Placement};
 use super::repeats::Repeats;
 use crate::feature::{Feature, Outline};
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Vector, wrap};
 use core::f64::consts::PI;
 
 /// Normals that oppose each other to within this do so exactly (radians): the rounding of the configurations at which that is
@@ -29,7 +28,7 @@ impl Scene {
     /// Where both oppose each other, for good or just there, the second is taken to be turned by a little more. Every
     /// pair asks this of the same two joints, so all agree.
     fn beyond(&self, first_angle: f64, second_angle: f64, theta: f64) -> f64 {
-        let angle = wrapped(second_angle + theta + PI - first_angle);
+        let angle = wrap(second_angle + theta + PI - first_angle);
         if angle.abs() < TIE { 0.0 } else { angle }
     }
 
@@ -50,30 +49,30 @@ impl Scene {
             && smooth(&self.second, second_joint)
     }
 
-    /// Whether a round feature of the second part has the normal opposite to that of a joint of the first.
-    pub(super) fn second_has(&self, b: &Feature, first_joint: u32, theta: f64) -> bool {
-        let angle = self.first.angle(first_joint);
-        let (lo, hi) = b.joints_by_angle();
-        let to_lo = self.beyond(angle, self.second.angle(lo), theta);
-        let to_hi = self.beyond(angle, self.second.angle(hi), theta);
-        within(b, to_lo < 0.0, to_lo, to_hi >= 0.0, to_hi, -1.0)
-    }
-
-    /// Whether a round feature of the first part has the normal opposite to that of a joint of the second.
-    pub(super) fn first_has(&self, a: &Feature, second_joint: u32, theta: f64) -> bool {
-        let angle = self.second.angle(second_joint);
-        let (lo, hi) = a.joints_by_angle();
-        let from_lo = self.beyond(self.first.angle(lo), angle, theta);
-        let from_hi = self.beyond(self.first.angle(hi), angle, theta);
-        within(a, from_lo >= 0.0, from_lo, from_hi < 0.0, from_hi, 1.0)
+    /// Whether a round feature, of the second part or of the first, has the normal opposite to that of a joint of the other part.
+    pub(super) fn has(&self, of_second: bool, f: &Feature, joint: u32, theta: f64) -> bool {
+        let (lo, hi) = f.joints_by_angle();
+        let [lo, hi] = [lo, hi].map(|end| {
+            let (j, k) = if of_second {
+                (joint, end)
+            } else {
+                (end, joint)
+            };
+            self.beyond(self.first.angle(j), self.second.angle(k), theta)
+        });
+        if of_second {
+            within(f, lo < 0.0, lo, hi >= 0.0, hi, -1.0)
+        } else {
+            within(f, lo >= 0.0, lo, hi < 0.0, hi, 1.0)
+        }
     }
 
     /// Whether the normals of the pair can oppose each other while nothing turns.
     pub(super) fn normals_meet(&self, ia: u32, ib: u32) -> bool {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         match (a.is_line(), b.is_line()) {
-            (true, _) => self.second_has(b, a.start, 0.0),
-            (_, true) => self.first_has(a, b.start, 0.0),
+            (true, _) => self.has(true, b, a.start, 0.0),
+            (_, true) => self.has(false, a, b.start, 0.0),
             _ => true,
         }
     }
@@ -101,7 +100,7 @@ fn within(f: &Feature, above_lo: bool, to_lo: f64, below_hi: bool, to_hi: f64, s
     }
     // Away from both ends: by the distance from the middle.
     let from_lo = sign * to_lo;
-    wrapped(from_lo - 0.5 * width).abs() < 0.5 * width
+    wrap(from_lo - 0.5 * width).abs() < 0.5 * width
 }
 
 // One part: its outline, and what its joints belong to.

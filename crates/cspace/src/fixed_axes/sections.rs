@@ -1,16 +1,10 @@
 //! Contact curves as monotone graphs y(x): where they begin and end.
 
-use super::build::Builder;
-use super::build::SectionEnd;
+use super::build::{Builder, SectionEnd};
 use super::condition::Condition;
 use super::motion::brought_between;
-use super::piece::End;
-use super::piece::Name;
-use super::piece::Node;
-use super::piece::Pair;
-use super::piece::Piece;
-use super::place::decide;
-use super::place::margin;
+use super::piece::{End, Name, Node, Pair, Piece};
+use super::place::{decide, margin};
 use super::tolerance::SHORT;
 use core::f64::consts::TAU;
 

@@ -1,39 +1,17 @@
 //! What follows from the parts and their axes alone: frame, motions, outlines, and where the coordinates run.
 
-use super::axis::AxesError;
-use super::axis::Axis;
-use super::axis::AxisMotion;
-use super::axis::Role;
+use super::axis::{AxesError, Axis, AxisMotion, Role};
 use super::displacement::Displacement;
-use super::motion::Extent;
-use super::motion::ExtentKind;
-use super::motion::Motion;
-use super::motion::Motions;
+use super::motion::{Extent, ExtentKind, Motion, Motions};
 use super::repeats::Repeats;
-use super::scene::Scene;
-use super::scene::Side;
+use super::scene::{Scene, Side};
 use super::tolerance::INDEPENDENT;
-use crate::contact::Body;
-use crate::contact::Permutation;
-use crate::contact::overlap;
-use crate::feature::Feature;
-use crate::feature::FeatureName;
-use crate::feature::Outline;
-use crate::feature::PairFrame;
-use crate::feature::as_drawn;
-use crate::feature::tolerance::CONTACT;
-use crate::feature::tolerance::GROWTH;
-use crate::feature::tolerance::MOVING_GROWTH;
-use crate::geometry::Point;
-use crate::geometry::Vector;
-use crate::part::Corresponding;
-use crate::part::Loop;
-use crate::part::Part;
-use crate::part::SYMMETRIC;
-use crate::part::Symmetrized;
-use crate::part::Vertex;
-use core::f64::consts::FRAC_PI_2;
-use core::f64::consts::TAU;
+use crate::contact::{Body, Permutation, overlap};
+use crate::feature::tolerance::{CONTACT, GROWTH, MOVING_GROWTH};
+use crate::feature::{Feature, FeatureName, Outline, PairFrame, as_drawn};
+use crate::geometry::{Point, Vector};
+use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized, Vertex};
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
 /// grown by.
@@ -148,7 +126,7 @@ pub(super) fn set_up(
     let deviation = bent
         + frame.outer_length(joined + tilt * slides)
         + symmetric.as_ref().map_or(0.0, |s| s.deviation)
-        + frame.outer_length(displacement.deviation(slides));
+        + frame.outer_length(displacement.deviation(slides, radius(&second)));
     let redrawn = symmetric.map(|s| s.redrawn);
     let name = |f: &Feature| as_drawn(&redrawn, f.name);
     let setting = Setting {
@@ -267,6 +245,24 @@ fn motion(axis: &Axis, part: Role, frame: &PairFrame) -> Result<Motion, AxesErro
     }
 }
 
+/// How far from the origin of its frame a part reaches, at most.
+fn radius(o: &Outline) -> f64 {
+    let of = |f: &Feature| {
+        let far = |j: u32| o.joints[j as usize].point.to_vector().length();
+        let round = match f.near {
+            // Its ends are as far from the point half way as any of it.
+            Some(near) => {
+                let half = |j: u32| o.joints[j as usize].point.distance(near.point);
+                near.point.to_vector().length() + half(f.start).max(half(f.end))
+            }
+            None if f.is_line() => 0.0,
+            None => f.center().to_vector().length() + f.radius().abs(),
+        };
+        far(f.start).max(far(f.end)).max(round)
+    };
+    o.features.iter().map(of).fold(0.0, f64::max)
+}
+
 /// How far sliding parts can be from where they are drawn and still touch, in the frame of the pair, given how far the ranges
 /// of both coordinates let them go.
 fn reach(
@@ -275,24 +271,6 @@ fn reach(
     motions: &Motions,
     ranges: (Option<f64>, Option<f64>),
 ) -> f64 {
-    let radius = |o: &Outline| {
-        o.features
-            .iter()
-            .map(|f| {
-                let far = |j: u32| o.joints[j as usize].point.to_vector().length();
-                let round = match f.near {
-                    // Its ends are as far from the point half way as any of it.
-                    Some(near) => {
-                        let half = |j: u32| o.joints[j as usize].point.distance(near.point);
-                        near.point.to_vector().length() + half(f.start).max(half(f.end))
-                    }
-                    None if f.is_line() => 0.0,
-                    None => f.center().to_vector().length() + f.radius().abs(),
-                };
-                far(f.start).max(far(f.end)).max(round)
-            })
-            .fold(0.0, f64::max)
-    };
     let arm = |m: &Motion| match m {
         Motion::Turn { center } => 2.0 * center.to_vector().length(),
         _ => 0.0,
@@ -414,8 +392,8 @@ pub(super) struct Setting {
 }
 
 impl Setting {
-    /// Configurations at which a contact function is less than this are in contact (model length): the resolution, but for
-    /// what corners are grown by.
+    /// Configurations at which a contact function is less than this are in contact (model length), so that all are that touch as
+    /// they are drawn.
     pub(super) fn contact_distance(&self) -> f64 {
         self.map.frame.outer_length(CONTACT) + self.deviation
     }

@@ -2,11 +2,8 @@
 
 use super::arrange::Cell;
 use super::condition::Condition;
-use super::motion::Extent;
-use super::motion::brought_between;
-use super::motion::clusters;
-use super::piece::Pair;
-use super::piece::Piece;
+use super::motion::{Extent, brought_between, clusters};
+use super::piece::{Pair, Piece};
 use super::setup::Bodies;
 use super::tolerance::COINCIDENT;
 use core::f64::consts::TAU;

@@ -1,4 +1,4 @@
-//! The least value of a function of one number, found by branch and bound.
+//! The least value of a function of one number, found by branch and bound, and where one changes its sign, by halving.
 
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -19,6 +19,27 @@ pub(crate) trait Bounded {
     /// A number below which no value in the interval is, unless one at its ends is as low; infinite if none is lower than
     /// those at the ends.
     fn below(&self, lo: f64, hi: f64) -> f64;
+}
+
+/// An interval halved so that `is_below` stays true of its lower end and untrue of its upper one, until it is no wider than
+/// `narrowest` or no number lies between its ends.
+pub(crate) fn halved(
+    (mut lo, mut hi): (f64, f64),
+    narrowest: f64,
+    is_below: impl Fn(f64) -> bool,
+) -> (f64, f64) {
+    loop {
+        let mid = 0.5 * (lo + hi);
+        // So, too, if one of them is no number.
+        if !(hi - lo > narrowest && lo < mid && mid < hi) {
+            return (lo, hi);
+        }
+        if is_below(mid) {
+            lo = mid;
+        } else {
+            hi = mid;
+        }
+    }
 }
 
 /// The least value over an interval and where it is; `None` if it is not below what is `known` already.

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::feature::tolerance::{GROWTH, NARROWEST_BAND};
-use crate::number::{Ball, Dual, Real};
+use crate::number::{Ball, Dual, Real, halved};
 use crate::space::{ContactSpace, Patch};
 
 use super::classify::Classification;
@@ -154,18 +154,8 @@ impl<'a> Search<'a> {
     }
 
     /// Halves an interval down to the narrowest, towards where `is_upper` becomes true.
-    fn bisect(&self, mut lo: f64, mut hi: f64, is_upper: impl Fn(f64) -> bool) -> (f64, f64) {
-        loop {
-            let mid = 0.5 * (lo + hi);
-            if self.is_narrow(lo, mid, hi) {
-                return (lo, hi);
-            }
-            if is_upper(mid) {
-                hi = mid;
-            } else {
-                lo = mid;
-            }
-        }
+    fn bisect(&self, lo: f64, hi: f64, is_upper: impl Fn(f64) -> bool) -> (f64, f64) {
+        halved((lo, hi), self.narrowest, |t| !is_upper(t))
     }
 
     fn first_between(&self, lo: f64, hi: f64) -> Best {
