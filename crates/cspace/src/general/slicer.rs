@@ -171,14 +171,14 @@ fn lies_on_another(slice: &Slice, patches: &[Patch], geometry: &Geometry, theta:
     let sheets = &geometry.contacts.sheets;
     let mut circles = (sheets.iter()).filter(|s| s.is_circle() && s.lo <= theta && theta <= s.hi);
     circles.any(|s| {
-        let center = s.center().at(turn);
+        let center = s.locus.through.at(turn);
         let (start, end) = (s.start_angle.at(theta), s.end_angle.at(theta));
         let (middle, half) = (0.5 * (start + end), 0.5 * (start - end).abs());
         let first = arcs.partition_point(|a| a.center.x < center.x - SAME_CARRIER);
         let mut near = (arcs[first..].iter())
             .take_while(|a| a.center.x <= center.x + SAME_CARRIER)
             .filter(|a| a.center.distance(center) <= SAME_CARRIER)
-            .filter(|a| (a.radius - s.radius).abs() <= SAME_CARRIER);
+            .filter(|a| (a.radius - s.locus.radius).abs() <= SAME_CARRIER);
         near.any(|a| {
             wrap(a.middle - middle).abs() < a.half + half - SHARED && *a.function != s.function()
         })

@@ -4,7 +4,6 @@ use core::f64::consts::{PI, TAU};
 
 use crate::contact::ContactFunction;
 use crate::feature::PairFrame;
-use crate::feature::tolerance::PERTURBATION;
 use crate::geometry::{Point, Rotation};
 use crate::slice::{CurveGeometry, Slice, SliceCurve};
 
@@ -91,10 +90,9 @@ impl<'a> Surface<'a> {
     /// Patches that end at a critical orientation, and those that begin there, may be turns apart, so that their
     /// orientations differ by a rounding.
     pub(crate) fn settled(&self, theta: f64) -> f64 {
-        /// Vertices are moved to make parts generic, and with them an orientation at which edges are parallel: by this much if the
-        /// edges have an eighth of the pair's size (radians, relative to orientations beyond one).
-        const NEAR: f64 = 16.0 * PERTURBATION;
-        const ASIDE: f64 = 2.0 * NEAR;
+        /// Some roundings, and twice as many; radians, relative to orientations beyond one.
+        const NEAR: f64 = 4e-15;
+        const ASIDE: f64 = 8e-15;
         let (window, critical) = (&self.window, self.critical_orientations);
         let scale = theta.abs().max(1.0);
         // Where critical orientations are: in [−π, π), wherever the turn was cut.

@@ -41,10 +41,9 @@ function sweepBetween(from: Point, to: Point, radius: number): number {
   return (turned < -PASSED_ENDS ? turned + TAU : Math.max(turned, 0)) * signum(radius);
 }
 
-/** Orientations nearer to a critical one than this, relative to their size, are it, for vertices are moved a little before a space is
- * computed; one is taken by so much more. As the command does. */
-const NEAR = 2 ** -39;
-const BESIDE = 2 ** -38;
+/** Orientations nearer to a critical one than this, relative to their size, are it but for rounding; it is taken by so much more. */
+const NEAR = 4e-15;
+const BESIDE = 8e-15;
 
 export class Surface {
   readonly alive: Alive;
