@@ -199,7 +199,7 @@ fn cycles_are_one_within_little() {
 }
 
 /// One of each kind, all of which cross each other at orientation 0.3.
-fn functions() -> [ContactFunction; 4] {
+fn functions() -> [ContactFunction; 6] {
     let spiral = |x: f64, y: f64, a: f64, b: f64| Spiral::new(Point::new(x, y), Vector::new(a, b));
     [
         ContactFunction::FixedLine {
@@ -218,36 +218,74 @@ fn functions() -> [ContactFunction; 4] {
             center: spiral(-0.2, 0.0, 0.1, 0.3),
             radius: -0.7,
         },
+        ContactFunction::FlatCircle {
+            through: spiral(0.05, 0.1, 0.1, -0.1),
+            normal: Vector::from_angle(-1.2),
+            turns: false,
+            radius: 9.0,
+        },
+        ContactFunction::FlatCircle {
+            through: spiral(-0.1, 0.05, 0.15, 0.1),
+            normal: Vector::from_angle(0.1),
+            turns: true,
+            radius: -20.0,
+        },
     ]
 }
 
-/// All places at which two of the functions cross, in one arithmetic.
-fn places<T: Real>(turn: Rotation<T>) -> Vec<Vector<T>> {
+/// What is said of cycles, and of two of them, in one arithmetic: places at which they cross first.
+fn formulas<T: Real>(turn: Rotation<T>) -> Vec<Vector<T>> {
     let all = functions().map(|f| f.cycle(turn));
-    let mut places = Vec::new();
+    let p = (turn * Vector::new(0.4, -0.3).map(T::constant)).map(|x| x + T::constant(0.2));
+    let p = Point::new(p.x, p.y);
+    let mut found = Vec::new();
     for (i, f) in all.iter().enumerate() {
-        for (_, g) in all.iter().enumerate().filter(|(j, _)| *j != i) {
+        let place = f.place(p);
+        let middle = Vector::new(1.0, 0.0).map(T::constant);
+        found.extend([
+            Vector::new(f.level(p), f.distance(p)),
+            f.slope(p),
+            f.arm(p),
+            place,
+            f.at(place) - f.through,
+            Vector::new(f.rank(place, middle), f.curvature()),
+        ]);
+        for (j, g) in all.iter().enumerate().filter(|(j, _)| *j != i) {
             for root in 0..if f.is_line() && g.is_line() { 1 } else { 2 } {
-                places.push(f.root(g, root, false));
+                found.push(f.root(g, root, false));
+            }
+            if i < j {
+                found.extend([
+                    Vector::new(f.apart(g), f.total(g)),
+                    Vector::new(f.still_about(g, p), f.total(g)),
+                    f.between(g),
+                ]);
+                // Two lines have a common normal where they are parallel.
+                if !(f.is_line() && g.is_line()) {
+                    let unit = f.common_normal(g);
+                    let supports = Vector::new(f.beside(g, unit), f.support(p, unit));
+                    found.extend([unit, supports, Vector::new(f.gap(g), f.gap(g))]);
+                }
             }
         }
     }
-    places
+    found
 }
 
 #[test]
 fn slopes_agree_with_differences_and_enclosures_hold_both() {
     const THETA: f64 = 0.3;
     const WIDTH: f64 = 1e-3;
-    let at = |theta: f64| places(Rotation::by(theta));
-    let slopes = |theta: f64| places(Rotation::by(Dual::<1>::variable(theta, 0)));
+    let at = |theta: f64| formulas(Rotation::by(theta));
+    let slopes = |theta: f64| formulas(Rotation::by(Dual::<1>::variable(theta, 0)));
     let around = Ball::between(THETA - WIDTH, THETA + WIDTH);
-    let balls = places(Rotation::by(around));
-    let jets = places(Rotation::by(Dual::<1, _>::variable(around, 0)));
-    let exact = places(Rotation::by(Dd::from(THETA)));
-    for (ball, exact) in balls.iter().zip(&exact) {
+    let balls = formulas(Rotation::by(around));
+    let jets = formulas(Rotation::by(Dual::<1, _>::variable(around, 0)));
+    let exact = formulas(Rotation::by(Dd::from(THETA)));
+    for (i, (ball, exact)) in balls.iter().zip(&exact).enumerate() {
         for (ball, exact) in [(ball.x, exact.x), (ball.y, exact.y)] {
-            assert!((exact - ball.mid).to_f64().abs() <= ball.radius);
+            let off = (exact - ball.mid).to_f64().abs();
+            assert!(off <= ball.radius, "{i} {ball:?} {exact:?}");
         }
     }
     let h = 1e-5;
@@ -265,7 +303,7 @@ fn slopes_agree_with_differences_and_enclosures_hold_both() {
                 .enumerate()
             {
                 let (value, lo, hi) = ends[j];
-                assert!((d.value - value).abs() < 1e-13);
+                assert!((d.value - value).abs() < 1e-12 * (1.0 + value.abs()));
                 assert!(
                     (d.slope[0] - (hi - lo) / (2.0 * h)).abs() < 1e-7,
                     "{i} {j} {d:?}"
@@ -273,7 +311,12 @@ fn slopes_agree_with_differences_and_enclosures_hold_both() {
                 assert!((ball.mid - value).abs() <= ball.radius);
                 assert!((jet[j].value.mid - value).abs() <= jet[j].value.radius);
                 assert!((jet[j].slope[0].mid - d.slope[0]).abs() <= jet[j].slope[0].radius);
-                assert!(ball.radius < 0.1 && jet[j].slope[0].radius < 0.5, "{i} {j}");
+                let wide = (ball.radius, jet[j].slope[0].radius);
+                let size = 1.0 + value.abs() + d.slope[0].abs();
+                assert!(
+                    wide.0 < 0.1 * size && wide.1 < 0.5 * size,
+                    "{i} {j} {wide:?}"
+                );
             }
         }
     }
