@@ -40,7 +40,8 @@ impl FixedAxesSpace {
             return Vec::new();
         };
         let reach = tolerance * self.setting.map.frame.scale;
-        self.contacts_among(self.by_x.near_in_order(x, reach.max(NEAR)), (x, y), reach)
+        let near = reach.max(NEAR);
+        self.contacts_among(self.by_x.between(x - near, x + near), (x, y), reach)
     }
 
     /// Whether a patch touches at (u, v) within `tolerance` (model length). False outside the ranges of motion, and if there is no
@@ -83,8 +84,7 @@ impl FixedAxesSpace {
     /// Whether a configuration is within the resolution of the free boundary.
     pub(super) fn is_touching(&self, x: f64, y: f64) -> bool {
         let distance = self.setting.inner_contact_distance();
-        let mut near = self.by_x.near(x, distance);
-        near.any(|branch| {
+        self.by_x.any(x - distance, x + distance, |branch| {
             let cell = self.data.branches[branch as usize].cell;
             // A corner that is all but on a pivot is as near to a side everywhere, deep in blocked space too.
             self.touch(cell, x, y, distance, distance).is_some()

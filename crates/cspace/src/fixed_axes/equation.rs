@@ -1,7 +1,6 @@
 //! Equations in one coordinate: trigonometric for a part that turns, quadratic for one that slides.
 
 use super::tolerance::INDEPENDENT;
-use crate::geometry::Vector;
 
 /// A function of one coordinate whose roots have a closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,21 +15,6 @@ impl Equation {
     /// Does not depend on the coordinate.
     pub(super) fn constant(c: f64) -> Self {
         Self::Quadratic { a: 0.0, b: 0.0, c }
-    }
-
-    /// The roots of a trigonometric equation as directions (cos t, sin t), not quite of length one; none of another.
-    pub(super) fn directions(self) -> [Option<Vector>; 2] {
-        let Self::Trig { alpha, beta, gamma } = self else {
-            return [None, None];
-        };
-        let amplitude = alpha.hypot(beta);
-        let square = (amplitude - gamma) * (amplitude + gamma);
-        if amplitude < INDEPENDENT || square < 0.0 {
-            return [None, None];
-        }
-        let unit = Vector::new(alpha, beta) * (1.0 / amplitude);
-        let (along, aside) = (-gamma / amplitude, square.sqrt() / amplitude);
-        [-aside, aside].map(|a| Some(unit * along + unit.left() * a))
     }
 
     /// Calls `found` with the roots, at most two; with none if the function is constant.

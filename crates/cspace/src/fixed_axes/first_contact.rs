@@ -165,10 +165,7 @@ impl FixedAxesSpace {
         // A short way is among few branches.
         let (x, to) = (way.x, way.x + way.dx * end);
         if (to - x).abs() < SHORT * (self.setting.x.hi - self.setting.x.lo) {
-            let mut near: Vec<u32> = self.by_x.between(x.min(to), x.max(to)).collect();
-            near.sort_unstable();
-            near.dedup();
-            for i in near {
+            for i in self.by_x.between(x.min(to), x.max(to)) {
                 look(&self.data.branches[i as usize]);
             }
         } else {

@@ -4,8 +4,8 @@ use super::arrange::{Arrangement, Cell};
 use super::motion::Extent;
 use super::piece::Piece;
 use super::place::crossing_of_level;
+use super::ranges::Ranges;
 use super::setup::Bodies;
-use super::slots::Slots;
 use super::sweep::Graphs;
 use super::tolerance::COINCIDENT;
 use crate::parallel::prelude::*;
@@ -13,8 +13,6 @@ use core::f64::consts::TAU;
 
 /// How far the free side is looked at (radians or length).
 const STEP: f64 = 1.0 / 256.0;
-/// Slots of x in which pieces are looked up.
-const SLOTS: i64 = 256;
 /// A cell steeper than this is left sideways.
 const STEEP: f64 = 1e3;
 /// So many cells of a chain, the largest, are tested; if they disagree, all are.
@@ -27,7 +25,7 @@ pub(super) struct Judge<'a> {
     bodies: &'a Bodies,
     x: Extent,
     /// Pieces by x.
-    by_x: Slots,
+    by_x: Ranges,
 }
 
 /// The verdict on every cell.
@@ -55,7 +53,7 @@ impl<'a> Judge<'a> {
             graphs,
             bodies,
             x,
-            by_x: Slots::new(x, SLOTS, ranges),
+            by_x: Ranges::new(x, ranges),
         }
     }
 
@@ -170,7 +168,7 @@ impl<'a> Judge<'a> {
         // Up or down to the next curve at this x.
         let sign = if free_up { 1.0 } else { -1.0 };
         let mut reach = STEP;
-        for j in self.by_x.near(middle, 0.0) {
+        for j in self.by_x.between(middle, middle) {
             let q = &self.graphs.pieces[j as usize];
             if j == c.piece || q.vertical || !(q.start.x..=q.end.x).contains(&middle) {
                 continue;

@@ -2,7 +2,7 @@
 
 use super::motion::{Extent, Motion, brought_between};
 use super::place::crossing_of_level;
-use super::slots::Slots;
+use super::ranges::Ranges;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use core::f64::consts::TAU;
@@ -39,13 +39,17 @@ impl FixedAxesSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn nearest_contact(&self, u: f64, v: f64) -> Option<NearestOnAxes> {
-        self.nearest_among(|slots, held| slots.near_in_order(held, NEAR), u, v)
+        self.nearest_among(
+            |ranges, held| ranges.between(held - NEAR, held + NEAR),
+            u,
+            v,
+        )
     }
 
     /// The nearest of the branches that `near` finds at the value that is held.
     pub(super) fn nearest_among(
         &self,
-        near: impl FnOnce(&Slots, f64) -> Vec<u32>,
+        near: impl FnOnce(&Ranges, f64) -> Vec<u32>,
         u: f64,
         v: f64,
     ) -> Option<NearestOnAxes> {
@@ -65,9 +69,9 @@ impl FixedAxesSpace {
         let extent = if along_y { &setting.y } else { &setting.x };
         let (unit_u, unit_v) = setting.map.units();
         let unit = if moves_v { unit_v } else { unit_u };
-        let slots = if along_y { &self.by_x } else { self.by_y() };
+        let ranges = if along_y { &self.by_x } else { self.by_y() };
         let mut nearest: Option<NearestOnAxes> = None;
-        for branch in near(slots, held) {
+        for branch in near(ranges, held) {
             let b = &self.data.branches[branch as usize];
             let Some(t) = self.beside(b.cell, held, moved, along_y) else {
                 continue;

@@ -105,7 +105,11 @@ impl Scene {
     ) {
         let [own, other] = swapped(swap, [&self.first, &self.second]);
         let [(i, line), (_, round)] = swapped(swap, features);
-        let motions = swapped(swap, [self.motions.first, self.motions.second]);
+        let motions = if swap {
+            self.motions.swapped()
+        } else {
+            self.motions
+        };
         for (joint, at_start) in [(round.start, true), (round.end, false)] {
             if let Some(beside) = other.line[joint as usize] {
                 let Image { of, steps } = if swap {
@@ -130,9 +134,8 @@ impl Scene {
                 Name::LineJoint(i, joint)
             };
             aligned(
-                motions[0],
+                motions,
                 own.line(line),
-                motions[1],
                 end,
                 own.beside(line, end.0),
                 |root, s, t| {
@@ -160,7 +163,6 @@ impl Scene {
         found: &mut impl FnMut(Name, u8, u32, f64, f64),
         ends_at: impl Fn(bool, u32) -> bool,
     ) {
-        let Motions { first, second } = self.motions;
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         let (start, along, length) = self.first.segment(a);
         let side = self.first.line(a);
@@ -184,7 +186,7 @@ impl Scene {
             };
             ends_at(lower.0, lower.1) || ends_at(upper.0, upper.1)
         };
-        aligned(first, side, second, joint, accepts, |root, x, y| {
+        aligned(self.motions, side, joint, accepts, |root, x, y| {
             found(Name::Lines(ia, ib), root, steps, x, y);
         });
     }
@@ -214,19 +216,25 @@ fn touching(side: &Side, f: &Feature, joint: Point, normal: Vector) -> (Cycle, C
 
 /// Coordinates (of the line's part, of the joint's part) at which a joint is on a line and their normals oppose, if that is
 /// to be accepted as the line's part then sees the joint's.
-pub(super) fn aligned(
-    line_motion: Motion,
+fn aligned(
+    motions: Motions,
     (normal, through, alpha): (Vector, Point, f64),
-    joint_motion: Motion,
     (point, beta): (Point, f64),
     accepts: impl Fn(Placement) -> bool,
     mut found: impl FnMut(u8, f64, f64),
 ) {
     let theta = alpha + PI - beta;
-    match (line_motion, joint_motion) {
+    let turn = Rotation::by(theta);
+    let mut meets = |root: u8, s: f64, t: f64| {
+        let shift = motions.relative(s, t).0.to_vector();
+        if accepts(Placement { turn, shift }) {
+            found(root, s, t);
+        }
+    };
+    let (line, joint) = (motions.first, motions.second);
+    match (line, joint) {
         (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
             // n(t)·(d + R_t R_θ w − c) = n·(l − c).
-            let turn = Rotation::by(theta);
             let between = d - c;
             let w = turn * (point - d);
             let equation = Equation::Trig {
@@ -234,43 +242,22 @@ pub(super) fn aligned(
                 beta: normal.left().dot(between),
                 gamma: normal.dot(w - (through - c)),
             };
-            for (root, t) in (0u8..).zip(equation.directions()) {
-                let Some(t) = t else { continue };
-                // The other pivot, turned back about the line's.
-                let there = Rotation {
-                    cos: t.x,
-                    sin: -t.y,
-                } * between;
-                let shift = (c.to_vector() + there) - turn * d.to_vector();
-                if accepts(Placement { turn, shift }) {
-                    let t = t.angle();
-                    found(root, t, t + theta);
-                }
-            }
+            let mut roots = 0..;
+            equation.roots(&mut |t| meets(roots.next().unwrap_or(0), t, t + theta));
         }
-        (Motion::Turn { center: c }, Motion::Slide { direction }) => {
-            let t = -theta;
-            let n = line_motion.vector(t, normal);
+        (Motion::Turn { .. }, Motion::Slide { direction }) => {
+            let n = line.vector(-theta, normal);
             let rate = n.dot(direction);
             if rate.abs() >= INDEPENDENT {
-                let s = n.dot(line_motion.point(t, through) - point) / rate;
-                let turn = Rotation::by(theta);
-                let shift = c.to_vector() + turn * (direction * s - c.to_vector());
-                if accepts(Placement { turn, shift }) {
-                    found(0, t, s);
-                }
+                let s = n.dot(line.point(-theta, through) - point) / rate;
+                meets(0, -theta, s);
             }
         }
-        (Motion::Slide { direction }, Motion::Turn { center: d }) => {
+        (Motion::Slide { direction }, Motion::Turn { .. }) => {
             let rate = normal.dot(direction);
             if rate.abs() >= INDEPENDENT {
-                let at = joint_motion.point(theta, point);
-                let s = normal.dot(at - through) / rate;
-                let turn = Rotation::by(theta);
-                let shift = d.to_vector() - turn * d.to_vector() - direction * s;
-                if accepts(Placement { turn, shift }) {
-                    found(0, s, theta);
-                }
+                let s = normal.dot(joint.point(theta, point) - through) / rate;
+                meets(0, s, theta);
             }
         }
         _ => {}

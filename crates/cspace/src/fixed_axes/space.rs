@@ -9,12 +9,9 @@ use super::axis::Axis;
 use super::build::pair;
 use super::data::{AxesData, AxesDataError, AxesStatistics};
 use super::piece::Pair;
+use super::ranges::Ranges;
 use super::setup::{Setting, set_up};
-use super::slots::Slots;
 use super::sweep::{Gaps, Graphs};
-
-/// So many slots of x, and of y, in which branches are looked up.
-const SLOTS: i64 = 256;
 
 /// The configuration space of two parts on fixed axes.
 #[derive(Debug)]
@@ -24,9 +21,9 @@ pub struct FixedAxesSpace {
     /// The pairs of the data with their conditions.
     pub(super) pairs: Vec<Pair>,
     /// Branches by the x of their cells.
-    pub(super) by_x: Slots,
+    pub(super) by_x: Ranges,
     /// And by the y, once it is asked for.
-    by_y: OnceLock<Slots>,
+    by_y: OnceLock<Ranges>,
 }
 
 impl FixedAxesSpace {
@@ -40,7 +37,7 @@ impl FixedAxesSpace {
         };
         let boxes = data.branches.iter().map(|b| graphs.cell_box(b.cell).0);
         Self {
-            by_x: Slots::new(setting.x, SLOTS, boxes),
+            by_x: Ranges::new(setting.x, boxes),
             by_y: OnceLock::new(),
             data,
             setting,
@@ -83,11 +80,11 @@ impl FixedAxesSpace {
     }
 
     /// Branches by the y of their cells.
-    pub(super) fn by_y(&self) -> &Slots {
+    pub(super) fn by_y(&self) -> &Ranges {
         self.by_y.get_or_init(|| {
             let graphs = self.graphs();
             let boxes = self.data.branches.iter().map(|b| graphs.cell_box(b.cell).1);
-            Slots::new(self.setting.y, SLOTS, boxes)
+            Ranges::new(self.setting.y, boxes)
         })
     }
 
