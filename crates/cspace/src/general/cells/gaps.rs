@@ -3,21 +3,19 @@
 //! Right after a curve has entered the blocked side of another, and right before it leaves it, it is in blocked space.
 //! So is an end that no other curve continues. A gap is open if nothing of that kind bounds it.
 
-use crate::contact::{Geometry, Orientation};
+use crate::contact::Geometry;
 use crate::number::Dd;
 
 use crate::general::cells::cell::END;
 use crate::general::events::branch::Branch;
-use crate::general::events::placing::{Placing, Rank};
+use crate::general::events::order::Order;
 
 /// The branches that cross a contact curve at one orientation, in order of travel.
 #[derive(Debug, Default)]
 pub(crate) struct Gaps {
     /// Branches.
     order: Vec<u32>,
-    /// The same with their ranks in doubles, and in double-double where these leave something open.
-    rough: Vec<(Rank, u32)>,
-    exact: Vec<(Dd, u32)>,
+    sorting: Order,
     /// For each branch in order whether the curve enters blocked space there.
     enters: Vec<bool>,
     /// Whether nothing continues the sheet at its start, and at its end.
@@ -47,40 +45,7 @@ impl Gaps {
         active: &[u32],
         theta: Dd,
     ) {
-        self.order.clear();
-        let small = |s: u32| geometry.contacts.sheets[s as usize].is_small();
-        let some_small = small(sheet)
-            || active
-                .iter()
-                .any(|&b| small(branches[b as usize].other(sheet)));
-        let told = active.len() < 2
-            || !some_small && {
-                let placing = Placing::new(geometry, sheet, Orientation::by(theta.to_f64()));
-                self.rough.clear();
-                self.rough.extend(
-                    active
-                        .iter()
-                        .map(|&b| (placing.ranking(&branches[b as usize]), b)),
-                );
-                self.rough
-                    .sort_unstable_by(|a, b| a.0.rank.total_cmp(&b.0.rank).then(a.1.cmp(&b.1)));
-                self.rough
-                    .windows(2)
-                    .all(|w| placing.are_apart(&w[0].0, &w[1].0))
-            };
-        if active.len() < 2 {
-            self.order.extend(active);
-        } else if told {
-            self.order.extend(self.rough.iter().map(|r| r.1));
-        } else {
-            let placing = Placing::new(geometry, sheet, Orientation::by(theta));
-            self.exact.clear();
-            let rank = |&b: &u32| (placing.rank(&branches[b as usize]), b);
-            self.exact.extend(active.iter().map(rank));
-            self.exact
-                .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            self.order.extend(self.exact.iter().map(|r| r.1));
-        }
+        (self.sorting).sort(geometry, (sheet, theta), branches, active, &mut self.order);
         self.enters.clear();
         self.enters.extend(
             self.order

@@ -11,13 +11,14 @@
 //! between.
 //! `triple.rs` and `passing.rs` find where branches pass each other. `clusters.rs` gathers events that cannot be told apart,
 //! `gathered.rs` all that happens at them.
-//! `placing.rs` says where on its curve a branch is.
+//! `placing.rs` says where on its curve a branch is, and `order.rs` in which order branches are.
 
 pub(crate) mod branch;
 pub(crate) mod clusters;
 pub(crate) mod coming;
 pub(crate) mod gathered;
 pub(crate) mod meetings;
+pub(crate) mod order;
 pub(crate) mod passing;
 pub(crate) mod pinches;
 pub(crate) mod placing;

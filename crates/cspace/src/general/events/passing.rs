@@ -4,13 +4,14 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Cycle, Geometry, Orientation, Sheet};
+use crate::contact::{Cycle, Geometry, Sheet};
 use crate::geometry::{Rotation, Vector};
 use crate::number::{Ball, Dd, Dual, Event, Real, TrigPolynomial};
 
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Moment;
-use crate::general::events::placing::{Placing, between};
+use crate::general::events::order::{apart, exactly_apart};
+use crate::general::events::placing::Placing;
 
 /// Pieces narrower than this are not halved further (radians).
 ///
@@ -153,7 +154,7 @@ impl Passing<'_> {
         }
     }
 
-    /// The difference of the places of the two branches; see [`between`].
+    /// The difference of the places of the two branches; on a circle the sine of the angle between them.
     fn difference<T: Real>(&self, turn: Rotation<T>) -> T {
         let sheets = &self.geometry.contacts.sheets;
         let f = &sheets[self.sheet as usize];
@@ -270,34 +271,6 @@ impl Passing<'_> {
         count
     }
 
-    /// The difference of the places of the two branches in double-double as a function of the orientation; see [`between`].
-    fn exactly_apart(&self) -> impl Fn(Dd) -> Dd {
-        |theta| {
-            let turn = Rotation::by(theta);
-            let [f, g, h] = self.sheets().map(|s| self.geometry.cycle(s, turn));
-            let place =
-                |b: &Branch, other: &Cycle<Dd>| f.root(other, b.root, b.second == self.sheet);
-            between(&f, place(self.x, &g), place(self.y, &h))
-        }
-    }
-
-    /// The same in doubles, if its sign is certain.
-    fn roughly_apart(&self, theta: f64) -> Option<f64> {
-        /// Errors are estimates; this much worse they may be.
-        const MARGIN: f64 = 8.0;
-        let placing = Placing::new(self.geometry, self.sheet, Orientation::by(theta));
-        let small = |s: &u32| self.geometry.contacts.sheets[*s as usize].is_small();
-        if self.sheets().iter().any(small) {
-            return None;
-        }
-        let ((p, e), (q, f)) = (
-            placing.place_and_error(self.x),
-            placing.place_and_error(self.y),
-        );
-        let apart = between(&placing.curve().cycle, p, q);
-        (apart.abs() > MARGIN * (e + f)).then_some(apart)
-    }
-
     /// Where the two branches pass each other between two orientations, if their order changes: by secants, from where doubles
     /// tell that it may be, halving where a secant leaves the interval or does not shorten it.
     ///
@@ -305,10 +278,9 @@ impl Passing<'_> {
     fn change_of_order(&self, lo: Dd, hi: Dd, near: Option<f64>) -> Option<Moment> {
         /// Smaller ones are rounding (length): where three carriers always share a point.
         const NONE: f64 = 1e-29;
-        let apart = self.exactly_apart();
+        let both = [self.x, self.y];
         let at = |theta: Dd| {
-            let rough = self.roughly_apart(theta.to_f64()).map(Dd::from);
-            let apart = rough.unwrap_or_else(|| apart(theta));
+            let apart = apart(self.geometry, self.sheet, both, theta);
             (apart.to_f64().abs() >= NONE).then_some(apart)
         };
         let ((mut a, at_a), (mut b, at_b)) = ((lo, at(lo)?), (hi, at(hi)?));
@@ -328,7 +300,7 @@ impl Passing<'_> {
             if !(a < c && c < b) {
                 c = (a + b).scaled(0.5);
             }
-            let at_c = apart(c);
+            let at_c = exactly_apart(self.geometry, self.sheet, both, c);
             if at_c.is_negative() == at_a.is_negative() {
                 a = c;
             } else {

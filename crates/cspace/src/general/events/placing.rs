@@ -2,7 +2,7 @@
 
 use crate::contact::{Curve, Cycle, Geometry, Orientation, Precision};
 use crate::geometry::{Point, Vector};
-use crate::number::{Dd, Real};
+use crate::number::Dd;
 
 use crate::general::events::branch::Branch;
 
@@ -20,6 +20,13 @@ pub(crate) struct Rank {
     pub(crate) rank: f64,
     place: Vector,
     error: f64,
+}
+
+impl Rank {
+    /// The place on the cycle, and its error.
+    pub(crate) fn known(&self) -> (Vector, f64) {
+        (self.place, self.error)
+    }
 }
 
 impl<'a, T: Precision> Placing<'a, T> {
@@ -98,25 +105,6 @@ impl Placing<'_, Dd> {
     }
 }
 
-/// How far one place on a cycle is before another: on a line a difference of lengths; on a circle by its centre the sine of the
-/// angle between them, times the radius, and beyond quarter turns what goes on from that.
-pub(crate) fn between<T: Real>(cycle: &Cycle<T>, p: Vector<T>, q: Vector<T>) -> T {
-    if !cycle.is_centred() {
-        return p.x - q.x;
-    }
-    let radius = cycle.radius();
-    let sine = p.cross(q) / radius;
-    if p.dot(q).value() >= 0.0 {
-        return sine;
-    }
-    let twice = T::constant(2.0) * radius;
-    if (sine.value() < 0.0) == (radius.value() < 0.0) {
-        twice - sine
-    } else {
-        -twice - sine
-    }
-}
-
 impl Placing<'_> {
     /// Half the length of the contact curve.
     pub(crate) fn half(&self) -> f64 {
@@ -160,12 +148,5 @@ impl Placing<'_> {
         let (place, error) = self.place_and_error(b);
         let rank = self.curve.rank(place);
         Rank { rank, place, error }
-    }
-
-    /// Whether two places that follow each other are apart by more than their errors.
-    pub(crate) fn are_apart(&self, p: &Rank, q: &Rank) -> bool {
-        /// Errors are estimates; this much worse they may be.
-        const MARGIN: f64 = 8.0;
-        between(&self.curve.cycle, p.place, q.place).abs() > MARGIN * (p.error + q.error)
     }
 }

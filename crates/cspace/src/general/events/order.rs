@@ -1,0 +1,118 @@
+//! The order of branches along a curve, decided with certainty: in doubles where their errors leave no doubt, otherwise in
+//! double-double.
+
+use crate::contact::{Cycle, Geometry, Orientation};
+use crate::geometry::{Rotation, Vector};
+use crate::number::{Dd, Real};
+
+use crate::general::events::branch::Branch;
+use crate::general::events::placing::{Placing, Rank};
+
+/// Errors of places are estimates; this much worse they may be.
+const MARGIN: f64 = 8.0;
+
+/// Sorts branches along curves; its lists are used again.
+#[derive(Debug, Default)]
+pub(crate) struct Order {
+    /// In doubles.
+    rough: Vec<(Rank, u32)>,
+    exact: Vec<(Dd, u32)>,
+}
+
+impl Order {
+    /// Fills a list with branches of a sheet, by their numbers, in order of travel along its curve at an orientation.
+    pub(crate) fn sort(
+        &mut self,
+        geometry: &Geometry,
+        (sheet, theta): (u32, Dd),
+        all: &[Branch],
+        active: &[u32],
+        sorted: &mut Vec<u32>,
+    ) {
+        sorted.clear();
+        if active.len() < 2 {
+            sorted.extend(active);
+            return;
+        }
+        let others = active.iter().map(|&b| all[b as usize].other(sheet));
+        if !is_small(geometry, others.chain([sheet])) {
+            let placing = Placing::new(geometry, sheet, Orientation::by(theta.to_f64()));
+            let rank = |&b: &u32| (placing.ranking(&all[b as usize]), b);
+            self.rough.clear();
+            self.rough.extend(active.iter().map(rank));
+            self.rough
+                .sort_unstable_by(|a, b| a.0.rank.total_cmp(&b.0.rank).then(a.1.cmp(&b.1)));
+            let cycle = &placing.curve().cycle;
+            let apart = |w: &[(Rank, u32)]| {
+                certainly_apart(cycle, w[0].0.known(), w[1].0.known()).is_some()
+            };
+            if self.rough.windows(2).all(apart) {
+                sorted.extend(self.rough.iter().map(|r| r.1));
+                return;
+            }
+        }
+        let placing = Placing::new(geometry, sheet, Orientation::by(theta));
+        let rank = |&b: &u32| (placing.rank(&all[b as usize]), b);
+        self.exact.clear();
+        self.exact.extend(active.iter().map(rank));
+        self.exact
+            .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sorted.extend(self.exact.iter().map(|r| r.1));
+    }
+}
+
+/// How far the first of two branches is before the second along a sheet's curve (length), with a sign that is certain.
+pub(crate) fn apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: Dd) -> Dd {
+    if !is_small(
+        geometry,
+        pair.map(|b| b.other(sheet)).into_iter().chain([sheet]),
+    ) {
+        let placing = Placing::new(geometry, sheet, Orientation::by(theta.to_f64()));
+        let [p, q] = pair.map(|b| placing.place_and_error(b));
+        if let Some(rough) = certainly_apart(&placing.curve().cycle, p, q) {
+            return Dd::from(rough);
+        }
+    }
+    exactly_apart(geometry, sheet, pair, theta)
+}
+
+/// As [`apart`], to all digits.
+pub(crate) fn exactly_apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: Dd) -> Dd {
+    let turn = Rotation::by(theta);
+    let cycle = geometry.cycle(sheet, turn);
+    let [p, q] = pair.map(|b| {
+        let other = geometry.cycle(b.other(sheet), turn);
+        cycle.root(&other, b.root, b.second == sheet)
+    });
+    between(&cycle, p, q)
+}
+
+/// Whether doubles cannot tell places on one of some sheets.
+fn is_small(geometry: &Geometry, mut sheets: impl Iterator<Item = u32>) -> bool {
+    sheets.any(|s| geometry.contacts.sheets[s as usize].is_small())
+}
+
+/// How far a place in doubles is before another, if that is more than their errors.
+fn certainly_apart(cycle: &Cycle, (p, e): (Vector, f64), (q, f): (Vector, f64)) -> Option<f64> {
+    let apart = between(cycle, p, q);
+    (apart.abs() > MARGIN * (e + f)).then_some(apart)
+}
+
+/// How far one place on a cycle is before another: on a line a difference of lengths; on a circle by its centre the sine of the
+/// angle between them, times the radius, and beyond quarter turns what goes on from that.
+fn between<T: Real>(cycle: &Cycle<T>, p: Vector<T>, q: Vector<T>) -> T {
+    if !cycle.is_centred() {
+        return p.x - q.x;
+    }
+    let radius = cycle.radius();
+    let sine = p.cross(q) / radius;
+    if p.dot(q).value() >= 0.0 {
+        return sine;
+    }
+    let twice = T::constant(2.0) * radius;
+    if (sine.value() < 0.0) == (radius.value() < 0.0) {
+        twice - sine
+    } else {
+        -twice - sine
+    }
+}
