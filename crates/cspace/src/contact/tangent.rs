@@ -1,7 +1,5 @@
 //! Contacts that are one circle or tangent at every orientation.
 
-use core::f64::consts::TAU;
-
 use crate::feature::tolerance::{SAME_CARRIER, TANGENCY_STEP};
 use crate::geometry::{Rotation, Vector};
 
@@ -19,27 +17,42 @@ impl Sheet {
         if self.is_line() && other.is_line() {
             return false;
         }
-        let mid = 0.5 * (self.lo.max(other.lo) + self.hi.min(other.hi));
         // What turns about a far centre is known to less.
-        let pace: f64 = [self, other]
-            .map(|s| s.locus.through.turning().length())
-            .iter()
-            .sum();
-        let near = SAME_CARRIER * pace.max(1.0);
+        let pace = |s: &Self| {
+            if s.is_flat() {
+                s.locus.through.turning().length()
+            } else {
+                0.0
+            }
+        };
+        let near = SAME_CARRIER * (pace(self) + pace(other)).max(1.0);
         let tangent = |f: &Cycle, g: &Cycle| {
             let sum = f.total(g).abs() + f.between(g).length();
             2.0 * f.apart(g).abs() <= near * sum
         };
-        let step = if self.is_flat() || other.is_flat() {
-            TANGENCY_STEP
-        } else {
-            TAU / 3.0
-        };
-        let turns = [-step, 0.0, step].map(|d| Rotation::by(mid + d));
-        let both = turns.map(|turn| (self.cycle(turn), other.cycle(turn)));
-        both.iter().all(|(f, g)| tangent(f, g))
-            || both.iter().all(|(f, g)| tangent(f, &g.reversed()))
-            || self.same_flat_arc(other)
+        let mut sides = [true; 2];
+        for turn in self.three_turns(other) {
+            let (f, g) = (self.cycle(turn), other.cycle(turn));
+            sides = [
+                sides[0] && tangent(&f, &g),
+                sides[1] && tangent(&f, &g.reversed()),
+            ];
+            if sides == [false; 2] {
+                return self.same_flat_arc(other);
+            }
+        }
+        true
+    }
+
+    /// Three orientations far from each other: of flat arcs among those at which both exist.
+    fn three_turns(&self, other: &Self) -> [Rotation; 3] {
+        if self.is_flat() || other.is_flat() {
+            let mid = 0.5 * (self.lo.max(other.lo) + self.hi.min(other.hi));
+            return [0.0, -TANGENCY_STEP, TANGENCY_STEP].map(|d| Rotation::by(mid + d));
+        }
+        let third = |sin| Rotation { cos: -0.5, sin };
+        let sin = 0.5 * 3_f64.sqrt();
+        [Rotation::IDENTITY, third(sin), third(-sin)]
     }
 
     /// Whether two flat arcs are one circle at every orientation at which both exist: the same three places are on both at the
@@ -65,6 +78,8 @@ pub(super) mod tests {
     use super::super::sheet::SheetKind;
     use super::super::sheet::tests::{round, straight};
     use super::super::spiral::Spiral;
+    use core::f64::consts::TAU;
+
     use super::*;
     use crate::geometry::Point;
     use crate::part::{Part, Vertex};
