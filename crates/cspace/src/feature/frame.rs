@@ -60,12 +60,9 @@ impl PairFrame {
     /// their radii together, and what they are grown by.
     pub(crate) fn reach(&self, fixed: &Part, moving: &Part) -> f64 {
         let grown = 4.0 * MITRE * GROWTH;
-        self.radius(fixed, self.fixed_center) + self.radius(moving, self.moving_center) + grown
-    }
-
-    /// How far a part reaches from its centre, at most, in this frame.
-    pub(crate) fn radius(&self, part: &Part, center: Point) -> f64 {
-        radius_about(part, center) * self.scale
+        let radii =
+            radius_about(fixed, self.fixed_center) + radius_about(moving, self.moving_center);
+        radii * self.scale + grown
     }
 
     /// How far off its place a contact of these parts may be, because they are grown, in this frame: the sharper their

@@ -93,8 +93,7 @@ pub(super) fn set_up(
     };
     let shifts = displacement.shifts();
     let about = |shift: Vector| frame.fixed_center + shift * (-1.0 / frame.scale);
-    let center = PairFrame::center(parts.1);
-    let turned = displacement.turned(parts.1, center);
+    let turned = displacement.turned(parts.1, frame.fixed_center);
     let second = turned.as_ref().unwrap_or(parts.1);
     let (second, second_body) = drawn(second, about(shifts.1), swapped);
     let repeating = symmetric.0.and_then(|s| {
@@ -122,12 +121,12 @@ pub(super) fn set_up(
     };
     let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
     let grown = frame.outer_length(frame.grown((fixed, GROWTH), (moving, MOVING_GROWTH)));
-    let of_straight = |s: &Option<(Part, f64)>| s.as_ref().map_or(0.0, |s| s.1);
-    let bent = of_straight(&straight.0) + of_straight(&straight.1);
+    let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
+    let bent = of_straight(straight.0) + of_straight(straight.1);
     let deviation = bent
         + frame.outer_length(joined + tilt * slides)
         + symmetric.as_ref().map_or(0.0, |s| s.deviation)
-        + frame.outer_length(displacement.deviation(slides, frame.radius(parts.1, center)));
+        + frame.outer_length(displacement.deviation(slides, radius(&second)));
     let redrawn = symmetric.map(|s| s.redrawn);
     let name = |f: &Feature| as_drawn(&redrawn, f.name);
     let setting = Setting {
@@ -246,6 +245,24 @@ fn motion(axis: &Axis, part: Role, frame: &PairFrame) -> Result<Motion, AxesErro
     }
 }
 
+/// How far from the origin of its frame a part reaches, at most.
+fn radius(o: &Outline) -> f64 {
+    let of = |f: &Feature| {
+        let far = |j: u32| o.joints[j as usize].point.to_vector().length();
+        let round = match f.near {
+            // Its ends are as far from the point half way as any of it.
+            Some(near) => {
+                let half = |j: u32| o.joints[j as usize].point.distance(near.point);
+                near.point.to_vector().length() + half(f.start).max(half(f.end))
+            }
+            None if f.is_line() => 0.0,
+            None => f.center().to_vector().length() + f.radius().abs(),
+        };
+        far(f.start).max(far(f.end)).max(round)
+    };
+    o.features.iter().map(of).fold(0.0, f64::max)
+}
+
 /// How far sliding parts can be from where they are drawn and still touch, in the frame of the pair, given how far the ranges
 /// of both coordinates let them go.
 fn reach(
@@ -254,22 +271,6 @@ fn reach(
     motions: &Motions,
     ranges: (Option<f64>, Option<f64>),
 ) -> f64 {
-    let radius = |o: &Outline| {
-        let of = |f: &Feature| {
-            let far = |j: u32| o.joints[j as usize].point.to_vector().length();
-            let round = match f.near {
-                // Its ends are as far from the point half way as any of it.
-                Some(near) => {
-                    let half = |j: u32| o.joints[j as usize].point.distance(near.point);
-                    near.point.to_vector().length() + half(f.start).max(half(f.end))
-                }
-                None if f.is_line() => 0.0,
-                None => f.center().to_vector().length() + f.radius().abs(),
-            };
-            far(f.start).max(far(f.end)).max(round)
-        };
-        o.features.iter().map(of).fold(0.0, f64::max)
-    };
     let arm = |m: &Motion| match m {
         Motion::Turn { center } => 2.0 * center.to_vector().length(),
         _ => 0.0,
@@ -440,7 +441,11 @@ impl Setting {
 
     /// Of parts that slide along one line without limits only the difference of y and so many x matters.
     pub(super) fn on_one_line(&self) -> Option<f64> {
-        let (d, e) = self.motions.slides()?;
+        let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
+            (self.motions.first, self.motions.second)
+        else {
+            return None;
+        };
         let open = self.x.kind == ExtentKind::Open && self.y.kind == ExtentKind::Open;
         (open && d.cross(e).abs() < INDEPENDENT).then(|| d.dot(e))
     }
