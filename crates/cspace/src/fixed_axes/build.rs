@@ -6,7 +6,7 @@
 use super::condition::Condition;
 use super::motion::clusters;
 use super::piece::{End, Key, Name, Node, Pair, Piece};
-use super::reach::{Apart, reaches};
+use super::reach::reaches;
 use super::scene::Scene;
 use super::tolerance::{INDEPENDENT, SHORT};
 use crate::contact::Cycle;
@@ -74,7 +74,6 @@ impl SectionEnd {
 pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
     let first = reaches(&scene.first.outline.features, scene, true);
     let second = reaches(&scene.second.outline.features, scene, false);
-    let apart = Apart::new(scene);
     // One share for each feature of the first part that stands for its orbit, put together in order.
     let standing: Vec<u32> = (0..first.len() as u32)
         .filter(|&i| scene.repeats.feature(i).steps == 0)
@@ -91,7 +90,7 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
                 instances: Vec::new(),
             };
             for (ib, rb) in (0u32..).zip(&second) {
-                if apart.may_meet(&first[ia as usize], rb) {
+                if scene.motions.may_meet(&first[ia as usize], rb) {
                     builder.add(ia, ib);
                 }
             }

@@ -186,11 +186,7 @@ impl FixedAxesSpace {
         let condition = self.condition_of(patch)?;
         let (x, y) = self.setting.map.inner(u, v);
         let (by_x, by_y) = condition.gradient(x, y);
-        let (by_u, by_v) = if self.setting.map.swapped {
-            (by_y, by_x)
-        } else {
-            (by_x, by_y)
-        };
+        let (by_u, by_v) = self.setting.map.exchanged(by_x, by_y);
         let unit = self.setting.map.units();
         let scale = self.setting.map.frame.scale;
         Some((by_u / (scale * unit.0), by_v / (scale * unit.1)))

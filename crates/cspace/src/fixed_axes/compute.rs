@@ -135,7 +135,9 @@ fn displaced(
         gaps,
         regions,
     };
-    Ok(FixedAxesSpace::new(data, setting, pairs).with_faults_counted(&window.overlaps))
+    let mut space = FixedAxesSpace::new(data, setting, pairs);
+    space.data.statistics.conflicts = space.faults(&window.overlaps);
+    Ok(space)
 }
 
 /// The window, computed: what bounds free space in it.

@@ -16,18 +16,10 @@ impl Partition {
         }
         let copies = fold as usize;
         let mut all = Self {
-            pairs: Vec::with_capacity(copies * self.pairs.len()),
-            pieces: Vec::with_capacity(copies * self.pieces.len()),
-            cells: Vec::with_capacity(copies * self.cells.len()),
-            joints: Vec::with_capacity(copies * self.joints.len()),
-            swept: Swept {
-                bands: Vec::with_capacity(copies * self.swept.bands.len()),
-                gaps: Vec::with_capacity(copies * self.swept.gaps.len()),
-                spans: self.swept.spans.repeat(copies),
-                links: Vec::with_capacity(copies * self.swept.links.len()),
-            },
             crossings: copies * self.crossings,
+            ..Self::default()
         };
+        all.swept.spans = self.swept.spans.repeat(copies);
         let middles: Vec<f64> = self.pieces.iter().map(|p| self.middle(p)).collect();
         for number in 0..fold {
             let copy = Copy {
@@ -187,7 +179,7 @@ impl Swept {
 // What the sweep leaves: the cells that bound free space, and the gaps between them.
 
 /// The partition of the window, or of all.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Partition {
     pub(super) pairs: Vec<Pair>,
     pub(super) pieces: Vec<Piece>,

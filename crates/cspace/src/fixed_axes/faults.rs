@@ -10,16 +10,11 @@ const ONE_PLACE: f64 = 1e-6;
 const AT_LIMIT: f64 = 1e-9;
 
 impl FixedAxesSpace {
-    /// The space with a conflict for each time that the partition contradicts itself: in the tests made for it, in curves that lead nowhere or to another
-    /// region, in regions whose sample is blocked or that are narrower than the resolution, in gaps that hold one of the
-    /// configurations at which the parts were found to overlap, in configurations that are not what the gaps say.
-    pub(super) fn with_faults_counted(mut self, overlaps: &[(f64, f64)]) -> Self {
-        self.data.statistics.conflicts = self.faults(overlaps);
-        self
-    }
-
-    /// How often the partition contradicts itself, with the conflicts of its statistics.
-    fn faults(&self, overlaps: &[(f64, f64)]) -> usize {
+    /// How often the partition contradicts itself: in the tests made for it, which are the conflicts of its statistics, in curves
+    /// that lead nowhere or to another region, in regions whose sample is blocked or that are narrower than the resolution, in gaps
+    /// that hold one of the configurations at which the parts were found to overlap, in configurations that are not what the gaps
+    /// say.
+    pub(super) fn faults(&self, overlaps: &[(f64, f64)]) -> usize {
         let curves = (0..self.data.patches.len()).map(|i| self.faults_of(i));
         let none = |(x, y): (f64, f64)| self.setting.bodies.overlap(x, y) || self.is_touching(x, y);
         let regions = self.data.regions.iter().filter(|r| none(r.sample));

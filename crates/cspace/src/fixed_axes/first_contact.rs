@@ -216,10 +216,7 @@ impl FixedAxesSpace {
         };
         let a = of(&self.setting.x, self.setting.motions.first, way.x, way.dx);
         let b = of(&self.setting.y, self.setting.motions.second, way.y, way.dy);
-        match (a, b) {
-            (Some(a), Some(b)) => Some(a.min(b)),
-            (a, b) => a.or(b),
-        }
+        [a, b].into_iter().flatten().reduce(f64::min)
     }
 
     /// The first time at which the motion goes through a cell into blocked space, up to `until`.

@@ -112,11 +112,23 @@ impl Motions {
 
     /// Whether both parts turn about one point.
     pub(super) fn share_a_pivot(&self) -> bool {
+        self.between_pivots()
+            .is_some_and(|apart| apart < super::tolerance::INDEPENDENT)
+    }
+
+    /// The distance of the pivots, if both parts turn.
+    fn between_pivots(&self) -> Option<f64> {
         match (self.first, self.second) {
-            (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
-                c.distance(d) < super::tolerance::INDEPENDENT
-            }
-            _ => false,
+            (Motion::Turn { center: c }, Motion::Turn { center: d }) => Some(c.distance(d)),
+            _ => None,
+        }
+    }
+
+    /// The directions, if both parts slide.
+    pub(super) fn slides(&self) -> Option<(Vector, Vector)> {
+        match (self.first, self.second) {
+            (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => Some((d, e)),
+            _ => None,
         }
     }
 
@@ -125,14 +137,9 @@ impl Motions {
     ///
     /// A corner at both pivots would touch the other part's sides there, or not, wherever the parts are.
     pub(super) fn join_pivots(&mut self, near: f64) -> f64 {
-        let (Motion::Turn { center: c }, Motion::Turn { center: d }) = (self.first, self.second)
-        else {
+        let Some(apart) = self.between_pivots().filter(|&apart| apart < near) else {
             return 0.0;
         };
-        let apart = c.distance(d);
-        if apart >= near {
-            return 0.0;
-        }
         self.second = self.first;
         2.0 * apart
     }
@@ -140,28 +147,17 @@ impl Motions {
     /// Makes slides parallel that are so but for less than `near`, and tells the angle by which the second's direction is
     /// turned (radians).
     pub(super) fn join_slides(&mut self, near: f64) -> f64 {
-        let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
-            (self.first, self.second)
-        else {
+        let Some((d, e)) = self.slides().filter(|(d, e)| d.cross(*e).abs() < near) else {
             return 0.0;
         };
-        let angle = d.cross(e).abs();
-        if angle >= near {
-            return 0.0;
-        }
         let direction = d * d.dot(e).signum();
         self.second = Motion::Slide { direction };
-        angle
+        d.cross(e).abs()
     }
 
     /// The sine of the angle between the directions, if both parts slide.
     pub(super) fn between_slides(&self) -> Option<f64> {
-        match (self.first, self.second) {
-            (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
-                Some(d.cross(e).abs())
-            }
-            _ => None,
-        }
+        self.slides().map(|(d, e)| d.cross(e).abs())
     }
 
     /// The orientation of the second part seen from the first.
@@ -173,11 +169,7 @@ impl Motions {
     /// Where the first part's frame sees the origin of the second's, and its orientation.
     pub(super) fn relative(&self, x: f64, y: f64) -> (Point, f64) {
         let world = self.second.point(y, Point::ORIGIN);
-        let seen = match self.first {
-            Motion::Slide { direction } => world + direction * -x,
-            turn => turn.point(-x, world),
-        };
-        (seen, self.theta(x, y))
+        (self.first.point(-x, world), self.theta(x, y))
     }
 }
 

@@ -78,22 +78,16 @@ impl Patches<'_> {
                 of_cell[cell as usize] = Some(gap.region);
             }
         }
-        let mut regions: Vec<Option<u32>> = chains
-            .iter()
-            .map(|c| c.cells.iter().find_map(|&i| of_cell[i as usize]))
+        let mut regions: Vec<Option<u32>> = (chains.iter())
+            .map(|chain| {
+                // Vertical ones have it from the gap on their free side. Of two on one curve, as far as rounding tells, only one
+                // bounds a gap.
+                let cells = || chain.cells.iter();
+                (cells().find_map(|&i| of_cell[i as usize]))
+                    .or_else(|| cells().find_map(|&i| self.beside_vertical(i)))
+                    .or_else(|| cells().find_map(|&i| self.beside_graph(i)))
+            })
             .collect();
-        // Vertical ones have it from the gap on their free side.
-        for (chain, region) in chains.iter().zip(&mut regions) {
-            if region.is_none() {
-                *region = chain.cells.iter().find_map(|&i| self.beside_vertical(i));
-            }
-        }
-        // Of two on one curve, as far as rounding tells, only one bounds a gap.
-        for (chain, region) in chains.iter().zip(&mut regions) {
-            if region.is_none() {
-                *region = chain.cells.iter().find_map(|&i| self.beside_graph(i));
-            }
-        }
         // Beside one that is too short or too steep there is nothing to be seen: what it follows bounds the same region.
         for i in 0..chains.len() {
             let towards = |step: fn(&Chain) -> Option<u32>| {
@@ -128,21 +122,15 @@ impl Patches<'_> {
         }
         let y = 0.5 * (c.from + c.to);
         let bands = self.gaps.bands;
-        let n = bands.len();
         let right = p.root == 0;
         let after = bands.partition_point(|b| 0.5 * (b.lo + b.hi) < p.start.x);
-        let k = if right {
-            if after == n && self.gaps.x.is_circle() {
-                0
-            } else {
-                after
-            }
-        } else if after == 0 && self.gaps.x.is_circle() {
-            n.checked_sub(1)?
+        let (inside, around) = if right {
+            (bands.get(after), bands.first())
         } else {
-            after.checked_sub(1)?
+            let before = after.checked_sub(1);
+            (before.and_then(|k| bands.get(k)), bands.last())
         };
-        let band = bands.get(k)?;
+        let band = inside.or(around.filter(|_| self.gaps.x.is_circle()))?;
         let x = if right { band.lo } else { band.hi };
         self.gaps.region_in(band, x, y)
     }

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use crate::feature::{Feature, Near};
 use crate::geometry::{Point, Vector, wrap};
 
-use super::motion::Motion;
+use super::motion::{Motion, Motions};
 use super::scene::Scene;
 
 /// Where a feature can come, and how its normals lean.
@@ -135,41 +135,28 @@ fn distances_beside(f: &Feature, [p, q]: [Point; 2], side: Vector) -> (f64, f64)
     (m - r, m + r)
 }
 
-/// Tells features that never meet from what their motions sweep.
-pub(super) struct Apart {
-    first: Motion,
-    second: Motion,
-}
+/// Room for growth and rounding (length).
+const ROOM: f64 = 1e-9;
+/// Room for rounding of angles near a limit of the inverse cosine (radians).
+const TURN: f64 = 1e-4;
 
-impl Apart {
-    /// Room for growth and rounding (length).
-    const ROOM: f64 = 1e-9;
-    /// Room for rounding of angles near a limit of the inverse cosine (radians).
-    const TURN: f64 = 1e-4;
-
-    pub(super) fn new(scene: &Scene) -> Self {
-        Self {
-            first: scene.motions.first,
-            second: scene.motions.second,
-        }
-    }
-
+impl Motions {
+    /// Whether features may meet: not if what the motions sweep of them never does.
     pub(super) fn may_meet(&self, a: &Reach, b: &Reach) -> bool {
         let leans = (a.lean, b.lean);
         let (a, b) = (a.distances, b.distances);
         match (self.first, self.second) {
             (Motion::Turn { center: c }, Motion::Turn { center: d }) => {
                 let apart = c.distance(d);
-                let room = Self::ROOM;
-                apart <= a.1 + b.1 + room
-                    && a.0 <= apart + b.1 + room
-                    && b.0 <= apart + a.1 + room
+                apart <= a.1 + b.1 + ROOM
+                    && a.0 <= apart + b.1 + ROOM
+                    && b.0 <= apart + a.1 + ROOM
                     && Self::may_oppose(apart, (a, leans.0), (b, leans.1))
             }
             (Motion::Turn { center }, Motion::Slide { direction }) => {
                 // The strip beside the centre.
                 let at = direction.left().dot(center - Point::ORIGIN);
-                b.0 - at <= a.1 + Self::ROOM && at - b.1 <= a.1 + Self::ROOM
+                b.0 - at <= a.1 + ROOM && at - b.1 <= a.1 + ROOM
             }
             (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
                 let cross = d.cross(e);
@@ -177,7 +164,7 @@ impl Apart {
                     return true;
                 }
                 let (lo, hi) = if d.dot(e) < 0.0 { (-b.1, -b.0) } else { b };
-                a.0 <= hi + Self::ROOM && lo <= a.1 + Self::ROOM
+                a.0 <= hi + ROOM && lo <= a.1 + ROOM
             }
             _ => true,
         }
@@ -193,7 +180,7 @@ impl Apart {
         ((b0, b1), (b, b_width)): ((f64, f64), (f64, f64)),
     ) -> bool {
         let aside = Self::aside(apart, (a0, a1), b1) + Self::aside(apart, (b0, b1), a1);
-        wrap(a - b).abs() <= a_width + b_width + aside + Self::TURN
+        wrap(a - b).abs() <= a_width + b_width + aside + TURN
     }
 
     /// The largest angle beside the line of the pivots at which points at distances from r₀ to r₁ from one pivot, and no
@@ -201,7 +188,7 @@ impl Apart {
     ///
     /// Its cosine is (d² + r² − s²) / (2 d r), least at r² = d² − s² if that is in between, else at an end.
     fn aside(d: f64, (r0, r1): (f64, f64), s: f64) -> f64 {
-        let (s, r0) = (s + Self::ROOM, (r0 - Self::ROOM).max(0.0));
+        let (s, r0) = (s + ROOM, (r0 - ROOM).max(0.0));
         let cosine = |r: f64| (d * d + r * r - s * s) / (2.0 * d * r);
         let turning = (d * d - s * s).max(0.0).sqrt().clamp(r0, r1.max(r0));
         let cosines = [cosine(r0), cosine(r1), cosine(turning)];

@@ -126,7 +126,7 @@ pub(super) fn set_up(
     let deviation = bent
         + frame.outer_length(joined + tilt * slides)
         + symmetric.as_ref().map_or(0.0, |s| s.deviation)
-        + frame.outer_length(displacement.deviation(slides, radius(&second)));
+        + frame.outer_length(displacement.deviation(slides));
     let redrawn = symmetric.map(|s| s.redrawn);
     let name = |f: &Feature| as_drawn(&redrawn, f.name);
     let setting = Setting {
@@ -245,24 +245,6 @@ fn motion(axis: &Axis, part: Role, frame: &PairFrame) -> Result<Motion, AxesErro
     }
 }
 
-/// How far from the origin of its frame a part reaches, at most.
-fn radius(o: &Outline) -> f64 {
-    let of = |f: &Feature| {
-        let far = |j: u32| o.joints[j as usize].point.to_vector().length();
-        let round = match f.near {
-            // Its ends are as far from the point half way as any of it.
-            Some(near) => {
-                let half = |j: u32| o.joints[j as usize].point.distance(near.point);
-                near.point.to_vector().length() + half(f.start).max(half(f.end))
-            }
-            None if f.is_line() => 0.0,
-            None => f.center().to_vector().length() + f.radius().abs(),
-        };
-        far(f.start).max(far(f.end)).max(round)
-    };
-    o.features.iter().map(of).fold(0.0, f64::max)
-}
-
 /// How far sliding parts can be from where they are drawn and still touch, in the frame of the pair, given how far the ranges
 /// of both coordinates let them go.
 fn reach(
@@ -271,6 +253,22 @@ fn reach(
     motions: &Motions,
     ranges: (Option<f64>, Option<f64>),
 ) -> f64 {
+    let radius = |o: &Outline| {
+        let of = |f: &Feature| {
+            let far = |j: u32| o.joints[j as usize].point.to_vector().length();
+            let round = match f.near {
+                // Its ends are as far from the point half way as any of it.
+                Some(near) => {
+                    let half = |j: u32| o.joints[j as usize].point.distance(near.point);
+                    near.point.to_vector().length() + half(f.start).max(half(f.end))
+                }
+                None if f.is_line() => 0.0,
+                None => f.center().to_vector().length() + f.radius().abs(),
+            };
+            far(f.start).max(far(f.end)).max(round)
+        };
+        o.features.iter().map(of).fold(0.0, f64::max)
+    };
     let arm = |m: &Motion| match m {
         Motion::Turn { center } => 2.0 * center.to_vector().length(),
         _ => 0.0,
@@ -392,8 +390,8 @@ pub(super) struct Setting {
 }
 
 impl Setting {
-    /// Configurations at which a contact function is less than this are in contact (model length), so that all are that touch as
-    /// they are drawn.
+    /// Configurations at which a contact function is less than this are in contact (model length): the resolution, but for
+    /// what corners are grown by.
     pub(super) fn contact_distance(&self) -> f64 {
         self.map.frame.outer_length(CONTACT) + self.deviation
     }

@@ -119,16 +119,15 @@ impl FixedAxesSpace {
 
     /// The resolution in the model's unit of length: clearances below it count as none.
     ///
-    /// Where a part's symmetry about its pivot is used, how far the part as drawn is from being symmetric belongs to it, and
-    /// where parts were moved to break a tie, how far: 10⁻¹⁰ to 10⁻⁸ of the parts' size. Both count twice, for contact is told
-    /// within as much of a curve that is itself so far off its place. The resolution is more if a part has a corner of less than
-    /// some 30°: parts are grown, and such a corner by more than its sides.
+    /// Where a part's symmetry about its pivot is used, how far the part as drawn is from being symmetric belongs to it; and
+    /// where parts were moved to break a tie, how far: 10⁻¹⁰ to 10⁻⁸ of the parts' size. It is more if a part has a corner of
+    /// less than some 30°: parts are grown, and such a corner by more than its sides.
     pub fn resolution(&self) -> f64 {
-        self.setting.contact_distance() + self.setting.deviation + self.setting.grown
+        self.setting.contact_distance() + self.setting.grown
     }
 
     /// Configurations at which a contact function of the boundary is less than this are in contact, in the model's unit of
-    /// length: the [`resolution`](Self::resolution), but for how far the boundary itself is off its place.
+    /// length: the [`resolution`](Self::resolution), but for what sharp corners are grown by.
     pub fn contact_distance(&self) -> f64 {
         self.setting.contact_distance()
     }

@@ -30,7 +30,7 @@ pub(super) struct Link {
 }
 
 /// What the sweep finds.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Swept {
     pub(super) bands: Vec<Band>,
     pub(super) gaps: Vec<Gap>,
