@@ -246,11 +246,11 @@ impl<T: Real> Cycle<T> {
     #[inline]
     pub(crate) fn crossed_by(&self, other: &Self, enters: bool) -> Vector<T> {
         if self.is_centred() {
-            return self.way_to_crossing(other, enters);
+            return self.way_vector_of_crossing(other, enters);
         }
         if other.is_centred() {
             // Where this one enters the blocked side of the other, the other leaves that of this one.
-            return self.place(other.through + other.way_to_crossing(self, !enters));
+            return self.place(other.through + other.way_vector_of_crossing(self, !enters));
         }
         let real = T::constant;
         let (a, c) = (other.slope(self.through), other.level(self.through));
@@ -284,7 +284,7 @@ impl<T: Real> Cycle<T> {
     /// The vector v has the length ρ, and a·v = h = −(c + k ρ²/2) with the other's gradient a and level c at the centre. With δ,
     /// the distance of the centre from the other, and its size K, ρ² a² − h² = (ρ − δ)(ρ + δ)(K + |a| − k ρ)(K + |a| + k ρ)/4:
     /// Heron's formula, in which no two squares cancel.
-    fn way_to_crossing(&self, other: &Self, enters: bool) -> Vector<T> {
+    fn way_vector_of_crossing(&self, other: &Self, enters: bool) -> Vector<T> {
         let (a, c, product) = self.heron(other);
         let half = T::constant(0.5);
         let mut along = -c;

@@ -41,10 +41,11 @@ fn point(p: Point<Dd>) -> Point {
     p.map(Dd::to_f64)
 }
 
+/// Two sheets, between which orientations both exist, and whether they share corners.
+type Together<'a> = (&'a Sheet, &'a Sheet, (f64, f64), [bool; 2]);
+
 /// Pairs of sheets that both exist for a while, and may cross, with the orientations at which they do.
-pub(in crate::contact) fn pairs(
-    geometry: &Geometry,
-) -> Vec<(&Sheet, &Sheet, (f64, f64), [bool; 2])> {
+pub(in crate::contact) fn pairs(geometry: &Geometry) -> Vec<Together<'_>> {
     let contacts = &geometry.contacts;
     let mut pairs = Vec::new();
     for (i, f) in contacts.sheets.iter().enumerate() {
