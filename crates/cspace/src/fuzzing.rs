@@ -2,7 +2,7 @@
 
 use crate::contact::{Locus, SheetKind, Spiral, conditions};
 use crate::geometry::Vector;
-use crate::number::{Ball, Dd, Dual, Real, Trig, TrigPolynomial};
+use crate::number::{Ball, Dual, Real, Trig, TrigPolynomial};
 
 /// An orientation and its error, radians.
 pub type Root = (f64, f64);

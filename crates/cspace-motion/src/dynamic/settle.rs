@@ -36,8 +36,11 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// A rate that counts as none, of a row.
     pub(super) fn still(&self, row: &DVector<f64>) -> f64 {
+        /// Rounding of a row, as a share of its length: a part that moves across a normal moves along it by as much.
+        const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let terms = row.iter().zip(self.largest.iter());
-        STILL * terms.map(|(r, v)| (r * v).abs()).sum::<f64>()
+        let sum: f64 = terms.map(|(r, v)| (r * v).abs()).sum();
+        STILL * sum + ROUNDING * row.norm() * self.largest.norm()
     }
 
     /// The rate at which a closed contact opens, and what counts as none.

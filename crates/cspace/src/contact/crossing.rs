@@ -1,11 +1,25 @@
 //! Where two contact curves of one slice cross.
 
-use crate::feature::tolerance::WIDEST_ARC;
+use crate::feature::tolerance::{SAME_CARRIER, WIDEST_ARC};
 use crate::geometry::Point;
+use crate::number::{Dd, Ordered};
 
 use super::curve::Curve;
 use super::cycle::Cycle;
-use super::pair::Precision;
+
+/// Numbers in which curves are crossed.
+pub(crate) trait Crossed: Ordered {
+    /// Lines are parallel if the sine of the angle between them is smaller.
+    const PARALLEL: f64;
+}
+
+impl Crossed for f64 {
+    const PARALLEL: f64 = SAME_CARRIER;
+}
+
+impl Crossed for Dd {
+    const PARALLEL: f64 = 1e-28;
+}
 
 /// A crossing of the lines or circles of two contact curves f and g.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,8 +30,8 @@ pub(crate) struct Crossing<T = f64> {
 }
 
 /// The crossing with the given name ([`Cycle::enters`](super::cycle::Cycle::enters)), wherever it lies on the lines or circles; of
-/// large circles only near the parts. Lines at an angle below [`Precision::PARALLEL`] do not cross, whatever rounding makes of them.
-pub(crate) fn crossing<T: Precision>(f: &Curve<T>, g: &Curve<T>, root: u8) -> Option<Crossing<T>> {
+/// large circles only near the parts. Lines at an angle below [`Crossed::PARALLEL`] do not cross, whatever rounding makes of them.
+pub(crate) fn crossing<T: Crossed>(f: &Curve<T>, g: &Curve<T>, root: u8) -> Option<Crossing<T>> {
     let (mut c, d) = (f.cycle, &g.cycle);
     // From the end of a line that is nearer to the other, so that a crossing near an end is accurate.
     if c.is_line() && d.level(f.end).abs() <= d.level(f.start).abs() {
@@ -35,7 +49,7 @@ pub(crate) fn crossing<T: Precision>(f: &Curve<T>, g: &Curve<T>, root: u8) -> Op
 
 /// For each root whether two curves cross there between their ends, and if so whether the first enters. Where the first ends, and
 /// starts, they may share a corner: that is no crossing.
-pub(crate) fn crossings<T: Precision>(
+pub(crate) fn crossings<T: Crossed>(
     f: &Curve<T>,
     g: &Curve<T>,
     corners: [bool; 2],

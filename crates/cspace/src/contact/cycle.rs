@@ -466,9 +466,14 @@ impl<T: Real> Cycle<T> {
 
     /// How far the cycles are apart along their common normal: 2 G / (K ± |V|), with the sign of K.
     pub(crate) fn gap(&self, other: &Self) -> T {
-        let (apart, total, two) = (self.apart(other), self.total(other), T::constant(2.0));
-        let length = (total * total + two * self.weight * other.weight * apart).sqrt();
-        two * apart / (total + if total.value() < 0.0 { -length } else { length })
+        let (total, weights) = (self.total(other), self.weight * other.weight);
+        let signed = |length: T| if total.value() < 0.0 { -length } else { length };
+        if self.is_centred() && other.is_centred() {
+            return (signed(self.between(other).length()) - total) * weights;
+        }
+        let (apart, two) = (self.apart(other), T::constant(2.0));
+        let length = (total * total + two * weights * apart).sqrt();
+        two * apart / (total + signed(length))
     }
 
     /// The normal of this cycle along which they are apart: V / |V|, with the sign of K.

@@ -109,20 +109,39 @@ impl<T: Real> FeatureShape<T> {
     }
 }
 
-/// The cycles of two features in the fixed part's frame.
-fn cycles<T: Real>(
-    fixed: &FeatureShape<T>,
-    moving: &FeatureShape<T>,
-    fixed_from_moving: &Placement<T>,
-) -> (Cycle<T>, Cycle<T>) {
-    let Placement {
-        position: [x, y],
-        cos,
-        sin,
-    } = *fixed_from_moving;
-    let turn = Rotation { cos, sin };
-    let placed = moving.cycle().moved(turn, Vector::new(x, y));
-    (fixed.cycle(), placed)
+/// The flatter of two features, and the other in its frame: what is hardly bent is not turned.
+struct Facing<T> {
+    base: Cycle<T>,
+    other: Cycle<T>,
+    /// Whether the base is the moving part's.
+    moves: bool,
+}
+
+impl<T: Real> Facing<T> {
+    fn new(
+        fixed: &FeatureShape<T>,
+        moving: &FeatureShape<T>,
+        fixed_from_moving: &Placement<T>,
+    ) -> Self {
+        let (first, second) = (fixed.cycle(), moving.cycle());
+        let curvature = |c: &Cycle<T>| c.curvature().value().abs();
+        let moves = curvature(&second) < curvature(&first);
+        let (base, other, placed) = if moves {
+            (second, first, fixed_from_moving.inverse())
+        } else {
+            (first, second, *fixed_from_moving)
+        };
+        let Placement {
+            position: [x, y],
+            cos,
+            sin,
+        } = placed;
+        Self {
+            base,
+            other: other.moved(Rotation { cos, sin }, Vector::new(x, y)),
+            moves,
+        }
+    }
 }
 
 /// The contact function of two features: how far they are apart along their common normal, in the unit of length in which
@@ -147,8 +166,8 @@ pub fn contact_function<T: Real>(
     moving: &FeatureShape<T>,
     fixed_from_moving: &Placement<T>,
 ) -> T {
-    let (a, b) = cycles(fixed, moving, fixed_from_moving);
-    a.gap(&b)
+    let Facing { base, other, .. } = Facing::new(fixed, moving, fixed_from_moving);
+    base.gap(&other)
 }
 
 /// Where two features touch, or would along their common normal, in numbers of any kind: in the fixed part's frame.
@@ -183,23 +202,26 @@ pub fn touching_place<T: Real>(
     moving: &FeatureShape<T>,
     fixed_from_moving: &Placement<T>,
 ) -> TouchingPlace<T> {
-    let (a, b) = cycles(fixed, moving, fixed_from_moving);
-    let gap = a.gap(&b);
-    let normal = a.common_normal(&b);
-    // From the rounder of the two, so that no centre is far away.
-    let curvature = |c: &Cycle<T>| c.curvature().value().abs();
-    let (on_fixed, on_moving) = if curvature(&b) >= curvature(&a) {
-        let p = b.place_of_normal(-normal);
-        (p + normal * -gap, p)
+    let Facing { base, other, moves } = Facing::new(fixed, moving, fixed_from_moving);
+    let (gap, normal) = (base.gap(&other), base.common_normal(&other));
+    let on_other = other.place_of_normal(-normal);
+    let on_base = on_other + normal * -gap;
+    let [on_base, on_other] = [on_base, on_other].map(|p| [p.x, p.y]);
+    if moves {
+        let [x, y] = fixed_from_moving.vector([normal.x, normal.y]);
+        TouchingPlace {
+            gap,
+            on_fixed: fixed_from_moving.point(on_other),
+            on_moving: fixed_from_moving.point(on_base),
+            normal: [-x, -y],
+        }
     } else {
-        let p = a.place_of_normal(normal);
-        (p, p + normal * gap)
-    };
-    TouchingPlace {
-        gap,
-        on_fixed: [on_fixed.x, on_fixed.y],
-        on_moving: [on_moving.x, on_moving.y],
-        normal: [normal.x, normal.y],
+        TouchingPlace {
+            gap,
+            on_fixed: on_base,
+            on_moving: on_other,
+            normal: [normal.x, normal.y],
+        }
     }
 }
 

@@ -1,13 +1,26 @@
 //! The line or circle of a sheet's curve at every orientation, and the curve's ends, in numbers of any kind.
 
-use crate::feature::Outline;
 use crate::geometry::{Point, Rotation, Vector};
-use crate::number::{Dd, Real};
+use crate::number::Real;
 
 use super::cycle::Cycle;
 use super::function::ContactFunction;
-use super::sheet::{EndAt, Sheet, SheetKind};
 use super::spiral::Spiral;
+
+/// Which features touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SheetKind {
+    /// A line of the fixed part and an arc or vertex of the moving part: the normal is constant.
+    LineRound,
+    /// An arc or vertex of the fixed part and a line of the moving part: the normal turns with θ.
+    RoundLine,
+    /// Arcs or vertices of both.
+    RoundRound,
+    /// The same, the fixed arc being so large that the curve is a flat arc; its normal is constant.
+    FixedFlatArc,
+    /// The same, the moving arc alone being so large; its normal turns with θ.
+    MovingFlatArc,
+}
 
 /// A line or circle that moves with orientation, and the two ends of the curve on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,58 +136,6 @@ impl Locus {
                 turns: self.turns(),
                 radius,
             },
-        }
-    }
-}
-
-impl Locus<Dd> {
-    /// The locus of a sheet by the outlines in double-double.
-    ///
-    /// A flat arc goes through the point at which it has the normal that it is written by in doubles.
-    pub(super) fn exact(fixed: &Outline, moving: &Outline, sheet: &Sheet) -> Self {
-        let (a, b) = (
-            &fixed.exact_features[sheet.fixed as usize],
-            &moving.exact_features[sheet.moving as usize],
-        );
-        let end = |at| match at {
-            EndAt::Fixed(j) => {
-                let j = &fixed.exact_joints[j as usize];
-                Spiral::new(j.point + j.normal * b.radius, -b.center.to_vector())
-            }
-            EndAt::Moving(j) => {
-                let j = &moving.exact_joints[j as usize];
-                Spiral::new(a.center, -(j.point + j.normal * a.radius).to_vector())
-            }
-        };
-        let (start, end) = (end(sheet.start_at), end(sheet.end_at));
-        let line = |outline: &Outline, feature: u32| {
-            let joint = outline.features[feature as usize].start;
-            outline.exact_joints[joint as usize].normal
-        };
-        let kind = sheet.locus.kind;
-        let radius = a.radius + b.radius;
-        let center = Spiral::new(a.center, -b.center.to_vector());
-        let rough = sheet.locus.normal.map(Dd::from);
-        let (through, normal) = match kind {
-            SheetKind::LineRound => (start, line(fixed, sheet.fixed)),
-            SheetKind::RoundLine => (start, -line(moving, sheet.moving)),
-            SheetKind::RoundRound => (center, rough),
-            SheetKind::FixedFlatArc => {
-                let normal = rough.unit();
-                (Spiral::new(center.u + normal * radius, center.w), normal)
-            }
-            SheetKind::MovingFlatArc => {
-                let normal = rough.unit();
-                (Spiral::new(center.u, center.w + normal * radius), normal)
-            }
-        };
-        Self {
-            kind,
-            through,
-            normal,
-            radius,
-            start,
-            end,
         }
     }
 }

@@ -68,13 +68,11 @@ pub use drawn::{
 };
 pub use function::ContactFunction;
 #[cfg(feature = "fuzzing")]
-pub(crate) use locus::Locus;
+pub(crate) use locus::{Locus, SheetKind};
 pub(crate) use orientation::Orientation;
 pub(crate) use overlap::{Body, overlap};
 pub(crate) use pair::{Bodies, Geometry, Placed, Precision, growths};
 pub use placement::Placement;
-#[cfg(feature = "fuzzing")]
-pub(crate) use sheet::SheetKind;
 pub(crate) use sheet::{Seam, Sheet};
 pub use spiral::{Spiral, Swing};
 pub(crate) use symmetry::{Permutation, SlabMotion, Steps};

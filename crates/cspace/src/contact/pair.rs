@@ -2,16 +2,15 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::feature::tolerance::{
-    GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION, SAME_CARRIER,
-};
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION};
 use crate::feature::{Growths, Outline, PairFrame, Perturbation, inscribed_disc};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
-use crate::number::{Dd, Ordered};
+use crate::number::Dd;
 
 use super::contacts::Contacts;
+use super::crossing::Crossed;
 use super::curve::Curve;
 use super::cycle::Cycle;
 use super::locus::Locus;
@@ -46,26 +45,22 @@ fn unmade(contacts: &Contacts) -> Vec<OnceLock<Box<Locus<Dd>>>> {
 }
 
 /// The numbers in which the loci of a pair are known: doubles and double-double.
-pub(crate) trait Precision: Ordered {
-    /// Lines are parallel if the sine of the angle between them is smaller.
-    const PARALLEL: f64;
+pub(crate) trait Precision: Crossed {
     /// The locus of a sheet.
     fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self>;
 }
 
 impl Precision for f64 {
-    const PARALLEL: f64 = SAME_CARRIER;
     fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self> {
         &geometry.contacts.sheets[sheet as usize].locus
     }
 }
 
 impl Precision for Dd {
-    const PARALLEL: f64 = 1e-28;
     fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self> {
         geometry.exact[sheet as usize].get_or_init(|| {
             let rough = &geometry.contacts.sheets[sheet as usize];
-            Box::new(Locus::exact(&geometry.fixed, &geometry.moving, rough))
+            Box::new(rough.exact(&geometry.fixed, &geometry.moving))
         })
     }
 }

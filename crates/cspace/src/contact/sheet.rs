@@ -1,5 +1,6 @@
 //! The surface on which two features touch, before it is cut where other features are in the way.
 
+use crate::feature::Outline;
 use crate::feature::tolerance::{LONGEST, SMALL_CIRCLE, WIDEST_SAGITTA};
 use crate::geometry::Rotation;
 use crate::number::{Dd, Ordered, Real};
@@ -7,24 +8,10 @@ use crate::number::{Dd, Ordered, Real};
 use super::curve::Curve;
 use super::cycle::Cycle;
 use super::function::ContactFunction;
-use super::locus::Locus;
+use super::locus::{Locus, SheetKind};
 use super::orientation::Orientation;
+use super::spiral::Spiral;
 use super::symmetry::Span;
-
-/// Which features touch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SheetKind {
-    /// A line of the fixed part and an arc or vertex of the moving part: the normal is constant.
-    LineRound,
-    /// An arc or vertex of the fixed part and a line of the moving part: the normal turns with θ.
-    RoundLine,
-    /// Arcs or vertices of both.
-    RoundRound,
-    /// The same, the fixed arc being so large that the curve is a flat arc; its normal is constant.
-    FixedFlatArc,
-    /// The same, the moving arc alone being so large; its normal turns with θ.
-    MovingFlatArc,
-}
 
 /// The angle of the contact normal at an end of a circular contact curve: constant, or turning with θ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,6 +105,56 @@ impl Sheet {
         }
         (self.lo, self.hi) = (self.from.to_f64(), self.to.to_f64());
         ((self.to - self.from).to_f64() > SHORTEST).then_some(self)
+    }
+
+    /// Its locus by the outlines in double-double.
+    ///
+    /// A flat arc goes through the point at which it has the normal that it is written by in doubles.
+    pub(super) fn exact(&self, fixed: &Outline, moving: &Outline) -> Locus<Dd> {
+        let (a, b) = (
+            &fixed.exact_features[self.fixed as usize],
+            &moving.exact_features[self.moving as usize],
+        );
+        let end = |at| match at {
+            EndAt::Fixed(j) => {
+                let j = &fixed.exact_joints[j as usize];
+                Spiral::new(j.point + j.normal * b.radius, -b.center.to_vector())
+            }
+            EndAt::Moving(j) => {
+                let j = &moving.exact_joints[j as usize];
+                Spiral::new(a.center, -(j.point + j.normal * a.radius).to_vector())
+            }
+        };
+        let (start, end) = (end(self.start_at), end(self.end_at));
+        let line = |outline: &Outline, feature: u32| {
+            let joint = outline.features[feature as usize].start;
+            outline.exact_joints[joint as usize].normal
+        };
+        let kind = self.locus.kind;
+        let radius = a.radius + b.radius;
+        let center = Spiral::new(a.center, -b.center.to_vector());
+        let rough = self.locus.normal.map(Dd::from);
+        let (through, normal) = match kind {
+            SheetKind::LineRound => (start, line(fixed, self.fixed)),
+            SheetKind::RoundLine => (start, -line(moving, self.moving)),
+            SheetKind::RoundRound => (center, rough),
+            SheetKind::FixedFlatArc => {
+                let normal = rough.unit();
+                (Spiral::new(center.u + normal * radius, center.w), normal)
+            }
+            SheetKind::MovingFlatArc => {
+                let normal = rough.unit();
+                (Spiral::new(center.u, center.w + normal * radius), normal)
+            }
+        };
+        Locus {
+            kind,
+            through,
+            normal,
+            radius,
+            start,
+            end,
+        }
     }
 
     /// Whether its curves are circles about a centre.

@@ -1,8 +1,9 @@
 //! Conditions against the distances that they say vanish.
 
+use super::super::locus::SheetKind;
 use super::super::locus::tests::{exact, geometry, pairs};
+use super::super::sheet::Sheet;
 use super::super::sheet::tests::{round, straight};
-use super::super::sheet::{Sheet, SheetKind};
 use super::super::tangent::tests::plain;
 use super::*;
 use crate::geometry::{Point, Rotation};

@@ -6,7 +6,9 @@ use super::super::crossing::crossing;
 use super::super::curve::Curve;
 use super::super::orientation::Orientation;
 use super::super::pair::Geometry;
+use super::super::sheet::Sheet;
 use super::*;
+use crate::number::Dd;
 use crate::part::{Part, Vertex};
 
 /// Two parts with arcs of both kinds, small and large.
@@ -30,7 +32,7 @@ pub(in crate::contact) fn geometry() -> Geometry {
 }
 
 pub(in crate::contact) fn exact(geometry: &Geometry, sheet: &Sheet) -> Locus<Dd> {
-    Locus::exact(&geometry.fixed, &geometry.moving, sheet)
+    sheet.exact(&geometry.fixed, &geometry.moving)
 }
 
 fn exact_curve(geometry: &Geometry, sheet: &Sheet, theta: Dd) -> Curve<Dd> {
