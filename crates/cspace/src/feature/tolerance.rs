@@ -177,5 +177,6 @@ pub(crate) const JOINT: f64 = 1e-11;
 /// way to the first.
 pub(crate) const FACING: f64 = 1e-7;
 
-/// And further than this as a share of the way to the last: what is between may have closed just there.
+/// And further than this as a share of the way to the farthest end of a curve, at least [`LEAST_CLEARANCE`] if that is a size away:
+/// what is between may have closed just there, and at a critical orientation they may have passed each other by so much.
 pub(crate) const FACING_FAR: f64 = 1e-9;

@@ -136,8 +136,8 @@ impl Slice {
     /// from its free side, or none is.
     ///
     /// At a critical orientation two curves that face each other may lie on one carrier, as far as it is known, in either
-    /// order; and where one curve ends and the next begins a ray may slip through: one that meets such two, or passes such
-    /// a place, is not asked, as long as there is another.
+    /// order; and where one curve ends and the next begins there may be a gap, of 1e-8 beside a tangency. A ray that meets two such
+    /// curves, or passes such a place, is not asked as long as there is another; if it is asked, gaps are closed by segments.
     pub fn is_free(&self, position: Point) -> bool {
         self.first_met(position).is_none_or(|met| met.from_free)
     }
@@ -159,49 +159,102 @@ impl Slice {
             .iter()
             .map(|v| v.length_squared())
             .fold(0.0, f64::max);
-        let beside = BESIDE * farthest.sqrt();
+        let [beside, closed] = [BESIDE, FACING_FAR].map(|share| share * farthest.sqrt());
         let mut widest = (f64::NEG_INFINITY, None);
         for k in 0..DIRECTIONS {
             let d = Vector::from_angle(FIRST + STEP * f64::from(k));
-            // The nearest curve met from its free side, and from its blocked side.
-            let [mut free, mut blocked] = [(f64::INFINITY, 0); 2];
-            let mut last: f64 = 0.0;
+            let mut hits = Hits::default();
             for (i, c) in self.curves.iter().enumerate() {
-                if let Some((t, towards_free)) = c.geometry.hit(position, d) {
-                    last = last.max(t);
-                    let side = if towards_free < 0.0 {
-                        &mut free
-                    } else {
-                        &mut blocked
-                    };
-                    if t < side.0 {
-                        *side = (t, i);
-                    }
-                }
+                hits.add(i, c.geometry.hit(position, d));
             }
-            let from_free = free.0 < blocked.0;
-            let (first, curve) = if from_free { free } else { blocked };
-            let met = first.is_finite().then_some(Met { curve, from_free });
-            let apart = if met.is_some() {
-                (free.0 - blocked.0).abs()
-            } else {
-                f64::INFINITY
-            };
             // How near the way to what is met passes a joint.
-            let clear = (joints.iter())
-                .filter(|&&v| (-beside..=first + beside).contains(&d.dot(v)))
-                .map(|&v| d.cross(v).abs())
-                .fold(f64::INFINITY, f64::min);
-            let room = apart.min(clear);
+            let clear = |hits: &Hits| {
+                let ahead = -beside..=hits.first() + beside;
+                (joints.iter())
+                    .filter(|&&v| ahead.contains(&d.dot(v)))
+                    .map(|&v| d.cross(v).abs())
+                    .fold(f64::INFINITY, f64::min)
+            };
+            let mut room = clear(&hits);
+            let is_clear = room > beside;
+            if !is_clear {
+                for (i, c) in self.curves.iter().enumerate() {
+                    let Some(&start) = joints.get(c.next as usize) else {
+                        continue;
+                    };
+                    let gap = CurveGeometry::Segment {
+                        start: c.geometry.point(1.0),
+                        end: position + start,
+                    };
+                    hits.add(i, gap.hit(position, d));
+                }
+                room = clear(&hits);
+            }
+            let (met, apart) = (hits.met(), hits.apart());
+            room = room.min(apart);
             if room > widest.0 {
                 widest = (room, met);
             }
-            let in_order = met.is_none() || apart > (FACING * first).max(FACING_FAR * last);
-            if in_order && clear > beside {
+            let in_order = met.is_none() || apart > (FACING * hits.first()).max(closed);
+            if is_clear && in_order {
                 break;
             }
         }
         widest.1
+    }
+}
+
+/// The first curves that a ray meets.
+struct Hits {
+    /// From the free side: distance and curve.
+    free: (f64, usize),
+    /// From the blocked side.
+    blocked: (f64, usize),
+}
+
+impl Default for Hits {
+    fn default() -> Self {
+        Self {
+            free: (f64::INFINITY, 0),
+            blocked: (f64::INFINITY, 0),
+        }
+    }
+}
+
+impl Hits {
+    /// Takes a curve's [`hit`](CurveGeometry::hit).
+    fn add(&mut self, curve: usize, hit: Option<(f64, f64)>) {
+        let Some((t, towards_free)) = hit else {
+            return;
+        };
+        let side = if towards_free < 0.0 {
+            &mut self.free
+        } else {
+            &mut self.blocked
+        };
+        if t < side.0 {
+            *side = (t, curve);
+        }
+    }
+
+    /// The distance of the first curve, infinite if there is none.
+    fn first(&self) -> f64 {
+        self.free.0.min(self.blocked.0)
+    }
+
+    fn met(&self) -> Option<Met> {
+        let from_free = self.free.0 < self.blocked.0;
+        let (first, curve) = if from_free { self.free } else { self.blocked };
+        first.is_finite().then_some(Met { curve, from_free })
+    }
+
+    /// How far the first curves of both sides are apart along the ray; infinite if nothing is met.
+    fn apart(&self) -> f64 {
+        if self.first().is_finite() {
+            (self.free.0 - self.blocked.0).abs()
+        } else {
+            f64::INFINITY
+        }
     }
 }
 

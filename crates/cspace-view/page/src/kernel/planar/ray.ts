@@ -22,7 +22,7 @@ const BESIDE = 2 * TORN;
 export function firstMet(slice: Slice, position: Point): Met | null {
   const joints = slice.curves.map((c) => sub(curvePoint(c.curve, 0), position));
   const farthest = joints.reduce((most, v) => Math.max(most, dot(v, v)), 0);
-  const beside = BESIDE * Math.sqrt(farthest);
+  const [beside, closed] = [BESIDE, FACING_FAR].map((share) => share * Math.sqrt(farthest)) as [number, number];
   let widest = -Infinity;
   let answer: Met | null = null;
   for (let k = 0; k < DIRECTIONS; k++) {
@@ -32,12 +32,10 @@ export function firstMet(slice: Slice, position: Point): Met | null {
     let blocked = Infinity;
     let freeCurve = 0;
     let blockedCurve = 0;
-    let last = 0;
     slice.curves.forEach((c, i) => {
       const hit = hitCurve(c.curve, position, d);
       if (!hit) return;
       const [t, towardsFree] = hit;
-      last = Math.max(last, t);
       if (towardsFree < 0) {
         if (t < free) [free, freeCurve] = [t, i];
       } else if (t < blocked) [blocked, blockedCurve] = [t, i];
@@ -57,7 +55,7 @@ export function firstMet(slice: Slice, position: Point): Met | null {
       widest = room;
       answer = met;
     }
-    if ((!met || apart > Math.max(FACING * first, FACING_FAR * last)) && clear > beside) break;
+    if ((!met || apart > Math.max(FACING * first, closed)) && clear > beside) break;
   }
   return answer;
 }
