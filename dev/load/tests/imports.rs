@@ -284,6 +284,27 @@ fn no_file_imports_a_file_that_imports_it() {
 }
 
 /// The check sees a circle through a module that hands a name on.
+/// Double-double arithmetic is chosen in one place: outside of the formulas, the kernel names the numbers in which it decides, not their kind.
+#[test]
+fn double_double_is_named_only_where_formulas_are() {
+    const NAMED: [&str; 3] = ["number", "feature", "contact"];
+    let root = (crates().into_iter())
+        .find(|c| c.ends_with("crates/cspace/src"))
+        .unwrap();
+    let sources = crate_sources(&root);
+    let names = |s: &Source| {
+        let mut paths = s.named.iter().chain(s.handed_on.iter().map(|h| &h.1));
+        paths.any(|p| p.iter().any(|name| name == "Dd"))
+    };
+    let naming = |within: bool| -> Vec<&Module> {
+        let naming = sources.iter().filter(|(_, s)| names(s)).map(|s| s.0);
+        let is_within = |m: &&Module| m.first().is_some_and(|f| NAMED.contains(&f.as_str()));
+        naming.filter(|m| is_within(m) == within).collect()
+    };
+    assert!(naming(true).len() > 10);
+    assert!(naming(false).is_empty(), "named in {:?}", naming(false));
+}
+
 #[test]
 fn a_circle_through_a_name_handed_on_is_found() {
     let source = |defined: &str, handed_on: &[(&str, &str)], named: &[&str]| {

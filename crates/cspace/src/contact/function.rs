@@ -92,7 +92,7 @@ impl ContactFunction {
     }
 
     /// Whether the normal turns with the moving part.
-    fn turns(&self) -> bool {
+    pub(crate) fn turns(&self) -> bool {
         match *self {
             Self::MovingLine { .. } => true,
             Self::FlatCircle { turns, .. } => turns,

@@ -44,7 +44,10 @@ fn unmade(contacts: &Contacts) -> Vec<OnceLock<Box<Locus<Dd>>>> {
     contacts.sheets.iter().map(|_| OnceLock::new()).collect()
 }
 
-/// The numbers in which the loci of a pair are known: doubles and double-double.
+/// Numbers to which orientations of events are known, and in which is decided what doubles leave open: double-double.
+pub(crate) type Exact = Dd;
+
+/// The numbers in which the loci of a pair are known: doubles and [`Exact`] ones.
 pub(crate) trait Precision: Crossed {
     /// The locus of a sheet.
     fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self>;

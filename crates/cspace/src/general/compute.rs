@@ -3,8 +3,7 @@
 use core::f64::consts::TAU;
 use std::time::Instant;
 
-use crate::contact::Geometry;
-use crate::number::Dd;
+use crate::contact::{Exact, Geometry};
 use crate::parallel;
 use crate::part::{Corresponding, Part};
 use crate::space::{
@@ -32,7 +31,7 @@ use crate::general::verdict::doubt::doubtful;
 use crate::general::verdict::shells::ShellFinder;
 
 /// Error of the orientation at which two normals oppose each other (radians).
-const ALIGNMENT_ERROR: f64 = 64.0 * Dd::EPSILON;
+const ALIGNMENT_ERROR: f64 = 64.0 * Exact::EPSILON;
 
 impl ContactSpace {
     /// Computes the contact space of two parts: by the general method, or one slab of it if a part is symmetric.
@@ -351,7 +350,7 @@ impl Stages<'_> {
 /// Clusters of the events of pairs, and of the orientations that are known before: where sheets begin and end.
 fn first_clusters(geometry: &Geometry, candidates: &Candidates, events: &PairEvents) -> Clusters {
     let of_sheets = (geometry.contacts.sheets.iter()).flat_map(|s| [s.from, s.to]);
-    let of_slots = (candidates.slots.iter()).map(|&s| Dd::from(s));
+    let of_slots = (candidates.slots.iter()).map(|&s| Exact::from(s));
     let known = of_sheets.chain(of_slots).map(|theta| Moment {
         theta,
         error: ALIGNMENT_ERROR,

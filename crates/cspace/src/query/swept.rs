@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::contact::{ContactFunction, Spiral};
+use crate::contact::{ContactFunction, Cycle, Spiral};
 use crate::feature::tolerance::WIDEST_SAGITTA;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Ball, Dual, Real};
@@ -138,29 +138,21 @@ impl Swept {
                     ends: [left.speed, right.speed],
                 }
             }
-            ContactFunction::FixedLine { normal, through } => {
-                let moves = speed(&through) * half;
-                let line = Line::new(normal, &through, turn);
-                let swept = segment(left, right, normal, line.through, moves);
-                line.strip(swept, (left, right), half, false)
-            }
-            ContactFunction::MovingLine { normal, through } => {
+            ContactFunction::FixedLine { .. }
+            | ContactFunction::MovingLine { .. }
+            | ContactFunction::FlatCircle { .. } => {
+                let (through, turns) = (patch.function.through(), patch.function.turns());
+                let cycle = patch.function.cycle(turn);
                 // Anything within FAR is no farther than twice that from the point it turns about.
-                let moves = (speed(&through) + 2.0 * FAR) * half;
-                let line = Line::new(turn * normal, &through, turn);
-                let swept = segment(left, right, line.normal, line.through, moves);
-                line.strip(swept, (left, right), half, true)
-            }
-            ContactFunction::FlatCircle {
-                through,
-                normal,
-                turns,
-                ..
-            } => {
+                let turning = if turns { 2.0 * FAR } else { 0.0 };
+                let moves = (speed(&through) + turning) * half;
+                if cycle.is_line() {
+                    let velocity = (turn * through.turning()).left();
+                    let swept = segment(left, right, &cycle, moves);
+                    return strip(&cycle, velocity, &swept, (left, right), half, turns);
+                }
                 // The chord; the carrier is as far from its tangent within FAR.
-                let normal = if turns { turn * normal } else { normal };
-                let moves = (speed(&through) + 2.0 * FAR) * half + FAR;
-                let mut swept = segment(left, right, normal, through.at(turn), moves);
+                let mut swept = segment(left, right, &cycle, moves + FAR);
                 swept.spread += WIDEST_SAGITTA;
                 swept
             }
@@ -174,7 +166,7 @@ impl Swept {
 }
 
 /// The segments whose ends are known to the given errors; of the whole carrier, if an end is not known at all.
-fn segment(left: End, right: End, normal: Vector, through: Point, moves: f64) -> Swept {
+fn segment(left: End, right: End, carrier: &Cycle, moves: f64) -> Swept {
     let spread = left.error.max(right.error) + ROUNDING;
     let speed = left.speed.max(right.speed);
     let ends = [left.speed, right.speed];
@@ -190,7 +182,8 @@ fn segment(left: End, right: End, normal: Vector, through: Point, moves: f64) ->
             ends,
         };
     }
-    let foot = Point::ORIGIN + normal * normal.dot(through.to_vector());
+    let normal = carrier.normal;
+    let foot = Point::ORIGIN + normal * normal.dot(carrier.through.to_vector());
     Swept {
         shape: CurveGeometry::Segment {
             start: foot + normal.left() * FAR,
@@ -203,61 +196,50 @@ fn segment(left: End, right: End, normal: Vector, through: Point, moves: f64) ->
     }
 }
 
-/// The line of a segment in the middle of an interval.
-struct Line {
-    normal: Vector,
-    through: Point,
-    /// How the point moves (length per radian).
+/// The same segments enclosed by a strip, where that is much narrower: by the line in the middle, from the first place
+/// along it to which an end may come to the last, and by how far the line moves sideways there.
+///
+/// A position x is off the line by f = n·(x − t). With t the point it is through, and v its velocity, f changes by
+/// left(n)·(x − t) − n·v per radian if the line turns, otherwise by −n·v; and that by no more than |x − t| + 3 |v|, or
+/// |v|. No x is farther from t than ends may be along the line, and then half as much again, and t moves by |v| at most.
+fn strip(
+    line: &Cycle,
     velocity: Vector,
-}
-
-impl Line {
-    fn new(normal: Vector, through: &Spiral, turn: Rotation) -> Self {
-        Self {
-            normal,
-            through: through.at(turn),
-            velocity: (turn * through.turning()).left(),
-        }
+    swept: &Swept,
+    (left, right): (End, End),
+    half: f64,
+    turns: bool,
+) -> Swept {
+    let along = line.normal.left();
+    let place = |end: End| along.dot((Point::ORIGIN + end.at) - line.through);
+    let (a, b) = (place(left), place(right));
+    let first = (a - left.error).min(b - right.error);
+    let last = (a + left.error).max(b + right.error);
+    let sideways = line.normal.dot(velocity);
+    let speed = velocity.length();
+    let (rate, bend) = if turns {
+        let rate = (first - sideways).abs().max((last - sideways).abs());
+        (rate, 2.0 * first.abs().max(last.abs()) + 4.0 * speed)
+    } else {
+        (sideways.abs(), speed)
+    };
+    let rate = rate + bend * half;
+    let spread = rate * half + ROUNDING;
+    // Not of ends that are not known.
+    if !(half <= 1.0 && spread <= NARROWER * swept.spread && last - first <= FAR) {
+        return *swept;
     }
-
-    /// The same segments enclosed by a strip, where that is much narrower: by the line in the middle, from the first place
-    /// along it to which an end may come to the last, and by how far the line moves sideways there.
-    ///
-    /// A position x is off the line by f = n·(x − t). With t the point it is through, and v its velocity, f changes by
-    /// left(n)·(x − t) − n·v per radian if the line turns, otherwise by −n·v; and that by no more than |x − t| + 3 |v|, or
-    /// |v|. No x is farther from t than ends may be along the line, and then half as much again, and t moves by |v| at most.
-    fn strip(&self, swept: Swept, (left, right): (End, End), half: f64, turns: bool) -> Swept {
-        let along = self.normal.left();
-        let place = |end: End| along.dot((Point::ORIGIN + end.at) - self.through);
-        let (a, b) = (place(left), place(right));
-        let first = (a - left.error).min(b - right.error);
-        let last = (a + left.error).max(b + right.error);
-        let sideways = self.normal.dot(self.velocity);
-        let speed = self.velocity.length();
-        let (rate, bend) = if turns {
-            let rate = (first - sideways).abs().max((last - sideways).abs());
-            (rate, 2.0 * first.abs().max(last.abs()) + 4.0 * speed)
-        } else {
-            (sideways.abs(), speed)
-        };
-        let rate = rate + bend * half;
-        let spread = rate * half + ROUNDING;
-        // Not of ends that are not known.
-        if !(half <= 1.0 && spread <= NARROWER * swept.spread && last - first <= FAR) {
-            return swept;
-        }
-        let (start, end) = if a <= b { (first, last) } else { (last, first) };
-        let at = |place: f64| self.through + along * place;
-        Swept {
-            shape: CurveGeometry::Segment {
-                start: at(start),
-                end: at(end),
-            },
-            spread,
-            slack: left.error.max(right.error),
-            speed: rate,
-            ..swept
-        }
+    let (start, end) = if a <= b { (first, last) } else { (last, first) };
+    let at = |place: f64| line.through + along * place;
+    Swept {
+        shape: CurveGeometry::Segment {
+            start: at(start),
+            end: at(end),
+        },
+        spread,
+        slack: left.error.max(right.error),
+        speed: rate,
+        ..*swept
     }
 }
 

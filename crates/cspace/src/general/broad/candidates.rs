@@ -8,9 +8,8 @@
 use core::f64::consts::TAU;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::contact::{Curve, Cycle, Geometry, Sheet};
+use crate::contact::{Curve, Cycle, Exact, Geometry, Sheet};
 use crate::geometry::{Point, Rotation, Vector};
-use crate::number::Dd;
 use crate::parallel;
 use crate::part::Bounds;
 
@@ -42,16 +41,16 @@ const LARGE: usize = 4;
 pub(crate) struct PairRun {
     pub(crate) first: u32,
     pub(crate) second: u32,
-    pub(crate) lo: Dd,
-    pub(crate) hi: Dd,
+    pub(crate) lo: Exact,
+    pub(crate) hi: Exact,
 }
 
 /// An interval of orientations in which a sheet is not known to be blocked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SheetRun {
     pub(crate) sheet: u32,
-    pub(crate) lo: Dd,
-    pub(crate) hi: Dd,
+    pub(crate) lo: Exact,
+    pub(crate) hi: Exact,
     /// Whether the run ends there because the sheet is blocked beyond.
     pub(crate) lo_blocked: bool,
     pub(crate) hi_blocked: bool,
@@ -176,7 +175,7 @@ impl Candidates {
         pairs.dedup();
         parallel::sort_unstable_by(&mut alive, u64::cmp);
         alive.dedup();
-        let clip = |lo: Dd, hi: Dd, sheet: &Sheet| {
+        let clip = |lo: Exact, hi: Exact, sheet: &Sheet| {
             (
                 if lo < sheet.from { sheet.from } else { lo },
                 if hi < sheet.to { hi } else { sheet.to },
@@ -185,7 +184,10 @@ impl Candidates {
         let pairs: Vec<PairRun> = runs(&pairs)
             .filter_map(|(key, first_slot, last_slot)| {
                 let (first, second) = ((key >> SHEET_BITS) as u32, (key & SHEET_MASK) as u32);
-                let (lo, hi) = (Dd::from(slots[first_slot]), Dd::from(slots[last_slot + 1]));
+                let (lo, hi) = (
+                    Exact::from(slots[first_slot]),
+                    Exact::from(slots[last_slot + 1]),
+                );
                 let (f, g) = (&sheets[first as usize], &sheets[second as usize]);
                 let (lo, hi) = clip(lo, hi, f);
                 let (lo, hi) = clip(lo, hi, g);
@@ -203,7 +205,10 @@ impl Candidates {
         let sheet_runs = runs(&alive)
             .filter_map(|(key, first_slot, last_slot)| {
                 let sheet = &sheets[key as usize];
-                let slots = (Dd::from(slots[first_slot]), Dd::from(slots[last_slot + 1]));
+                let slots = (
+                    Exact::from(slots[first_slot]),
+                    Exact::from(slots[last_slot + 1]),
+                );
                 let (lo, hi) = clip(slots.0, slots.1, sheet);
                 (lo < hi).then_some(SheetRun {
                     sheet: key as u32,

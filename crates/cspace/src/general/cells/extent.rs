@@ -1,8 +1,7 @@
 //! How far cells reach along their contact curves where they meet a cluster of events, and what two of them share.
 
-use crate::contact::{Geometry, Orientation, PLACE_ERROR};
+use crate::contact::{Exact, Geometry, Orientation, PLACE_ERROR};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
-use crate::number::Dd;
 
 use crate::general::cells::cell::{Cell, END};
 use crate::general::events::branch::Branch;
@@ -86,9 +85,9 @@ pub(crate) struct CellExtents<'a> {
     /// The same as far as doubles tell.
     rough: Vec<(u32, (f64, f64))>,
     /// The cluster's orientation in double-double, once it is asked for.
-    turn: Option<Orientation<Dd>>,
+    turn: Option<Orientation<Exact>>,
     /// The curve in double-double at the orientations asked for so far, with the places of its ends.
-    exact: Vec<(Dd, Placing<'a, Dd>, (Dd, Dd))>,
+    exact: Vec<(Exact, Placing<'a, Exact>, (Exact, Exact))>,
     /// What is known better than this is known well enough (length).
     good: f64,
 }
@@ -240,7 +239,7 @@ impl<'a> CellExtents<'a> {
     }
 
     /// The edge of the cluster on a side, and how far from it one is that is at most so far aside and within the slab there.
-    fn step(&self, side: Side, aside: f64) -> (Dd, f64) {
+    fn step(&self, side: Side, aside: f64) -> (Exact, f64) {
         let (lo, hi) = self.clusters.exact_ends(self.cluster);
         let (edge, slab) = match side {
             Side::Below => (lo, self.clusters.exact_below(self.cluster)),
@@ -283,7 +282,7 @@ impl<'a> CellExtents<'a> {
     }
 
     /// The curve in double-double at an orientation, with the places of its ends.
-    fn exact_at(&mut self, theta: Dd) -> (&Placing<'a, Dd>, (Dd, Dd)) {
+    fn exact_at(&mut self, theta: Exact) -> (&Placing<'a, Exact>, (Exact, Exact)) {
         let known = self.exact.iter().position(|e| e.0 == theta);
         let index = known.unwrap_or_else(|| {
             let (clusters, cluster) = (self.clusters, self.cluster);
@@ -299,7 +298,7 @@ impl<'a> CellExtents<'a> {
     }
 
     /// A place at an orientation.
-    fn exact_place(&mut self, b: &Branch, theta: Dd) -> f64 {
+    fn exact_place(&mut self, b: &Branch, theta: Exact) -> f64 {
         let half = self.half;
         let (placing, ends) = self.exact_at(theta);
         from_nearer_end(placing.place(b), ends, half)
@@ -307,7 +306,7 @@ impl<'a> CellExtents<'a> {
 }
 
 /// A place that is no further than the ends of its curve, from the nearer of these as in doubles, in which the curve has half a length.
-fn from_nearer_end(place: Dd, (from, to): (Dd, Dd), half: f64) -> f64 {
+fn from_nearer_end(place: Exact, (from, to): (Exact, Exact), half: f64) -> f64 {
     let place = if place < from { from } else { place };
     let place = if place > to { to } else { place };
     if place.to_f64() < 0.0 {

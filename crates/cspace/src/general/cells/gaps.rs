@@ -3,8 +3,7 @@
 //! Right after a curve has entered the blocked side of another, and right before it leaves it, it is in blocked space.
 //! So is an end that no other curve continues. A gap is open if nothing of that kind bounds it.
 
-use crate::contact::Geometry;
-use crate::number::Dd;
+use crate::contact::{Exact, Geometry};
 
 use crate::general::cells::cell::END;
 use crate::general::events::branch::Branch;
@@ -43,7 +42,7 @@ impl Gaps {
         branches: &[Branch],
         sheet: u32,
         active: &[u32],
-        theta: Dd,
+        theta: Exact,
     ) {
         (self.sorting).sort(geometry, (sheet, theta), branches, active, &mut self.order);
         self.enters.clear();

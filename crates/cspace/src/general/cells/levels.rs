@@ -10,10 +10,9 @@ use core::cell::LazyCell;
 use core::ops::Deref;
 use std::collections::BTreeMap;
 
-use crate::contact::{Geometry, Orientation, Seam};
+use crate::contact::{Exact, Geometry, Orientation, Seam};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Vector};
-use crate::number::Dd;
 use crate::parallel;
 use crate::union_find::UnionFind;
 
@@ -299,7 +298,7 @@ impl Levels<'_> {
         pieces: impl Iterator<Item = &'p Piece>,
         track: &Track,
         place: &Place,
-        turn: &impl Deref<Target = Orientation<Dd>>,
+        turn: &impl Deref<Target = Orientation<Exact>>,
     ) -> [Option<&'p Piece>; 2] {
         let mut covering = pieces.filter(|q| q.covers(track, place.coordinate));
         let (first, second) = (covering.next(), covering.next());
@@ -307,8 +306,8 @@ impl Levels<'_> {
             // One alone is outermost, however high it is.
             return [true, false].map(|along| first.filter(|q| q.along == along));
         }
-        let mut highest: Option<(Dd, &Piece)> = None;
-        let mut lowest: Option<(Dd, &Piece)> = None;
+        let mut highest: Option<(Exact, &Piece)> = None;
+        let mut lowest: Option<(Exact, &Piece)> = None;
         for q in first.into_iter().chain(second).chain(covering) {
             let h = self.height(q.cell, place.point, place.normal, turn);
             if q.along && highest.is_none_or(|b| h > b.0) {
@@ -325,9 +324,9 @@ impl Levels<'_> {
     }
 
     /// How far outward from a point the line or circle of a cell's sheet lies.
-    fn height(&self, cell: u32, p: Point, outward: Vector, turn: &Orientation<Dd>) -> Dd {
+    fn height(&self, cell: u32, p: Point, outward: Vector, turn: &Orientation<Exact>) -> Exact {
         (self.geometry.curve(self.sheet_of(cell), turn))
-            .height(p.map(Dd::from), outward.map(Dd::from))
+            .height(p.map(Exact::from), outward.map(Exact::from))
     }
 
     /// Cells that continue each other at the two ends of a full turn, which are one orientation.

@@ -4,22 +4,23 @@
 //! orientation. From here on orientations are counted in clusters, and structure is only ever looked at half way between two of
 //! them, away from every event.
 
+use crate::contact::Exact;
 use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Rotation;
-use crate::number::{Dd, Event};
+use crate::number::Event;
 use crate::parallel;
 
 /// An orientation at which something may happen, in double-double, and its error (radians).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Moment {
-    pub(crate) theta: Dd,
+    pub(crate) theta: Exact,
     pub(crate) error: f64,
 }
 
 impl From<Event> for Moment {
     fn from(e: Event) -> Self {
         Self {
-            theta: Dd::from(e.theta),
+            theta: Exact::from(e.theta),
             error: e.error,
         }
     }
@@ -28,8 +29,8 @@ impl From<Event> for Moment {
 /// Disjoint intervals of orientation, sorted; between two of them nothing happens.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Clusters {
-    lo: Vec<Dd>,
-    hi: Vec<Dd>,
+    lo: Vec<Exact>,
+    hi: Vec<Exact>,
     /// The event of each that is known best: the orientation at which curves and places are measured.
     best: Vec<Moment>,
     /// The rotations by their orientations.
@@ -59,7 +60,10 @@ impl Clusters {
     }
 
     /// From what has intervals with the best-known event in each: they are many, and events alone are small.
-    fn gather<T: Send>(mut all: Vec<T>, interval: impl Fn(&T) -> (Dd, Dd, Moment) + Sync) -> Self {
+    fn gather<T: Send>(
+        mut all: Vec<T>,
+        interval: impl Fn(&T) -> (Exact, Exact, Moment) + Sync,
+    ) -> Self {
         parallel::sort_unstable_by(&mut all, |a, b| {
             let (a, b) = (interval(a), interval(b));
             a.0.total_cmp(&b.0)
@@ -143,7 +147,7 @@ impl Clusters {
     }
 
     /// The cluster an orientation belongs to: the last that does not begin after it.
-    pub(crate) fn index(&self, theta: Dd) -> u32 {
+    pub(crate) fn index(&self, theta: Exact) -> u32 {
         self.lo.partition_point(|&lo| lo <= theta).max(1) as u32 - 1
     }
 
@@ -153,7 +157,7 @@ impl Clusters {
     }
 
     /// The same in double-double.
-    pub(crate) fn exact_at(&self, i: u32) -> Dd {
+    pub(crate) fn exact_at(&self, i: u32) -> Exact {
         self.best[i as usize].theta
     }
 
@@ -173,7 +177,7 @@ impl Clusters {
     }
 
     /// Where it ends and where another begins, in double-double.
-    pub(crate) fn exactly_between(&self, i: u32, j: u32) -> (Dd, Dd) {
+    pub(crate) fn exactly_between(&self, i: u32, j: u32) -> (Exact, Exact) {
         (self.hi[i as usize], self.lo[j as usize])
     }
 
@@ -193,7 +197,7 @@ impl Clusters {
     }
 
     /// The same in double-double.
-    pub(crate) fn exact_between(&self, i: u32, j: u32) -> Dd {
+    pub(crate) fn exact_between(&self, i: u32, j: u32) -> Exact {
         (self.hi[i as usize] + self.lo[j as usize]).scaled(0.5)
     }
 
@@ -203,7 +207,7 @@ impl Clusters {
     }
 
     /// Orientations just below and above a cluster, where places have hardly moved: at most [`BESIDE`] from its ends.
-    pub(crate) fn exactly_beside(&self, i: u32) -> (Dd, Dd) {
+    pub(crate) fn exactly_beside(&self, i: u32) -> (Exact, Exact) {
         let (below, above) = (self.exact_below(i), self.exact_above(i));
         let near = (self.lo[i as usize] - BESIDE, self.hi[i as usize] + BESIDE);
         (
@@ -213,17 +217,17 @@ impl Clusters {
     }
 
     /// Half way to the cluster before, or at the cluster if there is none.
-    pub(crate) fn exact_below(&self, i: u32) -> Dd {
+    pub(crate) fn exact_below(&self, i: u32) -> Exact {
         self.exact_between(i.max(1) - 1, i)
     }
 
     /// Half way to the cluster after, or at the cluster if there is none.
-    pub(crate) fn exact_above(&self, i: u32) -> Dd {
+    pub(crate) fn exact_above(&self, i: u32) -> Exact {
         self.exact_between(i, (i + 1).min(self.len() as u32 - 1))
     }
 
     /// The ends of a cluster in double-double.
-    pub(crate) fn exact_ends(&self, i: u32) -> (Dd, Dd) {
+    pub(crate) fn exact_ends(&self, i: u32) -> (Exact, Exact) {
         (self.lo[i as usize], self.hi[i as usize])
     }
 }

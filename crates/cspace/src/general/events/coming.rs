@@ -1,7 +1,7 @@
 //! The orientations at which crossings of two sheets come and go: in doubles first, then in double-double.
 
-use crate::contact::{Geometry, Precision, conditions};
-use crate::number::{Dd, Event};
+use crate::contact::{Exact, Geometry, Precision, conditions};
+use crate::number::Event;
 use crate::parallel;
 
 use crate::general::broad::candidates::PairRun;
@@ -105,14 +105,14 @@ fn events_of(
     let rough = |condition: usize| rough.get(condition).map_or(Rough::Unknown, |r| *r);
     let middle = (run.lo + run.hi).scaled(0.5);
     let half = (run.hi - run.lo).scaled(0.5).to_f64();
-    let mut take = |theta: Dd, error| {
-        let turns = ((theta - middle) / Dd::TAU).to_f64().round();
-        let theta = theta - Dd::TAU * turns;
+    let mut take = |theta: Exact, error| {
+        let turns = ((theta - middle) / Exact::TAU).to_f64().round();
+        let theta = theta - Exact::TAU * turns;
         if (theta - middle).to_f64().abs() <= half + error {
             found(Moment { theta, error });
         }
     };
-    let [f, g] = [run.first, run.second].map(|s| Dd::locus(geometry, s));
+    let [f, g] = [run.first, run.second].map(|s| Exact::locus(geometry, s));
     let asked = |number| rough(number) != Rough::None;
     conditions(f, g, corners, asked, |number, condition| {
         match rough(number) {

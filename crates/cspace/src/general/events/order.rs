@@ -1,9 +1,9 @@
 //! The order of branches along a curve, decided with certainty: in doubles where their errors leave no doubt, otherwise in
 //! double-double.
 
-use crate::contact::{Cycle, Geometry, Orientation};
+use crate::contact::{Cycle, Exact, Geometry, Orientation};
 use crate::geometry::{Rotation, Vector};
-use crate::number::{Dd, Real};
+use crate::number::Real;
 
 use crate::general::events::branch::Branch;
 use crate::general::events::placing::{Placing, Rank};
@@ -16,7 +16,7 @@ const MARGIN: f64 = 8.0;
 pub(crate) struct Order {
     /// In doubles.
     rough: Vec<(Rank, u32)>,
-    exact: Vec<(Dd, u32)>,
+    exact: Vec<(Exact, u32)>,
 }
 
 impl Order {
@@ -24,7 +24,7 @@ impl Order {
     pub(crate) fn sort(
         &mut self,
         geometry: &Geometry,
-        (sheet, theta): (u32, Dd),
+        (sheet, theta): (u32, Exact),
         all: &[Branch],
         active: &[u32],
         sorted: &mut Vec<u32>,
@@ -62,7 +62,7 @@ impl Order {
 }
 
 /// How far the first of two branches is before the second along a sheet's curve (length), with a sign that is certain.
-pub(crate) fn apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: Dd) -> Dd {
+pub(crate) fn apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: Exact) -> Exact {
     if !is_small(
         geometry,
         pair.map(|b| b.other(sheet)).into_iter().chain([sheet]),
@@ -70,14 +70,19 @@ pub(crate) fn apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: 
         let placing = Placing::new(geometry, sheet, Orientation::by(theta.to_f64()));
         let [p, q] = pair.map(|b| placing.place_and_error(b));
         if let Some(rough) = certainly_apart(&placing.curve().cycle, p, q) {
-            return Dd::from(rough);
+            return Exact::from(rough);
         }
     }
     exactly_apart(geometry, sheet, pair, theta)
 }
 
 /// As [`apart`], to all digits.
-pub(crate) fn exactly_apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: Dd) -> Dd {
+pub(crate) fn exactly_apart(
+    geometry: &Geometry,
+    sheet: u32,
+    pair: [&Branch; 2],
+    theta: Exact,
+) -> Exact {
     let turn = Rotation::by(theta);
     let cycle = geometry.cycle(sheet, turn);
     let [p, q] = pair.map(|b| {

@@ -4,9 +4,9 @@
 //! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
-use crate::contact::{Cycle, Geometry, Sheet};
+use crate::contact::{Cycle, Exact, Geometry, Sheet};
 use crate::geometry::{Rotation, Vector};
-use crate::number::{Ball, Dd, Dual, Event, Real, TrigPolynomial};
+use crate::number::{Ball, Dual, Event, Real, TrigPolynomial};
 
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Moment;
@@ -82,7 +82,7 @@ pub(crate) struct Passing<'a> {
 /// Where a branch is along its sheet's curve at the beginning, in the middle and at the end of a narrow interval.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sample {
-    places: [Dd; 3],
+    places: [Exact; 3],
     /// Bound on what the parabola through these leaves out.
     rest: f64,
 }
@@ -92,7 +92,7 @@ impl Sample {
     pub(crate) fn new(
         geometry: &Geometry,
         sheet: u32,
-        placings: &[Placing<'_, Dd>; 3],
+        placings: &[Placing<'_, Exact>; 3],
         b: &Branch,
         length: f64,
     ) -> Option<Self> {
@@ -138,8 +138,8 @@ impl Passing<'_> {
     pub(crate) fn told_by(
         &self,
         [x, y]: [&Sample; 2],
-        lo: Dd,
-        hi: Dd,
+        lo: Exact,
+        hi: Exact,
         found: &mut impl FnMut(Moment),
     ) -> bool {
         match x.change(y) {
@@ -181,21 +181,21 @@ impl Passing<'_> {
     pub(crate) fn isolate(
         &self,
         f: Option<&TrigPolynomial>,
-        lo: Dd,
-        hi: Dd,
+        lo: Exact,
+        hi: Exact,
         found: &mut impl FnMut(Moment),
     ) -> u64 {
         /// How far around a meeting that doubles tell, at least (radians).
         const AROUND: f64 = 1e-7;
         // Where doubles tell nothing.
-        let mut unclear: Vec<(Dd, Dd)> = Vec::new();
-        let mut vague: Vec<(Dd, Dd)> = Vec::new();
+        let mut unclear: Vec<(Exact, Exact)> = Vec::new();
+        let mut vague: Vec<(Exact, Exact)> = Vec::new();
         let (first, last) = (lo.to_f64(), hi.to_f64());
         // The ends are not rounded: there may be a meeting between an end and the double that is nearest to it.
         let exactly = |t: f64| match t {
             _ if t <= first => lo,
             _ if t >= last => hi,
-            _ => Dd::from(t),
+            _ => Exact::from(t),
         };
         match f {
             Some(f) if (hi - lo).to_f64() >= NARROW => {
@@ -252,8 +252,8 @@ impl Passing<'_> {
             let mut budget = PLACE_BUDGET;
             let mut take = |e: Event| {
                 let around = (
-                    Dd::from(e.theta) - 2.0 * e.error,
-                    Dd::from(e.theta) + 2.0 * e.error,
+                    Exact::from(e.theta) - 2.0 * e.error,
+                    Exact::from(e.theta) + 2.0 * e.error,
                 );
                 found(
                     self.change_of_order(around.0, around.1, None)
@@ -275,11 +275,11 @@ impl Passing<'_> {
     /// tell that it may be, halving where a secant leaves the interval or does not shorten it.
     ///
     /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
-    fn change_of_order(&self, lo: Dd, hi: Dd, near: Option<f64>) -> Option<Moment> {
+    fn change_of_order(&self, lo: Exact, hi: Exact, near: Option<f64>) -> Option<Moment> {
         /// Smaller ones are rounding (length): where three carriers always share a point.
         const NONE: f64 = 1e-29;
         let both = [self.x, self.y];
-        let at = |theta: Dd| {
+        let at = |theta: Exact| {
             let apart = apart(self.geometry, self.sheet, both, theta);
             (apart.to_f64().abs() >= NONE).then_some(apart)
         };
@@ -289,8 +289,8 @@ impl Passing<'_> {
         }
         // The secant through the ends, and where it is zero.
         let mut slope = (at_b - at_a) / (b - a);
-        let mut c = near.map_or_else(|| a - at_a / slope, Dd::from);
-        let mut last: Option<(Dd, Dd)> = None;
+        let mut c = near.map_or_else(|| a - at_a / slope, Exact::from);
+        let mut last: Option<(Exact, Exact)> = None;
         // The longest step that counts as one of a secant.
         let mut longest = (b - a).to_f64();
         for _ in 0..MOST_STEPS {
@@ -347,7 +347,7 @@ impl Passing<'_> {
     }
 
     /// The same in double-double.
-    fn polynomial(&self) -> TrigPolynomial<Dd> {
+    fn polynomial(&self) -> TrigPolynomial<Exact> {
         let three = self.sheets();
         TrigPolynomial::sampled(|turn| concurrency(three.map(|s| self.geometry.cycle(s, turn))))
     }

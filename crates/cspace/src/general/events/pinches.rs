@@ -5,9 +5,8 @@
 //! by less than is told apart, so that there is none before and none after. What was in front of the other curve is behind it
 //! then: a cell that is there does not go on.
 
-use crate::contact::{Curve, Geometry, Orientation};
+use crate::contact::{Curve, Exact, Geometry, Orientation};
 use crate::geometry::Point;
-use crate::number::Dd;
 
 use crate::general::events::clusters::Clusters;
 
@@ -30,10 +29,10 @@ pub(crate) fn pinches_of(all: &[Pinch], sheet: u32, at: u32) -> &[Pinch] {
 pub(crate) fn pinched(
     geometry: &Geometry,
     sheets: (u32, u32),
-    beside: &[Orientation<Dd>; 2],
+    beside: &[Orientation<Exact>; 2],
 ) -> bool {
     let [f, g] = [sheets.0, sheets.1].map(|s| placed(geometry, s, beside));
-    let passes = |f: &[Curve<Dd>; 2], g: &[Curve<Dd>; 2], end: usize| {
+    let passes = |f: &[Curve<Exact>; 2], g: &[Curve<Exact>; 2], end: usize| {
         let p = f.map(|c| [c.start, c.end][end]);
         let [m, n] = [f, g].map(|c| c[0].normal(p[0]));
         let opposite = m.dot(n).is_negative();
@@ -49,13 +48,13 @@ pub(crate) fn pinched(
 pub(crate) fn swallowed(
     geometry: &Geometry,
     (f, g): (u32, u32),
-    beside: &[Orientation<Dd>; 2],
+    beside: &[Orientation<Exact>; 2],
 ) -> Option<u32> {
     [(f, g), (g, f)]
         .into_iter()
         .find(|&(short, long)| {
             let [short, long] = [short, long].map(|s| placed(geometry, s, beside));
-            is_passed(&long, short.map(|c| c.point(Dd::ZERO)))
+            is_passed(&long, short.map(|c| c.point(Exact::ZERO)))
         })
         .map(|pair| pair.0)
 }
@@ -65,23 +64,23 @@ impl Pinch {
     pub(crate) fn moves(&self, geometry: &Geometry, clusters: &Clusters, place: f64) -> bool {
         let beside = turns_beside(clusters, self.at);
         let [f, g] = [self.sheet, self.other].map(|s| placed(geometry, s, &beside));
-        is_passed(&g, f.map(|c| c.point(Dd::from(place))))
+        is_passed(&g, f.map(|c| c.point(Exact::from(place))))
     }
 }
 
 /// Just below and just above a cluster.
-pub(crate) fn turns_beside(clusters: &Clusters, at: u32) -> [Orientation<Dd>; 2] {
+pub(crate) fn turns_beside(clusters: &Clusters, at: u32) -> [Orientation<Exact>; 2] {
     let (below, above) = clusters.exactly_beside(at);
     [below, above].map(Orientation::by)
 }
 
 /// A sheet's curves at two orientations.
-fn placed(geometry: &Geometry, sheet: u32, turns: &[Orientation<Dd>; 2]) -> [Curve<Dd>; 2] {
+fn placed(geometry: &Geometry, sheet: u32, turns: &[Orientation<Exact>; 2]) -> [Curve<Exact>; 2] {
     [0, 1].map(|k: usize| geometry.curve(sheet, &turns[k]))
 }
 
 /// Whether a curve passes a point that is beside it before and after.
-fn is_passed(curve: &[Curve<Dd>; 2], point: [Point<Dd>; 2]) -> bool {
+fn is_passed(curve: &[Curve<Exact>; 2], point: [Point<Exact>; 2]) -> bool {
     let sides = [0, 1].map(|k: usize| curve[k].is_free(point[k]));
     matches!(sides, [Some(a), Some(b)] if a != b)
 }

@@ -1,8 +1,7 @@
 //! Where branches lie along the contact curve of a sheet at one orientation.
 
-use crate::contact::{Curve, Cycle, Geometry, Orientation, Precision};
+use crate::contact::{Curve, Cycle, Exact, Geometry, Orientation, Precision};
 use crate::geometry::{Point, Vector};
-use crate::number::Dd;
 
 use crate::general::events::branch::Branch;
 
@@ -81,26 +80,26 @@ impl<'a, T: Precision> Placing<'a, T> {
     }
 }
 
-impl Placing<'_, Dd> {
+impl Placing<'_, Exact> {
     /// The place of a branch, and how far rounding may have moved it (length): circles are known by their centres, and the larger
     /// they are and the blunter they cross, the worse a place is known.
-    pub(crate) fn place_and_rounding(&self, b: &Branch) -> (Dd, f64) {
+    pub(crate) fn place_and_rounding(&self, b: &Branch) -> (Exact, f64) {
         let (other, v) = self.crossed_by(b);
-        let radius = |s: u32| Dd::locus(self.geometry, s).radius.to_f64().abs();
+        let radius = |s: u32| Exact::locus(self.geometry, s).radius.to_f64().abs();
         let size = radius(self.index).max(radius(b.other(self.index))).max(1.0);
         let sharpness = self.sharpness_at(&other, v).max(f64::MIN_POSITIVE);
-        (self.curve.length_to(v), Dd::EPSILON * size / sharpness)
+        (self.curve.length_to(v), Exact::EPSILON * size / sharpness)
     }
 
     /// The point at a place, rounded.
-    pub(crate) fn point(&self, place: Dd) -> Point {
-        self.curve.point(place).map(Dd::to_f64)
+    pub(crate) fn point(&self, place: Exact) -> Point {
+        self.curve.point(place).map(Exact::to_f64)
     }
 
     /// Whether the line or circle of another sheet lies further out than the place, in a direction.
-    pub(crate) fn is_covered_by(&self, place: Dd, other: u32, outward: Vector) -> bool {
+    pub(crate) fn is_covered_by(&self, place: Exact, other: u32, outward: Vector) -> bool {
         let other = self.geometry.curve(other, &self.at);
-        let outward = outward.map(Dd::from);
+        let outward = outward.map(Exact::from);
         !other.height(self.curve.point(place), outward).is_negative()
     }
 }

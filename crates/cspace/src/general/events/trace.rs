@@ -1,8 +1,7 @@
 //! The branches of crossings of two sheets, between the events at which crossings come and go.
 
-use crate::contact::{Geometry, Orientation, Sheet, crossings};
+use crate::contact::{Exact, Geometry, Orientation, Sheet, crossings};
 use crate::geometry::Rotation;
-use crate::number::Dd;
 use crate::parallel;
 
 use crate::general::broad::candidates::PairRun;
@@ -186,7 +185,7 @@ impl Tracer<'_> {
 }
 
 /// Whether the curves of two sheets lie on one line or circle at an orientation.
-fn coincide(geometry: &Geometry, run: &PairRun, theta: Dd) -> bool {
+fn coincide(geometry: &Geometry, run: &PairRun, theta: Exact) -> bool {
     /// Orientations at which circles become one are known to the square root of the rounding (length, and sine of an angle).
     const SAME: f64 = 1e-14;
     let turn = Rotation::by(theta);
@@ -195,7 +194,7 @@ fn coincide(geometry: &Geometry, run: &PairRun, theta: Dd) -> bool {
 }
 
 /// For each root whether the curves cross there in double-double, and if so whether the first enters.
-fn exact_crossings_between(geometry: &Geometry, run: &PairRun, theta: Dd) -> [Option<bool>; 2] {
+fn exact_crossings_between(geometry: &Geometry, run: &PairRun, theta: Exact) -> [Option<bool>; 2] {
     let at = Orientation::by(theta);
     let [f, g] = [run.first, run.second].map(|s| geometry.curve(s, &at));
     crossings(&f, &g, corners(geometry, run))

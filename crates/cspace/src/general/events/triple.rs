@@ -5,9 +5,9 @@
 
 use std::collections::HashMap;
 
-use crate::contact::{Geometry, Orientation};
+use crate::contact::{Exact, Geometry, Orientation};
 use crate::grouped::Grouped;
-use crate::number::{Dd, TrigPolynomial};
+use crate::number::TrigPolynomial;
 use crate::parallel;
 
 use crate::general::cells::active::Active;
@@ -135,14 +135,14 @@ struct Search<'a> {
 struct Window<'w, 'a> {
     active: &'w [u32],
     /// From the beginning of the one cluster to the end of the other.
-    lo: Dd,
-    hi: Dd,
+    lo: Exact,
+    hi: Exact,
     /// For every two of its branches, by their indices, the events found: a range of the list of events.
     found: Vec<Option<(u32, u32)>>,
     /// Where branches are, in a narrow window: of each that was asked for, if it can be told.
     samples: Vec<Option<Option<Sample>>>,
     /// The sheet at the beginning, in the middle and at the end of a narrow window.
-    placings: Option<[Placing<'a, Dd>; 3]>,
+    placings: Option<[Placing<'a, Exact>; 3]>,
 }
 
 impl<'a> Search<'a> {
@@ -176,7 +176,7 @@ impl<'a> Search<'a> {
     }
 
     /// Looks at a part of a window, and again at its pieces if some branches pass each other.
-    fn slab(&mut self, window: &mut Window<'_, 'a>, lo: Dd, hi: Dd) {
+    fn slab(&mut self, window: &mut Window<'_, 'a>, lo: Exact, hi: Exact) {
         let mut gaps = core::mem::take(&mut self.gaps);
         gaps.arrange(
             self.geometry,

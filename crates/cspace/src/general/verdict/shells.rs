@@ -1,9 +1,8 @@
 //! Shells: cells that hang together, and whether they bound free space.
 
-use crate::contact::{Curve, Cycle, Geometry, Orientation};
+use crate::contact::{Curve, Cycle, Exact, Geometry, Orientation};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::grouped::Grouped;
-use crate::number::Dd;
 use crate::parallel;
 use crate::union_find::UnionFind;
 
@@ -356,11 +355,11 @@ impl ShellFinder<'_> {
     }
 
     /// The same place along the curve in double-double.
-    fn exact_place(&self, cell: &Cell, share: f64) -> (Placing<'_, Dd>, Dd) {
+    fn exact_place(&self, cell: &Cell, share: f64) -> (Placing<'_, Exact>, Exact) {
         let turn = Orientation::by(self.clusters.exact_between(cell.from, cell.to));
         let placing = Placing::new(self.geometry, cell.sheet, turn);
         let (from, to) = placing.ends();
-        let place = |b: u32, end: Dd| {
+        let place = |b: u32, end: Exact| {
             if b == END {
                 end
             } else {

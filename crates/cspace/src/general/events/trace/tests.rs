@@ -84,8 +84,8 @@ fn crossings_come_and_go_at_events() {
             let run = PairRun {
                 first,
                 second,
-                lo: Dd::from(lo),
-                hi: Dd::from(hi),
+                lo: Exact::from(lo),
+                hi: Exact::from(hi),
             };
             let found = pair_events(&geometry, &[run]);
             let events = found.of(0);
@@ -111,14 +111,14 @@ fn crossings_come_and_go_at_events() {
             let near = |t: f64| events.iter().any(|e| (e.theta.to_f64() - t).abs() < 1e-6);
             let clear = (looked.iter().zip(&now)).filter(|(t, _)| !near(**t));
             for (&t, c) in clear.step_by(4) {
-                let exact = exact_crossings_between(&geometry, &run, Dd::from(t));
+                let exact = exact_crossings_between(&geometry, &run, Exact::from(t));
                 assert_eq!(exact, *c, "{f:?} {g:?} {t}");
                 alike += 1;
             }
             for (t, c) in looked.windows(2).zip(now.windows(2)) {
                 if c[0] != c[1] {
                     changed += 1;
-                    let [before, after] = [t[0], t[1]].map(Dd::from);
+                    let [before, after] = [t[0], t[1]].map(Exact::from);
                     let between = |e: &Moment| before <= e.theta && e.theta <= after;
                     assert!(
                         events.iter().any(between),

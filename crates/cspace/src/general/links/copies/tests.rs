@@ -1,8 +1,8 @@
 //! Copies of chains against their definition: every shift is tried and its interval cut with the window.
 
 use super::*;
+use crate::contact::Exact;
 use crate::general::events::clusters::Moment;
-use crate::number::Dd;
 
 const SLABS: u32 = 3;
 const PERIOD: f64 = TAU / 3.0;
@@ -22,7 +22,7 @@ const fn window(lo: f64, hi: f64, full_turn: bool) -> Window {
 
 fn clusters() -> Clusters {
     let event = |theta: f64| Moment {
-        theta: Dd::from(theta),
+        theta: Exact::from(theta),
         error: 0.0,
     };
     Clusters::new(PHASES.map(event))
