@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use cspace::Point;
 use cspace_drawing::Pick;
+use cspace_io::model::Setting;
 
 use crate::angle;
 use crate::failure::Failure;
@@ -117,11 +118,33 @@ pub(crate) enum Format {
     Json,
 }
 
+/// Values of parameters.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct SetArgs {
+    /// Give a parameter of the model another value: a number, an angle such as 18deg, or an expression; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    pub(crate) set: Vec<Setting>,
+}
+
+/// A parameter and its value.
+fn setting(text: &str) -> Result<Setting, String> {
+    let (name, value) = text
+        .split_once('=')
+        .ok_or("give it as NAME=VALUE, such as --set pin=6.2")?;
+    Ok(Setting {
+        name: name.trim().to_owned(),
+        value: value.trim().to_owned(),
+    })
+}
+
 /// What all commands that take a file have.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct Common {
     /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`; - is standard input
     pub(crate) file: PathBuf,
+
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
 
     /// The pair: names of its fixed and its moving part
     #[arg(long, value_name = "FIXED,MOVING")]
@@ -423,6 +446,8 @@ pub(crate) struct EscapeArgs {
 pub(crate) struct AssemblyArgs {
     /// A model (.toml, .json); - is standard input
     pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
     /// How far parts that touch are opened, in the model's unit [default: a millionth of the assembly's size]
     #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
     pub(crate) gap: Option<f64>,
@@ -437,6 +462,8 @@ pub(crate) struct AssemblyArgs {
 pub(crate) struct ClashArgs {
     /// A model (.toml, .json); - is standard input
     pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
     /// This pair alone: names of its two parts
     #[arg(long, value_name = "FIRST,SECOND")]
     pub(crate) pair: Option<String>,
@@ -461,6 +488,8 @@ pub(crate) struct ClashArgs {
 pub(crate) struct SimulateArgs {
     /// A model (.toml, .json); - is standard input
     pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
     /// How long, in seconds
     #[arg(long, value_name = "T", value_parser = duration, allow_negative_numbers = true)]
     pub(crate) time: f64,
@@ -540,6 +569,8 @@ pub(crate) struct ViewArgs {
     /// A model (.toml, .json), a contact space saved by `cspace export FILE -o OUT.json`, or a drawing (.dxf, .svg), whose faces are
     /// picked as parts; - is a model on standard input
     pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
 
     /// Show this pair alone: names of its fixed and its moving part
     #[arg(long, value_name = "FIXED,MOVING")]
@@ -588,6 +619,7 @@ impl ViewArgs {
     pub(crate) fn common(&self) -> Common {
         Common {
             file: self.file.clone(),
+            values: self.values.clone(),
             pair: self.pair.clone(),
             general: self.general,
             snap: self.snap,

@@ -4,16 +4,19 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use cspace_drawing::{Drawing, DrawingError, Source};
-use cspace_io::{Document, Host, Refused};
+use cspace_io::model::Parameter;
+use cspace_io::shown::number;
+use cspace_io::{Document, Host, Model, Refused};
 
+use crate::args::SetArgs;
 use crate::failure::{Failure, note};
 use crate::output::{self, ANOTHER, OVER_INPUT, STANDARD};
 
 /// The name of standard input in messages.
 const STDIN: &str = "standard input";
 
-/// The model or saved space that FILE names, and how messages call it.
-pub(crate) fn document(file: &Path) -> Result<(PathBuf, Document), Failure> {
+/// The model or saved space that FILE names, with the values that its parameters are given, and how messages call it.
+pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Document), Failure> {
     let refused = |_: Failure| Refused {
         message: OVER_INPUT.to_owned(),
         help: ANOTHER.to_owned(),
@@ -22,15 +25,47 @@ pub(crate) fn document(file: &Path) -> Result<(PathBuf, Document), Failure> {
     let host = Host {
         guard: &guard,
         note: &|text| note(format_args!("{text}")),
+        set: &values.set,
     };
-    if file == Path::new(STANDARD) {
+    let (path, mut document) = if file == Path::new(STANDARD) {
         output::before_reading_stdin()?;
         let read = cspace_io::read_from_hosted(std::io::stdin().lock(), STDIN, &host)?;
-        Ok((PathBuf::from(STDIN), read))
+        (PathBuf::from(STDIN), read)
     } else {
         output::before_reading(file)?;
-        Ok((file.to_owned(), cspace_io::read_hosted(file, &host)?))
+        (file.to_owned(), cspace_io::read_hosted(file, &host)?)
+    };
+    match &mut document {
+        Document::Model(model) => {
+            let Model {
+                mechanism,
+                parameters,
+            } = &mut **model;
+            let values = values_of(parameters);
+            if !values.is_empty() {
+                note(format_args!("{}: with {values}", path.display()));
+                mechanism.name.push_str(&format!(" ({values})"));
+            }
+        }
+        Document::Space(_) if values.set.is_empty() => {}
+        Document::Space(_) => {
+            return Err(Failure::input(format_args!(
+                "{}: --set is about parameters of models, and the file is a saved contact space",
+                path.display()
+            ))
+            .help("give the model file"));
+        }
     }
+    Ok((path, document))
+}
+
+/// The values that were set, such as `pin = 6.2, n = 4`.
+fn values_of(parameters: &[Parameter]) -> String {
+    let set = parameters.iter().filter(|p| p.is_set);
+    let values: Vec<String> = set
+        .map(|p| format!("{} = {}", p.name, number(p.value)))
+        .collect();
+    values.join(", ")
 }
 
 /// A drawing. An error of what is in it is for the caller to tell.

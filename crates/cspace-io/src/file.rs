@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::Path;
 
 use crate::ModelError;
+use crate::model::Setting;
 
 /// The reason why a file is not to be opened, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,14 +21,17 @@ pub struct Host<'a> {
     pub guard: &'a dyn Fn(&Path) -> Result<(), Refused>,
     /// The receiver of remarks for whoever reads the model, such as that a drawing is converted from another unit.
     pub note: &'a dyn Fn(&str),
+    /// Values of a model's parameters in place of those in the file; of two for one parameter the last counts.
+    pub set: &'a [Setting],
 }
 
 impl Default for Host<'_> {
-    /// Every file may be opened, and remarks are dropped.
+    /// Every file may be opened, remarks are dropped, and parameters have the values of the file.
     fn default() -> Self {
         Self {
             guard: &|_| Ok(()),
             note: &|_| (),
+            set: &[],
         }
     }
 }

@@ -16,5 +16,5 @@ pub mod write;
 pub use angle::parse_angle;
 pub use cspace::LARGEST_ANGLE;
 pub use file::{Host, Refused};
-pub use model::ModelError;
+pub use model::{Model, ModelError};
 pub use saved::{Document, SavedFile, read, read_from, read_from_hosted, read_hosted};

@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("a space is no mechanism".into());
     };
     let begin = Instant::now();
-    let simulation = Simulation::new(&model)?;
+    let simulation = Simulation::new(&model.mechanism)?;
     let prepared = begin.elapsed();
     let time: f64 = time.parse()?;
     // Samples at the two ends alone, so that steps are what takes the time.

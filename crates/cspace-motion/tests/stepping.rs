@@ -10,7 +10,7 @@ use cspace_motion::{EventKind, Record, Settings, SimulateError, Simulation, Stat
 
 fn prepared(document: cspace_io::Document) -> Simulation {
     match document {
-        cspace_io::Document::Model(model) => Simulation::new(&model).unwrap(),
+        cspace_io::Document::Model(model) => Simulation::new(&model.mechanism).unwrap(),
         cspace_io::Document::Space(_) => panic!("it is a model"),
     }
 }

@@ -59,7 +59,7 @@ pub(crate) fn run(args: &AssemblyArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (path, model) = read_model(&args.file, "an assembly is all of its parts")?;
+    let (path, model) = read_model(&args.file, &args.values, "an assembly is all of its parts")?;
     let begin = Instant::now();
     let failed = |error: AssemblyError| failure(&path, error);
     let assembly = Assembly::new(&model, args.gap).map_err(failed)?;

@@ -55,7 +55,11 @@ pub(crate) fn run(args: &ClashArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (path, model) = read_model(&args.file, "what clashes is told of all of its parts")?;
+    let (path, model) = read_model(
+        &args.file,
+        &args.values,
+        "what clashes is told of all of its parts",
+    )?;
     let pair = (args.pair.as_ref())
         .map(|names| named_pair(&path, &model, names))
         .transpose()?;

@@ -9,9 +9,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::{Mechanism, PairClass, PairEntry};
-use cspace_io::{Document, SavedFile};
+use cspace_io::model::Parameter;
+use cspace_io::{Document, Model, SavedFile};
 
-use crate::args::Common;
+use crate::args::{Common, SetArgs};
 use crate::failure::{Failure, note, warning};
 use crate::input;
 use crate::interrupt::catch_interrupts;
@@ -30,6 +31,8 @@ pub(crate) enum Subject {
         path: PathBuf,
         /// What it says.
         model: Box<Mechanism>,
+        /// The names of its numbers.
+        parameters: Vec<Parameter>,
     },
     /// A configuration space that was computed before.
     Saved(Box<SavedFile>),
@@ -59,10 +62,14 @@ pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
 }
 
 /// Reads a model of which all parts are wanted; `why` says so of a file that has none.
-pub(crate) fn read_model(file: &Path, why: &str) -> Result<(PathBuf, Box<Mechanism>), Failure> {
-    let (path, document) = input::document(file)?;
+pub(crate) fn read_model(
+    file: &Path,
+    values: &SetArgs,
+    why: &str,
+) -> Result<(PathBuf, Box<Mechanism>), Failure> {
+    let (path, document) = input::document(file, values)?;
     match document {
-        Document::Model(model) => Ok((path, model)),
+        Document::Model(model) => Ok((path, Box::new(model.mechanism))),
         Document::Space(_) => Err(Failure::input(format_args!(
             "{}: the file is a saved contact space of two parts",
             path.display()
@@ -109,13 +116,24 @@ impl Subject {
         output::check(output)?;
         catch_interrupts();
         set_threads(common.threads)?;
-        let (path, document) = input::document(&common.file)?;
+        let (path, document) = input::document(&common.file, &common.values)?;
         Ok(match document {
-            Document::Model(model) if common.snap => Self::Model {
-                model: snapped(&path, &model),
-                path,
-            },
-            Document::Model(model) => Self::Model { path, model },
+            Document::Model(read) => {
+                let Model {
+                    mechanism,
+                    parameters,
+                } = *read;
+                let model = if common.snap {
+                    snapped(&path, &mechanism)
+                } else {
+                    Box::new(mechanism)
+                };
+                Self::Model {
+                    path,
+                    model,
+                    parameters,
+                }
+            }
             Document::Space(_) if common.snap => {
                 return Err(Failure::input(format_args!(
                     "{}: --snap is about models, and the file is a saved contact space",
@@ -131,7 +149,7 @@ impl Subject {
     pub(crate) fn warn(&self) {
         /// More of them tell nothing new.
         const MOST: usize = 8;
-        let Self::Model { path, model } = self else {
+        let Self::Model { path, model, .. } = self else {
             return;
         };
         let slips = cspace_io::model::slips(model);
@@ -148,7 +166,7 @@ impl Subject {
 
     /// Says on stderr of which parts fewer lines and arcs could be made, and how.
     pub(crate) fn tell_traces(&self) {
-        if let Self::Model { path, model } = self {
+        if let Self::Model { path, model, .. } = self {
             let file = quoted(path);
             traces::tell(model, |fit| {
                 format!(
@@ -217,7 +235,7 @@ impl Subject {
     /// The pair that was named, or all of the file, in the window if there is one.
     fn all(&self, common: &Common, window: Option<(f64, f64)>) -> Result<Vec<Chosen<'_>>, Failure> {
         let (path, model) = match self {
-            Self::Model { path, model } => (path, model),
+            Self::Model { path, model, .. } => (path, model),
             Self::Saved(file) => {
                 let space = &file.space;
                 if window.is_some() {

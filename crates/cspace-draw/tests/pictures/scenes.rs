@@ -15,7 +15,7 @@ fn root() -> PathBuf {
 
 pub(crate) fn model(name: &str) -> Mechanism {
     match cspace_io::read(root().join("models").join(name)).unwrap() {
-        Document::Model(model) => *model,
+        Document::Model(model) => model.mechanism,
         Document::Space(_) => panic!("{name} is a space"),
     }
 }

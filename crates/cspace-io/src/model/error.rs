@@ -28,6 +28,8 @@ struct Inner {
     file: String,
     position: Option<(usize, usize)>,
     place: Place,
+    /// How many characters behind the beginning of the place.
+    further: usize,
     message: String,
     help: Option<String>,
 }
@@ -57,9 +59,15 @@ impl ModelError {
         self
     }
 
-    /// At a line and column, counted from 1.
+    /// At so many characters behind the beginning of its place.
+    pub(super) fn further_by(mut self, characters: usize) -> Self {
+        self.0.further = characters;
+        self
+    }
+
+    /// At a place that begins at a line and column, counted from 1.
     pub(crate) fn at(mut self, position: Option<(usize, usize)>) -> Self {
-        self.0.position = position;
+        self.0.position = position.map(|(line, column)| (line, column + self.0.further));
         self
     }
 

@@ -9,6 +9,7 @@ use super::dynamics::read_dynamics;
 use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column};
 use super::node::Node;
+use super::parameters::{Entry, Parameter, Parameters};
 use super::parts::read_parts;
 use super::place::Place;
 use super::relations::{read_joints, read_pairs};
@@ -25,9 +26,10 @@ const LARGEST_JSON: u64 = 64 << 20;
 pub const MOST_PARTS: usize = 1000;
 
 /// Keys of the file itself. `$schema` is for editors, which complete and check the file by the schema it names.
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 13] = [
     "name",
     "unit",
+    "parameter",
     "part",
     "joint",
     "pair",
@@ -39,6 +41,15 @@ const KEYS: [&str; 12] = [
     "load",
     "spring",
 ];
+
+/// A model as a file says it: a mechanism, and the parameters that its numbers are expressions of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// Parts, motions, joints and pairs, in numbers.
+    pub mechanism: Mechanism,
+    /// The model's parameters, by name.
+    pub parameters: Vec<Parameter>,
+}
 
 /// How many bytes are read of a model of this name.
 fn largest(path: &Path) -> u64 {
@@ -64,14 +75,11 @@ fn largest(path: &Path) -> u64 {
 /// # Errors
 /// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
 pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelError> {
-    read_hosted(path.as_ref(), &Host::default())
+    read_hosted(path.as_ref(), &Host::default()).map(|m| m.mechanism)
 }
 
 /// As [`read`], on behalf of a program that has been asked about the model already.
-pub(crate) fn read_hosted(
-    path: &Path,
-    host: &Host<'_>,
-) -> core::result::Result<Mechanism, ModelError> {
+pub(crate) fn read_hosted(path: &Path, host: &Host<'_>) -> core::result::Result<Model, ModelError> {
     let extension = extension(path);
     if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
         let message = match extension.as_str() {
@@ -96,7 +104,7 @@ pub(crate) fn from_text(
     path: &Path,
     text: &str,
     host: &Host<'_>,
-) -> core::result::Result<Mechanism, ModelError> {
+) -> core::result::Result<Model, ModelError> {
     let file = path.display().to_string();
     // It may have been read as a saved space, which may be longer.
     let limit = largest(path);
@@ -112,8 +120,8 @@ pub(crate) fn from_text(
     } else {
         toml_in(text, &file, &files)
     }?;
-    if model.name.is_empty() {
-        model.name = path
+    if model.mechanism.name.is_empty() {
+        model.mechanism.name = path
             .file_stem()
             .map(|s| shown::text(&s.to_string_lossy()).into_owned())
             .unwrap_or_default();
@@ -136,14 +144,14 @@ pub(crate) fn from_text(
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    toml_in(text, file, &Files::beside(file, &Host::default()))
+    toml_in(text, file, &Files::beside(file, &Host::default())).map(|m| m.mechanism)
 }
 
 pub(crate) fn toml_in(
     text: &str,
     file: &str,
     files: &Files<'_>,
-) -> core::result::Result<Mechanism, ModelError> {
+) -> core::result::Result<Model, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = toml::from_str(text).map_err(|e| {
@@ -156,7 +164,7 @@ pub(crate) fn toml_in(
         let position = in_toml(text, e.tree_place());
         e.at(position).in_file(file)
     };
-    let (model, notes) = from_tree(&tree, files).map_err(placed)?;
+    let (model, notes) = from_tree(tree, files).map_err(placed)?;
     for note in notes {
         (files.host.note)(&placed(note).to_string());
     }
@@ -175,14 +183,14 @@ pub(crate) fn toml_in(
 /// # Errors
 /// If the text is no model; the error names the line, part, loop and vertex.
 pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    json_in(text, file, &Files::beside(file, &Host::default()))
+    json_in(text, file, &Files::beside(file, &Host::default())).map(|m| m.mechanism)
 }
 
 pub(crate) fn json_in(
     text: &str,
     file: &str,
     files: &Files<'_>,
-) -> core::result::Result<Mechanism, ModelError> {
+) -> core::result::Result<Model, ModelError> {
     let text = without_mark(text);
     not_empty(text).map_err(|e| e.in_file(file))?;
     let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
@@ -190,7 +198,7 @@ pub(crate) fn json_in(
         let position = in_json(text, e.tree_place());
         e.at(position).in_file(file)
     };
-    let (model, notes) = from_tree(&tree, files).map_err(placed)?;
+    let (model, notes) = from_tree(tree, files).map_err(placed)?;
     for note in notes {
         (files.host.note)(&placed(note).to_string());
     }
@@ -230,7 +238,30 @@ fn not_empty(text: &str) -> Result<()> {
 }
 
 /// The model, and what whoever reads it should know.
-fn from_tree(tree: &Node, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
+fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
+    let place = Place::default().key("parameter");
+    let given = match &mut tree {
+        Node::Table(entries) => entries.remove("parameter"),
+        _ => None,
+    };
+    let mut parameters = Parameters::read(given.as_ref(), &place, files.host.set)?;
+    let failures = parameters.replace(&mut tree);
+    let (mechanism, mut notes) = mechanism(&tree, files).map_err(|error| {
+        let explained = failures.iter().find_map(|f| f.explains(&error));
+        explained.unwrap_or(error)
+    })?;
+    let words = |entry: &Entry| entry.words(&mechanism);
+    let (parameters, unused) = parameters.used(&place, words)?;
+    notes.extend(unused);
+    let model = Model {
+        mechanism,
+        parameters,
+    };
+    Ok((model, notes))
+}
+
+/// The mechanism in a tree without expressions.
+fn mechanism(tree: &Node, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
     let root = Place::default();
     let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
     let parts = table

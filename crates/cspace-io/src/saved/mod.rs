@@ -14,12 +14,12 @@ mod trust;
 use std::path::Path;
 
 use cspace::pair::PairData;
-use cspace::{ContactSpace, FixedAxesSpace, LowerPair, Mechanism, PairSpace};
+use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
 use serde_json::value::RawValue;
 
 use crate::file::{Host, extension, read_text, text_of, without_mark};
 use crate::model::{Files, no_json};
-use crate::{ModelError, model};
+use crate::{Model, ModelError, model};
 
 use check::{check_angles, check_names, is_plain};
 use error::{AGAIN, wrong};
@@ -33,7 +33,7 @@ const LARGEST: u64 = 1 << 30;
 #[derive(Debug)]
 pub enum Document {
     /// Parts, motions, joints and pairs.
-    Model(Box<Mechanism>),
+    Model(Box<Model>),
     /// The configuration space of a pair that was computed before.
     Space(Box<SavedFile>),
 }
@@ -124,7 +124,7 @@ impl SavedFile {
 /// # let path = folder.path().join("pin.toml");
 /// std::fs::write(&path, "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n")?;
 /// match cspace_io::read(&path)? {
-///     Document::Model(model) => assert_eq!(model.parts.len(), 1),
+///     Document::Model(model) => assert_eq!(model.mechanism.parts.len(), 1),
 ///     Document::Space(_) => unreachable!(),
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -186,8 +186,8 @@ pub fn read_from_hosted(
     } else {
         model::toml_in(&text, file, &Files::beside(file, host))
     }?;
-    if model.name.is_empty() {
-        file.clone_into(&mut model.name);
+    if model.mechanism.name.is_empty() {
+        file.clone_into(&mut model.mechanism.name);
     }
     Ok(Document::Model(Box::new(model)))
 }

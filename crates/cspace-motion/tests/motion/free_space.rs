@@ -22,8 +22,8 @@ fn driven() -> Vec<(String, Mechanism)> {
         }
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         match cspace_io::read(&path).unwrap() {
-            cspace_io::Document::Model(model) if !model.dynamics.drives.is_empty() => {
-                models.push((name, *model));
+            cspace_io::Document::Model(model) if !model.mechanism.dynamics.drives.is_empty() => {
+                models.push((name, model.mechanism));
             }
             _ => {}
         }

@@ -72,7 +72,7 @@ pub(crate) fn at(record: &Record, time: f64) -> &[f64] {
 pub(crate) fn model(name: &str) -> Mechanism {
     let path = format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     match cspace_io::read(std::path::Path::new(&path)).unwrap() {
-        cspace_io::Document::Model(model) => *model,
+        cspace_io::Document::Model(model) => model.mechanism,
         cspace_io::Document::Space(_) => panic!("{name} is a model"),
     }
 }

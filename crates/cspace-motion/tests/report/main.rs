@@ -13,7 +13,7 @@ use cspace_motion::{Record, Report, Settings, Simulation};
 fn model(name: &str) -> Mechanism {
     let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models");
     match cspace_io::read(models.join(format!("{name}.toml"))).unwrap() {
-        cspace_io::Document::Model(model) => *model,
+        cspace_io::Document::Model(model) => model.mechanism,
         cspace_io::Document::Space(_) => panic!("{name} is a model"),
     }
 }

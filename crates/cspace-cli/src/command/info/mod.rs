@@ -8,6 +8,7 @@ use core::f64::consts::PI;
 
 use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Edge, PairClass, PairSpace, Part};
+use cspace_io::model::Parameter;
 use serde::Serialize;
 
 use self::dynamics::{Forces, PartMotion, SurfaceInfo, forces, part_motion, surface};
@@ -21,11 +22,27 @@ struct Info {
     name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     unit: Option<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parameters: Vec<ParameterInfo>,
     parts: Vec<PartInfo>,
     joints: Vec<JointInfo>,
     pairs: Vec<PairInfo>,
     #[serde(flatten)]
     forces: Forces,
+}
+
+#[derive(Serialize)]
+struct ParameterInfo {
+    name: String,
+    value: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    expression: Option<String>,
+    /// Whether the value was given with `--set`.
+    set: bool,
+    /// How far below and above the value it may be.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    deviations: Option<[f64; 2]>,
+    used_by: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -129,9 +146,12 @@ fn answer(common: &Common, args: &InfoArgs) -> Result<Answer, Failure> {
 fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
     let pairs = pairs.iter().map(|p| pair_info(subject, p)).collect();
     match subject {
-        Subject::Model { model, .. } => Info {
+        Subject::Model {
+            model, parameters, ..
+        } => Info {
             name: model.name.clone(),
             unit: model.unit.clone(),
+            parameters: parameters.iter().map(parameter_info).collect(),
             parts: (model.parts.iter().enumerate())
                 .map(|(i, p)| part_info(&p.part, p.axis, part_motion(model, i)))
                 .collect(),
@@ -150,6 +170,7 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
             Info {
                 name: file.name.clone().unwrap_or_else(parts),
                 unit: file.unit.clone(),
+                parameters: Vec::new(),
                 parts: saved_parts(space),
                 joints: match space {
                     PairSpace::Lower(pair) => {
@@ -161,6 +182,17 @@ fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
                 forces: Forces::default(),
             }
         }
+    }
+}
+
+fn parameter_info(p: &Parameter) -> ParameterInfo {
+    ParameterInfo {
+        name: p.name.clone(),
+        value: p.value,
+        expression: p.expression.clone(),
+        set: p.is_set,
+        deviations: p.deviations.map(|(below, above)| [below, above]),
+        used_by: p.used_by.clone(),
     }
 }
 

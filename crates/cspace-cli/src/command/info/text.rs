@@ -7,7 +7,50 @@ use cspace_io::shown;
 use crate::wording::{angle, count, length, symmetry};
 
 use super::dynamics_text::{forces, part, surface};
-use super::{Info, MotionInfo};
+use super::{Info, MotionInfo, ParameterInfo};
+
+/// A line for each parameter: name, value, how it is written or how far it may vary, and what depends on it.
+fn parameters(text: &mut String, all: &[ParameterInfo]) -> fmt::Result {
+    /// More users than these are counted.
+    const SHOWN: usize = 4;
+    if all.is_empty() {
+        return Ok(());
+    }
+    writeln!(text, "\nparameters")?;
+    let width = |of: &dyn Fn(&ParameterInfo) -> usize| all.iter().map(of).max().unwrap_or(0);
+    let named = width(&|p| p.name.chars().count());
+    let values: Vec<String> = (all.iter())
+        .map(|p| shown::number(p.value).to_string())
+        .collect();
+    let valued = values.iter().map(String::len).max().unwrap_or(0);
+    for (p, value) in all.iter().zip(values) {
+        write!(text, "  {:named$} = {value:valued$}", p.name)?;
+        match p.deviations {
+            Some([below, above]) if below == above => write!(text, " ± {}", shown::number(above))?,
+            Some([below, above]) => {
+                write!(text, " +{} −{}", shown::number(above), shown::number(below))?;
+            }
+            None => {}
+        }
+        if let Some(expression) = &p.expression {
+            write!(text, "  = {expression}")?;
+        }
+        if p.set {
+            write!(text, "  set here")?;
+        }
+        let users = &p.used_by[..p.used_by.len().min(SHOWN)];
+        let more = p.used_by.len() - users.len();
+        match users {
+            [] => write!(text, "  used by nothing")?,
+            _ => write!(text, "  used by {}", users.join(", "))?,
+        }
+        if more > 0 {
+            write!(text, " and {more} more")?;
+        }
+        writeln!(text)?;
+    }
+    Ok(())
+}
 
 pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
     let unit = info
@@ -15,6 +58,7 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
         .as_ref()
         .map_or(String::new(), |u| format!(" {u}"));
     writeln!(text, "{}", info.name)?;
+    parameters(text, &info.parameters)?;
     writeln!(text, "\nparts")?;
     for p in &info.parts {
         writeln!(text, "  {}", p.name)?;

@@ -35,7 +35,11 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (path, model) = read_model(&args.file, "a simulation is of all of its parts")?;
+    let (path, model) = read_model(
+        &args.file,
+        &args.values,
+        "a simulation is of all of its parts",
+    )?;
     let mode = mode_of(&path, &model, args)?;
     let options = picture::options(args, &model)?;
     let step = scheme::step(args, mode)?;

@@ -72,7 +72,7 @@ fn of_file(root: &Path, path: &Path, all: &mut Vec<Item>) {
         .display()
         .to_string();
     let model = match cspace_io::read(path) {
-        Ok(Document::Model(model)) => model,
+        Ok(Document::Model(model)) => Box::new(model.mechanism),
         Ok(Document::Space(_)) => return,
         Err(error) => {
             let what = Err(error
