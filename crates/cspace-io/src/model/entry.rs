@@ -11,23 +11,26 @@ use super::table::{Result, Table, number};
 use crate::shown::quoted;
 
 /// What a loop may have, in the order in which it is read about.
-pub(super) const ENTRIES: &str = "an entry of a loop is a vertex [x, y] or [x, y, bulge], an arc { arc_to = [x, y], radius = r }, or a rounded corner { fillet = r }";
+pub(super) const ENTRIES: &str = "an entry of a loop is a vertex [x, y] or [x, y, bulge], an arc { arc_to = [x, y], radius = r }, a rounded corner { fillet = r }, or a pattern { repeat = 20, about = [0, 0], path = [...] }";
 
 /// What an entry says.
+#[derive(Debug, Clone, Copy)]
 pub(super) enum Entry {
     /// A vertex; the bulge is of the edge that leaves it.
     Vertex(Vertex),
-    /// A vertex that an arc or a line leads to, and the radius of its fillet.
+    /// A vertex that an arc or a line leads to, the radius of its fillet, and the bulge of the edge that leaves it.
     To {
         to: Point,
         arc: Option<Arc>,
         fillet: Option<f64>,
+        bulge: f64,
     },
     /// The vertex before has a fillet of this radius.
     Fillet(f64),
 }
 
 /// What is known of an arc besides its ends.
+#[derive(Debug, Clone, Copy)]
 pub(super) enum Arc {
     Radius(f64, Direction, ArcSize),
     Through(Point),
@@ -137,6 +140,7 @@ fn read_table(place: Place, node: &Node) -> Result<Entry> {
             to: point(&table, "arc_to")?,
             arc: Some(arc),
             fillet: table.number("fillet")?,
+            bulge: 0.0,
         });
     }
     if table.get("at").is_some() {
@@ -145,6 +149,7 @@ fn read_table(place: Place, node: &Node) -> Result<Entry> {
             to: point(&table, "at")?,
             arc: None,
             fillet: table.number("fillet")?,
+            bulge: 0.0,
         });
     }
     // Anything else that belongs to an arc lacks where the arc ends.

@@ -6,10 +6,12 @@ use cspace::{Point, Vertex};
 use super::entry::{ENTRIES, Entry, read_entry, read_vertex};
 use super::error::ModelError;
 use super::node::Node;
+use super::pattern::{Item, Pattern, written_out};
 use super::place::Place;
 use super::table::{Result, Table};
 
 /// The vertices of a loop.
+#[derive(Clone)]
 pub(super) struct DrawnLoop {
     pub(super) vertices: Vec<Vertex>,
     /// For every vertex the entry it comes from; none where that is its own number.
@@ -26,20 +28,44 @@ impl DrawnLoop {
     }
 }
 
-pub(super) fn read_loop(loops: &Place, index: usize, node: &Node) -> Result<DrawnLoop> {
+/// The loops that a value says: several where it is a pattern.
+pub(super) fn read_loops(loops: &Place, index: usize, node: &Node) -> Result<Vec<DrawnLoop>> {
     let place = || loops.item(index).further(&format!("loop {index}"));
     match node {
         Node::List(nodes) if nodes.iter().any(|n| matches!(n, Node::Table(_))) => {
-            Sketch::new(place()).draw(nodes)
+            Sketch::new(place()).draw(nodes).map(|drawn| vec![drawn])
         }
-        Node::List(nodes) => read_vertices(place, nodes),
-        Node::Table(_) => read_circle(place(), node),
+        Node::List(nodes) => read_vertices(place, nodes).map(|drawn| vec![drawn]),
+        Node::Table(entries) => {
+            let help = "a loop in braces is { circle = r, at = [x, y] } or { path = [...] }, with pattern = { count = 6, about = [0, 0] }";
+            if entries.contains_key("path") {
+                let table = Table::new(node, place(), &["path", "pattern"], help)?;
+                let path = table.list("path", help)?.unwrap_or_default();
+                let drawn = Sketch::new(table.place.key("path")).draw(path)?;
+                return repeated(&table, drawn);
+            }
+            read_circle(place(), node)
+        }
         _ => {
             let message = format!("{} where a list of vertices is expected", node.describe());
             Err(ModelError::new(&place(), message)
                 .with_help("a loop is a list of vertices, [[x, y, bulge], [x, y], ...], or { circle = r, at = [x, y] }"))
         }
     }
+}
+
+/// A loop as often as its table says.
+fn repeated(table: &Table<'_>, drawn: DrawnLoop) -> Result<Vec<DrawnLoop>> {
+    let pattern = Pattern::read(table)?;
+    if pattern.count == 1 {
+        return Ok(vec![drawn]);
+    }
+    let copies = pattern.copies(&drawn.vertices, table)?;
+    let copy = |vertices| DrawnLoop {
+        vertices,
+        entries: drawn.entries.clone(),
+    };
+    Ok(copies.into_iter().map(copy).collect())
 }
 
 /// A loop of vertices alone, of which there may be a million.
@@ -60,9 +86,9 @@ fn read_vertices(place: impl Fn() -> Place, nodes: &[Node]) -> Result<DrawnLoop>
     })
 }
 
-fn read_circle(place: Place, node: &Node) -> Result<DrawnLoop> {
+fn read_circle(place: Place, node: &Node) -> Result<Vec<DrawnLoop>> {
     const HELP: &str = "a circle is { circle = r, at = [x, y] }";
-    let table = Table::new(node, place, &["circle", "at"], HELP).map_err(|e| match e.help() {
+    let table = Table::new(node, place, &["circle", "at", "pattern"], HELP).map_err(|e| match e.help() {
         Some(help) if help.starts_with("did you mean") => e,
         _ => e.with_help(
             "a loop in braces is a circle, { circle = r, at = [x, y] }; arcs and fillets are entries of a loop in brackets: is a pair of brackets missing?",
@@ -78,10 +104,11 @@ fn read_circle(place: Place, node: &Node) -> Result<DrawnLoop> {
         let error = table.error("circle", format!("the radius is {radius:?}"));
         error.with_help("give a positive number")
     })?;
-    Ok(DrawnLoop {
+    let drawn = DrawnLoop {
         vertices,
         entries: None,
-    })
+    };
+    repeated(&table, drawn)
 }
 
 /// A loop while it is drawn.
@@ -123,9 +150,8 @@ impl Sketch {
             }
         };
         self.names = nodes.iter().map(name).collect();
-        for (i, node) in nodes.iter().enumerate() {
-            let entry = read_entry(self.at(i), node, nodes)?;
-            self.pen = Some(self.add(i, &entry)?);
+        for Item { entry, from } in written_out(nodes, &|i| self.at(i))? {
+            self.pen = Some(self.add(from, &entry)?);
         }
         let Some(mut pen) = self.pen.take() else {
             return Err(ModelError::new(&self.place, "an empty list").with_help(ENTRIES));
@@ -150,9 +176,14 @@ impl Sketch {
 
     /// The pen once an entry is drawn.
     fn add(&mut self, i: usize, entry: &Entry) -> Result<OutlineBuilder> {
-        let (to, arc, fillet) = match entry {
-            Entry::Vertex(v) => (v.point(), None, None),
-            Entry::To { to, arc, fillet } => (*to, arc.as_ref(), *fillet),
+        let (to, arc, fillet, leaves) = match entry {
+            Entry::Vertex(v) => (v.point(), None, None, v.bulge),
+            Entry::To {
+                to,
+                arc,
+                fillet,
+                bulge,
+            } => (*to, arc.as_ref(), *fillet, *bulge),
             Entry::Fillet(radius) => {
                 let Some(pen) = self.pen.take() else {
                     let message = "a fillet, but no vertex before it";
@@ -187,9 +218,7 @@ impl Sketch {
         };
         self.entries.push(i);
         self.fillets.push(None);
-        if let Entry::Vertex(v) = entry {
-            self.bulge = v.bulge;
-        }
+        self.bulge = leaves;
         Ok(match fillet {
             Some(radius) => self.fillet(i, pen, radius),
             None => pen,

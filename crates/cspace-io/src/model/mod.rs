@@ -19,6 +19,7 @@ mod outline;
 mod parameters;
 mod part_dynamics;
 mod parts;
+mod pattern;
 mod place;
 mod read;
 mod relations;

@@ -3,28 +3,30 @@
 use cspace::{Part, PartError};
 
 use super::error::ModelError;
-use super::loops::{DrawnLoop, read_loop};
+use super::loops::{DrawnLoop, read_loops};
 use super::node::Node;
 use super::place::Place;
 use super::table::Result;
 
 /// The part of a name whose loops are these values.
 pub(super) fn read_outline(name: &str, place: &Place, nodes: &[Node]) -> Result<Part> {
-    let mut loops = (nodes.iter().enumerate())
-        .map(|(i, l)| read_loop(place, i, l))
-        .collect::<Result<Vec<_>>>()?;
+    let mut loops: Vec<(usize, DrawnLoop)> = Vec::with_capacity(nodes.len());
+    for (i, node) in nodes.iter().enumerate() {
+        loops.extend(read_loops(place, i, node)?.into_iter().map(|l| (i, l)));
+    }
     let vertices = loops
         .iter_mut()
-        .map(|l| core::mem::take(&mut l.vertices))
+        .map(|l| core::mem::take(&mut l.1.vertices))
         .collect();
     Part::new(name, vertices).map_err(|e| no_part(place, &in_entries(e, &loops)))
 }
 
-/// The error, with vertices and edges counted as the entries of the file are.
-fn in_entries(mut error: PartError, loops: &[DrawnLoop]) -> PartError {
-    let entry = |l: usize, v: &mut usize| {
-        if let Some(of) = loops.get(l) {
+/// The error, with loops, vertices and edges counted as the entries of the file are; the loops come each with its number in the file.
+fn in_entries(mut error: PartError, loops: &[(usize, DrawnLoop)]) -> PartError {
+    let entry = |l: &mut usize, v: &mut usize| {
+        if let Some((number, of)) = loops.get(*l) {
             *v = of.entry(*v);
+            *l = *number;
         }
     };
     match &mut error {
@@ -33,8 +35,9 @@ fn in_entries(mut error: PartError, loops: &[DrawnLoop]) -> PartError {
             vertex_index,
             next_index,
         } => {
-            entry(*loop_index, vertex_index);
-            entry(*loop_index, next_index);
+            let mut same = *loop_index;
+            entry(&mut same, next_index);
+            entry(loop_index, vertex_index);
         }
         PartError::BadCoordinate {
             loop_index,
@@ -52,7 +55,7 @@ fn in_entries(mut error: PartError, loops: &[DrawnLoop]) -> PartError {
         | PartError::Spike {
             loop_index,
             vertex_index,
-        } => entry(*loop_index, vertex_index),
+        } => entry(loop_index, vertex_index),
         PartError::Crossing {
             loop_index,
             edge_index,
@@ -67,8 +70,16 @@ fn in_entries(mut error: PartError, loops: &[DrawnLoop]) -> PartError {
             other_edge,
             ..
         } => {
-            entry(*loop_index, edge_index);
-            entry(*other_loop, other_edge);
+            entry(loop_index, edge_index);
+            entry(other_loop, other_edge);
+        }
+        PartError::TooFewVertices { loop_index, .. } => entry(loop_index, &mut 0),
+        PartError::RepeatedLoop {
+            loop_index,
+            other_loop,
+        } => {
+            entry(loop_index, &mut 0);
+            entry(other_loop, &mut 0);
         }
         _ => {}
     }
