@@ -2,7 +2,7 @@
 """Draws the model files of this folder.
 
     python3 models/draw.py            write every model file
-    python3 models/draw.py NAME ...   write these only (ratchet_pawl, gears, ...)
+    python3 models/draw.py NAME ...   write these only (gears, ...)
     python3 models/draw.py --check    write nothing; fail if a file differs from its drawing
 
 How outlines are made is told in drawing.py: lengths in mm, angles in degrees, points are complex numbers.
@@ -59,29 +59,6 @@ def ratchet_and_pawl():
     pen.line(nose, "belly").round(1.2, "nose").line(brow, "face, bears on the tooth").round(1.5, "brow")
     pen.arc(hump, crown, -1, f"R{top:g} back").arc(pivot, heel, -1, f"R{boss:g} boss")
     return ratchet, pen.closed()
-
-
-def ratchet_pawl():
-    ratchet, pawl = ratchet_and_pawl()
-    pawl = moved(pawl, 1, -PAWL_PIVOT)
-    m = Model(
-        "ratchet_pawl.toml",
-        "ratchet and pawl",
-        """
-Ratchet wheel and pawl of a hand winch.
-
-The wheel, 100 across the tips before rounding, has 20 teeth (18 deg): a straight face undercut by 8 deg, so that load draws
-the pawl in, a root fillet R1, a back of R40, and a tip broken by R0.3. The wheel turns counter-clockwise under the pawl;
-clockwise the face of a tooth meets the pawl's nose and locks.
-
-The pawl's frame has its origin in the pivot, which stands at (42, 56) from the wheel's axis: at (x, y, theta) =
-(42, 56, 0) the pawl is engaged, 0.05 clear of the face of the tooth at the top. Bore and pivot hole are not drawn; they hold
-the shaft and the pin and nothing else gets there.
-""",
-    )
-    m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [("20 teeth", ratchet)], symmetry=TEETH)
-    m.part("pawl", "Pivot at the origin; the nose points to -x.", [("outline", pawl)])
-    return m
 
 
 def ratchet_mechanism():
@@ -653,7 +630,7 @@ touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to abo
     return m
 
 
-MODELS = [ratchet_pawl, ratchet_mechanism, gears, gears_on_shafts, rack_pinion, cam_follower, cam_tappet, cam_plate, escapement,
+MODELS = [ratchet_mechanism, gears, gears_on_shafts, rack_pinion, cam_follower, cam_tappet, cam_plate, escapement,
           fixture_plate, snap_fastener, peg_hole, latch_box, ball_in_c, geneva, knee]
 
 

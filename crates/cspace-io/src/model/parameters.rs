@@ -13,7 +13,7 @@ use super::expression::{Expression, Wrong, is_name, is_taken};
 use super::node::Node;
 use super::place::{Place, Step};
 use super::suggest::nearest;
-use super::table::{Result, Table, number};
+use super::table::{Result, Table, angle_of, number};
 use crate::angle::parse_angle;
 use crate::shown::quoted;
 
@@ -175,12 +175,15 @@ impl<'a> Given<'a> {
 /// How far a parameter may be below and above its value.
 fn deviations(table: &Table<'_>) -> Result<Option<(f64, f64)>> {
     let of = |key: &str| {
-        let value = table.number(key)?;
-        match value.filter(|v| *v < 0.0) {
-            Some(_) => Err(table
-                .error(key, format!("`{key}` is negative"))
-                .with_help("give how far the parameter may be from its value")),
-            None => Ok(value),
+        let Some(node) = table.get(key) else {
+            return Ok(None);
+        };
+        match angle_of(node).filter(|x| x.is_finite() && *x >= 0.0) {
+            Some(value) => Ok(Some(value)),
+            None => {
+                let help = "give how far the parameter may be from its value: 0.02, or \"0.5deg\"";
+                Err(table.wrong(key, node, "a number that is not negative", help))
+            }
         }
     };
     let both = of("tol")?;
