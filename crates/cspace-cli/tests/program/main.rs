@@ -19,6 +19,7 @@ mod info;
 mod meshes;
 mod new;
 mod page;
+mod parameters;
 mod plan;
 mod play;
 mod questions;

@@ -1,0 +1,121 @@
+//! `--set`, on every command that takes a model, and parameters in `info`.
+
+use crate::helpers::{cspace, json_beside_notes as json};
+
+const MODEL: &str = r#"
+name = "peg in a slot"
+unit = "mm"
+
+[parameter]
+peg = { value = 10, tol = 0.02 }
+play = 0.1
+slot = "peg + play"
+
+[[part]]
+name = "block"
+loops = [[{ mirror = "y", path = [[0, -25], [30, -25], [30, 0], ["slot/2", 0], ["slot/2", -20]] }]]
+motion = { type = "fixed" }
+
+[[part]]
+name = "peg"
+loops = [[["-peg/2", -18], ["peg/2", -18], ["peg/2", 4], ["-peg/2", 4]]]
+motion = { type = "prismatic", direction = [1, 0] }
+"#;
+
+fn file(text: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("m.toml");
+    std::fs::write(&file, text).unwrap();
+    let name = file.to_str().unwrap().to_owned();
+    (folder, name)
+}
+
+fn model() -> (tempfile::TempDir, String) {
+    file(MODEL)
+}
+
+#[test]
+fn info_lists_parameters_and_what_depends_on_them() {
+    let (_folder, file) = model();
+    let output = cspace(&["info", &file, "--set", "play=0.3"])
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    for line in [
+        "peg in a slot (play = 0.3)",
+        "  peg  = 10   ± 0.02  used by part \"block\", part \"peg\"",
+        "  play = 0.3  set here  used by part \"block\"",
+        "  slot = 10.3  = peg + play  used by part \"block\"",
+    ] {
+        let found = |l: &str| l.split_whitespace().eq(line.split_whitespace());
+        assert!(text.lines().any(found), "no {line:?} in:\n{text}");
+    }
+    let info = json(&["info", &file, "--set", "peg=2*4"]);
+    let values: Vec<f64> = (info["parameters"].as_array().unwrap().iter())
+        .map(|p| p["value"].as_f64().unwrap())
+        .collect();
+    assert_eq!(values, [8.0, 0.1, 8.1]);
+}
+
+/// Half the play at either side, whatever it is set to.
+#[test]
+fn answers_are_for_the_values_that_are_set() {
+    let (_folder, file) = model();
+    for play in [0.1, 0.25, 1e-3] {
+        let set = format!("play={play}");
+        let moved = json(&["move", &file, "--from", "0,0", "--by", "0,1", "--set", &set]);
+        let at = moved["at"]["v"].as_f64().unwrap();
+        assert!((at - play / 2.0).abs() < 1e-9, "{play}: {moved}");
+    }
+}
+
+#[test]
+fn every_command_that_takes_a_model_sets_values() {
+    let (folder, file) = model();
+    let picture = folder.path().join("a.svg").to_str().unwrap().to_owned();
+    let space = folder.path().join("a.json").to_str().unwrap().to_owned();
+    for command in [
+        vec!["info", &file],
+        vec!["compute", &file],
+        vec!["contacts", &file, "--at", "0,0"],
+        vec!["move", &file, "--from", "0,0", "--by", "0,1"],
+        vec!["play", &file, "--at", "0,0"],
+        vec!["plan", &file, "--from", "0,0", "--to", "0,0.04"],
+        vec!["draw", &file, "-o", &picture],
+        vec!["export", &file, "-o", &space],
+        vec!["clash", &file],
+        vec!["simulate", &file, "--time", "0.1"],
+    ] {
+        let with = |set: &str| {
+            let mut args = command.clone();
+            args.extend(["--set", set]);
+            cspace(&args).output().unwrap()
+        };
+        let good = with("play=0.2");
+        let said = String::from_utf8(good.stderr).unwrap();
+        assert!(good.status.success(), "{command:?}: {said}");
+        assert!(said.contains("with play = 0.2"), "{command:?}: {said}");
+        let bad = with("paly=0.2");
+        let said = String::from_utf8(bad.stderr).unwrap();
+        assert_eq!(bad.status.code(), Some(2), "{command:?}");
+        assert!(said.contains("did you mean `play`?"), "{command:?}: {said}");
+    }
+    let picture = std::fs::read_to_string(picture).unwrap();
+    assert!(picture.contains("play = 0.2"), "its title says so");
+    for (args, what) in [
+        (
+            vec!["compute", &space, "--set", "play=0.2"],
+            "saved contact space",
+        ),
+        (vec!["compute", &file, "--set", "play"], "NAME=VALUE"),
+        (
+            vec!["compute", &file, "--set", "play=peg/0"],
+            "division by zero",
+        ),
+    ] {
+        let output = cspace(&args).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        assert!(said.contains(what), "{args:?}: {said}");
+    }
+}
