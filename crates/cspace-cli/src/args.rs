@@ -58,6 +58,9 @@ pub(crate) enum Command {
     /// Tell which parts overlap, touch or come near each other, as drawn or over a simulation
     #[command(after_long_help = CLASH)]
     Clash(ClashArgs),
+    /// Measure what the model requires of its design, and tell which requirements are met
+    #[command(after_long_help = CHECK)]
+    Check(CheckArgs),
     /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
     #[command(after_long_help = SIMULATE)]
     Simulate(SimulateArgs),
@@ -477,6 +480,22 @@ pub(crate) struct ClashArgs {
     /// Parts touch that are nearer than this, or overlap by less, in the model's unit [default: 1e-11 of the larger part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) touch: Option<f64>,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    /// This requirement alone; may be given several times
+    #[arg(long, value_name = "NAME")]
+    pub(crate) requirement: Vec<String>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
@@ -1007,6 +1026,17 @@ Parts with a motion other than planar stay where they are drawn; parts joined
 by a joint move as one. All parts are taken to lie in one plane, whichever
 pairs the model lists. Parts may touch as drawn: every boundary is moved inward
 by half of --gap. Parts that overlap by more are an error.";
+
+const CHECK: &str = "\
+Examples:
+  cspace check models/ratchet_pawl.toml
+  cspace check models/ratchet_pawl.toml --set tip=50.02
+  cspace check models/ratchet_pawl.toml --format json
+
+Requirements are [[requirement]] tables of the model: what is measured, and what
+it must be. Each is printed with its value, its limits, and what touches there.
+The exit code is 1 if one is not met or cannot be measured.
+";
 
 const CLASH: &str = "\
 Examples:

@@ -40,6 +40,7 @@ pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Docume
             let Model {
                 mechanism,
                 parameters,
+                ..
             } = &mut **model;
             let values = values_of(parameters);
             if !values.is_empty() {

@@ -75,6 +75,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Plan(args) => command::plan::run(&args),
         Command::Escape(args) => command::escape::run(&args),
         Command::Assembly(args) => command::assembly::run(&args),
+        Command::Check(args) => command::check::run(&args),
         Command::Clash(args) => command::clash::run(&args),
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),

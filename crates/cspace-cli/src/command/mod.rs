@@ -1,6 +1,7 @@
 //! The commands.
 
 pub(crate) mod assembly;
+pub(crate) mod check;
 pub(crate) mod clash;
 pub(crate) mod classify;
 pub(crate) mod completions;

@@ -8,6 +8,8 @@ use cspace::{
     Axis, AxisMotion, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation,
     SmoothMotion, SmoothOutcome,
 };
+use cspace_design::reach;
+use cspace_io::model::Coordinate;
 use serde::Serialize;
 
 use crate::args::{Format, PlayArgs};
@@ -151,12 +153,7 @@ fn in_the_plane(
     is_free: bool,
 ) -> Result<Vec<Direction>, QueryError> {
     let from = Coordinates::Planar(c);
-    // Farther apart than their sizes nothing touches.
-    let sizes = space.fixed().size() + space.moving().size();
-    let reach = |p: Point| p.to_vector().length();
-    let bounds = [space.fixed().bounds(), space.moving().bounds()];
-    let arms: f64 = bounds.iter().map(|b| reach(b.min).max(reach(b.max))).sum();
-    let far = 2.0 * (c.x.hypot(c.y) + arms + sizes);
+    let far = reach(space, from, Coordinate::X);
     let mut all = Vec::new();
     for (name, x, y) in [
         ("+x", 1.0, 0.0),
@@ -192,36 +189,25 @@ fn on_axes(
     (fixed, moving): (Axis, Axis),
     at: Coordinates,
 ) -> Result<Vec<Direction>, QueryError> {
-    let PairSpace::FixedAxes(axes) = space else {
-        return Ok(Vec::new());
-    };
     let mut all = Vec::new();
-    for (letter, part, axis, is_u) in [
-        ("u", space.fixed().name(), fixed, true),
-        ("v", space.moving().name(), moving, false),
+    for (of, part, axis) in [
+        (Coordinate::U, space.fixed().name(), fixed),
+        (Coordinate::V, space.moving().name(), moving),
     ] {
         let is_turn = match axis.motion {
             AxisMotion::Fixed => continue,
             AxisMotion::Revolute { .. } => true,
             AxisMotion::Prismatic { .. } => false,
         };
-        let [u, v] = axes.extent();
-        let (lo, hi) = if is_u { u } else { v };
-        let now = match at {
-            Coordinates::Axes { u, v } => [v, u][usize::from(is_u)],
-            Coordinates::Planar(_) => 0.0,
-        };
-        // To the end of its range; a turn of a part that has none; of a slide without one, beyond all contact.
-        let far = match (axis.range, is_turn) {
-            (Some((lo, hi)), _) => 2.0 * (hi - lo),
-            (None, true) => TAU,
-            (None, false) => (hi - lo) + (now - lo).abs() + (now - hi).abs(),
-        };
+        let far = reach(space, at, of);
         for (sign, way) in [("+", 1.0), ("-", -1.0)] {
-            let (u, v) = if is_u { (way, 0.0) } else { (0.0, way) };
+            let (u, v) = match of {
+                Coordinate::U => (way, 0.0),
+                _ => (0.0, way),
+            };
             let rates = Coordinates::Axes { u, v };
             let verb = if is_turn { "turns" } else { "slides" };
-            let name = format!("{sign}{letter} ({part} {verb})");
+            let name = format!("{sign}{} ({part} {verb})", of.name());
             all.push(straight(space, (at, rates), far, name, is_turn)?);
         }
     }

@@ -20,8 +20,8 @@ use crate::output;
 
 use crate::traces::{self, OTHER, quoted};
 use crate::wording::count;
+pub(crate) use cspace_design::{FeaturePair, pair_of, texts, touching};
 pub(crate) use named::named_pair;
-pub(crate) use place::{FeaturePair, pair_of, texts, touching};
 
 /// The file a command was given.
 pub(crate) enum Subject {
@@ -122,6 +122,7 @@ impl Subject {
                 let Model {
                     mechanism,
                     parameters,
+                    ..
                 } = *read;
                 let model = if common.snap {
                     snapped(&path, &mechanism)

@@ -21,16 +21,18 @@ use crate::shown::quoted;
 const MOST: usize = 10_000;
 
 /// Keys whose texts are names and not numbers.
-const TEXTS: [&str; 16] = [
+const TEXTS: [&str; 18] = [
     "$schema",
     "direction",
     "dxf",
     "fixed",
     "id",
     "layer",
+    "measure",
     "mirror",
     "moving",
     "name",
+    "of",
     "pair",
     "part",
     "parts",
@@ -44,7 +46,7 @@ const TEXTS: [&str; 16] = [
 const LISTS: [&str; 3] = ["layer", "pair", "parts"];
 
 /// Keys of the model whose values are lists of tables, beside those of parts.
-const LISTED: [&str; 5] = ["drive", "joint", "load", "pair", "spring"];
+const LISTED: [&str; 6] = ["drive", "joint", "load", "pair", "requirement", "spring"];
 
 /// A table whose texts are names.
 const TABLE: &str = "names";

@@ -13,6 +13,7 @@ use super::parameters::{Entry, Parameter, Parameters};
 use super::parts::read_parts;
 use super::place::Place;
 use super::relations::{read_joints, read_pairs};
+use super::requirements::{Requirement, read_requirements};
 use super::table::{Result, Table};
 use crate::file::{Host, extension, read_text, too_large, without_mark};
 use crate::shown;
@@ -26,10 +27,11 @@ const LARGEST_JSON: u64 = 64 << 20;
 pub const MOST_PARTS: usize = 1000;
 
 /// Keys of the file itself. `$schema` is for editors, which complete and check the file by the schema it names.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 14] = [
     "name",
     "unit",
     "parameter",
+    "requirement",
     "part",
     "joint",
     "pair",
@@ -49,6 +51,8 @@ pub struct Model {
     pub mechanism: Mechanism,
     /// The model's parameters, by name.
     pub parameters: Vec<Parameter>,
+    /// What the design must do, in the order of the file.
+    pub requirements: Vec<Requirement>,
 }
 
 /// How many bytes are read of a model of this name.
@@ -246,18 +250,29 @@ fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError
     };
     let mut parameters = Parameters::read(given.as_ref(), &place, files.host.set)?;
     let failures = parameters.replace(&mut tree);
-    let (mechanism, mut notes) = mechanism(&tree, files).map_err(|error| {
+    let explained = |error: ModelError| {
         let explained = failures.iter().find_map(|f| f.explains(&error));
         explained.unwrap_or(error)
-    })?;
+    };
+    let (mechanism, mut notes) = mechanism(&tree, files).map_err(explained)?;
+    let requirements = requirements(&tree, &mechanism).map_err(explained)?;
     let words = |entry: &Entry| entry.words(&mechanism);
     let (parameters, unused) = parameters.used(&place, words)?;
     notes.extend(unused);
     let model = Model {
         mechanism,
         parameters,
+        requirements,
     };
     Ok((model, notes))
+}
+
+/// The requirements in a tree without expressions.
+fn requirements(tree: &Node, mechanism: &Mechanism) -> Result<Vec<Requirement>> {
+    let table = Table::new(tree, Place::default(), &KEYS, "")?;
+    let help = "write each requirement as [[requirement]], in two brackets";
+    let nodes = table.list("requirement", help)?.unwrap_or_default();
+    read_requirements(&table.place.key("requirement"), nodes, mechanism)
 }
 
 /// The mechanism in a tree without expressions.

@@ -1,0 +1,217 @@
+//! `cspace check`.
+
+use std::fmt::{self, Write};
+
+use cspace::Coordinates;
+use cspace_design::{Checked, Value};
+use cspace_io::model::Target;
+use cspace_io::{Document, Model};
+use serde::Serialize;
+
+use crate::args::{CheckArgs, Format};
+use crate::failure::Failure;
+use crate::input;
+use crate::interrupt::catch_interrupts;
+use crate::output;
+use crate::progress::Bar;
+use crate::subject::set_threads;
+use crate::wording::{count, degrees, length};
+
+/// A requirement, measured.
+#[derive(Debug, Serialize)]
+struct Row {
+    name: String,
+    pair: [String; 2],
+    measure: &'static str,
+    /// In the model's unit or radians, or true or false; none where it has no value.
+    value: Option<Told>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    limits: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    equals: Option<bool>,
+    /// None of a requirement without limits.
+    met: Option<bool>,
+    margin: Option<f64>,
+    /// The two ends of a play.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<[f64; 2]>,
+    /// Where a position is measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at: Option<Coordinates>,
+    touching: Vec<[String; 2]>,
+    /// Why there is no value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    failure: Option<String>,
+    #[serde(skip)]
+    is_angle: bool,
+}
+
+#[derive(Debug, Clone, Copy, Serialize)]
+#[serde(untagged)]
+enum Told {
+    Number(f64),
+    Truth(bool),
+}
+
+pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
+    args.result.check_answer()?;
+    let output = args.result.output.as_deref();
+    output::check(output)?;
+    catch_interrupts();
+    set_threads(args.threads)?;
+    let (path, document) = input::document(&args.file, &args.values)?;
+    let Document::Model(mut model) = document else {
+        return Err(Failure::input(format_args!(
+            "{}: the file is a saved contact space of two parts",
+            path.display()
+        ))
+        .help("give the model file: requirements are the model's"));
+    };
+    if model.requirements.is_empty() {
+        return Err(Failure::input(format_args!(
+            "{}: the model has no requirements",
+            path.display()
+        ))
+        .help("add [[requirement]] tables with name, measure and limits: see docs/design.md"));
+    }
+    if !args.requirement.is_empty() {
+        chosen(&mut model, &args.requirement)?;
+    }
+    let bar = Bar::new(model.mechanism.name.clone());
+    let checked = bar
+        .watch(|bar| cspace_design::check_with(&model, bar))
+        .map_err(Failure::work)?;
+    let rows: Vec<Row> = checked.iter().map(|c| row(&model, c)).collect();
+    let answer = match args.result.format() {
+        Format::Json => super::json(&rows)?,
+        Format::Text => {
+            let mut text = String::new();
+            let unit = (model.mechanism.unit.as_ref()).map_or(String::new(), |u| format!(" {u}"));
+            describe(&mut text, &rows, &unit).map_err(Failure::work)?;
+            text.into_bytes()
+        }
+    };
+    output::write(output, &answer)?;
+    let unmet = rows.iter().filter(|r| r.met == Some(false)).count();
+    let unmeasured = rows
+        .iter()
+        .filter(|r| r.met.is_none() && r.failure.is_some())
+        .count();
+    match (unmet, unmeasured) {
+        (0, 0) => Ok(()),
+        (0, n) => Err(Failure::work(format_args!(
+            "{} cannot be measured",
+            count(n, "requirement", "requirements")
+        ))),
+        (n, _) => Err(Failure::work(format_args!(
+            "{} of {} not met",
+            n,
+            count(rows.len(), "requirement", "requirements")
+        ))),
+    }
+}
+
+/// Leaves the requirements of these names.
+fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure> {
+    if let Some(unknown) = names
+        .iter()
+        .find(|n| model.requirements.iter().all(|r| r.name != **n))
+    {
+        let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
+        return Err(Failure::input(format_args!(
+            "--requirement {}: the model has no such requirement",
+            cspace_io::shown::quoted(unknown)
+        ))
+        .help(format_args!("its requirements are {}", known.join(", "))));
+    }
+    model.requirements.retain(|r| names.contains(&r.name));
+    Ok(())
+}
+
+fn row(model: &Model, checked: &Checked) -> Row {
+    let requirement = &checked.requirement;
+    let name = |i: usize| model.mechanism.parts[i].part.name().to_owned();
+    let measured = checked.measured.as_ref().ok();
+    Row {
+        name: requirement.name.clone(),
+        pair: [name(requirement.pair.fixed), name(requirement.pair.moving)],
+        measure: requirement.quantity.name(),
+        value: measured.map(|m| match m.value {
+            Value::Number(x) => Told::Number(x),
+            Value::Truth(b) => Told::Truth(b),
+        }),
+        limits: match requirement.target {
+            Some(Target::Limits(lo, hi)) => Some([lo, hi]),
+            _ => None,
+        },
+        equals: match requirement.target {
+            Some(Target::Equals(wanted)) => Some(wanted),
+            _ => None,
+        },
+        met: checked.is_met(),
+        margin: checked.margin(),
+        range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
+        at: measured.and_then(|m| m.at),
+        touching: measured.map(|m| m.touching.clone()).unwrap_or_default(),
+        failure: checked.measured.as_ref().err().map(ToString::to_string),
+        is_angle: requirement.is_angle,
+    }
+}
+
+fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
+    /// More pairs of features are counted.
+    const MOST: usize = 2;
+    for (i, row) in rows.iter().enumerate() {
+        if i > 0 {
+            text.push('\n');
+        }
+        let number = |x: f64| {
+            if row.is_angle {
+                degrees(x)
+            } else {
+                format!("{}{unit}", length(x))
+            }
+        };
+        let is = match row.met {
+            None => "",
+            Some(true) => ": met",
+            Some(false) => ": not met",
+        };
+        writeln!(text, "{}{is}", row.name)?;
+        let value = match row.value {
+            None => "none".to_owned(),
+            Some(Told::Number(x)) => number(x),
+            Some(Told::Truth(true)) => "yes".to_owned(),
+            Some(Told::Truth(false)) => "no".to_owned(),
+        };
+        writeln!(text, "  {:10} {value}", row.measure)?;
+        if let Some(failure) = &row.failure {
+            writeln!(text, "  {:10} {failure}", "because")?;
+        }
+        if let Some([lo, hi]) = row.limits {
+            writeln!(text, "  {:10} {} to {}", "limits", number(lo), number(hi))?;
+        }
+        if let Some(wanted) = row.equals {
+            writeln!(
+                text,
+                "  {:10} {}",
+                "required",
+                if wanted { "yes" } else { "no" }
+            )?;
+        }
+        if let Some(margin) = row.margin {
+            writeln!(text, "  {:10} {}", "margin", number(margin))?;
+        }
+        if let Some([lo, hi]) = row.range {
+            writeln!(text, "  {:10} {} to {}", "free", number(lo), number(hi))?;
+        }
+        let [fixed, moving] = &row.pair;
+        for [a, b] in row.touching.iter().take(MOST) {
+            writeln!(text, "  {:10} {a} of {fixed}, {b} of {moving}", "touching")?;
+        }
+        if let Some(more) = row.touching.len().checked_sub(MOST).filter(|n| *n > 0) {
+            writeln!(text, "  {:10} {more} more", "")?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,107 @@
+//! All requirements of a model.
+
+use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Stage};
+use cspace_io::Model;
+use cspace_io::model::{Requirement, Target};
+
+use crate::measure::{Measured, Unmeasured, Value, measure};
+
+/// A requirement that was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checked {
+    /// The requirement.
+    pub requirement: Requirement,
+    /// What it is, or why it has no value.
+    pub measured: Result<Measured, Unmeasured>,
+}
+
+impl Checked {
+    /// Whether it is met; one without a value is not. `None` of one that only measures.
+    pub fn is_met(&self) -> Option<bool> {
+        let target = self.requirement.target?;
+        let value = self.measured.as_ref().ok().map(|m| m.value);
+        Some(match (target, value) {
+            (Target::Limits(lo, hi), Some(Value::Number(x))) => (lo..=hi).contains(&x),
+            (Target::Equals(wanted), Some(Value::Truth(found))) => wanted == found,
+            _ => false,
+        })
+    }
+
+    /// How far the value is within its limits; negative if it is outside.
+    pub fn margin(&self) -> Option<f64> {
+        match (self.requirement.target?, self.measured.as_ref().ok()?.value) {
+            (Target::Limits(lo, hi), Value::Number(x)) => Some((x - lo).min(hi - x)),
+            _ => None,
+        }
+    }
+}
+
+/// Measures all requirements of a model, in the order of the model.
+///
+/// # Errors
+/// None: what cannot be measured says so in [`Checked::measured`].
+pub fn check(model: &Model) -> Result<Vec<Checked>, Interrupted> {
+    check_with(model, &Silent)
+}
+
+/// Follows nothing.
+struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+}
+
+/// The computation was ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the computation was interrupted")]
+pub struct Interrupted;
+
+/// As [`check`], telling how far it is. Each pair's space is computed once.
+///
+/// # Errors
+/// If the progress ends the computation.
+pub fn check_with(model: &Model, progress: &dyn Progress) -> Result<Vec<Checked>, Interrupted> {
+    let mut spaces: Vec<(PairEntry, Result<PairSpace, Unmeasured>)> = Vec::new();
+    let mut all = Vec::with_capacity(model.requirements.len());
+    for requirement in &model.requirements {
+        let known = spaces.iter().position(|s| s.0 == requirement.pair);
+        let index = match known {
+            Some(index) => index,
+            None => {
+                let space = space(model, &requirement.pair, progress)?;
+                spaces.push((requirement.pair, space));
+                spaces.len() - 1
+            }
+        };
+        let measured = match &spaces[index].1 {
+            Ok(space) => measure(space, &requirement.quantity),
+            Err(error) => Err(error.clone()),
+        };
+        all.push(Checked {
+            requirement: requirement.clone(),
+            measured,
+        });
+    }
+    Ok(all)
+}
+
+fn space(
+    model: &Model,
+    pair: &PairEntry,
+    progress: &dyn Progress,
+) -> Result<Result<PairSpace, Unmeasured>, Interrupted> {
+    let mechanism = &model.mechanism;
+    let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &mechanism.parts[i].part);
+    let options = Options {
+        window: pair.window,
+        ..Options::default()
+    };
+    let relation = mechanism.relation(pair);
+    match PairSpace::compute_with(fixed, moving, relation, &options, progress) {
+        Ok(space) => Ok(Ok(space)),
+        Err(PairError::Compute(ComputeError::Interrupted)) => Err(Interrupted),
+        Err(error) => Ok(Err(Unmeasured::Space(error.to_string()))),
+    }
+}

@@ -1,0 +1,43 @@
+//! What a design must do, measured on the configuration spaces of its pairs.
+//!
+//! A model says its requirements in `[[requirement]]` ([`cspace_io::model::Requirement`]); [`check`] measures all of them.
+//! [`measure`] measures one quantity of one space, [`touching`] names the features at a contact.
+//!
+//! ```
+//! use cspace_design::{Value, check};
+//! # let folder = tempfile::tempdir()?;
+//! # let path = folder.path().join("key.toml");
+//! std::fs::write(&path, r#"
+//! [parameter]
+//! play = 0.1
+//!
+//! [[part]]
+//! name = "slot"
+//! loops = [[[-9, -9], [9, -9], [9, 0], ["3 + play/2", 0], ["3 + play/2", -5], ["-3 - play/2", -5], ["-3 - play/2", 0], [-9, 0]]]
+//!
+//! [[part]]
+//! name = "key"
+//! loops = [[[-3, -4], [3, -4], [3, 4], [-3, 4]]]
+//!
+//! [[requirement]]
+//! name = "sideways"
+//! measure = "play"
+//! of = "x"
+//! limits = [0.05, 0.2]
+//! "#)?;
+//! let cspace_io::Document::Model(model) = cspace_io::read(&path)? else { unreachable!() };
+//! let checked = check(&model)?;
+//! assert_eq!(checked[0].is_met(), Some(true));
+//! let Ok(measured) = &checked[0].measured else { unreachable!() };
+//! let Value::Number(play) = measured.value else { unreachable!() };
+//! assert!((play - 0.1).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod check;
+mod measure;
+mod touching;
+
+pub use check::{Checked, Interrupted, check, check_with};
+pub use measure::{Measured, Unmeasured, Value, measure, reach};
+pub use touching::{FeaturePair, pair_of, texts, touching};

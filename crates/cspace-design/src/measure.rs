@@ -1,0 +1,282 @@
+//! One quantity, measured on a space.
+
+use core::f64::consts::TAU;
+
+use cspace::pair::{PairContact, PairMotion};
+use cspace::{
+    Axis, AxisMotion, Configuration, Coordinates, Location, MotionError, PairSpace, Point,
+    QueryError,
+};
+use cspace_io::model::{Coordinate, Quantity};
+
+use crate::touching::{FeaturePair, texts, touching};
+
+/// What a quantity is found to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// A length in the model's unit, or an angle in radians.
+    Number(f64),
+    /// Yes or no.
+    Truth(bool),
+}
+
+/// A quantity and what it comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// The value.
+    pub value: Value,
+    /// Of a play the two ends of the range, as values of its coordinate.
+    pub range: Option<(f64, f64)>,
+    /// Of a position the configuration in contact.
+    pub at: Option<Coordinates>,
+    /// What touches where the quantity ends: features of the fixed and of the moving part, as messages call them.
+    pub touching: Vec<[String; 2]>,
+}
+
+/// Why a quantity has no value.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Unmeasured {
+    /// The parts overlap at the configuration at which it is measured.
+    #[error("the parts overlap at the configuration: choose one that is free")]
+    Blocked,
+    /// Nothing ends a play.
+    #[error("nothing stops the part in this coordinate: there is no play to measure")]
+    Unlimited,
+    /// A motion meets nothing.
+    #[error("nothing touches along the motion: give a longer `along`, or another direction")]
+    NoContact,
+    /// A motion ends at the limit of a range or window before it meets anything.
+    #[error(
+        "the motion leaves the range of a part's motion, or the window of orientations, before anything touches"
+    )]
+    Leaves,
+    /// The question has no answer at the configuration.
+    #[error("{0}")]
+    Query(QueryError),
+    /// The pair's configuration space cannot be computed.
+    #[error("{0}")]
+    Space(String),
+}
+
+impl From<QueryError> for Unmeasured {
+    fn from(error: QueryError) -> Self {
+        match error {
+            QueryError::Blocked | QueryError::Motion(MotionError::StartsBlocked) => Self::Blocked,
+            other => Self::Query(other),
+        }
+    }
+}
+
+/// Measures a quantity.
+///
+/// A play is the sum of two motions of constant rates from the configuration to their first contacts or to the ends of the part's range. A
+/// position is that of the first contact along the motion.
+///
+/// # Errors
+/// If the quantity has no value there.
+pub fn measure(space: &PairSpace, quantity: &Quantity) -> Result<Measured, Unmeasured> {
+    match *quantity {
+        Quantity::Play { of, at } => play(space, of, at),
+        Quantity::Position { from, along, of } => position(space, from, along, of),
+        Quantity::Clearance { at } => Ok(Measured {
+            value: Value::Number(space.clearance(at)?),
+            range: None,
+            at: None,
+            touching: nearest(space, at)?,
+        }),
+        Quantity::Caged { at } => match space.locate(at)? {
+            Location::Free(region) => {
+                let region = space.regions().into_iter().find(|r| r.id == region);
+                Ok(truth(region.is_some_and(|r| !r.unbounded)))
+            }
+            Location::Outside => Err(QueryError::Outside.into()),
+            Location::Contact | Location::Blocked => Err(Unmeasured::Blocked),
+        },
+        Quantity::Connected { at, to } => {
+            for end in [at, to] {
+                match space.locate(end)? {
+                    Location::Free(_) => {}
+                    Location::Outside => return Err(QueryError::Outside.into()),
+                    Location::Contact | Location::Blocked => return Err(Unmeasured::Blocked),
+                }
+            }
+            Ok(truth(space.connected(at, to)?))
+        }
+    }
+}
+
+fn truth(value: bool) -> Measured {
+    Measured {
+        value: Value::Truth(value),
+        range: None,
+        at: None,
+        touching: Vec::new(),
+    }
+}
+
+/// The names of features.
+fn names(space: &PairSpace, features: &[FeaturePair]) -> Vec<[String; 2]> {
+    features.iter().map(|&f| texts(space, f)).collect()
+}
+
+fn play(space: &PairSpace, of: Coordinate, at: Coordinates) -> Result<Measured, Unmeasured> {
+    let now = of.of(at).ok_or_else(|| wrong_class(space, at))?;
+    let far = reach(space, at, of);
+    let mut ends = [0.0; 2];
+    let mut features: Vec<FeaturePair> = Vec::new();
+    for (end, way) in ends.iter_mut().zip([-1.0, 1.0]) {
+        let rates = unit(of, way);
+        match space.first_contact(at, rates, far)? {
+            PairMotion::Free => return Err(Unmeasured::Unlimited),
+            PairMotion::Leaves { time } => *end = now + way * time,
+            PairMotion::Contact(contact) => {
+                *end = now + way * as_drawn(space, (at, rates), &contact)?;
+                for pair in touching(space, (at, rates), &contact)? {
+                    if !features.contains(&pair) {
+                        features.push(pair);
+                    }
+                }
+            }
+        }
+    }
+    Ok(Measured {
+        value: Value::Number(ends[1] - ends[0]),
+        range: Some((ends[0], ends[1])),
+        at: None,
+        touching: names(space, &features),
+    })
+}
+
+fn position(
+    space: &PairSpace,
+    from: Coordinates,
+    along: Coordinates,
+    of: Coordinate,
+) -> Result<Measured, Unmeasured> {
+    match space.first_contact(from, along, 1.0)? {
+        PairMotion::Free => Err(Unmeasured::NoContact),
+        PairMotion::Leaves { .. } => Err(Unmeasured::Leaves),
+        PairMotion::Contact(contact) => {
+            let time = as_drawn(space, (from, along), &contact)?;
+            let at = moved(from, along, time);
+            Ok(Measured {
+                value: Value::Number(of.of(at).ok_or_else(|| wrong_class(space, from))?),
+                range: None,
+                at: Some(at),
+                touching: names(space, &touching(space, (from, along), &contact)?),
+            })
+        }
+    }
+}
+
+/// The configuration of a motion at a time.
+fn moved(from: Coordinates, rates: Coordinates, time: f64) -> Coordinates {
+    match (from, rates) {
+        (Coordinates::Planar(c), Coordinates::Planar(d)) => Coordinates::Planar(
+            Configuration::new(c.x + time * d.x, c.y + time * d.y, c.theta + time * d.theta),
+        ),
+        (Coordinates::Axes { u, v }, Coordinates::Axes { u: du, v: dv }) => Coordinates::Axes {
+            u: u + time * du,
+            v: v + time * dv,
+        },
+        _ => from,
+    }
+}
+
+/// The time of a contact at which the features touch as they are drawn.
+///
+/// A space is that of parts that are larger by 10⁻¹² of their size and displaced by as little, so that contacts come early by
+/// somewhat more than that. The contact function of the features as drawn has a root nearby, found by Newton's method; where it has none, as beside a
+/// tangency, the contact's own time remains.
+fn as_drawn(
+    space: &PairSpace,
+    (from, rates): (Coordinates, Coordinates),
+    contact: &PairContact,
+) -> Result<f64, QueryError> {
+    const STEPS: usize = 6;
+    let features = space.patch(contact.patch)?.contact()?;
+    // How far off, as drawn, a contact of the space may be (length).
+    let near = 1e3 * space.resolution();
+    let mut time = contact.time;
+    for step in 0..STEPS {
+        let found = features.evaluate(moved(from, rates, time))?;
+        let rate: f64 = match rates {
+            Coordinates::Planar(d) => {
+                let [x, y, theta] = found.gradient;
+                x * d.x + y * d.y + theta * d.theta
+            }
+            Coordinates::Axes { u, v } => found.gradient[0] * u + found.gradient[1] * v,
+        };
+        let next = time - found.value / rate;
+        let is_near = found.value.abs() <= near && (next - contact.time).abs() * rate.abs() <= near;
+        if !is_near {
+            return Ok(contact.time);
+        }
+        if step > 1 && next == time {
+            break;
+        }
+        time = next;
+    }
+    Ok(time)
+}
+
+/// The features that are as near to each other as the parts.
+fn nearest(space: &PairSpace, at: Coordinates) -> Result<Vec<[String; 2]>, Unmeasured> {
+    let clearance = space.clearance(at)?;
+    let within = clearance + 4.0 * space.resolution();
+    let near = space.near_features(at, within)?;
+    let features: Vec<FeaturePair> = near.iter().map(crate::touching::pair_of).collect();
+    Ok(names(space, &features))
+}
+
+fn wrong_class(space: &PairSpace, given: Coordinates) -> Unmeasured {
+    Unmeasured::Query(QueryError::Coordinates {
+        class: space.class(),
+        wanted: match space {
+            PairSpace::FixedAxes(_) => "u, v",
+            _ => "x, y, theta",
+        },
+        given: given.names(),
+    })
+}
+
+/// A rate of one coordinate.
+fn unit(of: Coordinate, rate: f64) -> Coordinates {
+    match of {
+        Coordinate::X => Coordinates::Planar(Configuration::new(rate, 0.0, 0.0)),
+        Coordinate::Y => Coordinates::Planar(Configuration::new(0.0, rate, 0.0)),
+        Coordinate::Theta => Coordinates::Planar(Configuration::new(0.0, 0.0, rate)),
+        Coordinate::U => Coordinates::Axes { u: rate, v: 0.0 },
+        Coordinate::V => Coordinates::Axes { u: 0.0, v: rate },
+    }
+}
+
+/// How far from a configuration a coordinate changes until all contact is behind: a turn of an orientation; of a slide without a range
+/// beyond the parts; with a range, beyond it.
+pub fn reach(space: &PairSpace, at: Coordinates, of: Coordinate) -> f64 {
+    match (space, at, of) {
+        (_, _, Coordinate::Theta) => TAU,
+        (PairSpace::FixedAxes(axes), Coordinates::Axes { u, v }, _) => {
+            let (fixed, moving): (Axis, Axis) = axes.axes();
+            let [u_extent, v_extent] = axes.extent();
+            let (axis, (lo, hi), now) = match of {
+                Coordinate::U => (fixed, u_extent, u),
+                _ => (moving, v_extent, v),
+            };
+            match (axis.range, axis.motion) {
+                (Some((lo, hi)), _) => 2.0 * (hi - lo),
+                (None, AxisMotion::Revolute { .. }) => TAU,
+                (None, _) => (hi - lo) + (now - lo).abs() + (now - hi).abs(),
+            }
+        }
+        (_, Coordinates::Planar(c), _) => {
+            // Farther apart than their sizes nothing touches.
+            let sizes = space.fixed().size() + space.moving().size();
+            let reach = |p: Point| p.to_vector().length();
+            let bounds = [space.fixed().bounds(), space.moving().bounds()];
+            let arms: f64 = bounds.iter().map(|b| reach(b.min).max(reach(b.max))).sum();
+            2.0 * (c.x.hypot(c.y) + arms + sizes)
+        }
+        _ => TAU,
+    }
+}

@@ -1,0 +1,238 @@
+//! Quantities whose values are known in closed form, and requirements of models.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use cspace_design::{Checked, Unmeasured, Value, check};
+use cspace_io::model::Setting;
+use cspace_io::{Document, Host, Model, read_from_hosted};
+
+fn model(text: &str, set: &[(&str, String)]) -> Model {
+    let set: Vec<Setting> = (set.iter())
+        .map(|(name, value)| Setting {
+            name: (*name).into(),
+            value: value.clone(),
+        })
+        .collect();
+    let host = Host {
+        set: &set,
+        ..Host::default()
+    };
+    match read_from_hosted(text.as_bytes(), "m.toml", &host).unwrap() {
+        Document::Model(model) => *model,
+        Document::Space(_) => panic!("it is a model"),
+    }
+}
+
+#[track_caller]
+fn number(checked: &Checked) -> f64 {
+    match checked.measured.as_ref().unwrap().value {
+        Value::Number(x) => x,
+        Value::Truth(_) => panic!("{checked:?}"),
+    }
+}
+
+#[track_caller]
+fn truth(checked: &Checked) -> bool {
+    match checked.measured.as_ref().unwrap().value {
+        Value::Truth(b) => b,
+        Value::Number(_) => panic!("{checked:?}"),
+    }
+}
+
+const PEG: &str = r#"
+[parameter]
+slot = 10.1
+high = 18
+
+[[part]]
+name = "slot"
+loops = [[{ mirror = "y", path = [[0, -35], [30, -35], [30, 0], ["slot/2", 0], ["slot/2", -30]] }]]
+
+[[part]]
+name = "peg"
+loops = [[[-5, "-high/2"], [5, "-high/2"], [5, "high/2"], [-5, "high/2"]]]
+
+[[requirement]]
+name = "tilt"
+measure = "play"
+of = "theta"
+at = { y = -15 }
+limits = ["0.5deg", "0.7deg"]
+
+[[requirement]]
+name = "sideways"
+measure = "play"
+of = "x"
+at = { y = -15 }
+limits = [0.2, 0.3]
+
+[[requirement]]
+name = "depth"
+measure = "position"
+at = { y = 20 }
+along = [0, -60, 0]
+
+[[requirement]]
+name = "gap"
+measure = "clearance"
+at = { x = 0.02, y = -15 }
+
+[[requirement]]
+name = "comes out"
+measure = "connected"
+at = { y = -15 }
+to = [0, 50, 0]
+equals = true
+"#;
+
+#[test]
+fn a_peg_in_a_slot() {
+    for (slot, high) in [(10.1_f64, 18.0_f64), (10.003, 20.0), (10.5, 4.0)] {
+        let set = [("slot", slot.to_string()), ("high", high.to_string())];
+        let all = check(&model(PEG, &set)).unwrap();
+        // 5 cos φ + h/2 sin φ = slot/2.
+        let (half, across) = (high / 2.0, 5.0_f64.hypot(high / 2.0));
+        let tilt = (slot / 2.0 / across).asin() - 5.0_f64.atan2(half);
+        assert!(
+            (number(&all[0]) - 2.0 * tilt).abs() < 1e-13,
+            "{slot}: {:?}",
+            all[0]
+        );
+        assert!(
+            (number(&all[1]) - (slot - 10.0)).abs() < 1e-13,
+            "{:?}",
+            all[1]
+        );
+        assert!(
+            (number(&all[2]) - (half - 30.0)).abs() < 1e-12,
+            "{:?}",
+            all[2]
+        );
+        if slot > 10.05 {
+            assert!(
+                (number(&all[3]) - (slot / 2.0 - 5.02)).abs() < 1e-12,
+                "{:?}",
+                all[3]
+            );
+        } else {
+            assert_eq!(all[3].measured, Err(Unmeasured::Blocked));
+        }
+        assert!(truth(&all[4]));
+    }
+}
+
+#[test]
+fn limits_are_met_or_not_with_a_margin() {
+    let all = check(&model(PEG, &[])).unwrap();
+    let met: Vec<_> = all.iter().map(Checked::is_met).collect();
+    assert_eq!(met, [Some(true), Some(false), None, None, Some(true)]);
+    assert!((all[1].margin().unwrap() + 0.1).abs() < 1e-12);
+    let touching = &all[2].measured.as_ref().unwrap().touching;
+    assert_eq!(touching.len(), 2, "both corners: {touching:?}");
+}
+
+#[test]
+fn a_roller_on_an_eccentric() {
+    // Of radius 3 on a disc of 10, 4 off its axis.
+    let text = r#"
+[parameter]
+angle = "60deg"
+along = "0deg"
+
+[[part]]
+name = "eccentric"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 10, at = [4, 0] }]
+
+[[part]]
+name = "roller"
+motion = { type = "prismatic", direction = ["cos(along)", "sin(along)"] }
+loops = [{ circle = 3, at = [0, 0] }]
+
+[[requirement]]
+name = "lift"
+pair = ["eccentric", "roller"]
+measure = "position"
+at = { u = "angle", v = 40 }
+along = [0, -60]
+"#;
+    for (degrees, along) in [
+        (60.0_f64, 0.0_f64),
+        (60.0, 90.0),
+        (200.0, 10.0),
+        (-31.0, 77.0),
+    ] {
+        let set = [
+            ("angle", format!("{degrees}deg")),
+            ("along", format!("{along}deg")),
+        ];
+        let found = number(&check(&model(text, &set)).unwrap()[0]);
+        let angle = (degrees - along).to_radians();
+        let expected = 4.0 * angle.cos() + (169.0 - (4.0 * angle.sin()).powi(2)).sqrt();
+        assert!(
+            (found - expected).abs() < 1e-12,
+            "{degrees}, {along}: {found} {expected}"
+        );
+    }
+    let found = number(&check(&model(text, &[])).unwrap()[0]);
+    assert!((found - 14.529_964_09).abs() < 1e-8);
+}
+
+/// A ball in a C-shaped clip is caged exactly as long as the mouth is narrower than the ball.
+#[test]
+fn a_ball_in_a_clip() {
+    let text = r#"
+[parameter]
+ball = 5
+mouth = 9
+up = "sqrt(36 - (mouth/2)^2)"
+
+[[part]]
+name = "clip"
+loops = [[[-12, -12], [12, -12], [12, 12], ["mouth/2", 12], ["mouth/2", "up"], { arc_to = ["-mouth/2", "up"], center = [0, 0], direction = "cw" }, ["-mouth/2", 12], [-12, 12]]]
+
+[[part]]
+name = "ball"
+loops = [{ circle = "ball", at = [0, 0] }]
+
+[[requirement]]
+name = "held"
+measure = "caged"
+equals = true
+
+[[requirement]]
+name = "way out"
+measure = "connected"
+to = [0, 40, 0]
+equals = false
+"#;
+    for (mouth, held) in [
+        (9.0, true),
+        (10.0 - 1e-7, true),
+        (10.0 + 1e-7, false),
+        (11.0, false),
+    ] {
+        let all = check(&model(text, &[("mouth", format!("{mouth:?}"))])).unwrap();
+        assert_eq!(truth(&all[0]), held, "{mouth}");
+        assert_eq!(truth(&all[1]), !held, "{mouth}");
+        assert_eq!(all.iter().all(|c| c.is_met() == Some(true)), held);
+    }
+}
+
+#[test]
+fn what_cannot_be_measured_says_why() {
+    let with = |from: &str, to: &str| {
+        assert!(PEG.contains(from), "{from}");
+        check(&model(&PEG.replacen(from, to, 1), &[])).unwrap()
+    };
+    let unlimited = with("at = { y = -15 }\nlimits = [0.2, 0.3]", "at = { y = 40 }");
+    assert_eq!(unlimited[1].measured, Err(Unmeasured::Unlimited));
+    assert_eq!(unlimited[1].is_met(), None);
+    let blocked = with(
+        "at = { y = -15 }\nlimits = [0.2, 0.3]",
+        "at = { x = 3, y = -15 }\nlimits = [0.2, 0.3]",
+    );
+    assert_eq!(blocked[1].measured, Err(Unmeasured::Blocked));
+    assert_eq!(blocked[1].is_met(), Some(false));
+    let missed = with("along = [0, -60, 0]", "along = [0, 60, 0]");
+    assert_eq!(missed[2].measured, Err(Unmeasured::NoContact));
+}
