@@ -61,6 +61,9 @@ pub(crate) enum Command {
     /// Measure what the model requires of its design, and tell which requirements are met
     #[command(after_long_help = CHECK)]
     Check(CheckArgs),
+    /// Measure requirements over a range of a parameter or coordinate, or over rows of values
+    #[command(after_long_help = SWEEP)]
+    Sweep(SweepArgs),
     /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
     #[command(after_long_help = SIMULATE)]
     Simulate(SimulateArgs),
@@ -501,6 +504,76 @@ pub(crate) struct CheckArgs {
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    /// A model (.toml, .json)
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    /// A parameter, or a coordinate (x, y, theta, u, v) of the configurations at which is measured, from LO to HI in N values; of several
+    /// every combination
+    #[arg(long, value_name = "NAME=LO:HI:N", value_parser = vary, allow_hyphen_values = true)]
+    pub(crate) vary: Vec<Vary>,
+    /// Rows of values in place of --vary: CSV with names in its first line
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "vary")]
+    pub(crate) rows: Option<PathBuf>,
+    /// A requirement that is measured; may be given several times [default: all]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) measure: Vec<String>,
+    /// Print CSV or JSON [default: csv; json if OUT ends in .json]
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<TableFormat>,
+    /// Write the result to this file instead of standard output (-)
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+/// How a table is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TableFormat {
+    /// A line for each row
+    Csv,
+    /// A list of objects
+    Json,
+}
+
+/// A range of values.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Vary {
+    pub(crate) name: String,
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+    pub(crate) count: usize,
+}
+
+fn vary(text: &str) -> Result<Vary, String> {
+    const HELP: &str =
+        "give it as NAME=LO:HI:N, such as --vary play=0.05:0.3:26 or --vary u=0deg:360deg:361";
+    let (name, range) = text.split_once('=').ok_or(HELP)?;
+    let [lo, hi, count] = range.split(':').collect::<Vec<_>>()[..] else {
+        return Err(HELP.to_owned());
+    };
+    let bound = |text: &str| {
+        let number = text.trim().parse::<f64>().ok();
+        let number = number.or_else(|| cspace_io::parse_angle(text));
+        number.filter(|x| x.is_finite()).ok_or(HELP)
+    };
+    let count = count
+        .trim()
+        .parse::<usize>()
+        .ok()
+        .filter(|n| (1..=1_000_000).contains(n));
+    Ok(Vary {
+        name: name.trim().to_owned(),
+        lo: bound(lo)?,
+        hi: bound(hi)?,
+        count: count.ok_or("N is a whole number from 1 to 1000000")?,
+    })
 }
 
 #[derive(Debug, Args)]
@@ -1036,6 +1109,17 @@ Examples:
 Requirements are [[requirement]] tables of the model: what is measured, and what
 it must be. Each is printed with its value, its limits, and what touches there.
 The exit code is 1 if one is not met or cannot be measured.
+";
+
+const SWEEP: &str = "\
+Examples:
+  cspace sweep models/ratchet_pawl.toml --vary tip=49.9:50.1:5
+  cspace sweep models/ratchet_pawl.toml --vary tip=49.9:50.1:5 --vary root=43:45:3
+  cspace sweep models/ratchet_pawl.toml --rows sizes.csv -o sizes_measured.csv
+
+A column for each name and each measure, and the column failure: an empty field
+has its reason there. Angles are in radians. Ctrl-C ends it and keeps the rows
+that are done.
 ";
 
 const CLASH: &str = "\

@@ -77,6 +77,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Assembly(args) => command::assembly::run(&args),
         Command::Check(args) => command::check::run(&args),
         Command::Clash(args) => command::clash::run(&args),
+        Command::Sweep(args) => command::sweep::run(&args),
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),
         Command::View(args) => command::view::run(&args),

@@ -102,12 +102,17 @@ impl Steps {
 
     /// Does the next piece.
     pub(crate) fn step<T>(&self, name: &str, work: impl FnOnce() -> T) -> T {
-        if self.begin.elapsed() >= PATIENCE && self.bar.is_hidden() {
+        self.bar.set_message(name.to_owned());
+        self.steps(1, work)
+    }
+
+    /// Does several pieces at once.
+    pub(crate) fn steps<T>(&self, count: u64, work: impl FnOnce() -> T) -> T {
+        if self.begin.elapsed() >= PATIENCE && self.bar.is_hidden() && !is_quiet() {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
-        self.bar.set_message(name.to_owned());
         let result = work();
-        self.bar.inc(1);
+        self.bar.inc(count);
         result
     }
 }

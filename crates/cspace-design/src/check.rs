@@ -38,14 +38,13 @@ impl Checked {
 
 /// Measures all requirements of a model, in the order of the model.
 ///
-/// # Errors
-/// None: what cannot be measured says so in [`Checked::measured`].
-pub fn check(model: &Model) -> Result<Vec<Checked>, Interrupted> {
-    check_with(model, &Silent)
+/// What cannot be measured says so in [`Checked::measured`].
+pub fn check(model: &Model) -> Vec<Checked> {
+    check_with(model, &Silent).unwrap_or_default()
 }
 
 /// Follows nothing.
-struct Silent;
+pub(crate) struct Silent;
 
 impl Progress for Silent {
     fn stage(&self, _: Stage) -> Result<(), ComputeError> {
@@ -58,33 +57,41 @@ impl Progress for Silent {
 #[error("the computation was interrupted")]
 pub struct Interrupted;
 
-/// As [`check`], telling how far it is. Each pair's space is computed once.
+/// As [`check`], telling how far it is.
 ///
 /// # Errors
 /// If the progress ends the computation.
 pub fn check_with(model: &Model, progress: &dyn Progress) -> Result<Vec<Checked>, Interrupted> {
-    let mut spaces: Vec<(PairEntry, Result<PairSpace, Unmeasured>)> = Vec::new();
-    let mut all = Vec::with_capacity(model.requirements.len());
-    for requirement in &model.requirements {
-        let known = spaces.iter().position(|s| s.0 == requirement.pair);
-        let index = match known {
-            Some(index) => index,
-            None => {
-                let space = space(model, &requirement.pair, progress)?;
-                spaces.push((requirement.pair, space));
-                spaces.len() - 1
+    let spaces = Spaces::compute(model, progress)?;
+    Ok(model.requirements.iter().map(|r| spaces.check(r)).collect())
+}
+
+/// The configuration spaces of the pairs that requirements are about, each computed once.
+pub(crate) struct Spaces(Vec<(PairEntry, Result<PairSpace, Unmeasured>)>);
+
+impl Spaces {
+    pub(crate) fn compute(model: &Model, progress: &dyn Progress) -> Result<Self, Interrupted> {
+        let mut spaces: Vec<(PairEntry, Result<PairSpace, Unmeasured>)> = Vec::new();
+        for requirement in &model.requirements {
+            if spaces.iter().all(|s| s.0 != requirement.pair) {
+                spaces.push((requirement.pair, space(model, &requirement.pair, progress)?));
             }
+        }
+        Ok(Self(spaces))
+    }
+
+    /// Measures a requirement of one of the pairs.
+    pub(crate) fn check(&self, requirement: &Requirement) -> Checked {
+        let measured = match self.0.iter().find(|s| s.0 == requirement.pair) {
+            Some((_, Ok(space))) => measure(space, &requirement.quantity),
+            Some((_, Err(error))) => Err(error.clone()),
+            None => Err(Unmeasured::Space("the pair has no space".to_owned())),
         };
-        let measured = match &spaces[index].1 {
-            Ok(space) => measure(space, &requirement.quantity),
-            Err(error) => Err(error.clone()),
-        };
-        all.push(Checked {
+        Checked {
             requirement: requirement.clone(),
             measured,
-        });
+        }
     }
-    Ok(all)
 }
 
 fn space(

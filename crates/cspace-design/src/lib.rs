@@ -1,7 +1,7 @@
 //! What a design must do, measured on the configuration spaces of its pairs.
 //!
 //! A model says its requirements in `[[requirement]]` ([`cspace_io::model::Requirement`]); [`check`] measures all of them.
-//! [`measure`] measures one quantity of one space, [`touching`] names the features at a contact.
+//! [`Sweep`] measures them over many values of parameters. [`measure`] measures one quantity of one space, [`touching`] names the features at a contact.
 //!
 //! ```
 //! use cspace_design::{Value, check};
@@ -26,7 +26,7 @@
 //! limits = [0.05, 0.2]
 //! "#)?;
 //! let cspace_io::Document::Model(model) = cspace_io::read(&path)? else { unreachable!() };
-//! let checked = check(&model)?;
+//! let checked = check(&model);
 //! assert_eq!(checked[0].is_met(), Some(true));
 //! let Ok(measured) = &checked[0].measured else { unreachable!() };
 //! let Value::Number(play) = measured.value else { unreachable!() };
@@ -36,8 +36,10 @@
 
 mod check;
 mod measure;
+mod sweep;
 mod touching;
 
 pub use check::{Checked, Interrupted, check, check_with};
 pub use measure::{Measured, Unmeasured, Value, measure, reach};
+pub use sweep::{Row, Sweep, Varied};
 pub use touching::{FeaturePair, pair_of, texts, touching};

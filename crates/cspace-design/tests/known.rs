@@ -1,8 +1,8 @@
 //! Quantities whose values are known in closed form, and requirements of models.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use cspace_design::{Checked, Unmeasured, Value, check};
-use cspace_io::model::Setting;
+use cspace_design::{Checked, Sweep, Unmeasured, Value, Varied, check};
+use cspace_io::model::{Coordinate, Setting, Template};
 use cspace_io::{Document, Host, Model, read_from_hosted};
 
 fn model(text: &str, set: &[(&str, String)]) -> Model {
@@ -88,7 +88,7 @@ equals = true
 fn a_peg_in_a_slot() {
     for (slot, high) in [(10.1_f64, 18.0_f64), (10.003, 20.0), (10.5, 4.0)] {
         let set = [("slot", slot.to_string()), ("high", high.to_string())];
-        let all = check(&model(PEG, &set)).unwrap();
+        let all = check(&model(PEG, &set));
         // 5 cos φ + h/2 sin φ = slot/2.
         let (half, across) = (high / 2.0, 5.0_f64.hypot(high / 2.0));
         let tilt = (slot / 2.0 / across).asin() - 5.0_f64.atan2(half);
@@ -122,7 +122,7 @@ fn a_peg_in_a_slot() {
 
 #[test]
 fn limits_are_met_or_not_with_a_margin() {
-    let all = check(&model(PEG, &[])).unwrap();
+    let all = check(&model(PEG, &[]));
     let met: Vec<_> = all.iter().map(Checked::is_met).collect();
     assert_eq!(met, [Some(true), Some(false), None, None, Some(true)]);
     assert!((all[1].margin().unwrap() + 0.1).abs() < 1e-12);
@@ -165,7 +165,7 @@ along = [0, -60]
             ("angle", format!("{degrees}deg")),
             ("along", format!("{along}deg")),
         ];
-        let found = number(&check(&model(text, &set)).unwrap()[0]);
+        let found = number(&check(&model(text, &set))[0]);
         let angle = (degrees - along).to_radians();
         let expected = 4.0 * angle.cos() + (169.0 - (4.0 * angle.sin()).powi(2)).sqrt();
         assert!(
@@ -173,7 +173,7 @@ along = [0, -60]
             "{degrees}, {along}: {found} {expected}"
         );
     }
-    let found = number(&check(&model(text, &[])).unwrap()[0]);
+    let found = number(&check(&model(text, &[]))[0]);
     assert!((found - 14.529_964_09).abs() < 1e-8);
 }
 
@@ -211,7 +211,7 @@ equals = false
         (10.0 + 1e-7, false),
         (11.0, false),
     ] {
-        let all = check(&model(text, &[("mouth", format!("{mouth:?}"))])).unwrap();
+        let all = check(&model(text, &[("mouth", format!("{mouth:?}"))]));
         assert_eq!(truth(&all[0]), held, "{mouth}");
         assert_eq!(truth(&all[1]), !held, "{mouth}");
         assert_eq!(all.iter().all(|c| c.is_met() == Some(true)), held);
@@ -222,7 +222,7 @@ equals = false
 fn what_cannot_be_measured_says_why() {
     let with = |from: &str, to: &str| {
         assert!(PEG.contains(from), "{from}");
-        check(&model(&PEG.replacen(from, to, 1), &[])).unwrap()
+        check(&model(&PEG.replacen(from, to, 1), &[]))
     };
     let unlimited = with("at = { y = -15 }\nlimits = [0.2, 0.3]", "at = { y = 40 }");
     assert_eq!(unlimited[1].measured, Err(Unmeasured::Unlimited));
@@ -235,4 +235,62 @@ fn what_cannot_be_measured_says_why() {
     assert_eq!(blocked[1].is_met(), Some(false));
     let missed = with("along = [0, -60, 0]", "along = [0, 60, 0]");
     assert_eq!(missed[2].measured, Err(Unmeasured::NoContact));
+}
+
+/// The rows of a sweep are what single models give, in any number together.
+#[test]
+fn sweeps_are_rows_of_checks() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("m.toml");
+    std::fs::write(&file, PEG).unwrap();
+    let template = Template::read(&file, &Host::default()).unwrap();
+    let varied = [
+        Varied::Parameter("slot".into()),
+        Varied::Coordinate(Coordinate::Y),
+    ];
+    let measures = ["sideways", "tilt", "gap"].map(str::to_owned);
+    let mut rows = Vec::new();
+    for slot in [9.5, 10.02, 10.2, 10.4] {
+        rows.extend([-15.0, -3.0, 0.0].map(|y| vec![slot, y]));
+    }
+    let set = [Setting {
+        name: "high".into(),
+        value: "16".into(),
+    }];
+    let sweep = Sweep::new(&template, &set, &varied, &measures);
+    let all = sweep.rows(&rows);
+    for together in [1, 2, 5] {
+        let again: Vec<_> = rows.chunks(together).flat_map(|r| sweep.rows(r)).collect();
+        assert_eq!(again, all);
+    }
+    let mut measured = 0;
+    for (values, row) in rows.iter().zip(&all) {
+        let text = PEG
+            .replace("at = { y = -15 }", &format!("at = {{ y = {} }}", values[1]))
+            .replace(
+                "at = { x = 0.02, y = -15 }",
+                &format!("at = {{ x = 0.02, y = {} }}", values[1]),
+            );
+        let set = [("slot", values[0].to_string()), ("high", "16".to_owned())];
+        let checked = check(&model(&text, &set));
+        for (i, name) in measures.iter().enumerate() {
+            let one = checked
+                .iter()
+                .find(|c| c.requirement.name == *name)
+                .unwrap();
+            match (&row.measured[i], &one.measured) {
+                (Ok(a), Ok(b)) => {
+                    assert_eq!(*a, b.value);
+                    measured += 1;
+                }
+                (Err(a), Err(b)) => assert_eq!(*a, b.to_string()),
+                other => panic!("{name} at {values:?}: {other:?}"),
+            }
+        }
+    }
+    assert!(measured >= 20, "{measured}");
+    // A slot that is no outline is a reason, not an end.
+    let bad = sweep.rows(&[vec![-10.0, 0.0]]);
+    let reason = bad[0].measured[0].as_ref().unwrap_err();
+    assert!(reason.contains("part 0 \"slot\""), "{reason}");
 }

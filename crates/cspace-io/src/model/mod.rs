@@ -38,7 +38,7 @@ pub(crate) use read::no_json;
 pub(crate) use drawings::Files;
 pub use error::ModelError;
 pub use parameters::{Parameter, Setting};
-pub use read::{MOST_PARTS, Model, from_json, from_toml, read};
+pub use read::{MOST_PARTS, Model, Template, from_json, from_toml, read};
 pub(crate) use read::{from_text, json_in, read_hosted, toml_in};
 pub use requirements::{Coordinate, Quantity, Requirement, Target};
 pub use slips::{Slip, slips};

@@ -1,6 +1,6 @@
 //! From files and text to models.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cspace::Mechanism;
 
@@ -84,6 +84,12 @@ pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelErro
 
 /// As [`read`], on behalf of a program that has been asked about the model already.
 pub(crate) fn read_hosted(path: &Path, host: &Host<'_>) -> core::result::Result<Model, ModelError> {
+    check_extension(path)?;
+    from_text(path, &read_text(path, largest(path))?, host)
+}
+
+/// Refuses a file whose extension is not that of a model.
+fn check_extension(path: &Path) -> core::result::Result<(), ModelError> {
     let extension = extension(path);
     if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
         let message = match extension.as_str() {
@@ -100,7 +106,7 @@ pub(crate) fn read_hosted(path: &Path, host: &Host<'_>) -> core::result::Result<
             .with_help(help)
             .in_file(&path.display().to_string()));
     }
-    from_text(path, &read_text(path, largest(path))?, host)
+    Ok(())
 }
 
 /// The model in the text of a file, whose extension tells whether it is JSON.
@@ -110,27 +116,156 @@ pub(crate) fn from_text(
     host: &Host<'_>,
 ) -> core::result::Result<Model, ModelError> {
     let file = path.display().to_string();
+    let source = source_of(path, text, &file)?;
+    let files = Files {
+        folder: path.parent().unwrap_or(Path::new("")),
+        host,
+    };
+    let mut model = source.model(source.tree()?, &files)?;
+    if model.mechanism.name.is_empty() {
+        model.mechanism.name = name_of(path);
+    }
+    Ok(model)
+}
+
+/// The text of a file, whose extension tells whether it is JSON.
+fn source_of<'t>(
+    path: &Path,
+    text: &'t str,
+    file: &'t str,
+) -> core::result::Result<Source<'t>, ModelError> {
     // It may have been read as a saved space, which may be longer.
     let limit = largest(path);
     if text.len() as u64 > limit {
         return Err(too_large(path, limit));
     }
-    let files = Files {
-        folder: path.parent().unwrap_or(Path::new("")),
-        host,
-    };
-    let mut model = if extension(path) == "json" {
-        json_in(text, &file, &files)
-    } else {
-        toml_in(text, &file, &files)
-    }?;
-    if model.mechanism.name.is_empty() {
-        model.mechanism.name = path
-            .file_stem()
-            .map(|s| shown::text(&s.to_string_lossy()).into_owned())
-            .unwrap_or_default();
+    Ok(Source {
+        text: without_mark(text),
+        file,
+        is_json: extension(path) == "json",
+    })
+}
+
+/// What a model is called that gives itself no name.
+fn name_of(path: &Path) -> String {
+    path.file_stem()
+        .map(|s| shown::text(&s.to_string_lossy()).into_owned())
+        .unwrap_or_default()
+}
+
+/// A model of which the parameters may still be given other values: its text is read once.
+///
+/// ```
+/// use cspace_io::Host;
+/// use cspace_io::model::{Setting, Template};
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("pin.toml");
+/// std::fs::write(&path, "[parameter]\nr = 1\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"r\", at = [0, 0] }]\n")?;
+/// let template = Template::read(&path, &Host::default())?;
+/// for r in [0.5, 2.0] {
+///     let set = [Setting { name: "r".into(), value: r.to_string() }];
+///     let model = template.model(&Host { set: &set, ..Host::default() })?;
+///     assert!((model.mechanism.parts[0].part.bounds().max.x - r).abs() < 1e-12);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Template {
+    tree: Node,
+    text: String,
+    path: PathBuf,
+    is_json: bool,
+}
+
+impl Template {
+    /// Reads the text of a model file.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or is neither TOML nor JSON.
+    pub fn read(path: impl AsRef<Path>, host: &Host<'_>) -> core::result::Result<Self, ModelError> {
+        let path = path.as_ref();
+        (host.guard)(path).map_err(|refused| {
+            ModelError::of_file(refused.message)
+                .with_help(refused.help)
+                .in_file(&path.display().to_string())
+        })?;
+        check_extension(path)?;
+        let text = read_text(path, largest(path))?;
+        let file = path.display().to_string();
+        let source = source_of(path, &text, &file)?;
+        let (tree, is_json) = (source.tree()?, source.is_json);
+        Ok(Self {
+            tree,
+            text,
+            path: path.to_owned(),
+            is_json,
+        })
     }
-    Ok(model)
+
+    /// The model with the values that the host sets.
+    ///
+    /// # Errors
+    /// If the text is no model with these values; the error names the line, part, loop and vertex.
+    pub fn model(&self, host: &Host<'_>) -> core::result::Result<Model, ModelError> {
+        let file = self.path.display().to_string();
+        let source = Source {
+            text: without_mark(&self.text),
+            file: &file,
+            is_json: self.is_json,
+        };
+        let files = Files {
+            folder: self.path.parent().unwrap_or(Path::new("")),
+            host,
+        };
+        let mut model = source.model(self.tree.clone(), &files)?;
+        if model.mechanism.name.is_empty() {
+            model.mechanism.name = name_of(&self.path);
+        }
+        Ok(model)
+    }
+}
+
+/// The text of a model, and what errors call its file.
+struct Source<'t> {
+    text: &'t str,
+    file: &'t str,
+    is_json: bool,
+}
+
+impl Source<'_> {
+    fn tree(&self) -> core::result::Result<Node, ModelError> {
+        let Self {
+            text,
+            file,
+            is_json,
+        } = *self;
+        not_empty(text).map_err(|e| e.in_file(file))?;
+        if is_json {
+            return serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file));
+        }
+        toml::from_str(text).map_err(|e| {
+            ModelError::of_file(format!("the file is no TOML: {}", e.message()))
+                .with_help("see the message for what was expected there")
+                .at(e.span().map(|span| line_and_column(text, span.start)))
+                .in_file(file)
+        })
+    }
+
+    /// The model in the text's tree.
+    fn model(&self, tree: Node, files: &Files<'_>) -> core::result::Result<Model, ModelError> {
+        let placed = |e: ModelError| {
+            let position = if self.is_json {
+                in_json(self.text, e.tree_place())
+            } else {
+                in_toml(self.text, e.tree_place())
+            };
+            e.at(position).in_file(self.file)
+        };
+        let (model, notes) = from_tree(tree, files).map_err(placed)?;
+        for note in notes {
+            (files.host.note)(&placed(note).to_string());
+        }
+        Ok(model)
+    }
 }
 
 /// Reads a model from TOML text; `file` is what errors call it.
@@ -156,23 +291,12 @@ pub(crate) fn toml_in(
     file: &str,
     files: &Files<'_>,
 ) -> core::result::Result<Model, ModelError> {
-    let text = without_mark(text);
-    not_empty(text).map_err(|e| e.in_file(file))?;
-    let tree: Node = toml::from_str(text).map_err(|e| {
-        ModelError::of_file(format!("the file is no TOML: {}", e.message()))
-            .with_help("see the message for what was expected there")
-            .at(e.span().map(|span| line_and_column(text, span.start)))
-            .in_file(file)
-    })?;
-    let placed = |e: ModelError| {
-        let position = in_toml(text, e.tree_place());
-        e.at(position).in_file(file)
+    let source = Source {
+        text: without_mark(text),
+        file,
+        is_json: false,
     };
-    let (model, notes) = from_tree(tree, files).map_err(placed)?;
-    for note in notes {
-        (files.host.note)(&placed(note).to_string());
-    }
-    Ok(model)
+    source.model(source.tree()?, files)
 }
 
 /// Reads a model from JSON text; `file` is what errors call it.
@@ -195,18 +319,12 @@ pub(crate) fn json_in(
     file: &str,
     files: &Files<'_>,
 ) -> core::result::Result<Model, ModelError> {
-    let text = without_mark(text);
-    not_empty(text).map_err(|e| e.in_file(file))?;
-    let tree: Node = serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file))?;
-    let placed = |e: ModelError| {
-        let position = in_json(text, e.tree_place());
-        e.at(position).in_file(file)
+    let source = Source {
+        text: without_mark(text),
+        file,
+        is_json: true,
     };
-    let (model, notes) = from_tree(tree, files).map_err(placed)?;
-    for note in notes {
-        (files.host.note)(&placed(note).to_string());
-    }
-    Ok(model)
+    source.model(source.tree()?, files)
 }
 
 /// What is wrong with the text as JSON.

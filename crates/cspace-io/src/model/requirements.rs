@@ -58,6 +58,18 @@ impl Coordinate {
         }
     }
 
+    /// Gives it a value in a configuration; one in the coordinates of another class stays.
+    pub fn put(self, at: &mut Coordinates, value: f64) {
+        match (self, at) {
+            (Self::X, Coordinates::Planar(c)) => c.x = value,
+            (Self::Y, Coordinates::Planar(c)) => c.y = value,
+            (Self::Theta, Coordinates::Planar(c)) => c.theta = value,
+            (Self::U, Coordinates::Axes { u, .. }) => *u = value,
+            (Self::V, Coordinates::Axes { v, .. }) => *v = value,
+            _ => {}
+        }
+    }
+
     /// Its value in a configuration; `None` of one in the coordinates of another class.
     pub const fn of(self, at: Coordinates) -> Option<f64> {
         match (self, at) {

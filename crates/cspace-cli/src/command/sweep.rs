@@ -1,0 +1,277 @@
+//! `cspace sweep`.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use cspace_design::{Row, Sweep, Value, Varied};
+use cspace_io::model::Template;
+use cspace_io::{Host, Model, Refused, shown};
+
+use crate::args::{SweepArgs, TableFormat, Vary};
+use crate::failure::{Failure, note};
+use crate::input;
+use crate::interrupt::{catch_interrupts, is_interrupted, watched};
+use crate::output::{self, ANOTHER, OVER_INPUT};
+use crate::progress::Steps;
+use crate::subject::set_threads;
+use crate::wording::count;
+
+/// The most rows.
+const MOST: usize = 10_000_000;
+
+/// The largest file of rows that is read, in bytes.
+const LARGEST: u64 = 1 << 28;
+
+/// What is varied, with the values of each row.
+struct Table {
+    names: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
+    let output = args.output.as_deref();
+    output::check(output)?;
+    catch_interrupts();
+    set_threads(args.threads)?;
+    let (template, model) = template(args)?;
+    let table = match &args.rows {
+        Some(file) => rows_of(file)?,
+        None => grid(&args.vary)?,
+    };
+    let varied = varied(&table.names, &model, args)?;
+    let measures = measures(&model, args)?;
+    let sweep = Sweep::new(&template, &args.values.set, &varied, &measures);
+    let done = watched(|| all(&sweep, &table.rows));
+    let is_json = (args.output.as_deref().and_then(Path::extension))
+        .is_some_and(|e| e.eq_ignore_ascii_case("json"));
+    let format = args.format.unwrap_or(if is_json {
+        TableFormat::Json
+    } else {
+        TableFormat::Csv
+    });
+    let bytes = match format {
+        TableFormat::Csv => csv_of(&table, &measures, &done)?,
+        TableFormat::Json => json_of(&table, &measures, &done)?,
+    };
+    output::write(output, &bytes)?;
+    if done.len() < table.rows.len() {
+        return Err(Failure::work(format_args!(
+            "interrupted: {} of {} are done and written",
+            done.len(),
+            count(table.rows.len(), "row", "rows")
+        )));
+    }
+    Ok(())
+}
+
+/// The model, and its text for all rows.
+fn template(args: &SweepArgs) -> Result<(Template, Model), Failure> {
+    let refused = |_: Failure| Refused {
+        message: OVER_INPUT.to_owned(),
+        help: ANOTHER.to_owned(),
+    };
+    let guard = |path: &Path| output::before_reading(path).map_err(refused);
+    let host = Host {
+        guard: &guard,
+        note: &|text| note(format_args!("{text}")),
+        set: &args.values.set,
+    };
+    output::before_reading(&args.file)?;
+    let template = Template::read(&args.file, &host)?;
+    let model = template.model(&host)?;
+    Ok((template, model))
+}
+
+/// Every combination of values, the last of them changing first.
+fn grid(vary: &[Vary]) -> Result<Table, Failure> {
+    if vary.is_empty() {
+        return Err(Failure::input("nothing is varied")
+            .help("give --vary NAME=LO:HI:N, or --rows FILE.csv"));
+    }
+    let total = vary.iter().try_fold(1_usize, |n, v| n.checked_mul(v.count));
+    let Some(total) = total.filter(|n| *n <= MOST) else {
+        return Err(Failure::input(format_args!("more than {MOST} rows"))
+            .help("give smaller numbers of values"));
+    };
+    let value = |v: &Vary, i: usize| match v.count {
+        1 => v.lo,
+        n if i == n - 1 => v.hi,
+        n => v.lo + (v.hi - v.lo) * (i as f64 / (n - 1) as f64),
+    };
+    let row = |k: usize| {
+        let mut rest = k;
+        let mut values: Vec<f64> = (vary.iter().rev())
+            .map(|v| {
+                let i = rest % v.count;
+                rest /= v.count;
+                value(v, i)
+            })
+            .collect();
+        values.reverse();
+        values
+    };
+    Ok(Table {
+        names: vary.iter().map(|v| v.name.clone()).collect(),
+        rows: (0..total).map(row).collect(),
+    })
+}
+
+/// The values in a file.
+fn rows_of(file: &Path) -> Result<Table, Failure> {
+    let help = "give CSV with names of parameters in its first line and numbers below";
+    let bytes = input::bytes(file, LARGEST, help)?;
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let wrong =
+        |what: String| Failure::input(format_args!("{}: {what}", file.display())).help(help);
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(bytes);
+    let header = reader.headers().map_err(|e| wrong(e.to_string()))?.clone();
+    let names: Vec<String> = header.iter().map(str::to_owned).collect();
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| wrong(e.to_string()))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let values = record.iter().zip(&names).map(|(text, name)| {
+            let number = text
+                .parse::<f64>()
+                .ok()
+                .or_else(|| cspace_io::parse_angle(text));
+            number.filter(|x| x.is_finite()).ok_or_else(|| {
+                wrong(format!(
+                    "line {line}, column {name}: {} is no number",
+                    shown::quoted(text)
+                ))
+            })
+        });
+        rows.push(values.collect::<Result<Vec<f64>, Failure>>()?);
+    }
+    Ok(Table { names, rows })
+}
+
+fn varied(names: &[String], model: &Model, args: &SweepArgs) -> Result<Vec<Varied>, Failure> {
+    let mut all = Vec::with_capacity(names.len());
+    for (i, name) in names.iter().enumerate() {
+        let Some(varied) = Varied::named(name, model) else {
+            let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+            return Err(Failure::input(format_args!(
+                "{}: there is no parameter or coordinate {}",
+                args.file.display(),
+                shown::quoted(name)
+            ))
+            .help(if known.is_empty() {
+                "the model has no parameters: add them under [parameter]".to_owned()
+            } else {
+                format!("its parameters are {}", known.join(", "))
+            }));
+        };
+        if names[..i].contains(name) {
+            return Err(
+                Failure::input(format_args!("{} is varied twice", shown::quoted(name)))
+                    .help("name it once"),
+            );
+        }
+        all.push(varied);
+    }
+    Ok(all)
+}
+
+/// The requirements that are measured.
+fn measures(model: &Model, args: &SweepArgs) -> Result<Vec<String>, Failure> {
+    let known: Vec<String> = model.requirements.iter().map(|r| r.name.clone()).collect();
+    if known.is_empty() {
+        return Err(Failure::input(format_args!(
+            "{}: the model has no requirements",
+            args.file.display()
+        ))
+        .help("say what is measured in [[requirement]] tables: see docs/design.md"));
+    }
+    if let Some(unknown) = args.measure.iter().find(|m| !known.contains(m)) {
+        return Err(Failure::input(format_args!(
+            "--measure {}: the model has no such requirement",
+            shown::quoted(unknown)
+        ))
+        .help(format_args!("its requirements are {}", known.join(", "))));
+    }
+    Ok(if args.measure.is_empty() {
+        known
+    } else {
+        args.measure.clone()
+    })
+}
+
+/// The rows in order, until an interrupt.
+fn all(sweep: &Sweep<'_>, rows: &[Vec<f64>]) -> Vec<Row> {
+    /// Rows are done together that take about so long: an interrupt waits for them.
+    const TOGETHER: Duration = Duration::from_millis(50);
+    let steps = Steps::new(rows.len());
+    let mut done = Vec::with_capacity(rows.len());
+    let mut together = rayon::current_num_threads();
+    while done.len() < rows.len() && !is_interrupted() {
+        let next = &rows[done.len()..rows.len().min(done.len() + together)];
+        let begin = Instant::now();
+        done.extend(steps.steps(next.len() as u64, || sweep.rows(next)));
+        if begin.elapsed() < TOGETHER {
+            together *= 2;
+        } else if begin.elapsed() > 2 * TOGETHER {
+            together = (together / 2).max(1);
+        }
+    }
+    done
+}
+
+/// What could not be measured, and why.
+fn failure(measures: &[String], row: &Row) -> String {
+    let mut reasons: Vec<String> = Vec::new();
+    for (name, measured) in measures.iter().zip(&row.measured) {
+        if let Err(reason) = measured {
+            reasons.push(format!("{name}: {reason}"));
+        }
+    }
+    reasons.join("; ")
+}
+
+fn csv_of(table: &Table, measures: &[String], done: &[Row]) -> Result<Vec<u8>, Failure> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let failed = |e: csv::Error| Failure::work(e);
+    let header = table.names.iter().chain(measures).map(String::as_str);
+    writer
+        .write_record(header.chain(["failure"]))
+        .map_err(failed)?;
+    for (values, row) in table.rows.iter().zip(done) {
+        let values = values.iter().map(|x| format!("{x:?}"));
+        let measured = row.measured.iter().map(|m| match m {
+            Ok(Value::Number(x)) => format!("{x:?}"),
+            Ok(Value::Truth(b)) => b.to_string(),
+            Err(_) => String::new(),
+        });
+        let fields = values.chain(measured).chain([failure(measures, row)]);
+        writer.write_record(fields).map_err(failed)?;
+    }
+    writer
+        .into_inner()
+        .map_err(|e| Failure::work(e.to_string()))
+}
+
+fn json_of(table: &Table, measures: &[String], done: &[Row]) -> Result<Vec<u8>, Failure> {
+    let rows = table.rows.iter().zip(done).map(|(values, row)| {
+        let mut object = serde_json::Map::new();
+        for (name, x) in table.names.iter().zip(values) {
+            object.insert(name.clone(), (*x).into());
+        }
+        for (name, measured) in measures.iter().zip(&row.measured) {
+            let value = match measured {
+                Ok(Value::Number(x)) => (*x).into(),
+                Ok(Value::Truth(b)) => (*b).into(),
+                Err(_) => serde_json::Value::Null,
+            };
+            object.insert(name.clone(), value);
+        }
+        let failure = failure(measures, row);
+        if !failure.is_empty() {
+            object.insert("failure".to_owned(), failure.into());
+        }
+        serde_json::Value::Object(object)
+    });
+    super::json(&rows.collect::<Vec<_>>())
+}

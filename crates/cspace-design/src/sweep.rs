@@ -1,0 +1,182 @@
+//! Requirements measured over many values of parameters and coordinates.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use cspace_io::model::{Coordinate, Quantity, Requirement, Setting, Template};
+use cspace_io::{Host, Model, ModelError};
+use rayon::prelude::*;
+
+use crate::check::{Silent, Spaces};
+use crate::measure::Value;
+
+/// What is varied from row to row.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Varied {
+    /// A parameter of the model, by name.
+    Parameter(String),
+    /// A coordinate of the configurations at which quantities are measured.
+    Coordinate(Coordinate),
+}
+
+impl Varied {
+    /// What a name stands for in a model: a parameter, or else a coordinate.
+    pub fn named(name: &str, model: &Model) -> Option<Self> {
+        if model.parameters.iter().any(|p| p.name == name) {
+            return Some(Self::Parameter(name.to_owned()));
+        }
+        let all = [
+            Coordinate::X,
+            Coordinate::Y,
+            Coordinate::Theta,
+            Coordinate::U,
+            Coordinate::V,
+        ];
+        all.into_iter()
+            .find(|c| c.name() == name)
+            .map(Self::Coordinate)
+    }
+}
+
+/// One row: what every measure is, or why it has no value, in the order of the measures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// The values and reasons.
+    pub measured: Vec<Result<Value, String>>,
+}
+
+/// Many rows of a model: what is varied, and what is measured.
+pub struct Sweep<'a> {
+    template: &'a Template,
+    /// Values of parameters that all rows have.
+    set: &'a [Setting],
+    varied: &'a [Varied],
+    measures: &'a [String],
+    /// The design of the last rows: those that vary coordinates alone have one.
+    last: Mutex<Option<Arc<Design>>>,
+}
+
+/// A model with values for its parameters.
+struct Design {
+    /// The values of what is varied, of which those of parameters count.
+    values: Vec<f64>,
+    /// The requirements that are measured, with their spaces; or why there is no such model.
+    spaces: Result<(Vec<Requirement>, Spaces), String>,
+}
+
+impl<'a> Sweep<'a> {
+    /// A sweep over what is varied, by rows of values in that order. `measures` are names of requirements.
+    pub const fn new(
+        template: &'a Template,
+        set: &'a [Setting],
+        varied: &'a [Varied],
+        measures: &'a [String],
+    ) -> Self {
+        Self {
+            template,
+            set,
+            varied,
+            measures,
+            last: Mutex::new(None),
+        }
+    }
+
+    /// Measures some rows, in parallel. What comes out does not depend on the number of threads.
+    ///
+    /// Spaces are computed once for neighbouring rows in which all parameters are the same.
+    pub fn rows(&self, rows: &[Vec<f64>]) -> Vec<Row> {
+        let designs: Vec<&[Vec<f64>]> = rows.chunk_by(|a, b| self.is_same(a, b)).collect();
+        let known = self
+            .last
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
+        let found: Vec<(Vec<Row>, Arc<Design>)> = (designs.par_iter())
+            .map(|rows| {
+                let known = known.as_ref().filter(|d| self.is_same(&d.values, &rows[0]));
+                let design = known
+                    .cloned()
+                    .unwrap_or_else(|| Arc::new(self.design(&rows[0])));
+                let measured = rows
+                    .par_iter()
+                    .map(|values| self.row(&design, values))
+                    .collect();
+                (measured, design)
+            })
+            .collect();
+        let last = found.last().map(|(_, design)| Arc::clone(design)).or(known);
+        *self.last.lock().unwrap_or_else(PoisonError::into_inner) = last;
+        found.into_iter().flat_map(|(rows, _)| rows).collect()
+    }
+
+    /// Whether parameters have the same values in two rows.
+    fn is_same(&self, a: &[f64], b: &[f64]) -> bool {
+        let mut all = self.varied.iter().zip(a.iter().zip(b));
+        all.all(|(varied, (a, b))| {
+            matches!(varied, Varied::Coordinate(_)) || a.to_bits() == b.to_bits()
+        })
+    }
+
+    fn design(&self, values: &[f64]) -> Design {
+        let mut set = self.set.to_vec();
+        for (varied, value) in self.varied.iter().zip(values) {
+            if let Varied::Parameter(name) = varied {
+                set.push(Setting {
+                    name: name.clone(),
+                    value: format!("{value:?}"),
+                });
+            }
+        }
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        let reason = |error: ModelError| match error.place() {
+            "" => error.message().to_owned(),
+            place => format!("{place}: {}", error.message()),
+        };
+        let spaces = self
+            .template
+            .model(&host)
+            .map_err(reason)
+            .and_then(|mut model| {
+                model
+                    .requirements
+                    .retain(|r| self.measures.contains(&r.name));
+                let spaces = Spaces::compute(&model, &Silent).map_err(|e| e.to_string())?;
+                Ok((model.requirements, spaces))
+            });
+        Design {
+            values: values.to_vec(),
+            spaces,
+        }
+    }
+
+    fn row(&self, design: &Design, values: &[f64]) -> Row {
+        let measure = |name: &String| {
+            let (requirements, spaces) = design.spaces.as_ref().map_err(String::clone)?;
+            let known = requirements.iter().find(|r| r.name == *name);
+            let mut requirement = known.ok_or("the model has no such requirement")?.clone();
+            for (varied, value) in self.varied.iter().zip(values) {
+                if let Varied::Coordinate(of) = varied {
+                    put(&mut requirement, *of, *value);
+                }
+            }
+            let measured = spaces.check(&requirement).measured;
+            measured.map(|m| m.value).map_err(|e| e.to_string())
+        };
+        Row {
+            measured: self.measures.iter().map(measure).collect(),
+        }
+    }
+}
+
+/// Moves the configuration at which a quantity is measured, if it has the coordinate.
+fn put(requirement: &mut Requirement, of: Coordinate, value: f64) {
+    match &mut requirement.quantity {
+        Quantity::Play { at, .. }
+        | Quantity::Clearance { at }
+        | Quantity::Caged { at }
+        | Quantity::Connected { at, .. }
+        | Quantity::Position { from: at, .. } => of.put(at, value),
+    }
+}
