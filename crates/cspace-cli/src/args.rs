@@ -1114,7 +1114,7 @@ The exit code is 1 if one is not met or cannot be measured.
 const SWEEP: &str = "\
 Examples:
   cspace sweep models/ratchet_pawl.toml --vary tip=49.9:50.1:5
-  cspace sweep models/ratchet_pawl.toml --vary tip=49.9:50.1:5 --vary root=43:45:3
+  cspace sweep models/ratchet_pawl.toml --vary tip=49:50:5 --vary root=43:45:3
   cspace sweep models/ratchet_pawl.toml --rows sizes.csv -o sizes_measured.csv
 
 A column for each name and each measure, and the column failure: an empty field

@@ -40,6 +40,13 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     };
     let varied = varied(&table.names, &model, args)?;
     let measures = measures(&model, args)?;
+    if let Some(name) = measures.iter().find(|m| table.names.contains(m)) {
+        return Err(Failure::input(format_args!(
+            "{} is both a requirement and what is varied: the table would have two such columns",
+            shown::quoted(name)
+        ))
+        .help("give the requirement another name"));
+    }
     let sweep = Sweep::new(&template, &args.values.set, &varied, &measures);
     let done = watched(|| all(&sweep, &table.rows));
     let is_json = (args.output.as_deref().and_then(Path::extension))

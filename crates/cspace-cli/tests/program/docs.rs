@@ -92,6 +92,11 @@ fn how_a_model_is_written() {
 }
 
 #[test]
+fn designs() {
+    is_true("design.md", 4);
+}
+
+#[test]
 fn three_first_models() {
     is_true("first-models.md", 14);
 }

@@ -69,6 +69,146 @@ fn answers_are_for_the_values_that_are_set() {
     }
 }
 
+const REQUIREMENTS: &str = r#"
+[[requirement]]
+name = "free play"
+measure = "play"
+of = "v"
+limits = [0.05, 0.15]
+
+[[requirement]]
+name = "gap"
+measure = "clearance"
+"#;
+
+#[test]
+fn requirements_are_checked() {
+    let (_folder, file) = file(&format!("{MODEL}{REQUIREMENTS}"));
+    let good = cspace(&["check", &file]).output().unwrap();
+    assert!(good.status.success(), "{good:?}");
+    let text = String::from_utf8(good.stdout).unwrap();
+    assert!(
+        text.starts_with("free play: met\n  play       0.100000 mm\n"),
+        "{text}"
+    );
+    let bad = cspace(&["check", &file, "--set", "play=0.2", "--format", "json"])
+        .output()
+        .unwrap();
+    assert_eq!(bad.status.code(), Some(1));
+    assert!(
+        String::from_utf8(bad.stderr)
+            .unwrap()
+            .contains("1 of 2 requirements not met")
+    );
+    let rows: serde_json::Value = serde_json::from_slice(&bad.stdout).unwrap();
+    assert!(
+        (rows[0]["margin"].as_f64().unwrap() + 0.05).abs() < 1e-12,
+        "{rows}"
+    );
+    assert_eq!(
+        (&rows[0]["met"], &rows[1]["met"]),
+        (&false.into(), &serde_json::Value::Null)
+    );
+    let same = REQUIREMENTS.replace("free play", "play");
+    let (_same, same) = self::file(&format!("{MODEL}{same}"));
+    for (args, words) in [
+        (
+            vec!["check", &file, "--requirement", "paly"],
+            "no such requirement",
+        ),
+        (
+            vec!["sweep", &file, "--measure", "paly", "--vary", "play=0:1:2"],
+            "no such requirement",
+        ),
+        (
+            vec!["sweep", &file, "--vary", "paly=0:1:2"],
+            "no parameter or coordinate",
+        ),
+        (vec!["sweep", &file, "--vary", "play=0:1"], "NAME=LO:HI:N"),
+        (
+            vec![
+                "sweep",
+                &file,
+                "--vary",
+                "play=0:1:2",
+                "--vary",
+                "play=0:1:2",
+            ],
+            "varied twice",
+        ),
+        (
+            vec![
+                "sweep",
+                &file,
+                "--vary",
+                "play=0:1:100000",
+                "--vary",
+                "peg=0:1:1000",
+            ],
+            "more than",
+        ),
+        (vec!["sweep", &file], "nothing is varied"),
+        (
+            vec!["sweep", &same, "--vary", "play=0:1:2"],
+            "is both a requirement and",
+        ),
+        (vec!["check", &file, "--set", "peg=0"], "same place"),
+    ] {
+        let output = cspace(&args).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {said}");
+        assert!(said.contains(words), "{args:?}: {said}");
+    }
+}
+
+#[test]
+fn sweeps_are_tables() {
+    let (folder, file) = file(&format!("{MODEL}{REQUIREMENTS}"));
+    let printed = |args: &[&str]| {
+        let output = cspace(args).output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let text = printed(&[
+        "sweep",
+        &file,
+        "--vary",
+        "play=-0.1:0.3:5",
+        "--threads",
+        "1",
+    ]);
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!((lines.len(), lines[0]), (6, "play,free play,gap,failure"));
+    assert!(
+        lines[1].starts_with("-0.1,,,free play: the parts overlap"),
+        "{text}"
+    );
+    assert!(lines[5].starts_with("0.3,0.29999999999999"), "{text}");
+    let rows = folder.path().join("rows.csv");
+    std::fs::write(&rows, "play,v\n0.2,0.05\n0.2,-0.05\n0.4,0.1\n").unwrap();
+    let out = folder.path().join("out.json");
+    printed(&[
+        "sweep",
+        &file,
+        "--rows",
+        rows.to_str().unwrap(),
+        "-o",
+        out.to_str().unwrap(),
+        "--measure",
+        "gap",
+    ]);
+    let table: serde_json::Value = serde_json::from_slice(&std::fs::read(out).unwrap()).unwrap();
+    let gaps: Vec<f64> = table
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|r| r["gap"].as_f64().unwrap())
+        .collect();
+    for (gap, expected) in gaps.iter().zip([0.05, 0.05, 0.1]) {
+        assert!((gap - expected).abs() < 1e-12, "{gaps:?}");
+    }
+}
+
 #[test]
 fn every_command_that_takes_a_model_sets_values() {
     let (folder, file) = model();
