@@ -22,6 +22,10 @@ pub(crate) const MOST_PATCHES: usize = 1 << 23;
 /// The most meetings of two sheets' boxes, counted in every slot of orientations: 4 gigabytes, some minutes.
 pub(crate) const MOST_MEETINGS: usize = 1 << 28;
 
+/// The most meetings of two sheets' boxes in one slot: half a gigabyte. They are of pairs that all differ, but for sheets of several
+/// pieces and sheets that never cross: with more of them there are more than [`MOST_CROSSING`].
+pub(crate) const MOST_IN_SLOT: usize = 2 * MOST_CROSSING;
+
 /// The most pairs of sheets that may cross. Each takes some 600 bytes until the computation ends, for its events, its
 /// branches and the cells that these cut: 20 gigabytes, some minutes.
 pub(crate) const MOST_CROSSING: usize = 1 << 25;

@@ -15,7 +15,7 @@ use crate::part::Bounds;
 
 use crate::general::broad::discs::{Cores, Layout};
 use crate::general::broad::uncovered::{BlockedDiscs, Uncovered};
-use crate::general::limits::{MOST_CROSSING, MOST_MEETINGS, MOST_SHEETS};
+use crate::general::limits::{MOST_CROSSING, MOST_IN_SLOT, MOST_MEETINGS, MOST_SHEETS};
 
 /// A turn with n sheets has `SLOTS_SCALE` n ^ `SLOTS_POWER` slots: more leave fewer crossings, and each costs as much as a
 /// small pair.
@@ -151,9 +151,18 @@ impl Candidates {
                 drop_covered(sheets, &layout, &mut list, (lo, hi));
             }
             let look = |slot| {
-                let found =
-                    look_at_slot(geometry, &layout, &list, slot, slots[slot], slots[slot + 1]);
-                meetings.fetch_add(found.0.len(), Ordering::Relaxed);
+                if meetings.load(Ordering::Relaxed) > MOST_MEETINGS {
+                    return Default::default();
+                }
+                let slot = (slot, slots[slot], slots[slot + 1]);
+                let found = look_at_slot(geometry, &layout, &list, slot);
+                let is_too_many = found.0.len() > MOST_IN_SLOT;
+                let count = if is_too_many {
+                    MOST_MEETINGS + 1
+                } else {
+                    found.0.len()
+                };
+                meetings.fetch_add(count, Ordering::Relaxed);
                 found
             };
             (*first..last).map(look).collect::<Vec<_>>()
@@ -289,9 +298,7 @@ fn look_at_slot(
     geometry: &Geometry,
     layout: &Layout,
     list: &[u32],
-    slot: usize,
-    slot_lo: f64,
-    slot_hi: f64,
+    (slot, slot_lo, slot_hi): (usize, f64, f64),
 ) -> (Vec<u64>, Vec<Boxed>) {
     let contacts = &geometry.contacts;
     let discs = BlockedDiscs::new(layout, 0.5 * (slot_lo + slot_hi), 0.5 * (slot_hi - slot_lo));
@@ -319,7 +326,7 @@ fn look_at_slot(
     boxes.sort_unstable_by(|a, b| a.lo[0].total_cmp(&b.lo[0]).then(a.sheet.cmp(&b.sheet)));
     let mut pairs = Vec::new();
     for (n, b) in boxes.iter().enumerate() {
-        if pairs.len() > MOST_MEETINGS {
+        if pairs.len() > MOST_IN_SLOT {
             break;
         }
         for c in &boxes[n + 1..] {
