@@ -22,6 +22,34 @@ pub(crate) fn read(args: &DrawingArgs, path: &Path) -> Result<Drawing, Failure> 
         .map_err(|e| Failure::input(format_args!("{}: {e}", path.display())).help(e.help()))
 }
 
+/// Refuses options about a format that none of the drawings has.
+pub(crate) fn check_options<'p>(
+    args: &DrawingArgs,
+    mut drawings: impl Iterator<Item = &'p Path> + Clone,
+) -> Result<(), Failure> {
+    let given = [
+        ("--layer", "dxf", !args.layer.is_empty()),
+        ("--hatches", "dxf", args.hatches),
+        ("--id", "svg", args.id.is_some()),
+    ];
+    for (option, format, is_given) in given {
+        let is_of = |path: &Path| {
+            path.extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case(format))
+        };
+        if is_given && !drawings.clone().any(is_of) {
+            let first = drawings.next().unwrap_or(Path::new(""));
+            return Err(Failure::input(format_args!(
+                "{option} is about {} drawings, and {} is none",
+                format.to_uppercase(),
+                first.display()
+            ))
+            .help(format_args!("leave out {option}")));
+        }
+    }
+    Ok(())
+}
+
 /// How a drawing is joined and fitted, whose lengths are multiplied by `scale`.
 pub(crate) fn settings(args: &DrawingArgs, scale: f64) -> Settings {
     Settings {

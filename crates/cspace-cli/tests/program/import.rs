@@ -414,6 +414,16 @@ fn usage_is_checked() {
     );
     fails(cspace(&["import", &file, "-o", &file]), 2, &["rings.dxf"]);
     fails(
+        cspace(&["import", &file, "--id", "rings"]),
+        2,
+        &["--id is about SVG drawings", "leave out --id"],
+    );
+    fails(
+        cspace(&["import", &drawing("shapes.svg"), "--layer", "a"]),
+        2,
+        &["--layer is about DXF drawings"],
+    );
+    fails(
         cspace(&["import", &file, "--layer", "none"]),
         2,
         &["no closed outline", "not asked for"],

@@ -25,6 +25,7 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         check_name(path)?;
     }
     output::check(output)?;
+    drawing::check_options(&args.drawing, args.drawings.iter().map(AsRef::as_ref))?;
     let drawings = (args.drawings.iter())
         .map(|path| drawing::read(&args.drawing, path))
         .collect::<Result<Vec<Drawing>, _>>()?;

@@ -15,6 +15,7 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
     refuse_options_of_models(args)?;
     let pages = page::bundled(Pages::bundled())?;
     let options = &args.drawing;
+    drawing::check_options(options, std::iter::once(path))?;
     let drawn = drawing::read(options, path)?;
     let unit = drawing::of_model(options, std::slice::from_ref(&drawn))?;
     let scale = drawing::factor(options, path, &drawn, unit.as_deref());
@@ -44,6 +45,7 @@ fn refuse_options_of_models(args: &ViewArgs) -> Result<(), Failure> {
         ("--with", !args.with.is_empty()),
         ("--general", args.general),
         ("--snap", args.snap),
+        ("--set", !args.values.set.is_empty()),
     ];
     match given.into_iter().find(|(_, is_given)| *is_given) {
         None => Ok(()),

@@ -14,14 +14,6 @@ use crate::subject::Subject;
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     if cspace_drawing::is_drawing(&args.file) {
-        if !args.values.set.is_empty() {
-            return Err(
-                Failure::input("--set is about parameters of models").help(format_args!(
-                    "leave it out: {} is a drawing",
-                    args.file.display()
-                )),
-            );
-        }
         return show(drawing::server(args, &args.file)?, args);
     }
     if let Some(option) = drawings::first_given(&args.drawing) {
