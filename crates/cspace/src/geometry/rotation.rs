@@ -49,7 +49,7 @@ impl<T: Real> Rotation<T> {
 
 impl<T: Real> Mul<Vector<T>> for Rotation<T> {
     type Output = Vector<T>;
-    #[inline]
+    #[inline(always)]
     fn mul(self, v: Vector<T>) -> Vector<T> {
         Vector::new(
             self.cos * v.x - self.sin * v.y,
