@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::page::{Page, Turn, about, length, number};
+use super::page::{Page, about, length, number};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -54,8 +54,6 @@ impl Latch {
             .help("give a --stem less than --head"));
         }
         let pocket = 0.5 * head.max(mouth) + side;
-        let shoulder = -lip - 0.5 * play;
-        let round = shoulder - rim;
         let bottom = -lip - play - rim - 0.5 * head;
         let (wall, foot) = (pocket + lip, bottom - lip);
         let upright = if head > mouth {
@@ -88,34 +86,49 @@ Ask it:     cspace compute FILE
             si = number(side),
         );
         let mut page = Page::new(&comment, "bolt in a catch", wall.max(-foot));
+        page.parameters();
+        page.parameter("head", head, "diameter of the bolt's round head");
+        page.parameter("rim", rim, "thickness of the head above its round");
+        page.parameter("stem", stem, "");
+        page.parameter("mouth", mouth, "");
+        page.parameter("lip", lip, "thickness of the catch's lips");
+        page.parameter("play", play, "of the bolt along its stem");
+        page.parameter("side", side, "room on either side of the head");
+        page.derived("pocket", "max(head, mouth)/2 + side");
+        page.derived("shoulder", "-lip - play/2");
+        page.derived("bottom", "-lip - play - rim - head/2");
         page.part("The first part of a pair is fixed.", "catch", "");
         page.begin_loop("section");
-        page.vertex((-wall, foot), "foot");
-        page.vertex((wall, foot), "");
-        page.vertex((wall, 0.0), "face");
-        page.vertex((0.5 * mouth, 0.0), "mouth");
-        page.vertex((0.5 * mouth, -lip), "lip");
-        page.vertex((pocket, -lip), "pocket");
-        page.vertex((pocket, bottom), "bottom");
-        page.vertex((-pocket, bottom), "pocket");
-        page.vertex((-pocket, -lip), "lip");
-        page.vertex((-0.5 * mouth, -lip), "mouth");
-        page.vertex((-0.5 * mouth, 0.0), "face");
-        page.vertex((-wall, 0.0), "");
+        page.corner("-pocket - lip", "bottom - lip", "foot");
+        page.corner("pocket + lip", "bottom - lip", "");
+        page.corner("pocket + lip", "0", "face");
+        page.corner("mouth/2", "0", "mouth");
+        page.corner("mouth/2", "-lip", "lip");
+        page.corner("pocket", "-lip", "pocket");
+        page.corner("pocket", "bottom", "bottom");
+        page.corner("-pocket", "bottom", "pocket");
+        page.corner("-pocket", "-lip", "lip");
+        page.corner("-mouth/2", "-lip", "mouth");
+        page.corner("-mouth/2", "0", "face");
+        page.corner("-pocket - lip", "0", "");
         page.end_loop();
         page.end_part();
         page.part("The second part moves.", "bolt", "");
         page.begin_loop("outline");
-        page.vertex((-0.5 * head, round), "head");
-        page.arc_of_radius((0.5 * head, round), 0.5 * head, Turn::Left, "a half circle");
-        page.vertex((0.5 * head, shoulder), "shoulder");
-        page.vertex((0.5 * stem, shoulder), "stem");
-        page.vertex((0.5 * stem, 2.0 * lip), "end");
-        page.vertex((-0.5 * stem, 2.0 * lip), "stem");
-        page.vertex((-0.5 * stem, shoulder), "shoulder");
-        page.vertex((-0.5 * head, shoulder), "");
+        page.corner("-head/2", "shoulder - rim", "head");
+        page.bow("head/2", "shoulder - rim", "head/2", "a half circle");
+        page.corner("head/2", "shoulder", "shoulder");
+        page.corner("stem/2", "shoulder", "stem");
+        page.corner("stem/2", "2*lip", "end");
+        page.corner("-stem/2", "2*lip", "stem");
+        page.corner("-stem/2", "shoulder", "shoulder");
+        page.corner("-head/2", "shoulder", "");
         page.end_loop();
         page.end_part();
+        page.requirement(
+            "What `cspace check FILE` tells, also with --set mouth=10.",
+            "name = \"held\"\nmeasure = \"caged\"",
+        );
         page.finish()
     }
 }

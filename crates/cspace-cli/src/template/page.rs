@@ -34,6 +34,29 @@ impl Page {
         }
     }
 
+    /// Begins the names of the model's dimensions.
+    pub(super) fn parameters(&mut self) {
+        self.text += "\n[parameter]\n";
+    }
+
+    /// A dimension with its value.
+    pub(super) fn parameter(&mut self, name: &str, value: f64, note: &str) {
+        let before = if note.is_empty() { "" } else { " # " };
+        self.text += &format!("{name} = {}{before}{note}\n", number(value));
+    }
+
+    /// A dimension that follows from others.
+    pub(super) fn derived(&mut self, name: &str, expression: &str) {
+        self.text += &format!("{name} = \"{expression}\"\n");
+    }
+
+    /// What is measured, as lines of a requirement.
+    pub(super) fn requirement(&mut self, comment: &str, lines: &str) {
+        self.text.push('\n');
+        self.comment(comment);
+        self.text += &format!("[[requirement]]\n{lines}\n");
+    }
+
     /// Begins a part; `motion` is what stands behind `motion =`, empty for a part that moves freely.
     pub(super) fn part(&mut self, comment: &str, name: &str, motion: &str) {
         self.text.push('\n');
@@ -63,9 +86,27 @@ impl Page {
         self.entry(&entry, note);
     }
 
+    /// A vertex by expressions of its coordinates, or numbers.
+    pub(super) fn corner(&mut self, x: &str, y: &str, note: &str) {
+        self.entry(&format!("[{}, {}]", value(x), value(y)), note);
+    }
+
+    /// An arc of at most half a turn, counter-clockwise, by expressions.
+    pub(super) fn bow(&mut self, x: &str, y: &str, radius: &str, note: &str) {
+        let (x, y, radius) = (value(x), value(y), value(radius));
+        self.entry(
+            &format!("{{ arc_to = [{x}, {y}], radius = {radius} }}"),
+            note,
+        );
+    }
+
     pub(super) fn fillet(&mut self, radius: f64, note: &str) {
         let entry = format!("{{ fillet = {} }}", number(radius));
         self.entry(&entry, note);
+    }
+
+    pub(super) fn rounding(&mut self, radius: &str, note: &str) {
+        self.entry(&format!("{{ fillet = {} }}", value(radius)), note);
     }
 
     /// An arc of at most half a turn.
@@ -147,6 +188,14 @@ impl Turn {
             Self::Left => "ccw",
             Self::Right => "cw",
         }
+    }
+}
+
+/// A number as it stands, an expression in quotes.
+fn value(text: &str) -> String {
+    match text.parse::<f64>() {
+        Ok(_) => text.to_owned(),
+        Err(_) => format!("\"{text}\""),
     }
 }
 

@@ -35,9 +35,8 @@ impl Peg {
             ))
             .help("give a --chamfer less than --depth"));
         }
-        let (half, hole) = (0.5 * diameter, 0.5 * (diameter + clearance));
-        let (side, foot) = (hole + chamfer + diameter, depth + half);
-        let length = depth + diameter.max(0.5 * depth);
+        let hole = 0.5 * (diameter + clearance);
+        let side = hole + chamfer + diameter;
         let comment = format!(
             "\
 A peg of diameter {d} and a hole of diameter {w}, in section.
@@ -62,36 +61,48 @@ Ask it:     cspace compute FILE
             m = number(0.5 * depth),
         );
         let mut page = Page::new(&comment, "peg in hole", side);
+        page.parameters();
+        page.parameter("diameter", diameter, "of the peg");
+        page.parameter("clearance", clearance, "the hole is wider by this");
+        page.parameter("depth", depth, "of the hole, its chamfer included");
+        page.parameter("chamfer", chamfer, "at 45 degrees");
+        page.derived("hole", "(diameter + clearance)/2");
+        page.derived("side", "hole + chamfer + diameter");
+        page.derived("top", "depth + max(diameter, depth/2)");
         page.part("The first part of a pair is fixed.", "block", "");
         page.begin_loop("section");
-        page.vertex((-side, 0.0), "face");
+        page.corner("-side", "0", "face");
         if chamfer > 0.0 {
-            page.vertex((-hole - chamfer, 0.0), "chamfer");
-            page.vertex((-hole, -chamfer), "hole");
+            page.corner("-hole - chamfer", "0", "chamfer");
+            page.corner("-hole", "-chamfer", "hole");
         } else {
-            page.vertex((-hole, 0.0), "hole");
+            page.corner("-hole", "0", "hole");
         }
-        page.vertex((-hole, -depth), "bottom");
-        page.vertex((hole, -depth), "hole");
+        page.corner("-hole", "-depth", "bottom");
+        page.corner("hole", "-depth", "hole");
         if chamfer > 0.0 {
-            page.vertex((hole, -chamfer), "chamfer");
+            page.corner("hole", "-chamfer", "chamfer");
         }
-        page.vertex((hole + chamfer, 0.0), "face");
-        page.vertex((side, 0.0), "");
-        page.vertex((side, -foot), "");
-        page.vertex((-side, -foot), "");
+        page.corner("hole + chamfer", "0", "face");
+        page.corner("side", "0", "");
+        page.corner("side", "-depth - diameter/2", "");
+        page.corner("-side", "-depth - diameter/2", "");
         page.end_loop();
         page.end_part();
         page.part("The second part moves.", "peg", "");
         page.begin_loop("outline");
-        page.vertex((-half, 0.0), "end");
-        page.vertex((half, 0.0), "side");
-        page.vertex((half, length), "top");
-        page.fillet(0.5 * half, "rounds the vertex before");
-        page.vertex((-half, length), "side");
-        page.fillet(0.5 * half, "");
+        page.corner("-diameter/2", "0", "end");
+        page.corner("diameter/2", "0", "side");
+        page.corner("diameter/2", "top", "top");
+        page.rounding("diameter/4", "rounds the vertex before");
+        page.corner("-diameter/2", "top", "side");
+        page.rounding("diameter/4", "");
         page.end_loop();
         page.end_part();
+        page.requirement(
+            "What `cspace check FILE` measures: how far the peg tilts half way down.",
+            "name = \"tilt\"\nmeasure = \"play\"\nof = \"theta\"\nat = { y = \"-depth/2\" }",
+        );
         page.finish()
     }
 }

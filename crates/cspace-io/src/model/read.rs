@@ -374,7 +374,12 @@ fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError
     };
     let (mechanism, mut notes) = mechanism(&tree, files).map_err(explained)?;
     let requirements = requirements(&tree, &mechanism).map_err(explained)?;
-    let words = |entry: &Entry| entry.words(&mechanism);
+    let words = |entry: &Entry| match entry.item {
+        Some(i) if entry.key == "requirement" && i < requirements.len() => {
+            format!("requirement {}", shown::quoted(&requirements[i].name))
+        }
+        _ => entry.words(&mechanism),
+    };
     let (parameters, unused) = parameters.used(&place, words)?;
     notes.extend(unused);
     let model = Model {
