@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use cspace_drawing::{Drawing, DrawingError, Source};
-use cspace_io::model::Parameter;
+use cspace_io::model::{Parameter, Template};
 use cspace_io::shown::number;
 use cspace_io::{Document, Host, Model, Refused};
 
@@ -15,18 +15,35 @@ use crate::output::{self, ANOTHER, OVER_INPUT, STANDARD};
 /// The name of standard input in messages.
 const STDIN: &str = "standard input";
 
-/// The model or saved space that FILE names, with the values that its parameters are given, and how messages call it.
-pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Document), Failure> {
-    let refused = |_: Failure| Refused {
+/// Asks before a file is opened whether the output would overwrite it.
+fn guard(path: &Path) -> Result<(), Refused> {
+    output::before_reading(path).map_err(|_| Refused {
         message: OVER_INPUT.to_owned(),
         help: ANOTHER.to_owned(),
-    };
-    let guard = |path: &Path| output::before_reading(path).map_err(refused);
-    let host = Host {
+    })
+}
+
+/// This command, as the readers of models know it.
+fn host(values: &SetArgs) -> Host<'_> {
+    Host {
         guard: &guard,
         note: &|text| note(format_args!("{text}")),
         set: &values.set,
-    };
+    }
+}
+
+/// The model that FILE names, and its text, of which the parameters may be given other values.
+pub(crate) fn template(file: &Path, values: &SetArgs) -> Result<(Template, Model), Failure> {
+    output::before_reading(file)?;
+    let host = host(values);
+    let template = Template::read(file, &host)?;
+    let model = template.model(&host)?;
+    Ok((template, model))
+}
+
+/// The model or saved space that FILE names, with the values that its parameters are given, and how messages call it.
+pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Document), Failure> {
+    let host = host(values);
     let (path, mut document) = if file == Path::new(STANDARD) {
         output::before_reading_stdin()?;
         let read = cspace_io::read_from_hosted(std::io::stdin().lock(), STDIN, &host)?;

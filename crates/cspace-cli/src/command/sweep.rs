@@ -4,14 +4,13 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use cspace_design::{Row, Sweep, Value, Varied};
-use cspace_io::model::Template;
-use cspace_io::{Host, Model, Refused, shown};
+use cspace_io::{Model, shown};
 
 use crate::args::{SweepArgs, TableFormat, Vary};
-use crate::failure::{Failure, note};
+use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{catch_interrupts, is_interrupted, watched};
-use crate::output::{self, ANOTHER, OVER_INPUT};
+use crate::output;
 use crate::progress::Steps;
 use crate::subject::set_threads;
 use crate::wording::count;
@@ -33,7 +32,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (template, model) = template(args)?;
+    let (template, model) = input::template(&args.file, &args.values)?;
     let table = match &args.rows {
         Some(file) => rows_of(file)?,
         None => grid(&args.vary)?,
@@ -69,24 +68,6 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         )));
     }
     Ok(())
-}
-
-/// The model, and its text for all rows.
-fn template(args: &SweepArgs) -> Result<(Template, Model), Failure> {
-    let refused = |_: Failure| Refused {
-        message: OVER_INPUT.to_owned(),
-        help: ANOTHER.to_owned(),
-    };
-    let guard = |path: &Path| output::before_reading(path).map_err(refused);
-    let host = Host {
-        guard: &guard,
-        note: &|text| note(format_args!("{text}")),
-        set: &args.values.set,
-    };
-    output::before_reading(&args.file)?;
-    let template = Template::read(&args.file, &host)?;
-    let model = template.model(&host)?;
-    Ok((template, model))
 }
 
 /// Every combination of values, the last of them changing first.

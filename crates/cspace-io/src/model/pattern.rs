@@ -26,17 +26,24 @@ pub(super) struct Item {
     pub(super) from: usize,
 }
 
-/// The entries of a list, with patterns written out; `place` gives the place of each.
+/// The entries of a loop, with patterns written out; `place` gives the place of each.
 pub(super) fn written_out(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Result<Vec<Item>> {
+    let mut items = entries(nodes, place)?;
+    if nodes.iter().any(is_pattern) {
+        close(&mut items);
+    }
+    Ok(items)
+}
+
+/// The entries of a loop or path.
+fn entries(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Result<Vec<Item>> {
     let mut items = Vec::with_capacity(nodes.len());
-    let mut has_copies = false;
     for (from, node) in nodes.iter().enumerate() {
         if !is_pattern(node) {
             let entry = read_entry(place(from), node, nodes)?;
             items.push(Item { entry, from });
             continue;
         }
-        has_copies = true;
         for (begins, entry) in copies(place(from), node)? {
             if begins {
                 join(&mut items, Item { entry, from });
@@ -44,9 +51,6 @@ pub(super) fn written_out(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Res
                 items.push(Item { entry, from });
             }
         }
-    }
-    if has_copies {
-        close(&mut items);
     }
     Ok(items)
 }
@@ -67,7 +71,10 @@ fn copies(place: Place, node: &Node) -> Result<Vec<(bool, Entry)>> {
             .item(i)
             .further(&format!("entry {i} of its path"))
     };
-    let path: Vec<Entry> = written_out_open(path, &inner)?;
+    let path: Vec<Entry> = entries(path, &inner)?
+        .iter()
+        .map(|item| item.entry)
+        .collect();
     if path.is_empty() {
         return Err(table.error("path", "the path is empty").with_help(HELP));
     }
@@ -121,26 +128,6 @@ fn copies(place: Place, node: &Node) -> Result<Vec<(bool, Entry)>> {
         )
         .with_help("put one pattern into the path of the other")),
     }
-}
-
-/// As [`written_out`], of a path, which is not closed.
-fn written_out_open(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Result<Vec<Entry>> {
-    let mut items = Vec::new();
-    for (from, node) in nodes.iter().enumerate() {
-        if is_pattern(node) {
-            for (begins, entry) in copies(place(from), node)? {
-                if begins {
-                    join(&mut items, Item { entry, from });
-                } else {
-                    items.push(Item { entry, from });
-                }
-            }
-        } else {
-            let entry = read_entry(place(from), node, nodes)?;
-            items.push(Item { entry, from });
-        }
-    }
-    Ok(items.into_iter().map(|item| item.entry).collect())
 }
 
 fn too_many(table: &Table<'_>, key: &str, count: usize, length: usize) -> Result<()> {

@@ -452,3 +452,107 @@ fn target(table: &Table<'_>, quantity: &Quantity, angles: bool) -> Result<Option
         .interval("limits", angles)?
         .map(|(lo, hi)| Target::Limits(lo, hi)))
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{Document, Host, read_from_hosted};
+
+    const MODEL: &str = r#"
+[[part]]
+name = "cam"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 2, at = [1, 0] }]
+
+[[part]]
+name = "tappet"
+motion = { type = "prismatic", direction = [0, 1] }
+loops = [{ circle = 1, at = [0, 9] }]
+
+[[requirement]]
+name = "lift"
+pair = ["cam", "tappet"]
+measure = "position"
+at = { u = "30deg" }
+along = [0, -9]
+limits = [-9, 0]
+"#;
+
+    #[test]
+    fn what_is_wrong_is_told_where_it_is() {
+        let read = |text: &str| read_from_hosted(text.as_bytes(), "m.toml", &Host::default());
+        assert!(matches!(read(MODEL), Ok(Document::Model(m)) if m.requirements.len() == 1));
+        for (from, to, expected, help) in [
+            (
+                "\"position\"",
+                "\"positoin\"",
+                "m.toml:15:11: requirement \"lift\": unknown measure \"positoin\"",
+                "did you mean `position`?",
+            ),
+            (
+                "u = \"30deg\"",
+                "x = 1",
+                "m.toml:16:8: requirement \"lift\": unknown key \"x\"",
+                "did you mean",
+            ),
+            (
+                "along = [0, -9]",
+                "along = [0, 0]",
+                "m.toml:17:9: requirement \"lift\": the motion goes nowhere",
+                "not 0",
+            ),
+            (
+                "along = [0, -9]",
+                "along = [1, -9]",
+                "the motion changes u, v",
+                "of = \"u\"",
+            ),
+            (
+                "along = [0, -9]",
+                "along = [0, -9, 0]",
+                "where a list of 2 numbers",
+                "along = [0, -10]",
+            ),
+            (
+                "along = [0, -9]",
+                "along = [0, \"-9 +\"]",
+                "m.toml:17:18: requirement \"lift\": in \"-9 +\": the expression ends",
+                "add a number",
+            ),
+            (
+                "[-9, 0]",
+                "[0, -9]",
+                "empty or reversed",
+                "smaller bound first",
+            ),
+            (
+                "limits = [-9, 0]",
+                "equals = true",
+                "`equals` is given of the measure position",
+                "limits",
+            ),
+            (
+                "[\"cam\", \"tappet\"]",
+                "[\"cam\", \"tapet\"]",
+                "m.toml:14:16: requirement \"lift\"",
+                "did you mean `tappet`?",
+            ),
+            (
+                "along = [0, -9]",
+                "along = [0, -9]\nof = \"y\"",
+                "no coordinate \"y\"",
+                "u, v",
+            ),
+        ] {
+            assert!(MODEL.contains(from), "{from}");
+            let Err(e) = read(&MODEL.replacen(from, to, 1)) else {
+                panic!("{to} was read");
+            };
+            assert!(e.to_string().contains(expected), "{e}");
+            assert!(
+                e.help().unwrap_or_default().contains(help),
+                "{e}: {:?}",
+                e.help()
+            );
+        }
+    }
+}
