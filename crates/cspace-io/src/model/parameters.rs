@@ -20,13 +20,16 @@ use crate::shown::quoted;
 /// The most parameters of a model.
 const MOST: usize = 10_000;
 
-/// Keys whose texts are names and not numbers.
-const TEXTS: [&str; 18] = [
+/// Keys whose texts are names, or wrong where true or false belongs, and never numbers.
+const TEXTS: [&str; 23] = [
     "$schema",
     "direction",
     "dxf",
+    "equals",
     "fixed",
+    "hatches",
     "id",
+    "large",
     "layer",
     "measure",
     "mirror",
@@ -37,7 +40,9 @@ const TEXTS: [&str; 18] = [
     "part",
     "parts",
     "points",
+    "split",
     "svg",
+    "trace",
     "type",
     "unit",
 ];

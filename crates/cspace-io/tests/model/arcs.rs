@@ -328,10 +328,10 @@ fn errors_name_the_entry_and_say_what_to_do() {
             "arc_to = [1.5, -2]",
         ),
         (
-            "[[[0, 0], { arc_to = [4, 0], radius = \"4\" }, [4, 3]]]",
+            "[[[0, 0], { arc_to = [4, 0], radius = \"4°\" }, [4, 3]]]",
             "loop 0, entry 1",
             47,
-            "`radius` is the text \"4\"",
+            "`radius` is the text \"4°\"",
             "radius = 2.5",
         ),
         (

@@ -289,7 +289,10 @@ fn wholes_and_parts_are_refused() {
     );
     pawl("mass = -1", &[name, "`mass`: -1.0 is not positive"]);
     pawl("mass = inf", &[name, "`mass` is the number inf", "finite"]);
-    pawl("mass = \"1 kg\"", &[name, "`mass` is the text \"1 kg\""]);
+    pawl(
+        "mass = \"1 kg\"",
+        &[name, "in \"1 kg\": an operator is missing before \"kg\""],
+    );
     pawl("density = 0", &[name, "`density`: 0.0 is not positive"]);
     pawl(
         "inertia = 2",
@@ -314,7 +317,7 @@ fn wholes_and_parts_are_refused() {
     );
     pawl(
         "start = [1, 2, \"3 grad\"]",
-        &[name, "\"3 grad\"", "an angle", "30deg"],
+        &[name, "\"3 grad\"", "deg, rad and turn"],
     );
     pawl(
         "start = [1, \"2deg\", 3]",
@@ -350,7 +353,7 @@ fn wholes_and_parts_are_refused() {
     );
     wheel(
         "rate = \"fast\"",
-        &["part 1 \"driver\"", "an angle per second"],
+        &["part 1 \"driver\"", "no parameter \"fast\""],
     );
     let slider =
         |line: &str, words: &[&str]| refused(&text("", ["", "", line, ""], ""), line, words);
@@ -627,6 +630,10 @@ fn springs_are_refused() {
         "type",
         &["unknown type of spring \"torson\"", "`torsion`"],
     );
-    let angle = format!("{TWO}type = \"torsion\"\nstiffness = 1\nangle = \"1\"");
-    spring(&angle, "angle", &["spring 0", "the text \"1\"", "an angle"]);
+    let angle = format!("{TWO}type = \"torsion\"\nstiffness = 1\nangle = \"1 grad\"");
+    spring(
+        &angle,
+        "angle",
+        &["spring 0", "in \"1 grad\"", "deg, rad and turn"],
+    );
 }

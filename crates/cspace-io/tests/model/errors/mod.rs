@@ -99,8 +99,8 @@ fn errors_name_the_place_and_say_what_to_do() {
         &["loop 0, vertex 2"],
     );
     says(
-        &error(&part("a", "loops = [[[0, 0], [1, \"0\"], [1, 1]]]")),
-        &["loop 0, vertex 1", "\"0\""],
+        &error(&part("a", "loops = [[[0, 0], [1, \"0deg\"], [1, 1]]]")),
+        &["loop 0, vertex 1", "\"0deg\""],
     );
     says(
         &error(&part("a", "loops = [[[0, 0], [1, nan], [1, 1]]]")),
@@ -287,7 +287,8 @@ fn errors_name_line_and_column() {
         ("loop = []", 5, 1),
         ("loops = 3", 5, 9),
         ("loops = [\n  [[0, 0], [1, 0],\n   [1]]]", 7, 4),
-        ("loops = [\n  [[0, 0], [1, 0], [1, \"0\"]]]", 6, 20),
+        ("loops = [\n  [[0, 0], [1, 0], [1, \"0deg\"]]]", 6, 20),
+        ("loops = [\n  [[0, 0], [1, 0], [1, \"0*x\"]]]", 6, 27),
         // A part that makes no outline: crossing, spike, coincident vertices, a bad bulge, a loop twice.
         (
             "loops = [\n [[0, 0],\n  [1, 1],\n  [1, 0],\n  [0, 1]]]",
