@@ -6,7 +6,7 @@ use crate::geometry::{Rotation, Vector};
 use crate::number::Real;
 
 use crate::general::events::branch::Branch;
-use crate::general::events::placing::{Placing, Rank};
+use crate::general::events::placing::{Placing, Rank, rounding};
 
 /// Errors of places are estimates; this much worse they may be.
 const MARGIN: f64 = 8.0;
@@ -73,23 +73,26 @@ pub(crate) fn apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: 
             return Exact::from(rough);
         }
     }
-    exactly_apart(geometry, sheet, pair, theta)
+    exactly_apart(geometry, sheet, pair, theta).0
 }
 
-/// As [`apart`], to all digits.
+/// As [`apart`], to all digits, and how far rounding may have moved the two places (length).
 pub(crate) fn exactly_apart(
     geometry: &Geometry,
     sheet: u32,
     pair: [&Branch; 2],
     theta: Exact,
-) -> Exact {
+) -> (Exact, f64) {
     let turn = Rotation::by(theta);
     let cycle = geometry.cycle(sheet, turn);
-    let [p, q] = pair.map(|b| {
-        let other = geometry.cycle(b.other(sheet), turn);
-        cycle.root(&other, b.root, b.second == sheet)
+    let [(p, e), (q, f)] = pair.map(|b| {
+        let sheets = [sheet, b.other(sheet)];
+        let other = geometry.cycle(sheets[1], turn);
+        let place = cycle.root(&other, b.root, b.second == sheet);
+        let rounding = rounding(geometry, sheets, [&cycle, &other], place);
+        (place, rounding)
     });
-    between(&cycle, p, q)
+    (between(&cycle, p, q), e + f)
 }
 
 /// Whether doubles cannot tell places on one of some sheets.

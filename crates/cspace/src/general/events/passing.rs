@@ -278,6 +278,8 @@ impl Passing<'_> {
     fn change_of_order(&self, lo: Exact, hi: Exact, near: Option<f64>) -> Option<Moment> {
         /// Smaller ones are rounding (length): where three carriers always share a point.
         const NONE: f64 = 1e-29;
+        /// Two values that differ by more than so many times what rounding may have moved them determine a slope.
+        const MARGIN: f64 = 16.0;
         let both = [self.x, self.y];
         let at = |theta: Exact| {
             let apart = apart(self.geometry, self.sheet, both, theta);
@@ -300,15 +302,17 @@ impl Passing<'_> {
             if !(a < c && c < b) {
                 c = (a + b).scaled(0.5);
             }
-            let at_c = exactly_apart(self.geometry, self.sheet, both, c);
+            let (at_c, rounding) = exactly_apart(self.geometry, self.sheet, both, c);
             if at_c.is_negative() == at_a.is_negative() {
                 a = c;
             } else {
                 b = c;
             }
-            // The difference of two values that are rounding is no slope.
+            // The difference of two values that are rounding is no slope: where lines all but parallel cross, the places have few
+            // digits.
             if let Some((before, at_before)) = last
-                && at_before.to_f64().abs() > 16.0 * NONE
+                && at_before.to_f64().abs() > MARGIN * NONE
+                && (at_c - at_before).to_f64().abs() > MARGIN * rounding
             {
                 slope = (at_c - at_before) / (c - before);
             }

@@ -2,6 +2,7 @@
 
 use crate::contact::{Curve, Cycle, Exact, Geometry, Orientation, Precision};
 use crate::geometry::{Point, Vector};
+use crate::number::Real;
 
 use crate::general::events::branch::Branch;
 
@@ -59,14 +60,7 @@ impl<'a, T: Precision> Placing<'a, T> {
     /// The sine of the angle at which a branch crosses the curve, about.
     pub(crate) fn sharpness(&self, b: &Branch) -> f64 {
         let (other, v) = self.crossed_by(b);
-        self.sharpness_at(&other, v)
-    }
-
-    /// The sine of the angle at which another cycle crosses it at a place.
-    fn sharpness_at(&self, other: &Cycle<T>, place: Vector<T>) -> f64 {
-        let point = self.curve.cycle.at(place);
-        let [m, n] = [&self.curve.cycle, other].map(|c| c.normal_at(point));
-        m.cross(n).value().abs()
+        sharpness(&self.curve.cycle, &other, v)
     }
 
     /// Lengths of travel to the ends.
@@ -80,15 +74,33 @@ impl<'a, T: Precision> Placing<'a, T> {
     }
 }
 
+/// The sine of the angle at which a cycle is crossed by another at a place on it.
+fn sharpness<T: Real>(cycle: &Cycle<T>, other: &Cycle<T>, place: Vector<T>) -> f64 {
+    let point = cycle.at(place);
+    let [m, n] = [cycle, other].map(|c| c.normal_at(point));
+    m.cross(n).value().abs()
+}
+
+/// How far rounding in double-double may have moved the place where two sheets cross, on the cycle of the first (length): circles are
+/// known by their centres, and the larger they are and the blunter they cross, the worse a place is known.
+pub(super) fn rounding(
+    geometry: &Geometry,
+    sheets: [u32; 2],
+    [cycle, other]: [&Cycle<Exact>; 2],
+    place: Vector<Exact>,
+) -> f64 {
+    let radii = sheets.map(|s| Exact::locus(geometry, s).radius.to_f64().abs());
+    let size = radii[0].max(radii[1]).max(1.0);
+    Exact::EPSILON * size / sharpness(cycle, other, place).max(f64::MIN_POSITIVE)
+}
+
 impl Placing<'_, Exact> {
-    /// The place of a branch, and how far rounding may have moved it (length): circles are known by their centres, and the larger
-    /// they are and the blunter they cross, the worse a place is known.
+    /// The place of a branch, and how far [rounding] may have moved it (length).
     pub(crate) fn place_and_rounding(&self, b: &Branch) -> (Exact, f64) {
         let (other, v) = self.crossed_by(b);
-        let radius = |s: u32| Exact::locus(self.geometry, s).radius.to_f64().abs();
-        let size = radius(self.index).max(radius(b.other(self.index))).max(1.0);
-        let sharpness = self.sharpness_at(&other, v).max(f64::MIN_POSITIVE);
-        (self.curve.length_to(v), Exact::EPSILON * size / sharpness)
+        let sheets = [self.index, b.other(self.index)];
+        let rounding = rounding(self.geometry, sheets, [&self.curve.cycle, &other], v);
+        (self.curve.length_to(v), rounding)
     }
 
     /// The point at a place, rounded.
