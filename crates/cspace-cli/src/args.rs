@@ -499,6 +499,9 @@ pub(crate) struct CheckArgs {
     /// This requirement alone; may be given several times
     #[arg(long, value_name = "NAME")]
     pub(crate) requirement: Vec<String>,
+    /// Tell by how much each value changes with each parameter
+    #[arg(long)]
+    pub(crate) sensitivities: bool,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it

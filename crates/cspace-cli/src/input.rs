@@ -24,7 +24,7 @@ fn guard(path: &Path) -> Result<(), Refused> {
 }
 
 /// This command, as the readers of models know it.
-fn host(values: &SetArgs) -> Host<'_> {
+pub(crate) fn host(values: &SetArgs) -> Host<'_> {
     Host {
         guard: &guard,
         note: &|text| note(format_args!("{text}")),
@@ -34,6 +34,12 @@ fn host(values: &SetArgs) -> Host<'_> {
 
 /// The model that FILE names, and its text, of which the parameters may be given other values.
 pub(crate) fn template(file: &Path, values: &SetArgs) -> Result<(Template, Model), Failure> {
+    if file == Path::new(STANDARD) {
+        return Err(Failure::input(
+            "the model is read several times, which standard input cannot be",
+        )
+        .help("give the name of a file"));
+    }
     output::before_reading(file)?;
     let host = host(values);
     let template = Template::read(file, &host)?;

@@ -13,6 +13,8 @@ pub struct Checked {
     pub requirement: Requirement,
     /// What it is, or why it has no value.
     pub measured: Result<Measured, Unmeasured>,
+    /// What touches where the quantity ends: features of the fixed and of the moving part, as messages call them.
+    pub touching: Vec<[String; 2]>,
 }
 
 impl Checked {
@@ -82,14 +84,24 @@ impl Spaces {
 
     /// Measures a requirement of one of the pairs.
     pub(crate) fn check(&self, requirement: &Requirement) -> Checked {
-        let measured = match self.0.iter().find(|s| s.0 == requirement.pair) {
-            Some((_, Ok(space))) => measure(space, &requirement.quantity),
-            Some((_, Err(error))) => Err(error.clone()),
-            None => Err(Unmeasured::Space("the pair has no space".to_owned())),
+        let space = self.of(requirement);
+        let measured = space.and_then(|space| measure(space, &requirement.quantity));
+        let touching = match (self.of(requirement), &measured) {
+            (Ok(space), Ok(measured)) => measured.touching(space),
+            _ => Vec::new(),
         };
         Checked {
             requirement: requirement.clone(),
             measured,
+            touching,
+        }
+    }
+
+    /// The space that a requirement is about.
+    pub(crate) fn of(&self, requirement: &Requirement) -> Result<&PairSpace, Unmeasured> {
+        match self.0.iter().find(|s| s.0 == requirement.pair) {
+            Some((_, space)) => space.as_ref().map_err(Clone::clone),
+            None => Err(Unmeasured::Space("the pair has no space".to_owned())),
         }
     }
 }

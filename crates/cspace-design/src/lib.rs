@@ -1,7 +1,8 @@
 //! What a design must do, measured on the configuration spaces of its pairs.
 //!
 //! A model says its requirements in `[[requirement]]` ([`cspace_io::model::Requirement`]); [`check`] measures all of them.
-//! [`Sweep`] measures them over many values of parameters. [`measure`] measures one quantity of one space, [`touching`] names the features at a contact.
+//! [`sensitivities`] adds
+//! derivatives by parameters. [`Sweep`] measures them over many values of parameters. [`measure`] measures one quantity of one space, [`touching`] names the features at a contact.
 //!
 //! ```
 //! use cspace_design::{Value, check};
@@ -36,10 +37,12 @@
 
 mod check;
 mod measure;
+mod sensitivity;
 mod sweep;
 mod touching;
 
 pub use check::{Checked, Interrupted, check, check_with};
-pub use measure::{Measured, Unmeasured, Value, measure, reach};
+pub use measure::{Measured, Stop, Unmeasured, Value, measure, reach};
+pub use sensitivity::{Sensitivity, sensitivities};
 pub use sweep::{Row, Sweep, Varied};
 pub use touching::{FeaturePair, pair_of, texts, touching};

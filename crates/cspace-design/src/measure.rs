@@ -27,10 +27,31 @@ pub struct Measured {
     pub value: Value,
     /// Of a play the two ends of the range, as values of its coordinate.
     pub range: Option<(f64, f64)>,
-    /// Of a position the configuration in contact.
-    pub at: Option<Coordinates>,
+    /// What the quantity comes from: of a play both ends of the range, the lower first; of a position the contact; of a clearance the
+    /// configuration itself.
+    pub stops: Vec<Stop>,
+}
+
+/// A configuration that decides a quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stop {
+    /// The configuration, features touching as they are drawn.
+    pub at: Coordinates,
+    /// The features of both parts that touch there, or are nearest; none at the end of a part's range.
+    pub features: Vec<FeaturePair>,
+}
+
+impl Measured {
     /// What touches where the quantity ends: features of the fixed and of the moving part, as messages call them.
-    pub touching: Vec<[String; 2]>,
+    pub fn touching(&self, space: &PairSpace) -> Vec<[String; 2]> {
+        let mut all: Vec<FeaturePair> = Vec::new();
+        for &pair in self.stops.iter().flat_map(|s| &s.features) {
+            if !all.contains(&pair) {
+                all.push(pair);
+            }
+        }
+        all.into_iter().map(|pair| texts(space, pair)).collect()
+    }
 }
 
 /// Why a quantity has no value.
@@ -81,8 +102,10 @@ pub fn measure(space: &PairSpace, quantity: &Quantity) -> Result<Measured, Unmea
         Quantity::Clearance { at } => Ok(Measured {
             value: Value::Number(space.clearance(at)?),
             range: None,
-            at: None,
-            touching: nearest(space, at)?,
+            stops: vec![Stop {
+                at,
+                features: nearest(space, at)?,
+            }],
         }),
         Quantity::Caged { at } => match space.locate(at)? {
             Location::Free(region) => {
@@ -109,41 +132,35 @@ fn truth(value: bool) -> Measured {
     Measured {
         value: Value::Truth(value),
         range: None,
-        at: None,
-        touching: Vec::new(),
+        stops: Vec::new(),
     }
-}
-
-/// The names of features.
-fn names(space: &PairSpace, features: &[FeaturePair]) -> Vec<[String; 2]> {
-    features.iter().map(|&f| texts(space, f)).collect()
 }
 
 fn play(space: &PairSpace, of: Coordinate, at: Coordinates) -> Result<Measured, Unmeasured> {
     let now = of.of(at).ok_or_else(|| wrong_class(space, at))?;
     let far = reach(space, at, of);
     let mut ends = [0.0; 2];
-    let mut features: Vec<FeaturePair> = Vec::new();
+    let mut stops = Vec::new();
     for (end, way) in ends.iter_mut().zip([-1.0, 1.0]) {
         let rates = unit(of, way);
-        match space.first_contact(at, rates, far)? {
+        let (time, features) = match space.first_contact(at, rates, far)? {
             PairMotion::Free => return Err(Unmeasured::Unlimited),
-            PairMotion::Leaves { time } => *end = now + way * time,
-            PairMotion::Contact(contact) => {
-                *end = now + way * as_drawn(space, (at, rates), &contact)?;
-                for pair in touching(space, (at, rates), &contact)? {
-                    if !features.contains(&pair) {
-                        features.push(pair);
-                    }
-                }
-            }
-        }
+            PairMotion::Leaves { time } => (time, Vec::new()),
+            PairMotion::Contact(contact) => (
+                as_drawn(space, (at, rates), &contact)?,
+                touching(space, (at, rates), &contact)?,
+            ),
+        };
+        *end = now + way * time;
+        stops.push(Stop {
+            at: moved(at, rates, time),
+            features,
+        });
     }
     Ok(Measured {
         value: Value::Number(ends[1] - ends[0]),
         range: Some((ends[0], ends[1])),
-        at: None,
-        touching: names(space, &features),
+        stops,
     })
 }
 
@@ -162,8 +179,10 @@ fn position(
             Ok(Measured {
                 value: Value::Number(of.of(at).ok_or_else(|| wrong_class(space, from))?),
                 range: None,
-                at: Some(at),
-                touching: names(space, &touching(space, (from, along), &contact)?),
+                stops: vec![Stop {
+                    at,
+                    features: touching(space, (from, along), &contact)?,
+                }],
             })
         }
     }
@@ -221,12 +240,11 @@ fn as_drawn(
 }
 
 /// The features that are as near to each other as the parts.
-fn nearest(space: &PairSpace, at: Coordinates) -> Result<Vec<[String; 2]>, Unmeasured> {
+fn nearest(space: &PairSpace, at: Coordinates) -> Result<Vec<FeaturePair>, Unmeasured> {
     let clearance = space.clearance(at)?;
     let within = clearance + 4.0 * space.resolution();
     let near = space.near_features(at, within)?;
-    let features: Vec<FeaturePair> = near.iter().map(crate::touching::pair_of).collect();
-    Ok(names(space, &features))
+    Ok(near.iter().map(crate::touching::pair_of).collect())
 }
 
 fn wrong_class(space: &PairSpace, given: Coordinates) -> Unmeasured {
@@ -241,7 +259,7 @@ fn wrong_class(space: &PairSpace, given: Coordinates) -> Unmeasured {
 }
 
 /// A rate of one coordinate.
-fn unit(of: Coordinate, rate: f64) -> Coordinates {
+pub(crate) fn unit(of: Coordinate, rate: f64) -> Coordinates {
     match of {
         Coordinate::X => Coordinates::Planar(Configuration::new(rate, 0.0, 0.0)),
         Coordinate::Y => Coordinates::Planar(Configuration::new(0.0, rate, 0.0)),

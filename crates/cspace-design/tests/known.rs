@@ -126,7 +126,7 @@ fn limits_are_met_or_not_with_a_margin() {
     let met: Vec<_> = all.iter().map(Checked::is_met).collect();
     assert_eq!(met, [Some(true), Some(false), None, None, Some(true)]);
     assert!((all[1].margin().unwrap() + 0.1).abs() < 1e-12);
-    let touching = &all[2].measured.as_ref().unwrap().touching;
+    let touching = &all[2].touching;
     assert_eq!(touching.len(), 2, "both corners: {touching:?}");
 }
 

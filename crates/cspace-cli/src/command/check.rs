@@ -3,10 +3,11 @@
 use std::fmt::{self, Write};
 
 use cspace::Coordinates;
-use cspace_design::{Checked, Value};
-use cspace_io::model::Target;
+use cspace_design::{Checked, Sensitivity, Value as Found};
+use cspace_io::model::{Quantity, Target};
 use cspace_io::{Document, Model};
 use serde::Serialize;
+use serde_json::{Map, Value};
 
 use crate::args::{CheckArgs, Format};
 use crate::failure::Failure;
@@ -42,6 +43,14 @@ struct Row {
     /// Why there is no value.
     #[serde(skip_serializing_if = "Option::is_none")]
     failure: Option<String>,
+    /// The derivatives by parameters; where they differ for smaller and larger values, that for larger ones.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sensitivities: Option<Map<String, Value>>,
+    /// The derivatives for smaller and for larger values, where they differ.
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    one_sided: Map<String, Value>,
+    #[serde(skip)]
+    by: Vec<Sensitivity>,
     #[serde(skip)]
     is_angle: bool,
 }
@@ -59,13 +68,19 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (path, document) = input::document(&args.file, &args.values)?;
-    let Document::Model(mut model) = document else {
-        return Err(Failure::input(format_args!(
-            "{}: the file is a saved contact space of two parts",
-            path.display()
-        ))
-        .help("give the model file: requirements are the model's"));
+    let (path, mut model, template) = if args.sensitivities {
+        let (template, model) = input::template(&args.file, &args.values)?;
+        (args.file.clone(), Box::new(model), Some(template))
+    } else {
+        let (path, document) = input::document(&args.file, &args.values)?;
+        let Document::Model(model) = document else {
+            return Err(Failure::input(format_args!(
+                "{}: the file is a saved contact space of two parts",
+                path.display()
+            ))
+            .help("give the model file: requirements are the model's"));
+        };
+        (path, model, None)
     };
     if model.requirements.is_empty() {
         return Err(Failure::input(format_args!(
@@ -78,10 +93,23 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
         chosen(&mut model, &args.requirement)?;
     }
     let bar = Bar::new(model.mechanism.name.clone());
-    let checked = bar
-        .watch(|bar| cspace_design::check_with(&model, bar))
-        .map_err(Failure::work)?;
-    let rows: Vec<Row> = checked.iter().map(|c| row(&model, c)).collect();
+    let rows: Vec<Row> = match &template {
+        None => bar
+            .watch(|bar| cspace_design::check_with(&model, bar))
+            .map_err(Failure::work)?
+            .iter()
+            .map(|c| row(&model, c, None))
+            .collect(),
+        Some(template) => bar
+            .watch(|bar| {
+                let host = input::host(&args.values);
+                cspace_design::sensitivities(template, &host, &model, bar)
+            })
+            .map_err(Failure::work)?
+            .into_iter()
+            .map(|(c, by)| row(&model, &c, Some(by)))
+            .collect(),
+    };
     let answer = match args.result.format() {
         Format::Json => super::json(&rows)?,
         Format::Text => {
@@ -128,7 +156,19 @@ fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure> {
     Ok(())
 }
 
-fn row(model: &Model, checked: &Checked) -> Row {
+fn row(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Row {
+    let derivatives = |one_sided: bool| -> Map<String, Value> {
+        let of = |s: &Sensitivity| {
+            let [below, above] = *s.derivative.as_ref().ok()?;
+            let value = if one_sided {
+                Value::from(vec![below, above])
+            } else {
+                above.into()
+            };
+            (!one_sided || below != above).then(|| (s.parameter.clone(), value))
+        };
+        by.iter().flatten().filter_map(of).collect()
+    };
     let requirement = &checked.requirement;
     let name = |i: usize| model.mechanism.parts[i].part.name().to_owned();
     let measured = checked.measured.as_ref().ok();
@@ -137,8 +177,8 @@ fn row(model: &Model, checked: &Checked) -> Row {
         pair: [name(requirement.pair.fixed), name(requirement.pair.moving)],
         measure: requirement.quantity.name(),
         value: measured.map(|m| match m.value {
-            Value::Number(x) => Told::Number(x),
-            Value::Truth(b) => Told::Truth(b),
+            Found::Number(x) => Told::Number(x),
+            Found::Truth(b) => Told::Truth(b),
         }),
         limits: match requirement.target {
             Some(Target::Limits(lo, hi)) => Some([lo, hi]),
@@ -151,9 +191,15 @@ fn row(model: &Model, checked: &Checked) -> Row {
         met: checked.is_met(),
         margin: checked.margin(),
         range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
-        at: measured.and_then(|m| m.at),
-        touching: measured.map(|m| m.touching.clone()).unwrap_or_default(),
+        at: match requirement.quantity {
+            Quantity::Position { .. } => measured.and_then(|m| m.stops.first()).map(|s| s.at),
+            _ => None,
+        },
+        touching: checked.touching.clone(),
         failure: checked.measured.as_ref().err().map(ToString::to_string),
+        sensitivities: by.as_ref().map(|_| derivatives(false)),
+        one_sided: derivatives(true),
+        by: by.unwrap_or_default(),
         is_angle: requirement.is_angle,
     }
 }
@@ -204,6 +250,36 @@ fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
         }
         if let Some([lo, hi]) = row.range {
             writeln!(text, "  {:10} {} to {}", "free", number(lo), number(hi))?;
+        }
+        let derivative = |x: f64| {
+            // No zero is negative.
+            let x = x + 0.0;
+            let (x, unit) = if row.is_angle {
+                (x.to_degrees(), " deg")
+            } else {
+                (x, "")
+            };
+            if x == 0.0 || x.abs() >= 1e-3 {
+                format!("{x:.6}{unit}")
+            } else {
+                format!("{x:.4e}{unit}")
+            }
+        };
+        for Sensitivity {
+            parameter,
+            derivative: found,
+        } in &row.by
+        {
+            let is = match found {
+                Err(reason) => format!("none: {reason}"),
+                Ok([below, above]) if below == above => derivative(*above),
+                Ok([below, above]) => {
+                    let (below, above) = (derivative(*below), derivative(*above));
+                    format!("{above}; {below} for smaller values")
+                }
+            };
+            let name = format!("by {parameter}");
+            writeln!(text, "  {name:10} {is}")?;
         }
         let [fixed, moving] = &row.pair;
         for [a, b] in row.touching.iter().take(MOST) {

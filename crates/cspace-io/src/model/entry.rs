@@ -7,7 +7,7 @@ use super::error::ModelError;
 use super::node::Node;
 use super::place::Place;
 use super::suggest::nearest;
-use super::table::{Result, Table, number};
+use super::table::{Result, Scalar, Table, number};
 use crate::shown::quoted;
 
 /// What a loop may have, in the order in which it is read about.
@@ -15,31 +15,31 @@ pub(super) const ENTRIES: &str = "an entry of a loop is a vertex [x, y] or [x, y
 
 /// What an entry says.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Entry {
+pub(super) enum Entry<T = f64> {
     /// A vertex; the bulge is of the edge that leaves it.
-    Vertex(Vertex),
+    Vertex(Vertex<T>),
     /// A vertex that an arc or a line leads to, the radius of its fillet, and the bulge of the edge that leaves it.
     To {
-        to: Point,
-        arc: Option<Arc>,
-        fillet: Option<f64>,
-        bulge: f64,
+        to: Point<T>,
+        arc: Option<Arc<T>>,
+        fillet: Option<T>,
+        bulge: T,
     },
     /// The vertex before has a fillet of this radius.
-    Fillet(f64),
+    Fillet(T),
 }
 
 /// What is known of an arc besides its ends.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Arc {
-    Radius(f64, Direction, ArcSize),
-    Through(Point),
-    Center(Point, Direction),
+pub(super) enum Arc<T = f64> {
+    Radius(T, Direction, ArcSize),
+    Through(Point<T>),
+    Center(Point<T>, Direction),
 }
 
-impl Arc {
+impl<T: Scalar> Arc<T> {
     /// Draws the arc to a point.
-    pub(super) fn draw(&self, pen: OutlineBuilder, to: Point) -> OutlineBuilder {
+    pub(super) fn draw(&self, pen: OutlineBuilder<T>, to: Point<T>) -> OutlineBuilder<T> {
         match *self {
             Self::Radius(radius, direction, size) => pen.arc_to_radius(to, radius, direction, size),
             Self::Through(through) => pen.arc_through(to, through),
@@ -49,7 +49,11 @@ impl Arc {
 }
 
 /// The entry in a value; `siblings` is the loop it is in.
-pub(super) fn read_entry(place: Place, node: &Node, siblings: &[Node]) -> Result<Entry> {
+pub(super) fn read_entry<T: Scalar>(
+    place: Place,
+    node: &Node,
+    siblings: &[Node],
+) -> Result<Entry<T>> {
     if matches!(node, Node::Table(_)) {
         return read_table(place, node);
     }
@@ -68,23 +72,23 @@ fn vertex_help(siblings: &[Node]) -> &'static str {
     }
 }
 
-pub(super) fn read_vertex(node: &Node) -> core::result::Result<Vertex, String> {
+pub(super) fn read_vertex<T: Scalar>(node: &Node) -> core::result::Result<Vertex<T>, String> {
     let numbers = match node {
         Node::List(numbers) if (2..=3).contains(&numbers.len()) => numbers,
         _ => return Err(format!("{} where a vertex is expected", node.describe())),
     };
-    let mut read = [0.0; 3];
+    let mut read = [T::constant(0.0); 3];
     for (to, from) in read.iter_mut().zip(numbers) {
-        *to = number(from)
+        *to = T::read(from)
             .ok_or_else(|| format!("{} where a number is expected", from.describe()))?;
     }
-    if let Some(bad) = read.iter().find(|x| !x.is_finite()) {
+    if let Some(bad) = read.iter().map(|x| x.value()).find(|x| !x.is_finite()) {
         return Err(format!("{bad} is no finite number"));
     }
     Ok(Vertex::new(read[0], read[1], read[2]))
 }
 
-fn read_table(place: Place, node: &Node) -> Result<Entry> {
+fn read_table<T: Scalar>(place: Place, node: &Node) -> Result<Entry<T>> {
     const KEYS: [&str; 8] = [
         "arc_to",
         "radius",
@@ -120,7 +124,7 @@ fn read_table(place: Place, node: &Node) -> Result<Entry> {
                 } else {
                     ArcSize::Short
                 };
-                let radius = table.number("radius")?.unwrap_or_default();
+                let radius = table.number("radius")?.unwrap_or(T::constant(0.0));
                 let arc = Arc::Radius(radius, direction(&table)?, size);
                 (table, arc)
             }
@@ -140,7 +144,7 @@ fn read_table(place: Place, node: &Node) -> Result<Entry> {
             to: point(&table, "arc_to")?,
             arc: Some(arc),
             fillet: table.number("fillet")?,
-            bulge: 0.0,
+            bulge: T::constant(0.0),
         });
     }
     if table.get("at").is_some() {
@@ -149,7 +153,7 @@ fn read_table(place: Place, node: &Node) -> Result<Entry> {
             to: point(&table, "at")?,
             arc: None,
             fillet: table.number("fillet")?,
-            bulge: 0.0,
+            bulge: T::constant(0.0),
         });
     }
     // Anything else that belongs to an arc lacks where the arc ends.
@@ -190,11 +194,8 @@ fn the_one(table: &Table<'_>, keys: [&'static str; 3]) -> Result<&'static str> {
     }
 }
 
-fn point(table: &Table<'_>, key: &str) -> Result<Point> {
-    let (x, y) = table
-        .point(key)?
-        .ok_or_else(|| table.missing(key, &format!("{key} = [1.5, -2]")))?;
-    Ok(Point::new(x, y))
+fn point<T: Scalar>(table: &Table<'_>, key: &str) -> Result<Point<T>> {
+    (table.place_at(key)?).ok_or_else(|| table.missing(key, &format!("{key} = [1.5, -2]")))
 }
 
 /// Which way an arc turns; counter-clockwise where it is not given.

@@ -237,21 +237,14 @@ impl Expression {
     }
 }
 
-/// A function of x with a value and a slope at x: f(x₀) + f′(x₀) (x − x₀), which has the value and first derivatives of f(x).
-fn linear<T: Real>(x: T, value: f64, slope: f64) -> T {
-    let moved = x - T::constant(x.value());
-    // An infinite slope times a value that does not move were no number.
-    T::constant(value) + moved * T::constant(slope.clamp(f64::MIN, f64::MAX))
-}
-
 /// aᵇ, with (∂/∂a, ∂/∂b) = (b aᵇ⁻¹, aᵇ ln a).
 fn power<T: Real>(a: T, b: T) -> T {
     let (x, y) = (a.value(), b.value());
     let value = x.powf(y);
     let finite = |slope: f64| if slope.is_finite() { slope } else { 0.0 };
     let by_exponent = if x > 0.0 { finite(value * x.ln()) } else { 0.0 };
-    let of_base = linear(a, value, finite(y * x.powf(y - 1.0)));
-    of_base + linear(b, 0.0, by_exponent)
+    let of_base = a.function(value, finite(y * x.powf(y - 1.0)));
+    of_base + b.function(0.0, by_exponent)
 }
 
 fn call<T: Real>(function: Function, arguments: &[T], at: usize) -> Result<T> {
@@ -275,14 +268,14 @@ fn call<T: Real>(function: Function, arguments: &[T], at: usize) -> Result<T> {
         Function::Asin | Function::Acos if v.abs() > 1.0 => {
             return undefined("arc sine or cosine", "between -1 and 1");
         }
-        Function::Asin => linear(x, v.asin(), 1.0 / ((1.0 - v) * (1.0 + v)).sqrt()),
-        Function::Acos => linear(x, v.acos(), -1.0 / ((1.0 - v) * (1.0 + v)).sqrt()),
-        Function::Atan => linear(x, v.atan(), 1.0 / (1.0 + v * v)),
+        Function::Asin => x.function(v.asin(), 1.0 / ((1.0 - v) * (1.0 + v)).sqrt()),
+        Function::Acos => x.function(v.acos(), -1.0 / ((1.0 - v) * (1.0 + v)).sqrt()),
+        Function::Atan => x.function(v.atan(), 1.0 / (1.0 + v * v)),
         Function::Atan2 => {
             let (y, x) = (x, arguments[1]);
             let square = y.value().powi(2) + x.value().powi(2);
             let angle = y.value().atan2(x.value());
-            linear(y, angle, x.value() / square) + linear(x, 0.0, -y.value() / square)
+            y.function(angle, x.value() / square) + x.function(0.0, -y.value() / square)
         }
         Function::Hypot => x.hypot(arguments[1]),
         Function::Abs => x.abs(),

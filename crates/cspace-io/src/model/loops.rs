@@ -8,17 +8,17 @@ use super::error::ModelError;
 use super::node::Node;
 use super::pattern::{Item, Pattern, written_out};
 use super::place::Place;
-use super::table::{Result, Table};
+use super::table::{Result, Scalar, Table};
 
 /// The vertices of a loop.
 #[derive(Clone)]
-pub(super) struct DrawnLoop {
-    pub(super) vertices: Vec<Vertex>,
+pub(super) struct DrawnLoop<T = f64> {
+    pub(super) vertices: Vec<Vertex<T>>,
     /// For every vertex the entry it comes from; none where that is its own number.
     entries: Option<Vec<usize>>,
 }
 
-impl DrawnLoop {
+impl<T> DrawnLoop<T> {
     /// The entry that a vertex, or the edge that leaves it, comes from.
     pub(super) fn entry(&self, vertex: usize) -> usize {
         let entries = self.entries.as_ref();
@@ -29,7 +29,11 @@ impl DrawnLoop {
 }
 
 /// The loops that a value says: several where it is a pattern.
-pub(super) fn read_loops(loops: &Place, index: usize, node: &Node) -> Result<Vec<DrawnLoop>> {
+pub(super) fn read_loops<T: Scalar>(
+    loops: &Place,
+    index: usize,
+    node: &Node,
+) -> Result<Vec<DrawnLoop<T>>> {
     let place = || loops.item(index).further(&format!("loop {index}"));
     match node {
         Node::List(nodes) if nodes.iter().any(|n| matches!(n, Node::Table(_))) => {
@@ -55,7 +59,7 @@ pub(super) fn read_loops(loops: &Place, index: usize, node: &Node) -> Result<Vec
 }
 
 /// A loop as often as its table says.
-fn repeated(table: &Table<'_>, drawn: DrawnLoop) -> Result<Vec<DrawnLoop>> {
+fn repeated<T: Scalar>(table: &Table<'_>, drawn: DrawnLoop<T>) -> Result<Vec<DrawnLoop<T>>> {
     let pattern = Pattern::read(table)?;
     if pattern.count == 1 {
         return Ok(vec![drawn]);
@@ -69,14 +73,14 @@ fn repeated(table: &Table<'_>, drawn: DrawnLoop) -> Result<Vec<DrawnLoop>> {
 }
 
 /// A loop of vertices alone, of which there may be a million.
-fn read_vertices(place: impl Fn() -> Place, nodes: &[Node]) -> Result<DrawnLoop> {
+fn read_vertices<T: Scalar>(place: impl Fn() -> Place, nodes: &[Node]) -> Result<DrawnLoop<T>> {
     let mut vertices = Vec::with_capacity(nodes.len());
     for (i, node) in nodes.iter().enumerate() {
         match read_vertex(node) {
             Ok(vertex) => vertices.push(vertex),
             Err(_) => {
                 let place = place().item(i).further(&format!("vertex {i}"));
-                read_entry(place, node, nodes)?;
+                read_entry::<T>(place, node, nodes)?;
             }
         }
     }
@@ -86,7 +90,7 @@ fn read_vertices(place: impl Fn() -> Place, nodes: &[Node]) -> Result<DrawnLoop>
     })
 }
 
-fn read_circle(place: Place, node: &Node) -> Result<Vec<DrawnLoop>> {
+fn read_circle<T: Scalar>(place: Place, node: &Node) -> Result<Vec<DrawnLoop<T>>> {
     const HELP: &str = "a circle is { circle = r, at = [x, y] }";
     let table = Table::new(node, place, &["circle", "at", "pattern"], HELP).map_err(|e| match e.help() {
         Some(help) if help.starts_with("did you mean") => e,
@@ -94,14 +98,14 @@ fn read_circle(place: Place, node: &Node) -> Result<Vec<DrawnLoop>> {
             "a loop in braces is a circle, { circle = r, at = [x, y] }; arcs and fillets are entries of a loop in brackets: is a pair of brackets missing?",
         ),
     })?;
-    let radius = table
+    let radius: T = table
         .number("circle")?
         .ok_or_else(|| table.missing("circle", "circle = 2.5, the radius"))?;
-    let (x, y) = table
-        .point("at")?
+    let center: Point<T> = table
+        .place_at("at")?
         .ok_or_else(|| table.missing("at", "at = [0, 0], the centre"))?;
-    let vertices = circle_loop(Point::new(x, y), radius).map_err(|_| {
-        let error = table.error("circle", format!("the radius is {radius:?}"));
+    let vertices = circle_loop(center, radius).map_err(|_| {
+        let error = table.error("circle", format!("the radius is {:?}", radius.value()));
         error.with_help("give a positive number")
     })?;
     let drawn = DrawnLoop {
@@ -112,14 +116,14 @@ fn read_circle(place: Place, node: &Node) -> Result<Vec<DrawnLoop>> {
 }
 
 /// A loop while it is drawn.
-struct Sketch {
+struct Sketch<T> {
     place: Place,
     /// None before the first vertex.
-    pen: Option<OutlineBuilder>,
+    pen: Option<OutlineBuilder<T>>,
     /// Where the first vertex is.
-    start: Point,
+    start: Point<T>,
     /// The bulge of the edge that leaves the last vertex.
-    bulge: f64,
+    bulge: T,
     /// For every vertex drawn the entry it comes from.
     entries: Vec<usize>,
     /// For every vertex drawn the entry that rounds it, if there is one.
@@ -128,20 +132,20 @@ struct Sketch {
     names: Vec<&'static str>,
 }
 
-impl Sketch {
+impl<T: Scalar> Sketch<T> {
     fn new(place: Place) -> Self {
         Self {
             place,
             pen: None,
-            start: Point::ORIGIN,
-            bulge: 0.0,
+            start: Point::new(T::constant(0.0), T::constant(0.0)),
+            bulge: T::constant(0.0),
             entries: Vec::new(),
             fillets: Vec::new(),
             names: Vec::new(),
         }
     }
 
-    fn draw(mut self, nodes: &[Node]) -> Result<DrawnLoop> {
+    fn draw(mut self, nodes: &[Node]) -> Result<DrawnLoop<T>> {
         let name = |n: &Node| {
             if matches!(n, Node::Table(_)) {
                 "entry"
@@ -156,7 +160,7 @@ impl Sketch {
         let Some(mut pen) = self.pen.take() else {
             return Err(ModelError::new(&self.place, "an empty list").with_help(ENTRIES));
         };
-        if self.bulge != 0.0 {
+        if self.bulge.value() != 0.0 {
             pen = pen.arc_to(self.start, self.bulge);
         }
         let drawn = pen.close_numbered().map_err(|e| self.refused(&e))?;
@@ -175,7 +179,7 @@ impl Sketch {
     }
 
     /// The pen once an entry is drawn.
-    fn add(&mut self, i: usize, entry: &Entry) -> Result<OutlineBuilder> {
+    fn add(&mut self, i: usize, entry: &Entry<T>) -> Result<OutlineBuilder<T>> {
         let (to, arc, fillet, leaves) = match entry {
             Entry::Vertex(v) => (v.point(), None, None, v.bulge),
             Entry::To {
@@ -193,7 +197,7 @@ impl Sketch {
                 return Ok(self.fillet(i, pen, *radius));
             }
         };
-        let bulge = core::mem::take(&mut self.bulge);
+        let bulge = core::mem::replace(&mut self.bulge, T::constant(0.0));
         let pen = match (self.pen.take(), arc) {
             (None, Some(_)) => {
                 let message = "the loop begins with an arc, which has no vertex to start from";
@@ -205,7 +209,7 @@ impl Sketch {
                 self.start = to;
                 OutlineBuilder::start(to)
             }
-            (Some(_), Some(_)) if bulge != 0.0 => {
+            (Some(_), Some(_)) if bulge.value() != 0.0 => {
                 let before = self.entries.last().copied().unwrap_or_default();
                 let message = format!(
                     "the arc is given twice, here and by the bulge of vertex {before}, which it leaves"
@@ -225,7 +229,7 @@ impl Sketch {
         })
     }
 
-    fn fillet(&mut self, i: usize, pen: OutlineBuilder, radius: f64) -> OutlineBuilder {
+    fn fillet(&mut self, i: usize, pen: OutlineBuilder<T>, radius: T) -> OutlineBuilder<T> {
         if let Some(entry) = self.fillets.last_mut() {
             *entry = Some(i);
         }

@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use cspace::Mechanism;
+use cspace::{Dual, Mechanism, Real};
 
 use super::error::ModelError;
 use super::expression::{Expression, Wrong, is_name, is_taken};
@@ -146,7 +146,9 @@ impl Entry {
 pub(super) struct Parameters {
     all: Vec<Parameter>,
     numbers: HashMap<String, u32>,
-    values: Vec<f64>,
+    /// The values, with their derivatives by the parameter that is varied.
+    values: Vec<Dual<1>>,
+    is_varied: bool,
     /// For each parameter those that its value depends on directly.
     needs: Vec<Vec<u32>>,
     /// For each parameter the entries of the model that name it.
@@ -206,10 +208,19 @@ fn deviations(table: &Table<'_>) -> Result<Option<(f64, f64)>> {
 }
 
 impl Parameters {
-    /// The parameters in the value of the key `parameter`, with the values that are set instead of the file's.
-    pub(super) fn read(node: Option<&Node>, place: &Place, set: &[Setting]) -> Result<Self> {
+    /// The parameters in the value of the key `parameter`, with the values that are set instead of the file's; everything is
+    /// differentiated by the parameter that is varied.
+    pub(super) fn read(
+        node: Option<&Node>,
+        place: &Place,
+        set: &[Setting],
+        varied: Option<&str>,
+    ) -> Result<Self> {
         const HELP: &str = "give parameters as [parameter] with lines such as pin = 6.0";
-        let mut this = Self::default();
+        let mut this = Self {
+            is_varied: varied.is_some(),
+            ..Self::default()
+        };
         let Some(node) = node else {
             return match set.first() {
                 None => Ok(this),
@@ -313,7 +324,12 @@ impl Parameters {
                     Some(parsed)
                 }
             };
-            this.values.push(parameter.value);
+            let is_varied = varied == Some(name.as_str());
+            this.values.push(if is_varied {
+                Dual::variable(parameter.value, 0)
+            } else {
+                Dual::constant(parameter.value)
+            });
             this.needs
                 .push(expression.iter().flat_map(Expression::names).collect());
             this.uses.push(Vec::new());
@@ -325,8 +341,10 @@ impl Parameters {
             if let (Some(expression), Given::Text(text)) = (expression, given) {
                 let value = (expression.evaluate(&this.values))
                     .map_err(|w| in_given(place, text, &w, *setting))?;
-                this.values[i as usize] = value;
-                this.all[i as usize].value = value;
+                let own = this.values[i as usize].slope[0];
+                let slope = [own + value.slope[0]];
+                this.values[i as usize] = Dual { slope, ..value };
+                this.all[i as usize].value = value.value;
             }
         }
         Ok(this)
@@ -409,7 +427,11 @@ impl Parameters {
                                 uses.push(entry);
                             }
                         }
-                        *node = as_node(value);
+                        *node = if !self.is_varied || value.slope == [0.0] {
+                            as_node(value.value)
+                        } else {
+                            Node::Varied(Box::new(value))
+                        };
                     }
                     Err(wrong) => failures.push(Failure {
                         way: way.clone(),

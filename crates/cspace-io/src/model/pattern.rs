@@ -10,7 +10,7 @@ use super::error::ModelError;
 use super::node::Node;
 use super::place::Place;
 use super::suggest::nearest;
-use super::table::{Result, Table};
+use super::table::{Result, Scalar, Table};
 use crate::shown::quoted;
 
 /// The most entries that patterns may make of a loop, and loops that they may make of one.
@@ -21,13 +21,16 @@ const ONE_PLACE: f64 = 1e-9;
 
 /// An entry, and the number of the one in the file that it comes from.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Item {
-    pub(super) entry: Entry,
+pub(super) struct Item<T = f64> {
+    pub(super) entry: Entry<T>,
     pub(super) from: usize,
 }
 
 /// The entries of a loop, with patterns written out; `place` gives the place of each.
-pub(super) fn written_out(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Result<Vec<Item>> {
+pub(super) fn written_out<T: Scalar>(
+    nodes: &[Node],
+    place: &dyn Fn(usize) -> Place,
+) -> Result<Vec<Item<T>>> {
     let mut items = entries(nodes, place)?;
     if nodes.iter().any(is_pattern) {
         close(&mut items);
@@ -36,7 +39,7 @@ pub(super) fn written_out(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Res
 }
 
 /// The entries of a loop or path.
-fn entries(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Result<Vec<Item>> {
+fn entries<T: Scalar>(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Result<Vec<Item<T>>> {
     let mut items = Vec::with_capacity(nodes.len());
     for (from, node) in nodes.iter().enumerate() {
         if !is_pattern(node) {
@@ -60,7 +63,7 @@ fn is_pattern(node: &Node) -> bool {
 }
 
 /// The entries of a pattern, each with whether a copy of the path begins with it.
-fn copies(place: Place, node: &Node) -> Result<Vec<(bool, Entry)>> {
+fn copies<T: Scalar>(place: Place, node: &Node) -> Result<Vec<(bool, Entry<T>)>> {
     const HELP: &str = "give a path that is repeated, { repeat = 20, about = [0, 0], path = [...] }, or mirrored, { mirror = \"y\", path = [...] }";
     let keys = ["path", "repeat", "about", "mirror"];
     let table = Table::new(node, place.clone(), &keys, HELP)?;
@@ -71,7 +74,7 @@ fn copies(place: Place, node: &Node) -> Result<Vec<(bool, Entry)>> {
             .item(i)
             .further(&format!("entry {i} of its path"))
     };
-    let path: Vec<Entry> = entries(path, &inner)?
+    let path: Vec<Entry<T>> = entries(path, &inner)?
         .iter()
         .map(|item| item.entry)
         .collect();
@@ -80,12 +83,11 @@ fn copies(place: Place, node: &Node) -> Result<Vec<(bool, Entry)>> {
     }
     match (table.count("repeat")?, table.text("mirror")?) {
         (Some(count), None) => {
-            let about = table.point("about")?.ok_or_else(|| {
+            let about = table.place_at("about")?.ok_or_else(|| {
                 table.missing("about", "about = [0, 0], the point it turns about")
             })?;
             let count = count as usize;
             too_many(&table, "repeat", count, path.len())?;
-            let about = Point::new(about.0, about.1);
             Ok((0..count)
                 .flat_map(|k| {
                     let turn = turn(k, count);
@@ -140,18 +142,22 @@ fn too_many(table: &Table<'_>, key: &str, count: usize, length: usize) -> Result
 }
 
 /// The turn of the copy k of so many: exact for quarter turns.
-fn turn(k: usize, count: usize) -> Rotation {
+fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     let quarters = (4 * k) / count;
     let rest = (4 * k) % count;
     let within = Rotation::by(TAU / 4.0 * rest as f64 / count as f64);
-    (0..quarters % 4).fold(within, |turn, _| Rotation {
+    let Rotation { cos, sin } = (0..quarters % 4).fold(within, |turn, _| Rotation {
         cos: -turn.sin,
         sin: turn.cos,
-    })
+    });
+    Rotation {
+        cos: T::constant(cos),
+        sin: T::constant(sin),
+    }
 }
 
 /// What a point becomes at an axis through the origin.
-fn axis_of(table: &Table<'_>, axis: &str) -> Result<fn(Point) -> Point> {
+fn axis_of<T: Scalar>(table: &Table<'_>, axis: &str) -> Result<fn(Point<T>) -> Point<T>> {
     match axis {
         "x" => Ok(|p| Point::new(p.x, -p.y)),
         "y" => Ok(|p| Point::new(-p.x, p.y)),
@@ -165,18 +171,22 @@ fn axis_of(table: &Table<'_>, axis: &str) -> Result<fn(Point) -> Point> {
 }
 
 /// A corner of a path: where it is, its fillet, and the edge that leaves it.
-struct Corner {
-    at: Point,
-    fillet: Option<f64>,
-    bulge: f64,
-    arc: Option<Arc>,
+struct Corner<T> {
+    at: Point<T>,
+    fillet: Option<T>,
+    bulge: T,
+    arc: Option<Arc<T>>,
 }
 
 /// A path and its mirror image, travelled back. `None` if the path has no vertex to begin with.
 ///
 /// Mirroring and travelling back each exchange left and right: bulges and directions of arcs stay.
-fn mirrored(path: &[Entry], flip: fn(Point) -> Point) -> Option<Vec<(bool, Entry)>> {
-    let mut corners: Vec<Corner> = Vec::with_capacity(path.len());
+fn mirrored<T: Scalar>(
+    path: &[Entry<T>],
+    flip: fn(Point<T>) -> Point<T>,
+) -> Option<Vec<(bool, Entry<T>)>> {
+    let zero = T::constant(0.0);
+    let mut corners: Vec<Corner<T>> = Vec::with_capacity(path.len());
     for entry in path {
         let (at, arc, fillet, bulge) = match *entry {
             Entry::Vertex(v) => (v.point(), None, None, v.bulge),
@@ -202,13 +212,13 @@ fn mirrored(path: &[Entry], flip: fn(Point) -> Point) -> Option<Vec<(bool, Entry
         });
     }
     let last = corners.len().checked_sub(1)?;
-    let mut all: Vec<(bool, Entry)> = (path.iter().enumerate())
+    let mut all: Vec<(bool, Entry<T>)> = (path.iter().enumerate())
         .map(|(i, entry)| (i == 0, *entry))
         .collect();
     for (k, corner) in corners.iter().enumerate().rev() {
         let before = k.checked_sub(1).map(|b| &corners[b]);
         let arc = corner.arc.filter(|_| k < last).map(|arc| arc.mapped(&flip));
-        let bulge = before.filter(|b| b.arc.is_none()).map_or(0.0, |b| b.bulge);
+        let bulge = before.filter(|b| b.arc.is_none()).map_or(zero, |b| b.bulge);
         let to = flip(corner.at);
         // A corner on the axis is its own image, and has its fillet already.
         let fillet = corner.fillet.filter(|_| !is_one(to, corner.at));
@@ -224,7 +234,7 @@ fn mirrored(path: &[Entry], flip: fn(Point) -> Point) -> Option<Vec<(bool, Entry
 }
 
 /// Adds the beginning of a copy: where it is at the last corner already, the two are one.
-fn join(items: &mut Vec<Item>, next: Item) {
+fn join<T: Scalar>(items: &mut Vec<Item<T>>, next: Item<T>) {
     let corner = items
         .iter_mut()
         .rev()
@@ -255,7 +265,7 @@ fn join(items: &mut Vec<Item>, next: Item) {
 }
 
 /// Lets a loop end where it begins, if it does so but for rounding.
-fn close(items: &mut [Item]) {
+fn close<T: Scalar>(items: &mut [Item<T>]) {
     let first = items.iter().find_map(|item| item.entry.at());
     let corner = items
         .iter_mut()
@@ -268,7 +278,8 @@ fn close(items: &mut [Item]) {
     }
 }
 
-fn is_one(p: Point, q: Point) -> bool {
+fn is_one<T: Scalar>(p: Point<T>, q: Point<T>) -> bool {
+    let [p, q] = [p, q].map(|p| p.map(T::value));
     let largest = [p.x, p.y, q.x, q.y]
         .map(f64::abs)
         .into_iter()
@@ -276,9 +287,9 @@ fn is_one(p: Point, q: Point) -> bool {
     p.distance(q) <= ONE_PLACE * largest
 }
 
-impl Entry {
+impl<T: Scalar> Entry<T> {
     /// Where its vertex is; none of a fillet.
-    fn at(&self) -> Option<Point> {
+    fn at(&self) -> Option<Point<T>> {
         match self {
             Self::Vertex(v) => Some(v.point()),
             Self::To { to, .. } => Some(*to),
@@ -287,7 +298,7 @@ impl Entry {
     }
 
     /// Moves its vertex.
-    fn put(&mut self, at: Point) {
+    fn put(&mut self, at: Point<T>) {
         match self {
             Self::Vertex(v) => *v = Vertex::new(at.x, at.y, v.bulge),
             Self::To { to, .. } => *to = at,
@@ -296,7 +307,7 @@ impl Entry {
     }
 
     /// Gives the edge that leaves its vertex a bulge.
-    fn leave_by(&mut self, by: f64) {
+    fn leave_by(&mut self, by: T) {
         match self {
             Self::Vertex(v) => v.bulge = by,
             Self::To { bulge, .. } => *bulge = by,
@@ -305,7 +316,7 @@ impl Entry {
     }
 
     /// The entry with all its points mapped by a motion.
-    fn mapped(&self, map: &impl Fn(Point) -> Point) -> Self {
+    fn mapped(&self, map: &impl Fn(Point<T>) -> Point<T>) -> Self {
         match *self {
             Self::Vertex(v) => {
                 let at = map(v.point());
@@ -327,8 +338,8 @@ impl Entry {
     }
 }
 
-impl Arc {
-    fn mapped(self, map: &impl Fn(Point) -> Point) -> Self {
+impl<T: Scalar> Arc<T> {
+    fn mapped(self, map: &impl Fn(Point<T>) -> Point<T>) -> Self {
         match self {
             Self::Radius(..) => self,
             Self::Through(through) => Self::Through(map(through)),
@@ -338,43 +349,43 @@ impl Arc {
 }
 
 /// Where a loop is repeated about a point.
-pub(super) struct Pattern {
+pub(super) struct Pattern<T> {
     pub(super) count: usize,
-    about: Point,
+    about: Point<T>,
 }
 
-impl Pattern {
+impl<T: Scalar> Pattern<T> {
     /// The value of the key `pattern`; a single copy where there is none.
     pub(super) fn read(table: &Table<'_>) -> Result<Self> {
         const HELP: &str = "give it as pattern = { count = 6, about = [0, 0] }";
         let Some(node) = table.get("pattern") else {
             return Ok(Self {
                 count: 1,
-                about: Point::ORIGIN,
+                about: Point::new(T::constant(0.0), T::constant(0.0)),
             });
         };
         let place = table.place.key("pattern").further("pattern");
         let table = Table::new(node, place, &["count", "about"], HELP)?;
         let count = (table.count("count")?).ok_or_else(|| table.missing("count", "count = 6"))?;
-        let (x, y) =
-            (table.point("about")?).ok_or_else(|| table.missing("about", "about = [0, 0]"))?;
+        let about =
+            (table.place_at("about")?).ok_or_else(|| table.missing("about", "about = [0, 0]"))?;
         Ok(Self {
             count: count as usize,
-            about: Point::new(x, y),
+            about,
         })
     }
 
     /// The vertices of all copies.
     pub(super) fn copies(
         &self,
-        vertices: &[Vertex],
+        vertices: &[Vertex<T>],
         table: &Table<'_>,
-    ) -> Result<Vec<Vec<Vertex>>> {
+    ) -> Result<Vec<Vec<Vertex<T>>>> {
         too_many(table, "pattern", self.count, vertices.len())?;
         let copy = |k: usize| {
             let turn = turn(k, self.count);
-            let turned = |v: &Vertex| {
-                let from: Vector = v.point() - self.about;
+            let turned = |v: &Vertex<T>| {
+                let from: Vector<T> = v.point() - self.about;
                 let at = self.about + turn * from;
                 Vertex::new(at.x, at.y, v.bulge)
             };

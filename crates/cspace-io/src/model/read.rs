@@ -9,11 +9,12 @@ use super::dynamics::read_dynamics;
 use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column};
 use super::node::Node;
-use super::parameters::{Entry, Parameter, Parameters};
+use super::parameters::{Entry, Parameter, Parameters, Setting as Value};
 use super::parts::read_parts;
 use super::place::Place;
 use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
+use super::slopes::{Slopes, slopes};
 use super::table::{Result, Table};
 use crate::file::{Host, extension, read_text, too_large, without_mark};
 use crate::shown;
@@ -222,6 +223,33 @@ impl Template {
         }
         Ok(model)
     }
+
+    /// The derivatives of the numbers of a model of this template by one of its parameters, in dual numbers: through expressions,
+    /// patterns, arcs and fillets.
+    ///
+    /// ```
+    /// use cspace_io::Host;
+    /// use cspace_io::model::Template;
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("pin.toml");
+    /// std::fs::write(&path, "[parameter]\nd = 3\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"d/2\", at = [0, 0] }]\n")?;
+    /// let template = Template::read(&path, &Host::default())?;
+    /// let model = template.model(&Host::default())?;
+    /// let slopes = template.slopes(&Host::default(), &model, "d")?;
+    /// assert_eq!(slopes.parts[0].loops[0][0], [-0.5, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the numbers have no derivatives, as where the parameter decides how often something is repeated.
+    pub fn slopes(
+        &self,
+        host: &Host<'_>,
+        model: &Model,
+        parameter: &str,
+    ) -> core::result::Result<Slopes, ModelError> {
+        slopes_in(self.tree.clone(), host.set, parameter, &model.mechanism)
+    }
 }
 
 /// The text of a model, and what errors call its file.
@@ -359,14 +387,33 @@ fn not_empty(text: &str) -> Result<()> {
     Ok(())
 }
 
+/// The derivatives by a parameter, with the values that are set.
+fn slopes_in(
+    mut tree: Node,
+    set: &[Value],
+    parameter: &str,
+    mechanism: &Mechanism,
+) -> Result<Slopes> {
+    let given = taken(&mut tree);
+    let place = Place::default().key("parameter");
+    let mut parameters = Parameters::read(given.as_ref(), &place, set, Some(parameter))?;
+    parameters.replace(&mut tree);
+    slopes(&tree, mechanism)
+}
+
+/// The parameters in a tree, taken out of it.
+fn taken(tree: &mut Node) -> Option<Node> {
+    match tree {
+        Node::Table(entries) => entries.remove("parameter"),
+        _ => None,
+    }
+}
+
 /// The model, and what whoever reads it should know.
 fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
     let place = Place::default().key("parameter");
-    let given = match &mut tree {
-        Node::Table(entries) => entries.remove("parameter"),
-        _ => None,
-    };
-    let mut parameters = Parameters::read(given.as_ref(), &place, files.host.set)?;
+    let given = taken(&mut tree);
+    let mut parameters = Parameters::read(given.as_ref(), &place, files.host.set, None)?;
     let failures = parameters.replace(&mut tree);
     let explained = |error: ModelError| {
         let explained = failures.iter().find_map(|f| f.explains(&error));

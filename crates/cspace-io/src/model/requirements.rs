@@ -58,6 +58,15 @@ impl Coordinate {
         }
     }
 
+    /// Its number among those of its class: x, y and θ, or u and v.
+    pub const fn index(self) -> usize {
+        match self {
+            Self::X | Self::U => 0,
+            Self::Y | Self::V => 1,
+            Self::Theta => 2,
+        }
+    }
+
     /// Gives it a value in a configuration; one in the coordinates of another class stays.
     pub fn put(self, at: &mut Coordinates, value: f64) {
         match (self, at) {

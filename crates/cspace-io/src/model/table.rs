@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use cspace::{Dual, Point, Real};
+
 use super::error::ModelError;
 use super::node::Node;
 use super::place::Place;
@@ -102,6 +104,9 @@ impl<'a> Table<'a> {
         match self.get(key) {
             None => Ok(None),
             Some(&Node::Integer(i)) if (1..=MOST).contains(&i) => Ok(Some(i as u32)),
+            Some(Node::Varied(_)) => {
+                Err(self.error(key, format!("`{key}` is a count, which has no derivatives")))
+            }
             Some(other) => {
                 let help = format!("give a whole number from 1 to {MOST}, or leave it out");
                 Err(self.wrong(key, other, "a whole number from 1 up", &help))
@@ -110,11 +115,11 @@ impl<'a> Table<'a> {
     }
 
     /// A finite number.
-    pub(super) fn number(&self, key: &str) -> Result<Option<f64>> {
+    pub(super) fn number<T: Scalar>(&self, key: &str) -> Result<Option<T>> {
         let Some(node) = self.get(key) else {
             return Ok(None);
         };
-        match number(node).filter(|x| x.is_finite()) {
+        match T::read(node).filter(|x| x.value().is_finite()) {
             Some(x) => Ok(Some(x)),
             None => {
                 let help = format!("give it as {key} = 2.5");
@@ -137,15 +142,22 @@ impl<'a> Table<'a> {
 
     /// Two finite numbers.
     pub(super) fn point(&self, key: &str) -> Result<Option<(f64, f64)>> {
+        Ok(self.place_at(key)?.map(|p: Point| (p.x, p.y)))
+    }
+
+    /// A place, by two finite numbers.
+    pub(super) fn place_at<T: Scalar>(&self, key: &str) -> Result<Option<Point<T>>> {
         let Some(node) = self.get(key) else {
             return Ok(None);
         };
         let numbers = match node {
-            Node::List(l) if l.len() == 2 => number(&l[0]).zip(number(&l[1])),
+            Node::List(l) if l.len() == 2 => T::read(&l[0]).zip(T::read(&l[1])),
             _ => None,
         };
         match numbers {
-            Some((x, y)) if x.is_finite() && y.is_finite() => Ok(Some((x, y))),
+            Some((x, y)) if x.value().is_finite() && y.value().is_finite() => {
+                Ok(Some(Point::new(x, y)))
+            }
             _ => {
                 let help = format!("give it as {key} = [1.5, -2]");
                 Err(self.wrong(key, node, "a pair of finite numbers [x, y]", &help))
@@ -217,7 +229,29 @@ pub(super) fn number(node: &Node) -> Option<f64> {
     match *node {
         Node::Integer(i) => Some(i as f64),
         Node::Number(x) => Some(x),
+        Node::Varied(ref x) => Some(x.value),
         _ => None,
+    }
+}
+
+/// Numbers that drawings are read in: values alone, or with derivatives by a parameter.
+pub(super) trait Scalar: Real {
+    /// A number as it stands.
+    fn read(node: &Node) -> Option<Self>;
+}
+
+impl Scalar for f64 {
+    fn read(node: &Node) -> Option<Self> {
+        number(node)
+    }
+}
+
+impl Scalar for Dual<1> {
+    fn read(node: &Node) -> Option<Self> {
+        match node {
+            Node::Varied(x) => Some(**x),
+            _ => number(node).map(Self::constant),
+        }
     }
 }
 

@@ -169,6 +169,15 @@ impl<const N: usize, T: Real> Real for Dual<N, T> {
         }
     }
     #[inline]
+    fn hypot(self, o: Self) -> Self {
+        let value = self.value.hypot(o.value);
+        let [x, y] = [self.value / value, o.value / value];
+        Self {
+            value,
+            slope: array(|i| x * self.slope[i] + y * o.slope[i]),
+        }
+    }
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         (self.map(sin, cos), self.map(cos, -sin))

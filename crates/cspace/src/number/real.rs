@@ -47,6 +47,15 @@ pub trait Real:
     fn hypot(self, other: Self) -> Self {
         (self * self + other * other).sqrt()
     }
+    /// A function of this number that has a value and a slope here: f(x₀) + f′(x₀) (x − x₀), which has the first derivatives of f(x).
+    /// It encloses nothing, and second derivatives are not those of f.
+    #[must_use]
+    #[inline]
+    fn function(self, value: f64, slope: f64) -> Self {
+        let moved = self - Self::constant(self.value());
+        // An infinite slope times a value that does not move were no number.
+        Self::constant(value) + moved * Self::constant(slope.clamp(f64::MIN, f64::MAX))
+    }
 }
 
 impl Real for f64 {
@@ -70,6 +79,10 @@ impl Real for f64 {
     #[inline]
     fn hypot(self, other: Self) -> Self {
         self.hypot(other)
+    }
+    #[inline]
+    fn function(self, value: f64, _: f64) -> Self {
+        value
     }
 }
 

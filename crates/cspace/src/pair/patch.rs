@@ -173,6 +173,20 @@ impl<'a> PairPatch<'a> {
     /// Of a lower pair.
     pub fn contact(&self) -> Result<FeatureContact, QueryError> {
         let (fixed, moving) = self.names()?;
+        self.space.contact_of(fixed, moving)
+    }
+}
+
+impl PairSpace {
+    /// The contact of a feature of the fixed part with one of the moving part, whether or not they ever touch.
+    ///
+    /// # Errors
+    /// Of a lower pair; and if a part has no such feature.
+    pub fn contact_of(
+        &self,
+        fixed: FeatureName,
+        moving: FeatureName,
+    ) -> Result<FeatureContact, QueryError> {
         let shape = |part: &Part, name| part.feature_shape(name).ok_or(QueryError::Outside);
         let drawn = |part: &Part, name: FeatureName| {
             let outline = &part.loops()[name.loop_index as usize];
@@ -182,20 +196,18 @@ impl<'a> PairPatch<'a> {
                 reversed: outline.is_reversed(),
             }
         };
-        let motion = match self.space {
-            PairSpace::FixedAxes(space) => {
+        let motion = match self {
+            Self::FixedAxes(space) => {
                 let (a, b): (Axis, Axis) = space.axes();
                 Motion::Axes(a.motion, b.motion)
             }
-            _ => Motion::Planar,
+            Self::Planar(_) => Motion::Planar,
+            Self::Lower(_) => return Err(QueryError::Permanent),
         };
         Ok(FeatureContact {
-            fixed: shape(self.space.fixed(), fixed)?,
-            moving: shape(self.space.moving(), moving)?,
-            drawn: (
-                drawn(self.space.fixed(), fixed),
-                drawn(self.space.moving(), moving),
-            ),
+            fixed: shape(self.fixed(), fixed)?,
+            moving: shape(self.moving(), moving)?,
+            drawn: (drawn(self.fixed(), fixed), drawn(self.moving(), moving)),
             motion,
         })
     }

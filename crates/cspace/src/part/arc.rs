@@ -4,6 +4,7 @@
 //! accuracy does not depend on where the arc is drawn.
 
 use crate::geometry::{Point, Vector};
+use crate::number::Real;
 
 use super::tolerance::{FULL_BULGE, RESOLUTION};
 
@@ -117,16 +118,16 @@ impl Direction {
 /// assert!((bulge - (core::f64::consts::FRAC_PI_8).tan()).abs() < 1e-15);
 /// # Ok::<(), ArcError>(())
 /// ```
-pub fn bulge_about(
-    start: impl Into<Point>,
-    end: impl Into<Point>,
-    center: impl Into<Point>,
+pub fn bulge_about<T: Real>(
+    start: impl Into<Point<T>>,
+    end: impl Into<Point<T>>,
+    center: impl Into<Point<T>>,
     direction: Direction,
-) -> Result<f64, ArcError> {
+) -> Result<T, ArcError> {
     let (start, end, center) = (start.into(), end.into(), center.into());
     let (chord, length) = chord(start, end)?;
     let to_center = center - start;
-    let (from_start, from_end) = (size(to_center), size(center - end));
+    let (from_start, from_end) = (size(to_center).value(), size(center - end).value());
     if !(from_start.is_finite() && from_end.is_finite()) {
         return Err(ArcError::NotFinite);
     }
@@ -136,15 +137,16 @@ pub fn bulge_about(
             from_end,
         });
     }
-    let half = 0.5 * length;
-    let height = direction.sign() * chord.unit().cross(to_center);
+    let sign = T::constant(direction.sign());
+    let half = T::constant(0.5) * length;
+    let height = sign * chord.unit().cross(to_center);
     let radius = height.hypot(half);
-    let bulge = if height >= 0.0 {
+    let bulge = if height.value() >= 0.0 {
         half / (height + radius)
     } else {
         (radius - height) / half
     };
-    checked(direction.sign() * bulge)
+    checked(sign * bulge)
 }
 
 /// The bulge of the arc of a radius, which turns in a direction by less or more than half a turn.
@@ -164,31 +166,38 @@ pub fn bulge_about(
 /// assert!(matches!(bulge(0.9, ArcSize::Short), Err(ArcError::RadiusTooSmall { .. })));
 /// # Ok::<(), ArcError>(())
 /// ```
-pub fn bulge_with_radius(
-    start: impl Into<Point>,
-    end: impl Into<Point>,
-    radius: f64,
+pub fn bulge_with_radius<T: Real>(
+    start: impl Into<Point<T>>,
+    end: impl Into<Point<T>>,
+    radius: T,
     direction: Direction,
     size: ArcSize,
-) -> Result<f64, ArcError> {
+) -> Result<T, ArcError> {
     let (_, length) = chord(start.into(), end.into())?;
-    if !(radius.is_finite() && radius > 0.0) {
-        return Err(ArcError::BadRadius { radius });
-    }
-    let ratio = 0.5 * length / radius;
-    if ratio > 1.0 + CHORD_TOLERANCE {
-        return Err(ArcError::RadiusTooSmall {
-            radius,
-            chord: length,
+    if !(radius.value().is_finite() && radius.value() > 0.0) {
+        return Err(ArcError::BadRadius {
+            radius: radius.value(),
         });
     }
-    let sin = ratio.min(1.0);
-    let cos = ((1.0 - sin) * (1.0 + sin)).sqrt();
-    let bulge = match size {
-        ArcSize::Short => sin / (1.0 + cos),
-        ArcSize::Long => (1.0 + cos) / sin,
+    let real = T::constant;
+    let ratio = real(0.5) * length / radius;
+    if ratio.value() > 1.0 + CHORD_TOLERANCE {
+        return Err(ArcError::RadiusTooSmall {
+            radius: radius.value(),
+            chord: length.value(),
+        });
+    }
+    let sin = if ratio.value() < 1.0 {
+        ratio
+    } else {
+        real(1.0)
     };
-    checked(direction.sign() * bulge)
+    let cos = ((real(1.0) - sin) * (real(1.0) + sin)).sqrt();
+    let bulge = match size {
+        ArcSize::Short => sin / (real(1.0) + cos),
+        ArcSize::Long => (real(1.0) + cos) / sin,
+    };
+    checked(real(direction.sign()) * bulge)
 }
 
 /// The bulge of the arc that goes through a third point; 0, a line, if the point is between the ends on their line.
@@ -205,31 +214,31 @@ pub fn bulge_with_radius(
 /// assert!(bulge_through([-1.0, 0.0], [1.0, 0.0], [2.0, 0.0]).is_err());
 /// # Ok::<(), ArcError>(())
 /// ```
-pub fn bulge_through(
-    start: impl Into<Point>,
-    end: impl Into<Point>,
-    through: impl Into<Point>,
-) -> Result<f64, ArcError> {
+pub fn bulge_through<T: Real>(
+    start: impl Into<Point<T>>,
+    end: impl Into<Point<T>>,
+    through: impl Into<Point<T>>,
+) -> Result<T, ArcError> {
     let (start, end, through) = (start.into(), end.into(), through.into());
     let (_, length) = chord(start, end)?;
     let none = ArcError::NotThrough {
-        start,
-        end,
-        through,
+        start: start.map(T::value),
+        end: end.map(T::value),
+        through: through.map(T::value),
     };
-    if !through.is_finite() {
+    if !through.map(T::value).is_finite() {
         return Err(ArcError::NotFinite);
     }
     let (to, on) = (through - start, end - through);
-    if size(to).min(size(on)) <= RESOLUTION * length {
+    if size(to).value().min(size(on).value()) <= RESOLUTION * length.value() {
         return Err(none);
     }
     // Only directions matter; of about unit length their products are numbers.
-    let about_unit = |v: Vector| v * (1.0 / v.x.abs().max(v.y.abs()));
+    let about_unit = |v: Vector<T>| v * T::constant(1.0 / v.x.value().abs().max(v.y.value().abs()));
     let (to, on) = (about_unit(to), about_unit(on));
     let (cos, sin) = (to.dot(on), to.cross(on));
     let both = sin.hypot(cos);
-    let bulge = if cos >= 0.0 {
+    let bulge = if cos.value() >= 0.0 {
         sin / (both + cos)
     } else {
         (both - cos) / sin
@@ -238,27 +247,27 @@ pub fn bulge_through(
 }
 
 /// From the start of an arc to its end, and how far that is.
-fn chord(start: Point, end: Point) -> Result<(Vector, f64), ArcError> {
+fn chord<T: Real>(start: Point<T>, end: Point<T>) -> Result<(Vector<T>, T), ArcError> {
     let chord = end - start;
     let length = size(chord);
     // Also where a difference is too large to be a number.
-    if !length.is_finite() {
+    if !length.value().is_finite() {
         return Err(ArcError::NotFinite);
     }
-    if length == 0.0 {
+    if length.value() == 0.0 {
         return Err(ArcError::NoChord);
     }
     Ok((chord, length))
 }
 
 /// The length, also of vectors of which the square is no number.
-fn size(v: Vector) -> f64 {
+fn size<T: Real>(v: Vector<T>) -> T {
     v.x.hypot(v.y)
 }
 
 /// Beyond the largest bulge an arc cannot be told from a full circle, nor its ends from each other.
-fn checked(bulge: f64) -> Result<f64, ArcError> {
-    if bulge.abs() <= FULL_BULGE {
+fn checked<T: Real>(bulge: T) -> Result<T, ArcError> {
+    if bulge.value().abs() <= FULL_BULGE {
         Ok(bulge)
     } else {
         Err(ArcError::NoChord)

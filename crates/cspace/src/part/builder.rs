@@ -1,6 +1,7 @@
 //! Outlines drawn edge by edge.
 
 use crate::geometry::Point;
+use crate::number::Real;
 
 use super::arc::{ArcError, ArcSize, Direction, bulge_about, bulge_through, bulge_with_radius};
 use super::fillet::{FilletError, fillet};
@@ -30,20 +31,20 @@ use super::{Bounds, Edge, Vertex};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "nothing is drawn before `close`"]
-pub struct OutlineBuilder {
-    vertices: Vec<Drawn>,
+pub struct OutlineBuilder<T = f64> {
+    vertices: Vec<Drawn<T>>,
     /// The first thing that is wrong.
     error: Option<OutlineError>,
 }
 
 /// A vertex as it is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Drawn {
-    at: Point,
+struct Drawn<T> {
+    at: Point<T>,
     /// Of the edge that leaves it.
-    bulge: f64,
+    bulge: T,
     /// The radius of its fillet.
-    fillet: Option<f64>,
+    fillet: Option<T>,
 }
 
 /// Why an outline cannot be drawn. Vertices are counted from 0 as they are drawn, fillets left out.
@@ -96,11 +97,12 @@ pub enum OutlineError {
     },
 }
 
-impl OutlineBuilder {
+impl<T: Real> OutlineBuilder<T> {
     /// Begins at a vertex, to which [`close`](Self::close) returns.
-    pub fn start(at: impl Into<Point>) -> Self {
+    pub fn start(at: impl Into<Point<T>>) -> Self {
         let at = at.into();
-        let error = (!at.is_finite()).then_some(OutlineError::NotFinite { vertex_index: 0 });
+        let error =
+            (!at.map(T::value).is_finite()).then_some(OutlineError::NotFinite { vertex_index: 0 });
         Self {
             vertices: vec![Drawn::new(at)],
             error,
@@ -108,20 +110,20 @@ impl OutlineBuilder {
     }
 
     /// A line to the next vertex.
-    pub fn line_to(self, to: impl Into<Point>) -> Self {
-        self.arc_to(to, 0.0)
+    pub fn line_to(self, to: impl Into<Point<T>>) -> Self {
+        self.arc_to(to, T::constant(0.0))
     }
 
     /// An arc of a bulge, tan(sweep / 4), to the next vertex.
-    pub fn arc_to(self, to: impl Into<Point>, bulge: f64) -> Self {
+    pub fn arc_to(self, to: impl Into<Point<T>>, bulge: T) -> Self {
         self.edge_to(to.into(), |_, _| Ok(bulge))
     }
 
     /// An arc about a centre to the next vertex; see [`bulge_about`].
     pub fn arc_to_center(
         self,
-        to: impl Into<Point>,
-        center: impl Into<Point>,
+        to: impl Into<Point<T>>,
+        center: impl Into<Point<T>>,
         direction: Direction,
     ) -> Self {
         let center = center.into();
@@ -133,8 +135,8 @@ impl OutlineBuilder {
     /// An arc of a radius to the next vertex; see [`bulge_with_radius`].
     pub fn arc_to_radius(
         self,
-        to: impl Into<Point>,
-        radius: f64,
+        to: impl Into<Point<T>>,
+        radius: T,
         direction: Direction,
         size: ArcSize,
     ) -> Self {
@@ -144,7 +146,7 @@ impl OutlineBuilder {
     }
 
     /// An arc through a point to the next vertex; see [`bulge_through`].
-    pub fn arc_through(self, to: impl Into<Point>, through: impl Into<Point>) -> Self {
+    pub fn arc_through(self, to: impl Into<Point<T>>, through: impl Into<Point<T>>) -> Self {
         let through = through.into();
         self.edge_to(to.into(), |from, to| bulge_through(from, to, through))
     }
@@ -154,7 +156,7 @@ impl OutlineBuilder {
     ///
     /// Corners are rounded one after another in the order of vertices: a fillet has what those before it left of its
     /// edges.
-    pub fn fillet(mut self, radius: f64) -> Self {
+    pub fn fillet(mut self, radius: T) -> Self {
         let vertex_index = self.vertices.len() - 1;
         if let Some(last) = self.vertices.last_mut() {
             if last.fillet.is_some() {
@@ -173,7 +175,7 @@ impl OutlineBuilder {
     ///
     /// # Errors
     /// The first vertex or edge that cannot be drawn, why, and what to do.
-    pub fn close(self) -> Result<Vec<Vertex>, OutlineError> {
+    pub fn close(self) -> Result<Vec<Vertex<T>>, OutlineError> {
         Ok(self.close_numbered()?.into_iter().map(|(v, _)| v).collect())
     }
 
@@ -191,14 +193,14 @@ impl OutlineBuilder {
     /// assert_eq!(numbers, [0, 1, 1, 2]);
     /// # Ok::<(), cspace::part::OutlineError>(())
     /// ```
-    pub fn close_numbered(mut self) -> Result<Vec<(Vertex, usize)>, OutlineError> {
+    pub fn close_numbered(mut self) -> Result<Vec<(Vertex<T>, usize)>, OutlineError> {
         if let Some(error) = self.error {
             return Err(error);
         }
         self.join_ends()?;
         let vertices = self.vertices;
         let count = vertices.len();
-        if count < 2 || (count == 2 && vertices.iter().all(|v| v.bulge == 0.0)) {
+        if count < 2 || (count == 2 && vertices.iter().all(|v| v.bulge.value() == 0.0)) {
             return Err(OutlineError::TooFewVertices { count });
         }
         let next = vertices.iter().cycle().skip(1);
@@ -214,23 +216,23 @@ impl OutlineBuilder {
     /// An edge to the next vertex, with the bulge that `bulge` finds from its ends.
     fn edge_to(
         mut self,
-        to: Point,
-        bulge: impl FnOnce(Point, Point) -> Result<f64, ArcError>,
+        to: Point<T>,
+        bulge: impl FnOnce(Point<T>, Point<T>) -> Result<T, ArcError>,
     ) -> Self {
         let vertex_index = self.vertices.len() - 1;
         let Some(last) = self.vertices.last_mut() else {
             return self;
         };
         let from = last.at;
-        let found = if !to.is_finite() {
+        let found = if !to.map(T::value).is_finite() {
             Err(OutlineError::NotFinite {
                 vertex_index: vertex_index + 1,
             })
-        } else if from == to {
+        } else if from.map(T::value) == to.map(T::value) {
             Err(OutlineError::NoEdge { vertex_index })
         } else {
             match bulge(from, to) {
-                Ok(bulge) if bulge.is_finite() => Ok(bulge),
+                Ok(bulge) if bulge.value().is_finite() => Ok(bulge),
                 Ok(_) => Err(OutlineError::NotFinite { vertex_index }),
                 Err(error) => Err(OutlineError::Arc {
                     vertex_index,
@@ -255,9 +257,10 @@ impl OutlineBuilder {
         let [first, .., last] = self.vertices[..] else {
             return Ok(());
         };
-        let boxes = (self.vertices.iter()).map(|v| Bounds::of(v.at, v.at));
+        let place = |v: &Drawn<T>| v.at.map(T::value);
+        let boxes = (self.vertices.iter()).map(|v| Bounds::of(place(v), place(v)));
         let size = boxes.fold(Bounds::EMPTY, Bounds::union).diagonal();
-        if first.at.distance(last.at) > RESOLUTION * size {
+        if place(&first).distance(place(&last)) > RESOLUTION * size {
             return Ok(());
         }
         if first.fillet.is_some() && last.fillet.is_some() {
@@ -269,22 +272,22 @@ impl OutlineBuilder {
     }
 }
 
-impl Drawn {
-    const fn new(at: Point) -> Self {
+impl<T: Real> Drawn<T> {
+    fn new(at: Point<T>) -> Self {
         Self {
             at,
-            bulge: 0.0,
+            bulge: T::constant(0.0),
             fillet: None,
         }
     }
 }
 
 /// The vertices of a loop and their numbers as drawn, given its edges, once corners are rounded. An edge that a fillet takes is none.
-fn rounded(
-    mut edges: Vec<Option<Edge>>,
-    vertices: &[Drawn],
-) -> Result<Vec<(Vertex, usize)>, OutlineError> {
-    let mut arcs: Vec<Option<Edge>> = vec![None; vertices.len()];
+fn rounded<T: Real>(
+    mut edges: Vec<Option<Edge<T>>>,
+    vertices: &[Drawn<T>],
+) -> Result<Vec<(Vertex<T>, usize)>, OutlineError> {
+    let mut arcs: Vec<Option<Edge<T>>> = vec![None; vertices.len()];
     for (vertex_index, vertex) in vertices.iter().enumerate() {
         let Some(radius) = vertex.fillet else {
             continue;

@@ -28,23 +28,6 @@ impl Edge {
         }
     }
 
-    /// The length of the curve: chord (1 + b²) atan(b) / b.
-    #[inline]
-    pub fn length(&self) -> f64 {
-        let (chord, b) = (self.chord(), self.bulge);
-        if b == 0.0 {
-            chord
-        } else {
-            chord * (1.0 + b * b) * (b.atan() / b)
-        }
-    }
-
-    /// The curvature, positive where the edge turns left: 4 b / (chord (1 + b²)).
-    #[inline]
-    pub fn curvature(&self) -> f64 {
-        4.0 * self.bulge / (self.chord() * (1.0 + self.bulge * self.bulge))
-    }
-
     /// The point at fraction `u` of the length.
     ///
     /// ```
@@ -247,9 +230,5 @@ impl Edge {
             (q * q * b.atan() - b * (1.0 - square)) / (8.0 * square)
         };
         (self.end - self.start).length_squared() * shape
-    }
-
-    fn chord(&self) -> f64 {
-        (self.end - self.start).length()
     }
 }

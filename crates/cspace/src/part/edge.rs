@@ -1,17 +1,18 @@
 //! Edges of a loop, oriented so that material is on the left.
 
 use crate::geometry::{Point, Vector};
+use crate::number::Real;
 
 /// A line segment or circular arc of a part's boundary; travelling it, material is on the left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Edge {
+pub struct Edge<T = f64> {
     /// Where the edge starts.
-    pub start: Point,
+    pub start: Point<T>,
     /// Where it ends.
-    pub end: Point,
+    pub end: Point<T>,
     /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
-    pub bulge: f64,
+    pub bulge: T,
     /// Index, in the loop as given, of the vertex whose bulge describes this edge.
     pub index: usize,
 }
@@ -43,13 +44,15 @@ impl Edge {
     pub fn sweep(&self) -> f64 {
         4.0 * self.bulge.atan()
     }
+}
 
+impl<T: Real> Edge<T> {
     /// The unit direction of travel at the start.
     ///
     /// It is the chord turned clockwise by half the sweep: with b = tan(sweep/4),
     /// cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
     #[inline]
-    pub fn start_direction(&self) -> Vector {
+    pub fn start_direction(&self) -> Vector<T> {
         let (cos, sin) = self.half_sweep();
         let d = (self.end - self.start).unit();
         Vector::new(cos * d.x + sin * d.y, cos * d.y - sin * d.x)
@@ -57,15 +60,44 @@ impl Edge {
 
     /// The unit direction of travel at the end: the chord turned counter-clockwise by half the sweep.
     #[inline]
-    pub fn end_direction(&self) -> Vector {
+    pub fn end_direction(&self) -> Vector<T> {
         let (cos, sin) = self.half_sweep();
         let d = (self.end - self.start).unit();
         Vector::new(cos * d.x - sin * d.y, cos * d.y + sin * d.x)
     }
 
-    fn half_sweep(&self) -> (f64, f64) {
-        let b = self.bulge;
-        let q = 1.0 + b * b;
-        ((1.0 - b) * (1.0 + b) / q, 2.0 * b / q)
+    fn half_sweep(&self) -> (T, T) {
+        let (b, one) = (self.bulge, T::constant(1.0));
+        let q = one + b * b;
+        ((one - b) * (one + b) / q, (b + b) / q)
     }
+
+    /// The length of the curve: chord (1 + b²) atan(b) / b.
+    #[inline]
+    pub fn length(&self) -> T {
+        let (chord, b) = (self.chord(), self.bulge);
+        if b.value() == 0.0 {
+            return chord;
+        }
+        chord * (T::constant(1.0) + b * b) * (arc_tangent(b) / b)
+    }
+
+    /// The curvature, positive where the edge turns left: 4 b / (chord (1 + b²)).
+    #[inline]
+    pub fn curvature(&self) -> T {
+        let (b, real) = (self.bulge, T::constant);
+        real(4.0) * b / (self.chord() * (real(1.0) + b * b))
+    }
+
+    /// The length of the chord.
+    #[inline]
+    pub(super) fn chord(&self) -> T {
+        (self.end - self.start).length()
+    }
+}
+
+/// The angle with a tangent.
+pub(super) fn arc_tangent<T: Real>(x: T) -> T {
+    let value = x.value();
+    x.function(value.atan(), 1.0 / (1.0 + value * value))
 }

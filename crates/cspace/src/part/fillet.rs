@@ -10,8 +10,10 @@
 //! enters, so that arcs may be as flat as they like.
 
 use crate::geometry::Vector;
+use crate::number::Real;
 
 use super::Edge;
+use super::edge::arc_tangent;
 use super::tolerance::RESOLUTION;
 
 /// A fillet that leaves less of an edge than this fraction of its length, or needs so much more, takes the whole edge.
@@ -23,13 +25,13 @@ pub const WHOLE_EDGE: f64 = 1e-9;
 /// A rounded corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Fillet {
+pub struct Fillet<T = f64> {
     /// What is left of the edge before the corner; none if the fillet takes all of it.
-    pub before: Option<Edge>,
+    pub before: Option<Edge<T>>,
     /// The fillet: an arc of at most half a turn. Its index is that of the edge after the corner.
-    pub arc: Edge,
+    pub arc: Edge<T>,
     /// What is left of the edge after the corner; none if the fillet takes all of it.
-    pub after: Option<Edge>,
+    pub after: Option<Edge<T>>,
 }
 
 /// Why a corner cannot be rounded.
@@ -92,44 +94,50 @@ pub enum FilletError {
 /// assert!((largest - 2.0).abs() < 1e-12);
 /// # Ok::<(), FilletError>(())
 /// ```
-pub fn fillet(before: &Edge, after: &Edge, radius: f64) -> Result<Fillet, FilletError> {
-    if !(radius.is_finite() && radius > 0.0) {
-        return Err(FilletError::BadRadius { radius });
+pub fn fillet<T: Real>(
+    before: &Edge<T>,
+    after: &Edge<T>,
+    radius: T,
+) -> Result<Fillet<T>, FilletError> {
+    let given = radius.value();
+    if !(given.is_finite() && given > 0.0) {
+        return Err(FilletError::BadRadius { radius: given });
     }
     let corner = Corner::new(before, after)?;
     if let Some(fillet) = corner.rounded(radius, WHOLE_EDGE) {
         return Ok(fillet);
     }
     Err(FilletError::TooLarge {
-        radius,
-        largest: corner.largest_below(radius),
+        radius: given,
+        largest: corner.largest_below(given),
     })
 }
 
 /// The corner between two edges.
-struct Corner<'a> {
-    before: &'a Edge,
-    after: &'a Edge,
+struct Corner<'a, T> {
+    before: &'a Edge<T>,
+    after: &'a Edge<T>,
     /// 1 if it turns left, −1 if right.
     side: f64,
     /// The unit directions in which the first edge arrives and the second leaves.
-    directions: [Vector; 2],
+    directions: [Vector<T>; 2],
     /// The unit normals towards the fillet.
-    normals: [Vector; 2],
+    normals: [Vector<T>; 2],
     /// The curvatures, positive towards the fillet.
-    curvatures: [f64; 2],
+    curvatures: [T; 2],
     /// The edges' lengths.
-    lengths: [f64; 2],
+    lengths: [T; 2],
 }
 
-impl<'a> Corner<'a> {
-    fn new(before: &'a Edge, after: &'a Edge) -> Result<Self, FilletError> {
+impl<'a, T: Real> Corner<'a, T> {
+    fn new(before: &'a Edge<T>, after: &'a Edge<T>) -> Result<Self, FilletError> {
         let directions = [before.end_direction(), after.start_direction()];
         let lengths = [before.length(), after.length()];
-        let sound = |length: f64| length.is_finite() && length > 0.0;
+        let sound = |length: T| length.value().is_finite() && length.value() > 0.0;
         let [u, w] = directions;
-        let sin = u.cross(w);
-        if !(before.end == after.start && lengths.into_iter().all(sound) && sin.is_finite()) {
+        let sin = u.cross(w).value();
+        let meet = before.end.map(T::value) == after.start.map(T::value);
+        if !(meet && lengths.into_iter().all(sound) && sin.is_finite()) {
             return Err(FilletError::NoEdges);
         }
         if sin.abs() <= RESOLUTION {
@@ -141,35 +149,37 @@ impl<'a> Corner<'a> {
             after,
             side,
             directions,
-            normals: directions.map(|d| d.left() * side),
-            curvatures: [before, after].map(|e| side * e.curvature()),
+            normals: directions.map(|d| d.left() * T::constant(side)),
+            curvatures: [before, after].map(|e| T::constant(side) * e.curvature()),
             lengths,
         })
     }
 
     /// The fillet, if it fits; it may need `slack` more of an edge's length than there is.
-    fn rounded(&self, radius: f64, slack: f64) -> Option<Fillet> {
+    fn rounded(&self, radius: T, slack: f64) -> Option<Fillet<T>> {
+        let real = T::constant;
         // In units of the radius from here.
         let [a, b] = self.curvatures.map(|k| k * radius);
-        if a.max(b) >= 1.0 {
+        if a.value().max(b.value()) >= 1.0 {
             return None; // An edge curves more than the fillet.
         }
         let (center, normals) = (self.center(a, b)?, self.normals);
         // From the feet to the centre.
         let inward = [(normals[0], a), (normals[1], b)];
-        let inward = inward.map(|(n, k)| (n - center * k) * (1.0 / (1.0 - k)));
+        let inward = inward.map(|(n, k)| (n - center * k) * (real(1.0) / (real(1.0) - k)));
         let feet = inward.map(|n| center - n);
         let corner = self.before.end;
         let places = feet.map(|foot| corner + foot * radius);
 
         let [u, w] = self.directions;
-        let used = [along(u, -feet[0], a != 0.0), along(w, feet[1], b != 0.0)];
-        let left = [0, 1].map(|i| 1.0 - used[i] * radius / self.lengths[i]);
+        let is_arc = |curvature: T| curvature.value() != 0.0;
+        let used = [along(u, -feet[0], is_arc(a)), along(w, feet[1], is_arc(b))];
+        let left = [0, 1].map(|i| real(1.0) - used[i] * radius / self.lengths[i]);
         // Written so that what is not a number does not fit.
-        if !left.into_iter().all(|l| l >= -slack) {
+        if !left.into_iter().all(|l| l.value() >= -slack) {
             return None;
         }
-        let is_whole = left.map(|l| l <= slack);
+        let is_whole = left.map(|l| l.value() <= slack);
         let start = if is_whole[0] {
             self.before.start
         } else {
@@ -180,14 +190,18 @@ impl<'a> Corner<'a> {
         } else {
             places[1]
         };
-        let turn = (self.side * inward[0].cross(inward[1])).atan2(inward[0].dot(inward[1]));
+        let (sin, cos) = (
+            real(self.side) * inward[0].cross(inward[1]),
+            inward[0].dot(inward[1]),
+        );
         // Half a turn may be rounded to a little more.
-        let turn = if turn < 0.0 {
-            turn + core::f64::consts::TAU
+        let turn = angle(sin, cos);
+        let turn = if turn.value() < 0.0 {
+            turn + real(core::f64::consts::TAU)
         } else {
             turn
         };
-        let rest = |bulge: f64, share: f64| (bulge.atan() * share).tan();
+        let rest = |bulge: T, share: T| tangent(arc_tangent(bulge) * share);
         Some(Fillet {
             before: (!is_whole[0]).then(|| Edge {
                 end: start,
@@ -197,7 +211,7 @@ impl<'a> Corner<'a> {
             arc: Edge {
                 start,
                 end,
-                bulge: self.side * (0.25 * turn).tan(),
+                bulge: real(self.side) * tangent(real(0.25) * turn),
                 index: self.after.index,
             },
             after: (!is_whole[1]).then(|| Edge {
@@ -209,21 +223,21 @@ impl<'a> Corner<'a> {
     }
 
     /// The fillet's centre from the corner, in units of the radius, for curvatures in its inverse.
-    fn center(&self, a: f64, b: f64) -> Option<Vector> {
-        let ([u, w], n) = (self.directions, self.normals[0]);
-        let (cos, sin) = (u.dot(w), self.side * u.cross(w));
+    fn center(&self, a: T, b: T) -> Option<Vector<T>> {
+        let ([u, w], n, one) = (self.directions, self.normals[0], T::constant(1.0));
+        let (cos, sin) = (u.dot(w), T::constant(self.side) * u.cross(w));
         // Half the angle by which the corner turns.
-        let tan = if cos >= 0.0 {
-            sin / (1.0 + cos)
+        let tan = if cos.value() >= 0.0 {
+            sin / (one + cos)
         } else {
-            (1.0 - cos) / sin
+            (one - cos) / sin
         };
         let m = n - u * tan;
         let q = n * a + u * ((cos * a - b) / sin);
         // q² s² − 2 (1 − m · q) s + m² − 1 = 0, and m² − 1 is the square of the tangent.
-        let half = 1.0 - m.dot(q);
+        let half = one - m.dot(q);
         let root = half * half - q.dot(q) * tan * tan;
-        if !(half > 0.0 && root >= 0.0) {
+        if !(half.value() > 0.0 && root.value() >= 0.0) {
             return None; // So large a circle does not reach into the corner.
         }
         Some(m + q * (tan * tan / (half + root.sqrt())))
@@ -237,7 +251,8 @@ impl<'a> Corner<'a> {
         const BISECTIONS: u32 = 60;
         let (mut low, mut high) = (0.5 * radius, radius);
         let mut halvings = 0;
-        while self.rounded(low, 0.0).is_none() {
+        let fits = |radius: f64| self.rounded(T::constant(radius), 0.0).is_some();
+        while !fits(low) {
             if halvings == HALVINGS {
                 return None;
             }
@@ -246,7 +261,7 @@ impl<'a> Corner<'a> {
         }
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
-            if self.rounded(middle, 0.0).is_some() {
+            if fits(middle) {
                 low = middle;
             } else {
                 high = middle;
@@ -258,11 +273,25 @@ impl<'a> Corner<'a> {
 
 /// The length of an edge between the corner and a foot, given the chord and the unit direction at the corner, which the
 /// chord differs from by half the sweep; negative of a line that does not come by the foot.
-fn along(direction: Vector, chord: Vector, is_arc: bool) -> f64 {
+fn along<T: Real>(direction: Vector<T>, chord: Vector<T>, is_arc: bool) -> T {
     if !is_arc {
         return direction.dot(chord);
     }
-    let half = direction.cross(chord).atan2(direction.dot(chord)).abs();
-    let ratio = if half == 0.0 { 1.0 } else { half / half.sin() };
-    chord.length() * ratio
+    let half = angle(direction.cross(chord), direction.dot(chord)).abs();
+    if half.value() == 0.0 {
+        return chord.length();
+    }
+    chord.length() * (half / half.sin_cos().0)
+}
+
+/// The angle of the vector (x, y).
+fn angle<T: Real>(y: T, x: T) -> T {
+    let (sin, cos) = (y.value(), x.value());
+    let square = cos * cos + sin * sin;
+    y.function(sin.atan2(cos), cos / square) + x.function(0.0, -sin / square)
+}
+
+fn tangent<T: Real>(angle: T) -> T {
+    let tan = angle.value().tan();
+    angle.function(tan, 1.0 + tan * tan)
 }

@@ -6,6 +6,7 @@ use crate::geometry::Point;
 
 use super::tolerance::RESOLUTION;
 use super::{Part, PartError, Vertex};
+use crate::number::Real;
 
 /// The loop of lines from corner to corner, and from the last to the first.
 ///
@@ -31,12 +32,15 @@ pub fn polygon_loop<P: Copy + Into<Point>>(corners: &[P]) -> Vec<Vertex> {
 /// assert!((part.area() - (16.0 - core::f64::consts::PI)).abs() < 1e-14);
 /// # Ok::<(), PartError>(())
 /// ```
-pub fn circle_loop(center: impl Into<Point>, radius: f64) -> Result<Vec<Vertex>, PartError> {
-    let c = center.into();
-    positive("radius", radius)?;
+pub fn circle_loop<T: Real>(
+    center: impl Into<Point<T>>,
+    radius: T,
+) -> Result<Vec<Vertex<T>>, PartError> {
+    let (c, half_turn) = (center.into(), T::constant(1.0));
+    positive("radius", radius.value())?;
     Ok(vec![
-        Vertex::new(c.x - radius, c.y, 1.0),
-        Vertex::new(c.x + radius, c.y, 1.0),
+        Vertex::new(c.x - radius, c.y, half_turn),
+        Vertex::new(c.x + radius, c.y, half_turn),
     ])
 }
 

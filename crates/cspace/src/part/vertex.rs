@@ -7,31 +7,33 @@ use crate::geometry::Point;
 /// The bulge is tan(sweep / 4): positive counter-clockwise, 0 a line, ±1 a half circle (as in DXF).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Vertex {
+pub struct Vertex<T = f64> {
     /// First coordinate.
-    pub x: f64,
+    pub x: T,
     /// Second coordinate.
-    pub y: f64,
+    pub y: T,
     /// tan(sweep / 4) of the edge that leaves the vertex.
-    pub bulge: f64,
+    pub bulge: T,
 }
 
-impl Vertex {
+impl<T: Copy> Vertex<T> {
     /// A vertex from which an arc leaves, or a line when `bulge` is 0.
     #[inline]
-    pub const fn new(x: f64, y: f64, bulge: f64) -> Self {
+    pub const fn new(x: T, y: T, bulge: T) -> Self {
         Self { x, y, bulge }
-    }
-
-    /// A vertex from which a line leaves.
-    #[inline]
-    pub const fn line(x: f64, y: f64) -> Self {
-        Self::new(x, y, 0.0)
     }
 
     /// Where the vertex lies.
     #[inline]
-    pub const fn point(self) -> Point {
+    pub const fn point(self) -> Point<T> {
         Point::new(self.x, self.y)
+    }
+}
+
+impl Vertex {
+    /// A vertex from which a line leaves.
+    #[inline]
+    pub const fn line(x: f64, y: f64) -> Self {
+        Self::new(x, y, 0.0)
     }
 }

@@ -1,0 +1,232 @@
+//! Derivatives of quantities by the parameters of a model.
+//!
+//! A quantity ends where the contact function f of two features is 0 (or, of a clearance, is its value). With a parameter p, a coordinate e
+//! at which f(e, p) = 0 moves by de/dp = −(∂f/∂p) / (∂f/∂e). ∂f/∂p is that by the vertices and axes of the drawing
+//! ([`FeatureContact::by_drawing`]) times what the model makes of p ([`Template::slopes`]), both in dual numbers.
+
+use cspace::{Coordinates, FeatureContact, FeatureKind, PairSpace, Progress, QueryError};
+use cspace_io::model::{PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Template};
+use cspace_io::{Host, Model};
+
+use crate::check::{Checked, Interrupted, Spaces};
+use crate::measure::{Measured, Stop, unit};
+
+/// The derivative of a quantity by a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// The parameter.
+    pub parameter: String,
+    /// The derivatives for smaller and for larger values of the parameter, which differ where several contacts decide; or why there is
+    /// none.
+    pub derivative: Result<[f64; 2], String>,
+}
+
+/// As [`check`](crate::check), with the derivatives of every quantity by each parameter that the file gives as a number.
+///
+/// Quantities that are yes or no have none.
+///
+/// # Errors
+/// If the progress ends the computation.
+pub fn sensitivities(
+    template: &Template,
+    host: &Host<'_>,
+    model: &Model,
+    progress: &dyn Progress,
+) -> Result<Vec<(Checked, Vec<Sensitivity>)>, Interrupted> {
+    let spaces = Spaces::compute(model, progress)?;
+    // Derivatives by one that follows from others say nothing that those do not.
+    let independent = model.parameters.iter().filter(|p| p.expression.is_none());
+    let slopes: Vec<(&str, Result<Slopes, String>)> = (independent)
+        .map(|p| {
+            let slopes = template.slopes(host, model, &p.name);
+            (p.name.as_str(), slopes.map_err(|e| e.message().to_owned()))
+        })
+        .collect();
+    let all = model.requirements.iter().map(|requirement| {
+        let checked = spaces.check(requirement);
+        let Ok((measured, space)) = checked
+            .measured
+            .clone()
+            .and_then(|m| Ok((m, spaces.of(requirement)?)))
+        else {
+            return (checked, Vec::new());
+        };
+        if measured.stops.is_empty() {
+            return (checked, Vec::new());
+        }
+        let of = |(name, slopes): &(&str, Result<Slopes, String>)| Sensitivity {
+            parameter: (*name).to_owned(),
+            derivative: slopes.as_ref().map_err(String::clone).and_then(|slopes| {
+                let pair = requirement.pair;
+                let varied = Varied {
+                    space,
+                    parts: [pair.fixed, pair.moving].map(|i| &slopes.parts[i]),
+                    of: (slopes.requirements.get(&requirement.name))
+                        .copied()
+                        .unwrap_or_default(),
+                };
+                varied
+                    .derivative(requirement, &measured)
+                    .map_err(|e| e.to_string())?
+                    .ok_or_else(|| "no contact function decides the quantity there".to_owned())
+            }),
+        };
+        let found = slopes.iter().map(of).collect();
+        (checked, found)
+    });
+    Ok(all.collect())
+}
+
+/// A pair with the derivatives of its parts, and of one requirement, by a parameter.
+struct Varied<'a> {
+    space: &'a PairSpace,
+    parts: [&'a PartSlopes; 2],
+    of: RequirementSlopes,
+}
+
+/// Derivatives for smaller and for larger values of the parameter.
+type Sides = [f64; 2];
+
+impl Varied<'_> {
+    fn derivative(
+        &self,
+        requirement: &Requirement,
+        measured: &Measured,
+    ) -> Result<Option<Sides>, QueryError> {
+        match (requirement.quantity, &measured.stops[..]) {
+            (Quantity::Play { of, .. }, [below, above]) => {
+                // The other coordinates are held where they are measured.
+                let mut held = self.of.at;
+                held[of.index()] = 0.0;
+                let mut ends = [None; 2];
+                for ((end, stop), way) in ends.iter_mut().zip([below, above]).zip([-1.0, 1.0]) {
+                    let range = match of {
+                        cspace_io::model::Coordinate::U => self.parts[0].range,
+                        _ => self.parts[1].range,
+                    };
+                    *end = if stop.features.is_empty() {
+                        Some([range[usize::from(way > 0.0)]; 2])
+                    } else {
+                        let rates = numbers(unit(of, way));
+                        self.first(stop, rates, way, |f, gradient| {
+                            sum(&[-f, -dot(gradient, held)]) / gradient[of.index()]
+                        })?
+                    };
+                }
+                let [lower, upper] = ends;
+                Ok(lower
+                    .zip(upper)
+                    .map(|(a, b)| [0, 1].map(|i| sum(&[b[i], -a[i]]))))
+            }
+            (Quantity::Position { from, along, of }, [stop]) => {
+                let (from, along, at) = (numbers(from), numbers(along), numbers(stop.at));
+                let k = of.index();
+                let gone = [0, 1, 2].map(|i| at[i] - from[i]);
+                let time = dot(gone, along) / dot(along, along);
+                let moved = [0, 1, 2].map(|i| self.of.at[i] + time * self.of.along[i]);
+                self.first(stop, along, along[k], |f, gradient| {
+                    let later = sum(&[-f, -dot(gradient, moved)]) / dot(gradient, along);
+                    sum(&[moved[k], later * along[k]])
+                })
+            }
+            (Quantity::Clearance { .. }, [stop]) => {
+                self.first(stop, [0.0; 3], 1.0, |f, gradient| {
+                    sum(&[f, dot(gradient, self.of.at)])
+                })
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The derivatives of what is the first of several contacts to be reached, where `sign` is that of its change along the way: by each
+    /// contact they are given by ∂f/∂p and the gradient by the coordinates. With a motion, contacts count that it comes nearer to.
+    fn first(
+        &self,
+        stop: &Stop,
+        rates: [f64; 3],
+        sign: f64,
+        by: impl Fn(f64, [f64; 3]) -> f64,
+    ) -> Result<Option<Sides>, QueryError> {
+        /// Derivatives that differ by less, relative to the larger, are one: contacts that follow each other smoothly.
+        const ONE: f64 = 1e-9;
+        let is_motion = rates != [0.0; 3];
+        let mut found: Vec<f64> = Vec::new();
+        for &(fixed, moving) in &stop.features {
+            if fixed.kind == FeatureKind::Line && moving.kind == FeatureKind::Line {
+                continue;
+            }
+            let contact = self.space.contact_of(fixed, moving)?;
+            let value = contact.evaluate(stop.at)?;
+            if is_motion && dot(value.gradient, rates) >= 0.0 {
+                continue;
+            }
+            let derivative = by(self.by_parameter(&contact, stop.at)?, value.gradient);
+            if derivative.is_finite() {
+                found.push(derivative);
+            }
+        }
+        let Some(&first) = found.first() else {
+            return Ok(None);
+        };
+        let (lo, hi) = found
+            .iter()
+            .fold((first, first), |(lo, hi), x| (lo.min(*x), hi.max(*x)));
+        Ok(Some(if hi - lo <= ONE * lo.abs().max(hi.abs()) {
+            [first; 2]
+        } else if sign > 0.0 {
+            // The smallest of several: for a larger parameter that which grows least.
+            [hi, lo]
+        } else {
+            [lo, hi]
+        }))
+    }
+
+    /// ∂f/∂p of a contact at a configuration.
+    fn by_parameter(&self, contact: &FeatureContact, at: Coordinates) -> Result<f64, QueryError> {
+        let by = contact.by_drawing(at)?;
+        let mut terms = Vec::new();
+        for ((vertices, axis), part) in [(&by.fixed, by.fixed_axis), (&by.moving, by.moving_axis)]
+            .into_iter()
+            .zip(self.parts)
+        {
+            for v in vertices {
+                let outline = part.loops.get(v.loop_index as usize);
+                let [x, y, bulge] = (outline.and_then(|l| l.get(v.vertex as usize)))
+                    .copied()
+                    .unwrap_or_default();
+                terms.extend([
+                    v.by_position[0] * x,
+                    v.by_position[1] * y,
+                    v.by_bulge * bulge,
+                ]);
+            }
+            terms.extend([axis[0] * part.axis[0], axis[1] * part.axis[1]]);
+        }
+        Ok(sum(&terms))
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.into_iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The sum of terms, 0 where all but rounding cancels.
+fn sum(terms: &[f64]) -> f64 {
+    /// Rounding of derivatives, relative to the terms they are sums of.
+    const ROUNDING: f64 = 1e-12;
+    let sum: f64 = terms.iter().sum();
+    let size: f64 = terms.iter().map(|x| x.abs()).sum();
+    if sum.abs() <= ROUNDING * size {
+        0.0
+    } else {
+        sum
+    }
+}
+
+/// Coordinates as numbers, of fixed axes two and a 0.
+fn numbers(at: Coordinates) -> [f64; 3] {
+    match at {
+        Coordinates::Planar(c) => [c.x, c.y, c.theta],
+        Coordinates::Axes { u, v } => [u, v, 0.0],
+    }
+}
