@@ -298,29 +298,42 @@ impl ShellFinder<'_> {
         self.clusters.duration(from, to)
     }
 
-    /// The cell that has most room of those of longest duration.
-    fn largest(&self, cells: &[Cell], ring: &[Member]) -> u32 {
-        let duration = |c: u32| self.duration(cells[c as usize].from, cells[c as usize].to);
-        let mut longest: Vec<(f64, u32)> =
-            ring.iter().map(|m| (duration(m.cell), m.cell)).collect();
-        let by_duration = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
+    /// Some cells of longest duration, that with most room first. In a slice all last as long: the least curved are taken there.
+    fn largest(&self, cells: &[Cell], ring: &[Member]) -> Vec<u32> {
+        let measured = |m: &Member| {
+            let c = &cells[m.cell as usize];
+            let sheet = &self.geometry.contacts.sheets[c.sheet as usize];
+            let radius = if sheet.is_line() {
+                f64::INFINITY
+            } else {
+                sheet.locus.radius.abs()
+            };
+            (self.duration(c.from, c.to), radius, m.cell)
+        };
+        let mut longest: Vec<(f64, f64, u32)> = ring.iter().map(measured).collect();
+        let order = |a: &(f64, f64, u32), b: &(f64, f64, u32)| {
+            (b.0.total_cmp(&a.0))
+                .then(b.1.total_cmp(&a.1))
+                .then(a.2.cmp(&b.2))
+        };
         if longest.len() > TRIED {
-            longest.select_nth_unstable_by(TRIED - 1, by_duration);
+            longest.select_nth_unstable_by(TRIED - 1, order);
             longest.truncate(TRIED);
         }
-        longest.sort_unstable_by(by_duration);
-        let mut largest = longest[0].1;
+        longest.sort_unstable_by(order);
+        let mut largest = 0;
         let mut size = f64::NEG_INFINITY;
-        for &(duration, c) in &longest {
+        for (i, &(duration, _, c)) in longest.iter().enumerate() {
             if duration <= size {
                 break;
             }
             let (lo, hi) = self.range(&cells[c as usize], self.middle(&cells[c as usize]));
             if duration.min(hi - lo) > size {
-                (size, largest) = (duration.min(hi - lo), c);
+                (size, largest) = (duration.min(hi - lo), i);
             }
         }
-        largest
+        longest[..=largest].rotate_right(1);
+        longest.into_iter().map(|l| l.2).collect()
     }
 
     fn middle(&self, cell: &Cell) -> f64 {
@@ -370,8 +383,10 @@ impl ShellFinder<'_> {
         (placing, lo + (hi - lo) * share)
     }
 
+    /// What a test beside the first of its largest cells says at which doubles tell.
     fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
-        self.is_free(&cells[self.largest(cells, ring) as usize])
+        let largest = self.largest(cells, ring);
+        largest.iter().find_map(|&c| self.is_free(&cells[c as usize]))
     }
 
     /// An honest test beside a place of a cell; `None` if curves that face it are so near to all places that doubles do not tell.
