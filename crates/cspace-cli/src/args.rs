@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use cspace::Point;
+use cspace_design::{Goal, Relation, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_io::model::Setting;
 
@@ -64,6 +65,9 @@ pub(crate) enum Command {
     /// Measure requirements over a range of a parameter or coordinate, or over rows of values
     #[command(after_long_help = SWEEP)]
     Sweep(SweepArgs),
+    /// Find the values of parameters at which a requirement's measure is what it must be
+    #[command(after_long_help = SOLVE)]
+    Solve(SolveArgs),
     /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
     #[command(after_long_help = SIMULATE)]
     Simulate(SimulateArgs),
@@ -554,6 +558,85 @@ pub(crate) struct Vary {
     pub(crate) count: usize,
 }
 
+#[derive(Debug, Args)]
+pub(crate) struct SolveArgs {
+    /// A model (.toml, .json)
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    /// A parameter that may be from LO to HI; of several the smallest change from the model's values is sought, relative to their ranges
+    #[arg(long, value_name = "NAME=LO:HI", value_parser = bounds, allow_hyphen_values = true, required = true)]
+    pub(crate) vary: Vec<Bounds>,
+    /// What must be so: the name of a requirement, =, <= or >=, and a value such as 0.1, 0.5deg or true
+    #[arg(long, value_name = "MEASURE = VALUE", value_parser = wanted, allow_hyphen_values = true)]
+    pub(crate) so_that: Goal,
+    /// One parameter: the number of values at which is measured before solutions are sought between them
+    #[arg(long, value_name = "N", default_value_t = 65, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true)]
+    pub(crate) samples: u32,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+/// A parameter and its smallest and largest value.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Bounds {
+    pub(crate) name: String,
+    pub(crate) lo: f64,
+    pub(crate) hi: f64,
+}
+
+fn bounds(text: &str) -> Result<Bounds, String> {
+    const HELP: &str = "give it as NAME=LO:HI, such as --vary play=0.05:0.3";
+    let (name, range) = text.split_once('=').ok_or(HELP)?;
+    let (lo, hi) = range.split_once(':').ok_or(HELP)?;
+    let (lo, hi) = (value(lo).ok_or(HELP)?, value(hi).ok_or(HELP)?);
+    if lo >= hi {
+        return Err("the range is empty: give the smaller bound first".to_owned());
+    }
+    Ok(Bounds {
+        name: name.trim().to_owned(),
+        lo,
+        hi,
+    })
+}
+
+/// A number, or an angle with its unit.
+fn value(text: &str) -> Option<f64> {
+    let number = text.trim().parse::<f64>().ok();
+    let number = number.or_else(|| cspace_io::parse_angle(text.trim()));
+    number.filter(|x| x.is_finite())
+}
+
+fn wanted(text: &str) -> Result<Goal, String> {
+    const HELP: &str =
+        "give it as \"MEASURE = VALUE\", with =, <= or >=, such as --so-that \"tilt = 0.5deg\"";
+    let at = text.find('=').ok_or(HELP)?;
+    let (name, right) = (&text[..at], text[at + 1..].trim());
+    let (name, relation) = match name.strip_suffix('<') {
+        Some(name) => (name, Relation::AtMost),
+        None => match name.strip_suffix('>') {
+            Some(name) => (name, Relation::AtLeast),
+            None => (name, Relation::Equal),
+        },
+    };
+    let value = match right {
+        "true" | "yes" => Measured::Truth(true),
+        "false" | "no" => Measured::Truth(false),
+        number => Measured::Number(value(number).ok_or(HELP)?),
+    };
+    if relation != Relation::Equal && matches!(value, Measured::Truth(_)) {
+        return Err("yes and no have no order: use =".to_owned());
+    }
+    Ok(Goal {
+        requirement: name.trim().to_owned(),
+        relation,
+        value,
+    })
+}
+
 fn vary(text: &str) -> Result<Vary, String> {
     const HELP: &str =
         "give it as NAME=LO:HI:N, such as --vary play=0.05:0.3:26 or --vary u=0deg:360deg:361";
@@ -561,11 +644,7 @@ fn vary(text: &str) -> Result<Vary, String> {
     let [lo, hi, count] = range.split(':').collect::<Vec<_>>()[..] else {
         return Err(HELP.to_owned());
     };
-    let bound = |text: &str| {
-        let number = text.trim().parse::<f64>().ok();
-        let number = number.or_else(|| cspace_io::parse_angle(text));
-        number.filter(|x| x.is_finite()).ok_or(HELP)
-    };
+    let bound = |text: &str| value(text).ok_or(HELP);
     let count = count
         .trim()
         .parse::<usize>()
@@ -1123,6 +1202,21 @@ Examples:
 A column for each name and each measure, and the column failure: an empty field
 has its reason there. Angles are in radians. Ctrl-C ends it and keeps the rows
 that are done.
+";
+
+const SOLVE: &str = "\
+Examples:
+  cspace solve models/ratchet_pawl.toml --vary tip=49.7:50.5 \\
+      --so-that \"clear of the face = 0.04\"
+  cspace solve models/ratchet_pawl.toml --vary tip=49.7:50.5 \\
+      --so-that \"clear of the face >= 0.04\"
+  cspace solve models/ratchet_pawl.toml --vary tip=49.7:50.5 --vary root=43:45 \\
+      --so-that \"clear of the face = 0.04\"
+
+Values are exact to some 12 digits of the range. Of one parameter all values that
+were found are printed; between two of the N values at which is measured, one is
+missed if the measure comes near only there and goes away again. Angles are in
+radians, unless they have a unit.
 ";
 
 const CLASH: &str = "\

@@ -38,11 +38,13 @@
 mod check;
 mod measure;
 mod sensitivity;
+mod solve;
 mod sweep;
 mod touching;
 
 pub use check::{Checked, Interrupted, check, check_with};
 pub use measure::{Measured, Stop, Unmeasured, Value, measure, reach};
 pub use sensitivity::{Sensitivity, sensitivities};
+pub use solve::{Goal, Relation, Solved, Span, solve};
 pub use sweep::{Row, Sweep, Varied};
 pub use touching::{FeaturePair, pair_of, texts, touching};

@@ -56,25 +56,35 @@ pub fn sensitivities(
         }
         let of = |(name, slopes): &(&str, Result<Slopes, String>)| Sensitivity {
             parameter: (*name).to_owned(),
-            derivative: slopes.as_ref().map_err(String::clone).and_then(|slopes| {
-                let pair = requirement.pair;
-                let varied = Varied {
-                    space,
-                    parts: [pair.fixed, pair.moving].map(|i| &slopes.parts[i]),
-                    of: (slopes.requirements.get(&requirement.name))
-                        .copied()
-                        .unwrap_or_default(),
-                };
-                varied
-                    .derivative(requirement, &measured)
-                    .map_err(|e| e.to_string())?
-                    .ok_or_else(|| "no contact function decides the quantity there".to_owned())
-            }),
+            derivative: (slopes.as_ref().map_err(String::clone))
+                .and_then(|slopes| derivative(space, requirement, &measured, slopes)),
         };
         let found = slopes.iter().map(of).collect();
         (checked, found)
     });
     Ok(all.collect())
+}
+
+/// The derivatives of a requirement's quantity, measured on a space, for smaller and for larger values of a parameter; or why there are
+/// none.
+pub(crate) fn derivative(
+    space: &PairSpace,
+    requirement: &Requirement,
+    measured: &Measured,
+    slopes: &Slopes,
+) -> Result<Sides, String> {
+    let pair = requirement.pair;
+    let of = slopes.requirements.get(&requirement.name);
+    let varied = Varied {
+        space,
+        parts: [pair.fixed, pair.moving].map(|i| &slopes.parts[i]),
+        of: of.copied().unwrap_or_default(),
+    };
+    match varied.derivative(requirement, measured) {
+        Ok(Some(sides)) => Ok(sides),
+        Ok(None) => Err("no contact function decides the quantity there".to_owned()),
+        Err(error) => Err(error.to_string()),
+    }
 }
 
 /// A pair with the derivatives of its parts, and of one requirement, by a parameter.

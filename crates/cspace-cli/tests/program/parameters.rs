@@ -153,6 +153,52 @@ fn requirements_are_checked() {
             "is both a requirement and",
         ),
         (vec!["check", &file, "--set", "peg=0"], "same place"),
+        (vec!["check", "-", "--sensitivities"], "standard input"),
+        (
+            vec!["solve", &file, "--vary", "paly=0:1", "--so-that", "gap = 1"],
+            "no parameter",
+        ),
+        (
+            vec!["solve", &file, "--vary", "play=1:0", "--so-that", "gap = 1"],
+            "the range is empty",
+        ),
+        (
+            vec![
+                "solve",
+                &file,
+                "--vary",
+                "play=0:1",
+                "--so-that",
+                "paly = 1",
+            ],
+            "no requirement",
+        ),
+        (
+            vec!["solve", &file, "--vary", "play=0:1", "--so-that", "gap"],
+            "MEASURE = VALUE",
+        ),
+        (
+            vec![
+                "solve",
+                &file,
+                "--vary",
+                "play=0:1",
+                "--so-that",
+                "free play = yes",
+            ],
+            "is a number",
+        ),
+        (
+            vec![
+                "solve",
+                &file,
+                "--vary",
+                "play=0:1",
+                "--so-that",
+                "free play < 1",
+            ],
+            "MEASURE = VALUE",
+        ),
     ] {
         let output = cspace(&args).output().unwrap();
         let said = String::from_utf8(output.stderr).unwrap();

@@ -134,6 +134,11 @@ impl Quantity {
     /// The names of all of them.
     const NAMES: [&'static str; 5] = ["play", "position", "clearance", "caged", "connected"];
 
+    /// Whether its value is yes or no.
+    pub const fn is_truth(&self) -> bool {
+        matches!(self, Self::Caged { .. } | Self::Connected { .. })
+    }
+
     /// The name in a model.
     pub const fn name(&self) -> &'static str {
         match self {
@@ -437,10 +442,7 @@ impl Space {
 }
 
 fn target(table: &Table<'_>, quantity: &Quantity, angles: bool) -> Result<Option<Target>> {
-    let yes_or_no = matches!(
-        quantity,
-        Quantity::Caged { .. } | Quantity::Connected { .. }
-    );
+    let yes_or_no = quantity.is_truth();
     let (wrong, right) = if yes_or_no {
         ("limits", "equals = true")
     } else {

@@ -386,7 +386,9 @@ impl ShellFinder<'_> {
     /// What a test beside the first of its largest cells says at which doubles tell.
     fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
         let largest = self.largest(cells, ring);
-        largest.iter().find_map(|&c| self.is_free(&cells[c as usize]))
+        largest
+            .iter()
+            .find_map(|&c| self.is_free(&cells[c as usize]))
     }
 
     /// An honest test beside a place of a cell; `None` if curves that face it are so near to all places that doubles do not tell.

@@ -1,0 +1,145 @@
+//! `cspace solve`.
+
+use std::fmt::Write;
+
+use cspace_design::{Solved, Span, Value};
+use cspace_io::Model;
+use cspace_io::shown::{self, quoted};
+use serde::Serialize;
+use serde_json::Map;
+
+use crate::args::{Format, SolveArgs};
+use crate::failure::Failure;
+use crate::input;
+use crate::interrupt::{catch_interrupts, is_interrupted};
+use crate::output;
+use crate::progress::Bar;
+use crate::subject::set_threads;
+
+/// The values that were found.
+#[derive(Debug, Serialize)]
+struct Answer {
+    solutions: Vec<Map<String, serde_json::Value>>,
+    /// Of one parameter: the ranges in which it is so.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    ranges: Vec<[f64; 2]>,
+    /// Why there is no solution.
+    none: Option<String>,
+}
+
+pub(crate) fn run(args: &SolveArgs) -> Result<(), Failure> {
+    args.result.check_answer()?;
+    let output = args.result.output.as_deref();
+    output::check(output)?;
+    catch_interrupts();
+    set_threads(args.threads)?;
+    let (template, model) = input::template(&args.file, &args.values)?;
+    check(args, &model)?;
+    let spans: Vec<Span> = (args.vary.iter())
+        .map(|v| Span {
+            parameter: v.name.clone(),
+            lo: v.lo,
+            hi: v.hi,
+        })
+        .collect();
+    let bar = Bar::new(model.mechanism.name.clone());
+    let solved = bar.watch(|bar| {
+        let (set, samples) = (&args.values.set, args.samples as usize);
+        cspace_design::solve(&template, set, &spans, &args.so_that, samples, bar)
+    });
+    if is_interrupted() {
+        return Err(Failure::work("the computation was interrupted"));
+    }
+    let bytes = match args.result.format() {
+        Format::Json => super::json(&answer(&spans, &solved))?,
+        Format::Text => described(&spans, &solved).into_bytes(),
+    };
+    output::write(output, &bytes)
+}
+
+/// Refuses names that the model does not have, and values of another kind than the measure.
+fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
+    let file = args.file.display();
+    for (i, v) in args.vary.iter().enumerate() {
+        if model.parameters.iter().all(|p| p.name != v.name) {
+            let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+            let error = format!("{file}: there is no parameter {}", quoted(&v.name));
+            return Err(Failure::input(error).help(if known.is_empty() {
+                "the model has no parameters: add them under [parameter]".to_owned()
+            } else {
+                format!("its parameters are {}", known.join(", "))
+            }));
+        }
+        if args.vary[..i].iter().any(|w| w.name == v.name) {
+            return Err(
+                Failure::input(format_args!("{} is varied twice", quoted(&v.name)))
+                    .help("name it once"),
+            );
+        }
+    }
+    let goal = &args.so_that;
+    let Some(requirement) = model
+        .requirements
+        .iter()
+        .find(|r| r.name == goal.requirement)
+    else {
+        let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
+        let error = format!(
+            "{file}: there is no requirement {}",
+            quoted(&goal.requirement)
+        );
+        return Err(Failure::input(error).help(if known.is_empty() {
+            "say what is measured in [[requirement]] tables: see docs/design.md".to_owned()
+        } else {
+            format!("its requirements are {}", known.join(", "))
+        }));
+    };
+    let yes_or_no = requirement.quantity.is_truth();
+    if yes_or_no != matches!(goal.value, Value::Truth(_)) {
+        let (is, give) = if yes_or_no {
+            ("yes or no", "true or false")
+        } else {
+            ("a number", "a number such as 0.1 or 0.5deg")
+        };
+        return Err(Failure::input(format_args!(
+            "--so-that: the measure {} is {is}",
+            quoted(&goal.requirement)
+        ))
+        .help(format_args!("give {give}")));
+    }
+    Ok(())
+}
+
+fn answer(spans: &[Span], solved: &Solved) -> Answer {
+    let named = |values: &Vec<f64>| {
+        let pairs = spans.iter().zip(values);
+        pairs
+            .map(|(span, value)| (span.parameter.clone(), (*value).into()))
+            .collect()
+    };
+    Answer {
+        solutions: solved.solutions.iter().map(named).collect(),
+        ranges: solved.ranges.iter().map(|&(lo, hi)| [lo, hi]).collect(),
+        none: solved.none.clone(),
+    }
+}
+
+fn described(spans: &[Span], solved: &Solved) -> String {
+    let mut text = String::new();
+    for values in &solved.solutions {
+        let pairs = spans.iter().zip(values);
+        let named: Vec<String> = pairs
+            .map(|(span, value)| format!("{} = {}", span.parameter, shown::number(*value)))
+            .collect();
+        let _ = writeln!(text, "{}", named.join(", "));
+    }
+    for (lo, hi) in &solved.ranges {
+        let name = &spans[0].parameter;
+        let (lo, hi) = (shown::number(*lo), shown::number(*hi));
+        let _ = writeln!(text, "  it is so with {name} from {lo} to {hi}");
+    }
+    if let Some(reason) = &solved.none {
+        let _ = writeln!(text, "none: {reason}");
+    }
+    text
+}
