@@ -1213,8 +1213,8 @@ Examples:
   cspace solve models/ratchet_pawl.toml --vary tip=49.7:50.5 --vary root=43:45 \\
       --so-that \"clear of the face = 0.04\"
 
-Values are exact to some 12 digits of the range. Of one parameter all values that
-were found are printed; between two of the N values at which is measured, one is
+Values are exact to some 12 digits of the range. Of one parameter all that were
+found are printed; between two of the N values at which is measured, one is
 missed if the measure comes near only there and goes away again. Angles are in
 radians, unless they have a unit.
 ";

@@ -105,6 +105,8 @@ Ask it:     cspace compute FILE
         page.vertex((-half, base + thick), "");
         page.end_loop();
         page.end_part();
+        page.driven("The cam turns once a second.", "cam", "360deg");
+        page.load("The follower lies on it.", "follower", "force = [0, -1e6]");
         page.finish()
     }
 }

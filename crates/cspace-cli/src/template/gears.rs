@@ -239,6 +239,11 @@ Ask it:     cspace compute FILE
         let first = 180.0 + 180.0 / f64::from(self.pinion);
         pinion.draw(&mut page, center, first, self.module);
         page.end_part();
+        page.driven(
+            "The gear turns once a second and takes the pinion along.",
+            "gear",
+            "360deg",
+        );
         page.finish()
     }
 }

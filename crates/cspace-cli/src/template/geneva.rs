@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::page::{Page, Turn, about, length, number, polar};
+use super::page::{Page, Turn, about, length, number};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -21,24 +21,15 @@ pub(crate) struct Geneva {
     play: f64,
 }
 
-/// What follows from the dimensions.
+/// What follows from the dimensions, for the comment.
 struct Layout {
     /// From one slot to the next, in degrees.
     step: f64,
     /// Radius of the pin's circle.
     crank: f64,
     wheel: f64,
-    /// Radius of the locking disc, and of what is left of it towards the pin.
+    /// Radius of the locking disc.
     disc: f64,
-    hub: f64,
-    /// Half the width of a slot.
-    half: f64,
-    /// Where the round bottom of a slot has its centre, from the wheel's.
-    bottom: f64,
-    /// Where a locking arc meets the rim, in degrees from its middle.
-    lock: f64,
-    /// Where a slot meets the rim, in degrees from its middle.
-    slot: f64,
 }
 
 impl Geneva {
@@ -82,11 +73,6 @@ impl Geneva {
             crank,
             wheel,
             disc,
-            hub,
-            half,
-            bottom,
-            lock,
-            slot,
         })
     }
 
@@ -119,76 +105,85 @@ Ask it:     cspace compute FILE
             leave = about(270.0 - 0.5 * of.step, 4),
         );
         let mut page = Page::new(&comment, "Geneva drive", self.distance);
-        self.driver(&of, &mut page);
-        self.wheel(&of, &mut page);
+        page.parameters();
+        page.parameter("slots", f64::from(self.slots), "of the wheel");
+        page.parameter("distance", self.distance, "of the shafts");
+        page.parameter("pin", self.pin, "its diameter");
+        page.parameter(
+            "play",
+            self.play,
+            "of the pin on either side, and around the locking disc",
+        );
+        page.derived("step", "360deg/slots");
+        page.derived("crank", "distance*sin(step/2)");
+        page.derived("rim", "distance*cos(step/2)");
+        page.derived("disc", "0.85*(crank - pin/2)");
+        page.derived("hub", "distance - rim - play");
+        page.derived("half", "pin/2 + play");
+        page.derived("bottom", "distance - crank - play");
+        page.derived("end_x", "bottom*cos(step/2)");
+        page.derived("end_y", "bottom*sin(step/2)");
+        page.derived("side_x", "half*sin(step/2)");
+        page.derived("side_y", "half*cos(step/2)");
+        page.derived(
+            "lock",
+            "acos((distance^2 + rim^2 - (disc + play)^2)/(2*distance*rim))",
+        );
+        page.derived("slot", "asin(half/rim)");
+        driver(&mut page);
+        wheel(&mut page);
+        page.driven("The driver turns once a second.", "driver", "360deg");
         page.finish()
     }
+}
 
-    fn driver(&self, of: &Layout, page: &mut Page) {
-        let shaft = (self.distance, 0.0);
-        let turns = format!("{{ type = \"revolute\", center = {} }}", page.point(shaft));
-        page.part("Turns about its shaft.", "driver", &turns);
-        // It locks until the pin enters a slot: then the end of its arc is on the line of the shafts. Towards the pin it is no
-        // larger than the wheel, which comes no nearer to the shaft than its rim, lets it be.
-        let horn = 90.0 - 0.5 * of.step;
-        let at = |radius: f64, angle: f64| {
-            let (x, y) = polar(radius, angle);
-            (self.distance + x, y)
-        };
-        page.begin_loop("locking disc");
-        page.vertex(at(of.disc, horn), "");
-        page.arc_about(at(of.disc, -horn), shaft, Turn::Left, "locks");
-        page.vertex(at(of.hub, -horn), "");
-        page.arc_about(at(of.hub, horn), shaft, Turn::Left, "lets the wheel pass");
-        page.end_loop();
-        let pin = (self.distance + of.crank, 0.0);
-        page.circle(0.5 * self.pin, pin, "pin");
-        page.end_part();
-    }
+fn driver(page: &mut Page) {
+    let turns = "{ type = \"revolute\", center = [\"distance\", 0] }";
+    page.part("Turns about its shaft.", "driver", turns);
+    // It locks until the pin enters a slot: then the end of its arc is on the line of the shafts. Towards the pin it is no
+    // larger than the wheel, which comes no nearer to the shaft than its rim, lets it be.
+    let shaft = ["distance", "0"];
+    page.begin_loop("locking disc");
+    page.corner("distance + disc*sin(step/2)", "disc*cos(step/2)", "");
+    let to = ["distance + disc*sin(step/2)", "-disc*cos(step/2)"];
+    page.turn(to, shaft, Turn::Left, "locks");
+    page.corner("distance + hub*sin(step/2)", "-hub*cos(step/2)", "");
+    let to = ["distance + hub*sin(step/2)", "hub*cos(step/2)"];
+    page.turn(to, shaft, Turn::Left, "passes");
+    page.end_loop();
+    page.circle("pin/2", ["distance + crank", "0"], "pin");
+    page.end_part();
+}
 
-    fn wheel(&self, of: &Layout, page: &mut Page) {
-        let turns = "{ type = \"revolute\", center = [0, 0] }";
-        page.part(
-            "Turns about the origin; a locking arc is at the driver.",
-            "wheel",
-            turns,
-        );
-        page.begin_loop("slots and locking arcs");
-        let rim = |angle: f64| polar(of.wheel, angle);
-        for k in 0..self.slots {
-            let lock = f64::from(k) * of.step;
-            let slot = lock + 0.5 * of.step;
-            // A point along the slot and beside its middle.
-            let (cos, sin) = polar(1.0, slot);
-            let beside =
-                |along: f64, side: f64| (along * cos - side * sin, along * sin + side * cos);
-            if k == 0 {
-                page.vertex(rim(lock - of.lock), "");
-            } else {
-                page.arc_about(rim(lock - of.lock), (0.0, 0.0), Turn::Left, "rim");
-            }
-            let arc = polar(self.distance, lock);
-            page.arc_about(
-                rim(lock + of.lock),
-                arc,
-                Turn::Right,
-                &format!("locking arc {}", k + 1),
-            );
-            page.arc_about(rim(slot - of.slot), (0.0, 0.0), Turn::Left, "rim");
-            page.fillet(0.05 * self.pin, "");
-            page.vertex(beside(of.bottom, -of.half), &format!("slot {}", k + 1));
-            let end = beside(of.bottom, of.half);
-            page.arc_about(end, beside(of.bottom, 0.0), Turn::Right, "");
-            page.vertex(rim(slot + of.slot), "");
-            page.fillet(0.05 * self.pin, "");
-        }
-        page.arc_about(
-            rim(-of.lock),
-            (0.0, 0.0),
-            Turn::Left,
-            "rim, which closes the loop",
-        );
-        page.end_loop();
-        page.end_part();
-    }
+fn wheel(page: &mut Page) {
+    let turns = "{ type = \"revolute\", center = [0, 0] }";
+    page.part(
+        "Turns about the origin; a locking arc is at the driver.",
+        "wheel",
+        turns,
+    );
+    let rim = |angle: &str| {
+        let [x, y] = ["cos", "sin"].map(|f| format!("rim*{f}({angle})"));
+        (x, y)
+    };
+    let center = ["0", "0"];
+    page.begin_loop("slots and locking arcs");
+    page.begin_repeat("slots");
+    let (x, y) = rim("lock");
+    page.corner(&x, &format!("-{y}"), "");
+    page.turn([&x, &y], ["distance", "0"], Turn::Right, "locking arc");
+    let (x, y) = rim("step/2 - slot");
+    page.turn([&x, &y], center, Turn::Left, "rim");
+    page.rounding("pin/20", "");
+    page.corner("end_x + side_x", "end_y - side_y", "slot");
+    let to = ["end_x - side_x", "end_y + side_y"];
+    page.turn(to, ["end_x", "end_y"], Turn::Right, "");
+    let (x, y) = rim("step/2 + slot");
+    page.corner(&x, &y, "");
+    page.rounding("pin/20", "");
+    let (x, y) = rim("step - lock");
+    page.turn([&x, &y], center, Turn::Left, "rim");
+    page.end_repeat();
+    page.end_loop();
+    page.end_part();
 }

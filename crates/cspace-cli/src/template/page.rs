@@ -80,6 +80,30 @@ impl Page {
         self.text += "  ],\n";
     }
 
+    /// Begins entries that are turned so often about the origin and joined.
+    pub(super) fn begin_repeat(&mut self, count: &str) {
+        let count = value(count);
+        self.text += &format!("    {{ repeat = {count}, about = [0, 0], path = [\n");
+    }
+
+    pub(super) fn end_repeat(&mut self) {
+        self.text += "    ] },\n";
+    }
+
+    /// What moves the model: lines of a drive, and of what lays other parts on it.
+    pub(super) fn driven(&mut self, comment: &str, part: &str, rate: &str) {
+        self.text.push('\n');
+        self.comment(comment);
+        self.text += &format!("[[drive]]\npart = \"{part}\"\nrate = \"{rate}\"\n");
+    }
+
+    /// A load on a part, as the line that says it.
+    pub(super) fn load(&mut self, comment: &str, part: &str, line: &str) {
+        self.text.push('\n');
+        self.comment(comment);
+        self.text += &format!("[[load]]\npart = \"{part}\"\n{line}\n");
+    }
+
     /// A vertex that a line leads to.
     pub(super) fn vertex(&mut self, at: (f64, f64), note: &str) {
         let entry = self.point(at);
@@ -100,6 +124,16 @@ impl Page {
         );
     }
 
+    /// An arc about a centre, by expressions.
+    pub(super) fn turn(&mut self, to: [&str; 2], center: [&str; 2], turn: Turn, note: &str) {
+        let [[x, y], [cx, cy]] = [to, center].map(|at| at.map(value));
+        let entry = format!(
+            "{{ arc_to = [{x}, {y}], center = [{cx}, {cy}], direction = \"{}\" }}",
+            turn.name()
+        );
+        self.entry(&entry, note);
+    }
+
     pub(super) fn fillet(&mut self, radius: f64, note: &str) {
         let entry = format!("{{ fillet = {} }}", number(radius));
         self.entry(&entry, note);
@@ -107,17 +141,6 @@ impl Page {
 
     pub(super) fn rounding(&mut self, radius: &str, note: &str) {
         self.entry(&format!("{{ fillet = {} }}", value(radius)), note);
-    }
-
-    /// An arc of at most half a turn.
-    pub(super) fn arc_of_radius(&mut self, to: (f64, f64), radius: f64, turn: Turn, note: &str) {
-        let entry = format!(
-            "{{ arc_to = {}, radius = {}, direction = \"{}\" }}",
-            self.point(to),
-            number(radius),
-            turn.name()
-        );
-        self.entry(&entry, note);
     }
 
     pub(super) fn arc_about(&mut self, to: (f64, f64), center: (f64, f64), turn: Turn, note: &str) {
@@ -139,11 +162,10 @@ impl Page {
         self.entry(&entry, note);
     }
 
-    /// A circle, which is a loop of its own.
-    pub(super) fn circle(&mut self, radius: f64, at: (f64, f64), note: &str) {
-        let at = self.point(at);
-        let radius = number(radius);
-        self.text += &format!("  {{ circle = {radius}, at = {at} }}, # {note}\n");
+    /// A circle, which is a loop of its own, by expressions.
+    pub(super) fn circle(&mut self, radius: &str, [x, y]: [&str; 2], note: &str) {
+        let [radius, x, y] = [radius, x, y].map(value);
+        self.text += &format!("  {{ circle = {radius}, at = [{x}, {y}] }}, # {note}\n");
     }
 
     fn entry(&mut self, entry: &str, note: &str) {

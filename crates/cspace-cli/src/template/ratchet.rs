@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::page::{Page, Turn, about, length, number, polar};
+use super::page::{Page, about, length, number, polar};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -61,7 +61,7 @@ impl Ratchet {
         let corner = (play, under(play));
         let reach = (tip_x + height).min(0.5 * radius);
         let heel = (reach, under(reach));
-        let (pivot, boss) = ((0.9 * radius, 1.2 * radius), 0.16 * radius);
+        let pivot = (0.9 * radius, 1.2 * radius);
         // Lifting takes the line from corner to heel out of the tips' circle.
         let length_under = (heel.0 - corner.0).hypot(heel.1 - corner.1);
         let out = radius + length_under * length_under / (4.0 * radius);
@@ -101,23 +101,37 @@ Ask it:     cspace compute FILE
             more = about(1.1 * held, 6),
         );
         let mut page = Page::new(&comment, "ratchet and pawl", radius);
+        page.parameters();
+        page.parameter("teeth", f64::from(teeth), "");
+        page.parameter("radius", radius, "of the wheel at the tips");
+        page.parameter("height", height, "of a tooth");
+        page.parameter(
+            "play",
+            play,
+            "from the pawl to the face of the tooth it holds",
+        );
+        page.derived("foot", "radius - height");
+        page.derived("tip_x", "radius*sin(360deg/teeth)");
+        page.derived("tip_y", "radius*cos(360deg/teeth)");
+        page.derived("rise", "(tip_y - foot)/tip_x");
+        // Clear of the fillet in the foot too.
+        page.derived("under", "foot + (play + height/10)*sqrt(1 + rise^2)");
+        page.derived("reach", "min(tip_x + height, radius/2)");
         page.part(
             "Turns about the origin; a tooth is at the top.",
             "ratchet",
             "{ type = \"revolute\", center = [0, 0] }",
         );
         page.begin_loop("teeth");
-        for k in 0..teeth {
-            let at = 90.0 + f64::from(k) * pitch;
-            page.vertex(polar(foot, at), &format!("face of tooth {}", k + 1));
-            page.fillet(fillet, "");
-            page.vertex(polar(radius, at), "back");
-        }
+        page.begin_repeat("teeth");
+        page.corner("0", "foot", "face");
+        page.rounding("height/10", "");
+        page.corner("0", "radius", "back");
+        page.end_repeat();
         page.end_loop();
         page.end_part();
         let motion = format!(
-            "{{ type = \"revolute\", center = {}, range = [\"-{}deg\", \"5deg\"] }}",
-            page.point(pivot),
+            "{{ type = \"revolute\", center = [\"0.9*radius\", \"1.2*radius\"], range = [\"-{}deg\", \"5deg\"] }}",
             number(lifted)
         );
         page.part(
@@ -126,13 +140,19 @@ Ask it:     cspace compute FILE
             &motion,
         );
         page.begin_loop("outline");
-        page.vertex(corner, "along the back of a tooth");
-        page.vertex(heel, "belly");
-        page.vertex((pivot.0, pivot.1 - boss), "boss");
-        page.arc_of_radius((pivot.0, pivot.1 + boss), boss, Turn::Left, "");
-        page.vertex((play, radius + height), "face, which holds the tooth");
+        page.corner("play", "under + play*rise", "along the back of a tooth");
+        page.corner("reach", "under + reach*rise", "belly");
+        page.corner("0.9*radius", "1.04*radius", "boss");
+        page.bow("0.9*radius", "1.36*radius", "0.16*radius", "");
+        page.corner("play", "radius + height", "face, which holds the tooth");
         page.end_loop();
         page.end_part();
+        page.driven(
+            "The wheel turns counter-clockwise, a tooth a second.",
+            "ratchet",
+            "360deg/teeth",
+        );
+        page.load("The pawl lies on it.", "pawl", "torque = 1e7");
         page.finish()
     }
 }
