@@ -529,6 +529,10 @@ pub(crate) struct SweepArgs {
     /// A requirement that is measured; may be given several times [default: all]
     #[arg(long, value_name = "NAME")]
     pub(crate) measure: Vec<String>,
+    /// Tell in place of the rows where something changes as what is varied last goes through its values: what touches, free
+    /// regions, whether there is a value; located to 1e-9 of the range
+    #[arg(long, conflicts_with = "rows")]
+    pub(crate) changes: bool,
     /// Print CSV or JSON [default: csv; json if OUT ends in .json]
     #[arg(long, value_enum)]
     pub(crate) format: Option<TableFormat>,

@@ -35,6 +35,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod changes;
 mod check;
 mod measure;
 mod sensitivity;
@@ -42,6 +43,7 @@ mod solve;
 mod sweep;
 mod touching;
 
+pub use changes::Change;
 pub use check::{Checked, Interrupted, check, check_with};
 pub use measure::{Measured, Stop, Unmeasured, Value, measure, reach};
 pub use sensitivity::{Sensitivity, sensitivities};

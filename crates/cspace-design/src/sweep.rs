@@ -63,6 +63,34 @@ struct Design {
     spaces: Result<(Vec<Requirement>, Spaces), String>,
 }
 
+/// What is so of a measure, in words that do not change with the numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct State {
+    /// The free regions of the pair, and what is so of the value.
+    is: [String; 2],
+    /// What touches.
+    touching: Vec<String>,
+}
+
+impl State {
+    /// What differs between two, in words.
+    pub(crate) fn unlike(&self, other: &Self) -> (String, String) {
+        let mut both = [Vec::new(), Vec::new()];
+        for (a, b) in self.is.iter().zip(&other.is).filter(|(a, b)| a != b) {
+            both[0].push(a.clone());
+            both[1].push(b.clone());
+        }
+        let gone = |a: &Self, b: &Self| -> Vec<String> {
+            let only = a.touching.iter().filter(|t| !b.touching.contains(t));
+            only.cloned().collect()
+        };
+        both[0].extend(gone(self, other));
+        both[1].extend(gone(other, self));
+        let [before, after] = both.map(|words| words.join("; "));
+        (before, after)
+    }
+}
+
 impl<'a> Sweep<'a> {
     /// A sweep over what is varied, by rows of values in that order. `measures` are names of requirements.
     pub const fn new(
@@ -153,20 +181,88 @@ impl<'a> Sweep<'a> {
 
     fn row(&self, design: &Design, values: &[f64]) -> Row {
         let measure = |name: &String| {
-            let (requirements, spaces) = design.spaces.as_ref().map_err(String::clone)?;
-            let known = requirements.iter().find(|r| r.name == *name);
-            let mut requirement = known.ok_or("the model has no such requirement")?.clone();
-            for (varied, value) in self.varied.iter().zip(values) {
-                if let Varied::Coordinate(of) = varied {
-                    put(&mut requirement, *of, *value);
-                }
-            }
+            let (requirement, spaces) = self.measured(design, values, name)?;
             let measured = spaces.check(&requirement).measured;
             measured.map(|m| m.value).map_err(|e| e.to_string())
         };
         Row {
             measured: self.measures.iter().map(measure).collect(),
         }
+    }
+
+    /// A requirement at the values of a row, and the spaces of its design.
+    fn measured<'d>(
+        &self,
+        design: &'d Design,
+        values: &[f64],
+        name: &str,
+    ) -> Result<(Requirement, &'d Spaces), String> {
+        let (requirements, spaces) = design.spaces.as_ref().map_err(String::clone)?;
+        let known = requirements.iter().find(|r| r.name == *name);
+        let mut requirement = known.ok_or("the model has no such requirement")?.clone();
+        for (varied, value) in self.varied.iter().zip(values) {
+            if let Varied::Coordinate(of) = varied {
+                put(&mut requirement, *of, *value);
+            }
+        }
+        Ok((requirement, spaces))
+    }
+
+    pub(crate) const fn measures(&self) -> &[String] {
+        self.measures
+    }
+
+    /// What is so of every measure at the values of a row.
+    pub(crate) fn states(&self, values: &[f64]) -> Vec<State> {
+        let last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = last.as_ref().filter(|d| self.is_same(&d.values, values));
+        let known = known.cloned();
+        drop(last);
+        let design = known.unwrap_or_else(|| {
+            let design = Arc::new(self.design(values));
+            let last = Some(Arc::clone(&design));
+            *self.last.lock().unwrap_or_else(PoisonError::into_inner) = last;
+            design
+        });
+        // Numbers in a reason change from row to row.
+        let failed = |reason: &str| State {
+            is: [
+                String::new(),
+                reason
+                    .replace(|c: char| c.is_ascii_digit(), "")
+                    .replace("..", "."),
+            ],
+            touching: Vec::new(),
+        };
+        let state = |name: &String| {
+            let (requirement, spaces) = match self.measured(&design, values, name) {
+                Ok(found) => found,
+                Err(reason) => return failed(&reason),
+            };
+            let checked = spaces.check(&requirement);
+            let value = match &checked.measured {
+                Ok(measured) => match measured.value {
+                    Value::Number(_) => "a value".to_owned(),
+                    Value::Truth(true) => "yes".to_owned(),
+                    Value::Truth(false) => "no".to_owned(),
+                },
+                Err(error) => failed(&error.to_string()).is[1].clone(),
+            };
+            let regions = spaces.of(&requirement).map(|space| {
+                let regions = space.regions();
+                let caged = regions.iter().filter(|r| !r.unbounded).count();
+                format!("{} free regions, {caged} of them caged", regions.len())
+            });
+            let mut touching: Vec<String> = (checked.touching.iter())
+                .map(|[a, b]| format!("{a} touches {b}"))
+                .collect();
+            touching.sort_unstable();
+            State {
+                is: [regions.unwrap_or_default(), value],
+                touching,
+            }
+        };
+        self.measures.iter().map(state).collect()
     }
 }
 

@@ -294,3 +294,37 @@ fn sweeps_are_rows_of_checks() {
     let reason = bad[0].measured[0].as_ref().unwrap_err();
     assert!(reason.contains("part 0 \"slot\""), "{reason}");
 }
+
+/// A peg that is higher than the slot is deep tilts about its lower corners alone; a slot narrower than it lets it not in.
+#[test]
+fn changes_along_a_sweep_are_located() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("m.toml");
+    std::fs::write(&file, PEG).unwrap();
+    let template = Template::read(&file, &Host::default()).unwrap();
+    let line = |name: &str, values: [f64; 4], measure: &str| {
+        let varied = [Varied::Parameter(name.into())];
+        let measures = [measure.to_owned()];
+        let sweep = Sweep::new(&template, &[], &varied, &measures);
+        sweep.changes(&values.map(|v| vec![v]))
+    };
+    let free = line("slot", [9.0, 9.7, 10.3, 11.0], "comes out");
+    assert_eq!(free.len(), 1, "{free:?}");
+    assert!((free[0].values[0] - 10.0).abs() < 1e-7, "{free:?}");
+    assert!(free[0].before.contains("overlap") && free[0].after.contains("yes"));
+    // The slot is 30 deep, and the middle of the peg 15 above its bottom: from there on its end is in the way first.
+    let tilt = line("high", [8.0, 16.0, 24.0, 29.9999], "tilt");
+    assert_eq!(tilt.len(), 1, "{tilt:?}");
+    let high = tilt[0].values[0];
+    assert!(tilt[0].after.contains("line 4"), "{tilt:?}");
+    let touching = |high: f64| {
+        let all = check(&model(PEG, &[("high", high.to_string())]));
+        all[0]
+            .touching
+            .iter()
+            .flatten()
+            .any(|t| t.starts_with("line 4"))
+    };
+    assert!(!touching(high - 1e-4) && touching(high + 1e-4), "{high}");
+    assert!(line("slot", [10.1, 10.2, 10.3, 10.4], "sideways").is_empty());
+}

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cspace_design::{Row, Sweep, Value, Varied};
+use cspace_design::{Change, Row, Sweep, Value, Varied};
 use cspace_io::{Model, shown};
 
 use crate::args::{SweepArgs, TableFormat, Vary};
@@ -47,7 +47,6 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         .help("give the requirement another name"));
     }
     let sweep = Sweep::new(&template, &args.values.set, &varied, &measures);
-    let done = watched(|| all(&sweep, &table.rows));
     let is_json = (args.output.as_deref().and_then(Path::extension))
         .is_some_and(|e| e.eq_ignore_ascii_case("json"));
     let format = args.format.unwrap_or(if is_json {
@@ -55,6 +54,11 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     } else {
         TableFormat::Csv
     });
+    if args.changes {
+        let line = args.vary.last().map_or(1, |v| v.count);
+        return changes(&sweep, &table, line, format, output);
+    }
+    let done = watched(|| all(&sweep, &table.rows));
     let bytes = match format {
         TableFormat::Csv => csv_of(&table, &measures, &done)?,
         TableFormat::Json => json_of(&table, &measures, &done)?,
@@ -68,6 +72,66 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         )));
     }
     Ok(())
+}
+
+/// Writes where something changes along lines of so many rows.
+fn changes(
+    sweep: &Sweep<'_>,
+    table: &Table,
+    line: usize,
+    format: TableFormat,
+    output: Option<&Path>,
+) -> Result<(), Failure> {
+    let steps = Steps::new(table.rows.len());
+    let mut found: Vec<Change> = Vec::new();
+    let is_whole = watched(|| {
+        for rows in table.rows.chunks(line.max(1)) {
+            if is_interrupted() {
+                return false;
+            }
+            found.extend(steps.steps(rows.len() as u64, || sweep.changes(rows)));
+        }
+        true
+    });
+    let words = ["measure", "before", "after"];
+    let bytes = match format {
+        TableFormat::Csv => {
+            let mut writer = csv::Writer::from_writer(Vec::new());
+            let failed = |e: csv::Error| Failure::work(e);
+            let header = table.names.iter().map(String::as_str).chain(words);
+            writer.write_record(header).map_err(failed)?;
+            for c in &found {
+                let values = c.values.iter().map(|x| format!("{x:?}"));
+                let told = [&c.measure, &c.before, &c.after].map(String::clone);
+                writer.write_record(values.chain(told)).map_err(failed)?;
+            }
+            writer
+                .into_inner()
+                .map_err(|e| Failure::work(e.to_string()))?
+        }
+        TableFormat::Json => {
+            let object = |c: &Change| {
+                let values = table.names.iter().zip(&c.values);
+                let mut object: serde_json::Map<String, serde_json::Value> = values
+                    .map(|(name, x)| (name.clone(), (*x).into()))
+                    .collect();
+                let told = [&c.measure, &c.before, &c.after].map(String::clone);
+                for (word, text) in words.into_iter().zip(told) {
+                    object.insert(word.to_owned(), text.into());
+                }
+                object
+            };
+            super::json(&found.iter().map(object).collect::<Vec<_>>())?
+        }
+    };
+    output::write(output, &bytes)?;
+    if is_whole {
+        Ok(())
+    } else {
+        Err(Failure::work(
+            "interrupted: the changes that were found are written",
+        ))
+    }
 }
 
 /// Every combination of values, the last of them changing first.
