@@ -536,12 +536,15 @@ pub(crate) struct SweepArgs {
     /// Print CSV or JSON [default: csv; json if OUT ends in .json]
     #[arg(long, value_enum)]
     pub(crate) format: Option<TableFormat>,
-    /// Write the result to this file instead of standard output (-)
+    /// Write the result to this file instead of standard output (-); a name in .svg, .png or .pdf makes a picture of it, a curve over
+    /// what is varied last for each combination of the others, with --changes marked in red
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 /// How a table is printed.
@@ -560,6 +563,8 @@ pub(crate) struct Vary {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
     pub(crate) count: usize,
+    /// Whether the range is given as angles.
+    pub(crate) is_angle: bool,
 }
 
 #[derive(Debug, Args)]
@@ -658,6 +663,9 @@ fn vary(text: &str) -> Result<Vary, String> {
         name: name.trim().to_owned(),
         lo: bound(lo)?,
         hi: bound(hi)?,
+        is_angle: [lo, hi]
+            .iter()
+            .any(|text| text.trim().parse::<f64>().is_err()),
         count: count.ok_or("N is a whole number from 1 to 1000000")?,
     })
 }

@@ -208,7 +208,8 @@ impl<'a> Sweep<'a> {
         Ok((requirement, spaces))
     }
 
-    pub(crate) const fn measures(&self) -> &[String] {
+    /// The names of what is measured.
+    pub const fn measures(&self) -> &[String] {
         self.measures
     }
 

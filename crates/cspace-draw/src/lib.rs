@@ -34,6 +34,7 @@
 
 mod arc;
 mod colour;
+mod curves;
 mod error;
 mod font;
 mod format;
@@ -56,6 +57,7 @@ mod ticks;
 mod timeline;
 mod view;
 
+pub use curves::{Curve, CurveStrip, CurvesPicture, curves};
 pub use error::PictureError;
 pub use format::PictureFormat;
 pub use motion::{MotionFrame, MotionPicture, PlanePath, motion};

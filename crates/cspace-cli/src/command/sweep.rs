@@ -4,6 +4,8 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use cspace_design::{Change, Row, Sweep, Value, Varied};
+use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
+use cspace_io::model::Target;
 use cspace_io::{Model, shown};
 
 use crate::args::{SweepArgs, TableFormat, Vary};
@@ -11,6 +13,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{catch_interrupts, is_interrupted, watched};
 use crate::output;
+use crate::picture::{self, Plane};
 use crate::progress::Steps;
 use crate::subject::set_threads;
 use crate::wording::count;
@@ -54,8 +57,19 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     } else {
         TableFormat::Csv
     });
+    let line = args.vary.last().map_or(1, |v| v.count);
+    if let Some(format) = picture::format(output) {
+        if args.format.is_some() {
+            return Err(Failure::input(
+                "--format is about tables, and the name after -o that of a picture",
+            )
+            .help("leave --format out"));
+        }
+        let drawn = drawn(args, &model, &sweep, &table, line)?;
+        return picture::write(output, format, &drawn);
+    }
+    args.picture.refuse()?;
     if args.changes {
-        let line = args.vary.last().map_or(1, |v| v.count);
         return changes(&sweep, &table, line, format, output);
     }
     let done = watched(|| all(&sweep, &table.rows));
@@ -72,6 +86,97 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         )));
     }
     Ok(())
+}
+
+/// A picture of the rows: a strip for each measure over what is varied last, with a curve for each combination of the others.
+fn drawn(
+    args: &SweepArgs,
+    model: &Model,
+    sweep: &Sweep<'_>,
+    table: &Table,
+    line: usize,
+) -> Result<Scene, Failure> {
+    /// More curves in one strip cannot be told apart.
+    const MOST: usize = 12;
+    let Some(across) = args.vary.last() else {
+        return Err(
+            Failure::input("a picture needs --vary, and the rows are those of a file")
+                .help("write CSV or JSON, or give --vary NAME=LO:HI:N"),
+        );
+    };
+    let lines: Vec<&[Vec<f64>]> = table.rows.chunks(line.max(1)).collect();
+    if lines.len() > MOST {
+        return Err(Failure::input(format_args!(
+            "a picture has a curve for each combination of all but the last --vary, and these are {}",
+            lines.len()
+        ))
+        .help(format_args!("vary at most {MOST} combinations, or write CSV")));
+    }
+    let done = watched(|| all(sweep, &table.rows));
+    if done.len() < table.rows.len() {
+        return Err(Failure::work("interrupted: a picture needs all rows"));
+    }
+    let mut marks = Vec::new();
+    if args.changes {
+        for rows in &lines {
+            let found = watched(|| sweep.changes(rows));
+            marks.extend(found.iter().filter_map(|c| c.values.last().copied()));
+        }
+    }
+    let unit = model.mechanism.unit.as_deref();
+    let strips = sweep.measures().iter().enumerate().map(|(m, name)| {
+        let requirement = model.requirements.iter().find(|r| r.name == *name);
+        let is_angle = requirement.is_some_and(|r| r.is_angle);
+        let curves = lines
+            .iter()
+            .zip(done.chunks(line.max(1)))
+            .map(|(rows, done)| {
+                let others = rows[0].iter().zip(&table.names).take(table.names.len() - 1);
+                let label: Vec<String> = others
+                    .map(|(x, name)| format!("{name} = {}", shown::number(*x)))
+                    .collect();
+                let value = |row: &Row| match row.measured[m] {
+                    Ok(Value::Number(x)) => Some(x),
+                    Ok(Value::Truth(b)) => Some(f64::from(u8::from(b))),
+                    Err(_) => None,
+                };
+                let at = rows.iter().map(|r| r.last().copied().unwrap_or_default());
+                Curve {
+                    label: label.join(", "),
+                    points: at.zip(done.iter().map(value)).collect(),
+                }
+            });
+        let is_truth = requirement.is_some_and(|r| r.quantity.is_truth());
+        CurveStrip {
+            label: match unit {
+                _ if is_angle => format!("{name}, deg"),
+                _ if is_truth => format!("{name} (1 is yes)"),
+                Some(unit) => format!("{name}, {unit}"),
+                None => name.clone(),
+            },
+            is_angle,
+            limits: match requirement.and_then(|r| r.target) {
+                Some(Target::Limits(lo, hi)) => Some((lo, hi)),
+                _ => None,
+            },
+            seen: is_truth.then_some((-0.1, 1.1)),
+            curves: curves.collect(),
+        }
+    });
+    let picture = CurvesPicture {
+        across: if across.is_angle {
+            format!("{}, deg", across.name)
+        } else {
+            across.name.clone()
+        },
+        is_angle: across.is_angle,
+        strips: strips.collect(),
+        marks,
+    };
+    let options = args
+        .picture
+        .options(Plane::Positions, model.mechanism.name.clone(), unit)?;
+    Ok(cspace_draw::curves(&picture, &options))
 }
 
 /// Writes where something changes along lines of so many rows.

@@ -305,3 +305,30 @@ fn every_command_that_takes_a_model_sets_values() {
         assert!(said.contains(what), "{args:?}: {said}");
     }
 }
+
+#[test]
+fn sweeps_are_pictures() {
+    let (folder, file) = file(&format!("{MODEL}{REQUIREMENTS}"));
+    let picture = folder.path().join("sweep.svg").display().to_string();
+    let vary = ["--vary", "peg=5:6:2", "--vary", "play=-0.1:0.3:9"];
+    let args = ["sweep", &file, "-o", &picture, "--changes"];
+    cspace(&[&args[..], &vary[..]].concat()).assert().success();
+    let drawn = std::fs::read_to_string(&picture).unwrap();
+    for words in ["free play", "gap", "peg = 6", ">play<"] {
+        assert!(drawn.contains(words), "{words}: {drawn}");
+    }
+    for (more, words) in [
+        (&["--format", "csv"][..], "about tables"),
+        (&["--vary", "play=0:1:2"], "varied twice"),
+        (&["--size", "1x1"], "width x height"),
+    ] {
+        let all = [&args[..], &vary[..], more].concat();
+        let output = cspace(&all).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains(words), "{said}");
+    }
+    let table = cspace(&["sweep", &file, "--vary", "play=0:1:2", "--title", "a"])
+        .output()
+        .unwrap();
+    assert_eq!(table.status.code(), Some(2));
+}
