@@ -8,6 +8,7 @@ use cspace::{
     QueryError,
 };
 use cspace_io::model::{Coordinate, Quantity};
+use cspace_plan::{Clearance, PlanError, Planner, Verdict, Wishes};
 
 use crate::touching::{FeaturePair, texts, touching};
 
@@ -71,6 +72,15 @@ pub enum Unmeasured {
         "the motion leaves the range of a part's motion, or the window of orientations, before anything touches"
     )]
     Leaves,
+    /// No motion leads from one configuration to another.
+    #[error("no motion without overlap leads there")]
+    NoWay,
+    /// A coordinate of a region goes on without end.
+    #[error("the coordinate has no end in the free region: it goes on")]
+    Endless,
+    /// Nothing moves at a contact.
+    #[error("the point where the parts touch does not move when this coordinate changes")]
+    Still,
     /// The question has no answer at the configuration.
     #[error("{0}")]
     Query(QueryError),
@@ -107,6 +117,9 @@ pub fn measure(space: &PairSpace, quantity: &Quantity) -> Result<Measured, Unmea
                 features: nearest(space, at)?,
             }],
         }),
+        Quantity::Angle { at, along, of } => angle(space, at, along, of),
+        Quantity::Bottleneck { at, to } => bottleneck(space, at, to),
+        Quantity::Extreme { at, of, upper } => extreme(space, at, of, upper),
         Quantity::Caged { at } => match space.locate(at)? {
             Location::Free(region) => {
                 let region = space.regions().into_iter().find(|r| r.id == region);
@@ -186,6 +199,112 @@ fn position(
             })
         }
     }
+}
+
+/// The angle between the normal n at a contact and the velocity w of its point when a coordinate changes: cos = |n·w| / |w|, where n·w is the
+/// derivative of the contact function.
+fn angle(
+    space: &PairSpace,
+    at: Coordinates,
+    along: Option<Coordinates>,
+    of: Coordinate,
+) -> Result<Measured, Unmeasured> {
+    let stop = match along {
+        None => Stop {
+            at,
+            features: nearest(space, at)?,
+        },
+        Some(along) => match space.first_contact(at, along, 1.0)? {
+            PairMotion::Free => return Err(Unmeasured::NoContact),
+            PairMotion::Leaves { .. } => return Err(Unmeasured::Leaves),
+            PairMotion::Contact(contact) => Stop {
+                at: moved(at, along, as_drawn(space, (at, along), &contact)?),
+                features: touching(space, (at, along), &contact)?,
+            },
+        },
+    };
+    let (fixed, moving) = *stop.features.first().ok_or(Unmeasured::NoContact)?;
+    let contact = space.contact_of(fixed, moving)?;
+    let along_normal = contact.evaluate(stop.at)?.gradient[of.index()];
+    let touching = contact.touching(stop.at)?;
+    // How far the point is from what it turns about.
+    let arm = match (space, stop.at) {
+        (_, Coordinates::Planar(c)) => match of {
+            Coordinate::Theta => touching.on_moving.distance(c.position()),
+            _ => 1.0,
+        },
+        (PairSpace::FixedAxes(axes), Coordinates::Axes { u, .. }) => {
+            let (a, b): (Axis, Axis) = axes.axes();
+            let in_ground = a.configuration(u).fixed_from_moving(touching.on_fixed);
+            match if of == Coordinate::U { a } else { b }.motion {
+                AxisMotion::Revolute { center } => in_ground.distance(center),
+                _ => 1.0,
+            }
+        }
+        _ => return Err(wrong_class(space, stop.at)),
+    };
+    if arm == 0.0 {
+        return Err(Unmeasured::Still);
+    }
+    Ok(Measured {
+        value: Value::Number((along_normal.abs() / arm).min(1.0).acos()),
+        range: None,
+        stops: vec![stop],
+    })
+}
+
+fn bottleneck(space: &PairSpace, at: Coordinates, to: Coordinates) -> Result<Measured, Unmeasured> {
+    let unplanned = |e: PlanError| Unmeasured::Space(e.to_string());
+    let wishes = Wishes {
+        clearance: Clearance::Widest,
+        ..Wishes::default()
+    };
+    let planner = Planner::new(space).map_err(unplanned)?;
+    let answer = planner.plan(at, to, &wishes).map_err(unplanned)?;
+    match answer.verdict {
+        Verdict::Path(path) => {
+            let narrow = answer.bottleneck.map_or(path.narrowest, |b| b.narrow);
+            Ok(Measured {
+                value: Value::Number(narrow.clearance),
+                range: None,
+                stops: vec![Stop {
+                    at: narrow.at,
+                    features: narrow.features.into_iter().collect(),
+                }],
+            })
+        }
+        Verdict::FromBlocked(_) | Verdict::ToBlocked(_) => Err(Unmeasured::Blocked),
+        _ => Err(Unmeasured::NoWay),
+    }
+}
+
+fn extreme(
+    space: &PairSpace,
+    at: Coordinates,
+    of: Coordinate,
+    upper: bool,
+) -> Result<Measured, Unmeasured> {
+    let (PairSpace::FixedAxes(axes), Location::Free(region)) = (space, space.locate(at)?) else {
+        return Err(Unmeasured::Blocked);
+    };
+    let region = &axes.regions()[region.index()];
+    let (range, open, around) = match of {
+        Coordinate::U => (region.u, region.open_u, region.around_u),
+        _ => (region.v, region.open_v, region.around_v),
+    };
+    let (value, is_open) = if upper {
+        (range.1, open.1)
+    } else {
+        (range.0, open.0)
+    };
+    if is_open || around {
+        return Err(Unmeasured::Endless);
+    }
+    Ok(Measured {
+        value: Value::Number(value),
+        range: Some(range),
+        stops: Vec::new(),
+    })
 }
 
 /// The configuration of a motion at a time.

@@ -481,6 +481,8 @@ impl Line<'_> {
     fn crossing(&self, a: &(f64, At), b: &(f64, At), found: &mut Found) {
         /// The error of a quantity, relative to how far off it is at the ends.
         const ROUNDING: f64 = 1e-12;
+        /// A quantity that is not so many times as steep as an even one has no jump.
+        const STEEPER: f64 = 1e3;
         let (mut lo, mut hi) = (a.clone(), b.clone());
         let off = |at: &At| match at {
             At::Off(off, _) => *off,
@@ -542,7 +544,9 @@ impl Line<'_> {
             _ => 0.0,
         });
         let steep = slope[0].max(slope[1]) * (hi.0 - lo.0);
-        if (g - f).abs() <= 16.0 * steep + ROUNDING * scale.max(1.0) {
+        // Of a quantity without derivatives what it changes from end to end says how steep it is.
+        let even = scale * (hi.0 - lo.0) / (b.0 - a.0);
+        if (g - f).abs() <= 16.0 * steep + STEEPER * even + ROUNDING * scale.max(1.0) {
             let p = lo.0 - f * (hi.0 - lo.0) / (g - f);
             found.roots.push(p.clamp(lo.0, hi.0));
         } else {

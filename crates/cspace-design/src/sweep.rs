@@ -272,6 +272,9 @@ fn put(requirement: &mut Requirement, of: Coordinate, value: f64) {
     match &mut requirement.quantity {
         Quantity::Play { at, .. }
         | Quantity::Clearance { at }
+        | Quantity::Angle { at, .. }
+        | Quantity::Bottleneck { at, .. }
+        | Quantity::Extreme { at, .. }
         | Quantity::Caged { at }
         | Quantity::Connected { at, .. }
         | Quantity::Position { from: at, .. } => of.put(at, value),

@@ -328,3 +328,85 @@ fn changes_along_a_sweep_are_located() {
     assert!(!touching(high - 1e-4) && touching(high + 1e-4), "{high}");
     assert!(line("slot", [10.1, 10.2, 10.3, 10.4], "sideways").is_empty());
 }
+
+/// A roller of 3 on a disc of 10 that turns 4 off its axis: the normal is from centre to centre, 13 apart.
+#[test]
+fn pressure_angles_bottlenecks_and_extremes() {
+    let text = r#"
+[parameter]
+angle = "60deg"
+
+[[part]]
+name = "eccentric"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 10, at = [4, 0] }]
+
+[[part]]
+name = "roller"
+motion = { type = "prismatic", direction = [1, 0] }
+loops = [{ circle = 3, at = [0, 0] }]
+
+[[requirement]]
+name = "pressure angle"
+measure = "angle"
+of = "v"
+at = { u = "angle", v = 40 }
+along = [0, -60]
+
+[[requirement]]
+name = "of the cam"
+measure = "angle"
+of = "u"
+at = { u = "angle", v = 40 }
+
+[[requirement]]
+name = "lowest"
+measure = "extreme"
+of = "v"
+end = "lower"
+at = { u = "angle", v = 40 }
+
+[[requirement]]
+name = "highest"
+measure = "extreme"
+of = "v"
+at = { v = 40 }
+"#;
+    for degrees in [60.0_f64, 90.0, 133.0, 0.5] {
+        let all = check(&model(text, &[("angle", format!("{degrees}deg"))]));
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let expected = (4.0 * sin / 13.0).asin();
+        assert!(
+            (number(&all[0]) - expected).abs() < 1e-9,
+            "{degrees}: {:?}",
+            all[0]
+        );
+        // Nearest as drawn: on the line from the centre of the disc to that of the roller.
+        let (x, y) = (40.0 - 4.0 * cos, -4.0 * sin);
+        let far = x.hypot(y);
+        let at = [4.0 * cos + 10.0 * x / far, 4.0 * sin + 10.0 * y / far];
+        let moves = [-at[1], at[0]];
+        let along = (moves[0] * x + moves[1] * y) / far / moves[0].hypot(moves[1]);
+        assert!(
+            (number(&all[1]) - along.abs().acos()).abs() < 1e-9,
+            "{degrees}: {:?}",
+            all[1]
+        );
+        assert!((number(&all[2]) - 9.0).abs() < 1e-9, "{:?}", all[2]);
+        assert_eq!(all[3].measured, Err(Unmeasured::Endless));
+    }
+    let wide = PEG
+        .replace("measure = \"connected\"", "measure = \"bottleneck\"")
+        .replace("equals = true", "");
+    for slot in [10.1, 10.4] {
+        let all = check(&model(&wide, &[("slot", slot.to_string())]));
+        let found = number(&all[4]);
+        assert!((found - 0.5 * (slot - 10.0)).abs() < 1e-6, "{found}");
+    }
+    let planar = PEG.replace(
+        "measure = \"play\"\nof = \"x\"",
+        "measure = \"extreme\"\nof = \"x\"",
+    );
+    let error = read_from_hosted(planar.as_bytes(), "m.toml", &Host::default()).unwrap_err();
+    assert!(error.to_string().contains("no extremes"), "{error}");
+}

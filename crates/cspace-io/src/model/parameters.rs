@@ -21,10 +21,11 @@ use crate::shown::quoted;
 const MOST: usize = 10_000;
 
 /// Keys whose texts are names, or wrong where true or false belongs, and never numbers.
-const TEXTS: [&str; 23] = [
+const TEXTS: [&str; 24] = [
     "$schema",
     "direction",
     "dxf",
+    "end",
     "equals",
     "fixed",
     "hatches",

@@ -116,6 +116,32 @@ pub enum Quantity {
         /// The configuration.
         at: Coordinates,
     },
+    /// The angle between the common normal of two features and the motion of the point where they touch when a coordinate changes:
+    /// the pressure angle, 0 where the one pushes the other straight on.
+    Angle {
+        /// The configuration, at which the nearest features count.
+        at: Coordinates,
+        /// A displacement to a first contact, whose features count then.
+        along: Option<Coordinates>,
+        /// The coordinate.
+        of: Coordinate,
+    },
+    /// The clearance of the widest motion from one configuration to another, where it is narrowest.
+    Bottleneck {
+        /// Where it begins.
+        at: Coordinates,
+        /// Where it ends.
+        to: Coordinates,
+    },
+    /// The largest or the smallest value of a coordinate in the free region of a configuration.
+    Extreme {
+        /// The configuration.
+        at: Coordinates,
+        /// The coordinate.
+        of: Coordinate,
+        /// Whether it is the largest.
+        upper: bool,
+    },
     /// Whether the free region of a configuration ends everywhere.
     Caged {
         /// The configuration.
@@ -132,7 +158,16 @@ pub enum Quantity {
 
 impl Quantity {
     /// The names of all of them.
-    const NAMES: [&'static str; 5] = ["play", "position", "clearance", "caged", "connected"];
+    const NAMES: [&'static str; 8] = [
+        "play",
+        "position",
+        "clearance",
+        "angle",
+        "bottleneck",
+        "extreme",
+        "caged",
+        "connected",
+    ];
 
     /// Whether its value is yes or no.
     pub const fn is_truth(&self) -> bool {
@@ -145,6 +180,9 @@ impl Quantity {
             Self::Play { .. } => "play",
             Self::Position { .. } => "position",
             Self::Clearance { .. } => "clearance",
+            Self::Angle { .. } => "angle",
+            Self::Bottleneck { .. } => "bottleneck",
+            Self::Extreme { .. } => "extreme",
             Self::Caged { .. } => "caged",
             Self::Connected { .. } => "connected",
         }
@@ -189,8 +227,8 @@ pub(super) fn read_requirements(
 }
 
 fn read_requirement(place: Place, node: &Node, mechanism: &Mechanism) -> Result<Requirement> {
-    const KEYS: [&str; 9] = [
-        "name", "pair", "measure", "of", "at", "along", "to", "limits", "equals",
+    const KEYS: [&str; 10] = [
+        "name", "pair", "measure", "of", "at", "along", "to", "end", "limits", "equals",
     ];
     const HELP: &str = "a requirement is a table with keys such as name = \"play\", measure = \"play\" and limits = [0, 0.1]";
     let table = Table::new(node, place, &KEYS, HELP)?;
@@ -206,7 +244,9 @@ fn read_requirement(place: Place, node: &Node, mechanism: &Mechanism) -> Result<
         "play" => (&["of"], &["at"]),
         "position" => (&["along"], &["at", "of"]),
         "clearance" | "caged" => (&[], &["at"]),
-        "connected" => (&["to"], &["at"]),
+        "angle" => (&["of"], &["at", "along"]),
+        "extreme" => (&["of"], &["at", "end"]),
+        "connected" | "bottleneck" => (&["to"], &["at"]),
         other => {
             let error = table.error("measure", format!("unknown measure {}", quoted(other)));
             return Err(error.with_help(match nearest(other, Quantity::NAMES) {
@@ -215,7 +255,7 @@ fn read_requirement(place: Place, node: &Node, mechanism: &Mechanism) -> Result<
             }));
         }
     };
-    for key in ["of", "at", "along", "to"] {
+    for key in ["of", "at", "along", "to", "end"] {
         if table.get(key).is_some() && !needs.contains(&key) && !takes.contains(&key) {
             let error = ModelError::new(
                 &table.place.key(key).itself(),
@@ -232,12 +272,25 @@ fn read_requirement(place: Place, node: &Node, mechanism: &Mechanism) -> Result<
             .ok_or_else(|| table.missing(key, &format!("{key} = {}", space.example())))?;
         space.list(&table.place.key(key), key, given)
     };
+    let needed = || {
+        let of = space.coordinate(&table)?;
+        of.ok_or_else(|| table.missing("of", &format!("of = \"{}\"", space.names()[0].0)))
+    };
     let quantity = match kind {
-        "play" => Quantity::Play {
-            of: space
-                .coordinate(&table)?
-                .ok_or_else(|| table.missing("of", &format!("of = \"{}\"", space.names()[0].0)))?,
+        "play" => Quantity::Play { of: needed()?, at },
+        "angle" => Quantity::Angle {
             at,
+            along: table.get("along").map(|_| vector("along")).transpose()?,
+            of: needed()?,
+        },
+        "extreme" => Quantity::Extreme {
+            at,
+            of: needed()?,
+            upper: is_upper(&table, &space)?,
+        },
+        "bottleneck" => Quantity::Bottleneck {
+            at,
+            to: vector("to")?,
         },
         "position" => {
             let along = vector("along")?;
@@ -274,9 +327,10 @@ fn read_requirement(place: Place, node: &Node, mechanism: &Mechanism) -> Result<
         },
     };
     let is_angle = match quantity {
-        Quantity::Play { of, .. } | Quantity::Position { of, .. } => {
-            space.measure(of) == Measure::Angle
-        }
+        Quantity::Play { of, .. }
+        | Quantity::Position { of, .. }
+        | Quantity::Extreme { of, .. } => space.measure(of) == Measure::Angle,
+        Quantity::Angle { .. } => true,
         _ => false,
     };
     Ok(Requirement {
@@ -286,6 +340,24 @@ fn read_requirement(place: Place, node: &Node, mechanism: &Mechanism) -> Result<
         is_angle,
         target: target(&table, &quantity, is_angle)?,
     })
+}
+
+/// Which end of the range of a coordinate the key `end` names: the upper if it is left out.
+fn is_upper(table: &Table<'_>, space: &Space) -> Result<bool> {
+    if matches!(space, Space::Planar) {
+        let error = table.error(
+            "measure",
+            "the pair moves in x, y and theta, of whose regions no extremes are known",
+        );
+        return Err(error.with_help("measure the play, or the position where a motion touches"));
+    }
+    match table.text("end")? {
+        None | Some("upper") => Ok(true),
+        Some("lower") => Ok(false),
+        Some(other) => Err(table
+            .error("end", format!("unknown end {}", quoted(other)))
+            .with_help("give end = \"lower\" or end = \"upper\"")),
+    }
 }
 
 /// The pair that is named, or the model's only one.
