@@ -4,12 +4,16 @@
 //! at which f(e, p) = 0 moves by de/dp = −(∂f/∂p) / (∂f/∂e). ∂f/∂p is that by the vertices and axes of the drawing
 //! ([`FeatureContact::by_drawing`]) times what the model makes of p ([`Template::slopes`]), both in dual numbers.
 
-use cspace::{Coordinates, FeatureContact, FeatureKind, PairSpace, Progress, QueryError};
+use cspace::{
+    Axis, Configuration, Coordinates, Edge, FeatureContact, FeatureKind, FeatureName, PairSpace,
+    Part, Point, Progress, QueryError,
+};
 use cspace_io::model::{PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Template};
 use cspace_io::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
 use crate::measure::{Measured, Stop, unit};
+use crate::touching::FeaturePair;
 
 /// The derivative of a quantity by a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,7 +86,13 @@ pub(crate) fn derivative(
     };
     match varied.derivative(requirement, measured) {
         Ok(Some(sides)) => Ok(sides),
-        Ok(None) => Err("no contact function decides the quantity there".to_owned()),
+        Ok(None) if measured.stops.iter().all(|s| s.features.is_empty()) => {
+            Err("nothing touches, so that no contact function decides the value".to_owned())
+        }
+        Ok(None) => Err(
+            "several contacts take over from each other there, as where two corners meet"
+                .to_owned(),
+        ),
         Err(error) => Err(error.to_string()),
     }
 }
@@ -159,6 +169,8 @@ impl Varied<'_> {
     ) -> Result<Option<Sides>, QueryError> {
         /// Derivatives that differ by less, relative to the larger, are one: contacts that follow each other smoothly.
         const ONE: f64 = 1e-9;
+        /// Smaller derivatives are rounding.
+        const NOTHING: f64 = 1e-14;
         let is_motion = rates != [0.0; 3];
         let mut found: Vec<f64> = Vec::new();
         for &(fixed, moving) in &stop.features {
@@ -166,6 +178,9 @@ impl Varied<'_> {
                 continue;
             }
             let contact = self.space.contact_of(fixed, moving)?;
+            if self.is_between_corners(&contact, (fixed, moving), stop.at)? {
+                return Ok(None);
+            }
             let value = contact.evaluate(stop.at)?;
             if is_motion && dot(value.gradient, rates) >= 0.0 {
                 continue;
@@ -181,7 +196,10 @@ impl Varied<'_> {
         let (lo, hi) = found
             .iter()
             .fold((first, first), |(lo, hi), x| (lo.min(*x), hi.max(*x)));
-        Ok(Some(if hi - lo <= ONE * lo.abs().max(hi.abs()) {
+        let largest = lo.abs().max(hi.abs());
+        Ok(Some(if largest <= NOTHING {
+            [0.0; 2]
+        } else if hi - lo <= ONE * largest {
             [first; 2]
         } else if sign > 0.0 {
             // The smallest of several: for a larger parameter that which grows least.
@@ -189,6 +207,66 @@ impl Varied<'_> {
         } else {
             [lo, hi]
         }))
+    }
+
+    /// Whether two features touch at a corner of each part. Beside such a place each corner slides along a side of the other, and which it
+    /// is depends on the direction of the change.
+    fn is_between_corners(
+        &self,
+        contact: &FeatureContact,
+        (fixed, moving): FeaturePair,
+        at: Coordinates,
+    ) -> Result<bool, QueryError> {
+        /// How near to a corner a place is one with it, relative to the size of the parts; and the sine of the angle of a corner.
+        const NEAR: f64 = 1e-9;
+        let place = contact.touching(at)?;
+        let fixed_from_moving = match (self.space, at) {
+            (PairSpace::FixedAxes(axes), Coordinates::Axes { u, v }) => {
+                let (a, b): (Axis, Axis) = axes.axes();
+                a.configuration(u).inverse().compose(b.configuration(v))
+            }
+            (_, Coordinates::Planar(c)) => c,
+            _ => return Ok(false),
+        };
+        let near = NEAR * (self.space.fixed().size() + self.space.moving().size());
+        let is_corner = |part: &Part, feature: FeatureName, from_part: Configuration, at: Point| {
+            let Some(outline) = part.loops().get(feature.loop_index as usize) else {
+                return false;
+            };
+            let corners = outline.vertices();
+            let n = corners.len();
+            let here = feature.index as usize;
+            let ends = match feature.kind {
+                FeatureKind::Vertex => [here; 2],
+                _ => [here, (here + 1) % n],
+            };
+            let turns = |k: usize| {
+                let edge = |index: usize| {
+                    let (v, w) = (corners[index], corners[(index + 1) % n]);
+                    Edge {
+                        start: v.point(),
+                        end: w.point(),
+                        bulge: v.bulge,
+                        index,
+                    }
+                };
+                let (before, after) = (edge((k + n - 1) % n), edge(k));
+                let (a, b) = (before.end_direction(), after.start_direction());
+                a.cross(b).abs() > NEAR || a.dot(b) < 0.0
+            };
+            ends.into_iter().any(|k| {
+                let corner = from_part.fixed_from_moving(corners[k].point());
+                corner.distance(at) <= near && turns(k)
+            })
+        };
+        let origin = Configuration::default();
+        Ok(is_corner(self.space.fixed(), fixed, origin, place.on_fixed)
+            && is_corner(
+                self.space.moving(),
+                moving,
+                fixed_from_moving,
+                place.on_moving,
+            ))
     }
 
     /// ∂f/∂p of a contact at a configuration.

@@ -63,11 +63,48 @@ struct Design {
     spaces: Result<(Vec<Requirement>, Spaces), String>,
 }
 
-/// What is so of a measure, in words that do not change with the numbers.
+/// Words that count as the same where numbers alone differ.
+#[derive(Debug, Clone)]
+struct Words {
+    text: String,
+    /// Without the numbers.
+    key: String,
+}
+
+impl PartialEq for Words {
+    fn eq(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+}
+
+impl Eq for Words {}
+
+impl Words {
+    /// Words of which every number counts.
+    fn exact(text: String) -> Self {
+        Self {
+            key: text.clone(),
+            text,
+        }
+    }
+
+    /// A reason, in which numbers change from row to row.
+    fn reason(text: String) -> Self {
+        Self {
+            key: text.replace(
+                |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e'),
+                "",
+            ),
+            text,
+        }
+    }
+}
+
+/// What is so of a measure.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct State {
     /// The free regions of the pair, and what is so of the value.
-    is: [String; 2],
+    is: [Words; 2],
     /// What touches.
     touching: Vec<String>,
 }
@@ -77,8 +114,8 @@ impl State {
     pub(crate) fn unlike(&self, other: &Self) -> (String, String) {
         let mut both = [Vec::new(), Vec::new()];
         for (a, b) in self.is.iter().zip(&other.is).filter(|(a, b)| a != b) {
-            both[0].push(a.clone());
-            both[1].push(b.clone());
+            both[0].push(a.text.clone());
+            both[1].push(b.text.clone());
         }
         let gone = |a: &Self, b: &Self| -> Vec<String> {
             let only = a.touching.iter().filter(|t| !b.touching.contains(t));
@@ -225,41 +262,41 @@ impl<'a> Sweep<'a> {
             *self.last.lock().unwrap_or_else(PoisonError::into_inner) = last;
             design
         });
-        // Numbers in a reason change from row to row.
-        let failed = |reason: &str| State {
-            is: [
-                String::new(),
-                reason
-                    .replace(|c: char| c.is_ascii_digit(), "")
-                    .replace("..", "."),
-            ],
+        let failed = |reason: String| State {
+            is: [Words::exact(String::new()), Words::reason(reason)],
             touching: Vec::new(),
         };
         let state = |name: &String| {
             let (requirement, spaces) = match self.measured(&design, values, name) {
                 Ok(found) => found,
-                Err(reason) => return failed(&reason),
+                Err(reason) => return failed(reason),
             };
             let checked = spaces.check(&requirement);
             let value = match &checked.measured {
                 Ok(measured) => match measured.value {
-                    Value::Number(_) => "a value".to_owned(),
-                    Value::Truth(true) => "yes".to_owned(),
-                    Value::Truth(false) => "no".to_owned(),
+                    Value::Number(_) => Words::exact("a value".to_owned()),
+                    Value::Truth(true) => Words::exact("yes".to_owned()),
+                    Value::Truth(false) => Words::exact("no".to_owned()),
                 },
-                Err(error) => failed(&error.to_string()).is[1].clone(),
+                Err(error) => Words::reason(error.to_string()),
             };
-            let regions = spaces.of(&requirement).map(|space| {
-                let regions = space.regions();
-                let caged = regions.iter().filter(|r| !r.unbounded).count();
-                format!("{} free regions, {caged} of them caged", regions.len())
-            });
+            let Ok(space) = spaces.of(&requirement) else {
+                return State {
+                    is: [Words::exact(String::new()), value],
+                    touching: Vec::new(),
+                };
+            };
+            let regions = space.regions();
+            let caged = regions.iter().filter(|r| !r.unbounded).count();
+            let s = if regions.len() == 1 { "" } else { "s" };
+            let regions = format!("{} free region{s}, {caged} caged", regions.len());
+            let (fixed, moving) = (space.fixed().name(), space.moving().name());
             let mut touching: Vec<String> = (checked.touching.iter())
-                .map(|[a, b]| format!("{a} touches {b}"))
+                .map(|[a, b]| format!("{a} of {fixed} touches {b} of {moving}"))
                 .collect();
             touching.sort_unstable();
             State {
-                is: [regions.unwrap_or_default(), value],
+                is: [Words::exact(regions), value],
                 touching,
             }
         };

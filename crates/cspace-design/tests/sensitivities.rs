@@ -251,3 +251,33 @@ fn shipped_models_have_the_derivatives_of_differences() {
     }
     assert!(parametric > 0);
 }
+
+/// The tip of a pin on the apex of a roof slides down on either side: which contact decides depends on the direction.
+#[test]
+fn between_two_corners_there_is_no_derivative() {
+    let roof = r#"
+[parameter]
+p = 0.0
+
+[[part]]
+name = "roof"
+loops = [[[-10, -20], [10, -20], ["p", -10]]]
+
+[[part]]
+name = "pin"
+loops = [[[0, 0], [1, 5], [-1, 5]]]
+
+[[requirement]]
+name = "drop"
+measure = "position"
+along = [0, -30, 0]
+"#;
+    let of = |p: f64| text(roof, &[("p", p)]).found[0].1[0].derivative.clone();
+    assert!(of(0.0).unwrap_err().contains("two corners"));
+    // Beside the apex the tip is on a side, through (±10, -20): y = -20 + 10 (10 - |x|) / (10 - |p|).
+    let [below, above] = of(1.0).unwrap();
+    assert!(
+        (below - above).abs() < 1e-12 && (above + 10.0 * 10.0 / 121.0).abs() < 1e-9,
+        "{above}"
+    );
+}

@@ -69,6 +69,18 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         return picture::write(output, format, &drawn);
     }
     args.picture.refuse()?;
+    let extension = output.and_then(Path::extension);
+    if let Some(other) = extension.map(|e| e.to_string_lossy().to_ascii_lowercase())
+        && matches!(
+            other.as_str(),
+            "gif" | "jpg" | "jpeg" | "bmp" | "tif" | "tiff" | "webp" | "html"
+        )
+    {
+        return Err(
+            Failure::input(format_args!("-o: no files in .{other} are written"))
+                .help("pictures are written in .svg, .png and .pdf, tables in .csv and .json"),
+        );
+    }
     if args.changes {
         return changes(&sweep, &table, line, format, output);
     }

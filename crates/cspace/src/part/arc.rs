@@ -19,6 +19,9 @@ pub const CENTER_TOLERANCE: f64 = 1e-6;
 /// Half circles are drawn with a radius and ends that were rounded one by one, to some six decimals.
 pub const CHORD_TOLERANCE: f64 = 1e-6;
 
+/// Rounding of the ratio of a chord to the diameter of its arc.
+const HALF_TURN: f64 = 4.0 * f64::EPSILON;
+
 /// Which way an arc turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -187,11 +190,11 @@ pub fn bulge_with_radius<T: Real>(
             chord: length.value(),
         });
     }
-    let sin = if ratio.value() < 1.0 {
-        ratio
-    } else {
-        real(1.0)
-    };
+    // A chord that is the diameter but for rounding gives a half circle, whatever it depends on.
+    if ratio.value() > 1.0 - HALF_TURN {
+        return checked(real(direction.sign()));
+    }
+    let sin = ratio;
     let cos = ((real(1.0) - sin) * (real(1.0) + sin)).sqrt();
     let bulge = match size {
         ArcSize::Short => sin / (real(1.0) + cos),

@@ -1,0 +1,348 @@
+//! Values of parameters at which a quantity is what it must be.
+//!
+//! Of one parameter the quantity is measured at values evenly over the range, with its derivatives. Between two of them it crosses the
+//! value that is asked for where its sign changes, and may touch or cross it twice where it comes nearer from both sides. Crossings are
+//! found by Newton's method within brackets, to rounding.
+//!
+//! Of several parameters the change is sought that is smallest relative to the ranges: each step goes to the nearest place at which
+//! the quantity, linear by its derivatives, is as asked for.
+
+mod line;
+mod several;
+
+use cspace::Progress;
+use cspace_io::model::{Requirement, Setting, Template};
+use cspace_io::{Host, Model};
+use rayon::prelude::*;
+
+use crate::check::Spaces;
+use crate::measure::Value;
+use crate::sensitivity::derivative;
+
+use line::{Found, Line};
+
+/// A parameter and the values that it may take.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Span {
+    /// The parameter.
+    pub parameter: String,
+    /// The smallest value.
+    pub lo: f64,
+    /// The largest.
+    pub hi: f64,
+}
+
+/// How a quantity compares with a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// It is the value.
+    Equal,
+    /// It is the value or less.
+    AtMost,
+    /// It is the value or more.
+    AtLeast,
+}
+
+/// What is asked of a requirement's quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Goal {
+    /// The name of the requirement.
+    pub requirement: String,
+    /// How the quantity compares.
+    pub relation: Relation,
+    /// With what.
+    pub value: Value,
+}
+
+/// Values of parameters that meet a goal.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Solved {
+    /// The values, in the order of the spans. For an equation in one parameter all that were found; otherwise the one nearest to the
+    /// values that the model gives.
+    pub solutions: Vec<Vec<f64>>,
+    /// Of one parameter: ranges in which the goal is met.
+    pub ranges: Vec<(f64, f64)>,
+    /// Why there is no solution.
+    pub none: Option<String>,
+}
+
+/// Values of one parameter between which nothing is resolved, relative to its range.
+const RESOLUTION: f64 = 1e-12;
+
+/// A quantity that is the value over less than this, relative to the range, is so at one place.
+const PLACE: f64 = 1e-6;
+
+/// A quantity nearer to the value than this is the value, relative to both and to how far off it is at other places.
+const ZERO: f64 = 1e-14;
+
+/// A quantity at some values of the parameters.
+#[derive(Debug, Clone, PartialEq)]
+enum At {
+    /// How much more it is than asked for, and the derivatives for smaller and larger values of each parameter.
+    Off(f64, Vec<[f64; 2]>),
+    /// Whether it is as asked for.
+    Is(bool),
+    /// It has no value.
+    None(String),
+}
+
+/// Finds values of parameters at which a requirement's quantity is as asked for.
+///
+/// An equation in one parameter has every solution found, to rounding, but for those that lie between two of `samples` values with the
+/// quantity on one side of them and going away from it. The requirement's limits do not matter.
+pub fn solve(
+    template: &Template,
+    set: &[Setting],
+    spans: &[Span],
+    goal: &Goal,
+    samples: usize,
+    progress: &dyn Progress,
+) -> Solved {
+    let problem = Problem {
+        template,
+        set,
+        spans,
+        goal,
+        progress,
+    };
+    match spans {
+        [] => Solved {
+            none: Some("nothing is varied".to_owned()),
+            ..Solved::default()
+        },
+        [span] => problem.in_one(span, samples),
+        _ => problem.in_several(),
+    }
+}
+
+struct Problem<'a> {
+    template: &'a Template,
+    set: &'a [Setting],
+    spans: &'a [Span],
+    goal: &'a Goal,
+    progress: &'a dyn Progress,
+}
+
+impl Problem<'_> {
+    /// The model with values for what is varied.
+    fn model(&self, values: &[f64]) -> Result<(Model, Vec<Setting>), String> {
+        let mut set = self.set.to_vec();
+        set.extend(self.spans.iter().zip(values).map(|(span, value)| Setting {
+            name: span.parameter.clone(),
+            value: format!("{value:?}"),
+        }));
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        match self.template.model(&host) {
+            Ok(model) => Ok((model, set)),
+            Err(error) => Err(error.message().to_owned()),
+        }
+    }
+
+    fn at(&self, values: &[f64]) -> At {
+        self.measured(values).unwrap_or_else(At::None)
+    }
+
+    fn measured(&self, values: &[f64]) -> Result<At, String> {
+        let (mut model, set) = self.model(values)?;
+        model
+            .requirements
+            .retain(|r| r.name == self.goal.requirement);
+        let spaces = Spaces::compute(&model, self.progress).map_err(|e| e.to_string())?;
+        let requirement: &Requirement =
+            (model.requirements.first()).ok_or("the model has no such requirement")?;
+        let measured = spaces
+            .check(requirement)
+            .measured
+            .map_err(|e| e.to_string())?;
+        let off = match (measured.value, self.goal.value) {
+            (Value::Truth(is), Value::Truth(wanted)) => return Ok(At::Is(is == wanted)),
+            (Value::Number(is), Value::Number(wanted)) => is - wanted,
+            _ => return Err("the requirement is of another kind than the value".to_owned()),
+        };
+        let space = spaces.of(requirement).map_err(|e| e.to_string())?;
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        let slopes = self.spans.iter().map(|span| {
+            let slopes = self.template.slopes(&host, &model, &span.parameter);
+            let slopes = slopes.map_err(|e| e.message().to_owned());
+            // Without derivatives crossings are bracketed alone.
+            slopes
+                .and_then(|s| derivative(space, requirement, &measured, &s))
+                .unwrap_or([f64::NAN; 2])
+        });
+        Ok(At::Off(off, slopes.collect()))
+    }
+
+    /// The values that the model gives to what is varied, brought into their ranges.
+    fn given(&self) -> Vec<f64> {
+        let host = Host {
+            set: self.set,
+            ..Host::default()
+        };
+        let model = self.template.model(&host).ok();
+        let of = |span: &Span| {
+            let parameters = model.iter().flat_map(|m| &m.parameters);
+            let mut given = parameters.filter(|p| p.name == span.parameter);
+            let value = given.next().map_or(span.lo, |p| p.value);
+            value.clamp(span.lo, span.hi)
+        };
+        self.spans.iter().map(of).collect()
+    }
+
+    /// Whether the goal is met where the quantity is off by so much; `zero` is nothing.
+    fn is_met(&self, at: &At, zero: f64) -> bool {
+        match *at {
+            At::Is(is) => is,
+            At::Off(off, _) => match self.goal.relation {
+                Relation::Equal => off.abs() <= zero,
+                Relation::AtMost => off <= zero,
+                Relation::AtLeast => off >= -zero,
+            },
+            At::None(_) => false,
+        }
+    }
+
+    /// What is nothing beside the value and some quantities.
+    fn zero<'m>(&self, measured: impl Iterator<Item = &'m At>) -> f64 {
+        let value = match self.goal.value {
+            Value::Number(x) => x.abs(),
+            Value::Truth(_) => 0.0,
+        };
+        let off = measured.map(|at| match at {
+            At::Off(off, _) => off.abs(),
+            _ => 0.0,
+        });
+        ZERO * (value + off.fold(0.0, f64::max))
+    }
+
+    fn in_one(&self, span: &Span, samples: usize) -> Solved {
+        let n = samples.max(2);
+        let step = (span.hi - span.lo) / (n - 1) as f64;
+        let values: Vec<f64> = (0..n)
+            .map(|i| {
+                if i == n - 1 {
+                    span.hi
+                } else {
+                    span.lo + step * i as f64
+                }
+            })
+            .collect();
+        let measured: Vec<At> = values.par_iter().map(|p| self.at(&[*p])).collect();
+        let known: Vec<(f64, At)> = values.into_iter().zip(measured).collect();
+        let line = Line {
+            problem: self,
+            least: RESOLUTION * (span.hi - span.lo),
+            place: PLACE * (span.hi - span.lo),
+            zero: self.zero(known.iter().map(|k| &k.1)),
+        };
+        let parts: Vec<Found> = known
+            .par_windows(2)
+            .map(|w| {
+                let mut found = Found::default();
+                line.search(&w[0], &w[1], &mut found);
+                found
+            })
+            .collect();
+        let mut all = Found::default();
+        for part in parts {
+            all.stretches.extend(part.stretches);
+            all.breaks.extend(part.breaks);
+            all.jumps.extend(part.jumps);
+        }
+        all.join(line.place);
+        let given = self.given()[0];
+        let is_number = matches!(self.goal.value, Value::Number(_));
+        if is_number && self.goal.relation == Relation::Equal {
+            // Where it is so over a range, the value in it that is nearest to the model's own.
+            let solutions = all
+                .stretches
+                .iter()
+                .map(|&(lo, hi)| vec![given.clamp(lo, hi)]);
+            let wide = all.stretches.iter().copied().filter(|(lo, hi)| lo < hi);
+            return Solved {
+                solutions: solutions.collect(),
+                ranges: wide.collect(),
+                none: all.stretches.is_empty().then(|| nothing(&known, &all)),
+            };
+        }
+        let ranges = self.ranges(span, &all, &known, line.zero);
+        let nearest = (ranges.iter())
+            .map(|&(lo, hi)| given.clamp(lo, hi))
+            .min_by(|a, b| (a - given).abs().total_cmp(&(b - given).abs()));
+        Solved {
+            none: nearest.is_none().then(|| nothing(&known, &all)),
+            solutions: nearest.into_iter().map(|p| vec![p]).collect(),
+            ranges,
+        }
+    }
+
+    /// The ranges in which a goal is met: between two places at which that may change it is everywhere as in the middle.
+    fn ranges(
+        &self,
+        span: &Span,
+        found: &Found,
+        known: &[(f64, At)],
+        zero: f64,
+    ) -> Vec<(f64, f64)> {
+        let ends = found.stretches.iter().flat_map(|&(lo, hi)| [lo, hi]);
+        let mut places: Vec<f64> = (ends.chain(found.breaks.iter().copied()))
+            .chain([span.lo, span.hi])
+            .collect();
+        places.sort_by(f64::total_cmp);
+        let mut ranges: Vec<(f64, f64)> = Vec::new();
+        let mut add = |lo: f64, hi: f64| match ranges.last_mut() {
+            Some(last) if last.1 >= lo => last.1 = last.1.max(hi),
+            _ => ranges.push((lo, hi)),
+        };
+        for w in places.windows(2) {
+            let (lo, hi) = (w[0], w[1]);
+            // At the value itself the goal is met, also where it is so at one place alone.
+            if found.stretches.iter().any(|s| s.0 <= lo && lo <= s.1) {
+                add(lo, lo);
+            }
+            if hi > lo {
+                let middle = 0.5 * (lo + hi);
+                let inner = known.iter().filter(|(p, _)| lo < *p && *p < hi);
+                let sample =
+                    inner.min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs()));
+                let is_met = match sample {
+                    Some((_, at)) => self.is_met(at, zero),
+                    None => self.is_met(&self.at(&[middle]), zero),
+                };
+                if is_met {
+                    add(lo, hi);
+                }
+            }
+        }
+        ranges
+    }
+}
+
+/// Why nothing was found.
+fn nothing(known: &[(f64, At)], found: &Found) -> String {
+    let numbers = known.iter().filter_map(|(_, at)| match at {
+        At::Off(off, _) => Some(*off),
+        _ => None,
+    });
+    let (lo, hi) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+        (lo.min(x), hi.max(x))
+    });
+    if let Some((p, before, after)) = found.jumps.first() {
+        return format!(
+            "the quantity jumps over the value, from {before:+e} off it to {after:+e}, where the parameter is {p}"
+        );
+    }
+    if lo > hi {
+        let reason = known.iter().find_map(|(_, at)| match at {
+            At::None(reason) => Some(reason.clone()),
+            _ => None,
+        });
+        return reason.unwrap_or_else(|| "it is so nowhere in the range".to_owned());
+    }
+    format!("in the range the quantity is between {lo:+e} and {hi:+e} off the value")
+}
