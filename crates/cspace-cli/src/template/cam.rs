@@ -107,6 +107,10 @@ Ask it:     cspace compute FILE
         page.end_part();
         page.driven("The cam turns once a second.", "cam", "360deg");
         page.load("The follower lies on it.", "follower", "force = [0, -1e6]");
+        page.requirement(
+            "How high the nose lifts the follower.",
+            &format!("name = \"lift\"\nmeasure = \"position\"\nat = {{ u = \"180deg\", v = {} }}\nalong = [0, {}]", number(2.0 * lift), number(-2.0 * lift)),
+        );
         page.finish()
     }
 }

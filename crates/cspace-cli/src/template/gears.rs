@@ -244,6 +244,10 @@ Ask it:     cspace compute FILE
             "gear",
             "360deg",
         );
+        page.requirement(
+            "The backlash: how far the pinion turns while the gear stands still.",
+            "name = \"backlash\"\nmeasure = \"play\"\nof = \"v\"",
+        );
         page.finish()
     }
 }

@@ -133,6 +133,10 @@ Ask it:     cspace compute FILE
         driver(&mut page);
         wheel(&mut page);
         page.driven("The driver turns once a second.", "driver", "360deg");
+        page.requirement(
+            "How far the wheel turns while it is locked.",
+            "name = \"play in the lock\"\nmeasure = \"play\"\nof = \"v\"",
+        );
         page.finish()
     }
 }

@@ -153,6 +153,10 @@ Ask it:     cspace compute FILE
             "360deg/teeth",
         );
         page.load("The pawl lies on it.", "pawl", "torque = 1e7");
+        page.requirement(
+            "How far the wheel turns back until the pawl holds it.",
+            "name = \"held\"\nmeasure = \"position\"\nalong = [\"-20deg\", 0]",
+        );
         page.finish()
     }
 }

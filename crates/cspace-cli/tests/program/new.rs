@@ -357,6 +357,13 @@ fn the_model_goes_to_standard_output_or_to_a_file() {
         let answer = String::from_utf8(answer.get_output().stdout.clone()).unwrap();
         assert!(answer.contains(",free"), "{answer}");
         assert!(text.lines().all(|l| l.len() <= 130), "{template}");
+        // Its requirements can be measured, and what is on a shaft moves.
+        cspace(&["check", &m.file]).assert().success();
+        assert_eq!(
+            text.contains("revolute"),
+            text.contains("[[drive]]"),
+            "{template}"
+        );
     }
 }
 
