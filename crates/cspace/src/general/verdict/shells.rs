@@ -298,17 +298,33 @@ impl ShellFinder<'_> {
         self.clusters.duration(from, to)
     }
 
-    /// Some cells of longest duration, that with most room first. In a slice all last as long: the least curved are taken there.
-    fn largest(&self, cells: &[Cell], ring: &[Member]) -> Vec<u32> {
+    /// The cell that has most room of those of longest duration.
+    fn largest(&self, cells: &[Cell], ring: &[Member]) -> u32 {
+        let longest = self.longest(cells, ring, |_| 0.0);
+        let mut largest = longest[0].1;
+        let mut size = f64::NEG_INFINITY;
+        for &(duration, c) in &longest {
+            if duration <= size {
+                break;
+            }
+            let (lo, hi) = self.range(&cells[c as usize], self.middle(&cells[c as usize]));
+            if duration.min(hi - lo) > size {
+                (size, largest) = (duration.min(hi - lo), c);
+            }
+        }
+        largest
+    }
+
+    /// Some cells of longest duration with it, of those that last as long the ones with the largest `rank`.
+    fn longest(
+        &self,
+        cells: &[Cell],
+        ring: &[Member],
+        rank: impl Fn(&Cell) -> f64,
+    ) -> Vec<(f64, u32)> {
         let measured = |m: &Member| {
             let c = &cells[m.cell as usize];
-            let sheet = &self.geometry.contacts.sheets[c.sheet as usize];
-            let radius = if sheet.is_line() {
-                f64::INFINITY
-            } else {
-                sheet.locus.radius.abs()
-            };
-            (self.duration(c.from, c.to), radius, m.cell)
+            (self.duration(c.from, c.to), rank(c), m.cell)
         };
         let mut longest: Vec<(f64, f64, u32)> = ring.iter().map(measured).collect();
         let order = |a: &(f64, f64, u32), b: &(f64, f64, u32)| {
@@ -321,19 +337,7 @@ impl ShellFinder<'_> {
             longest.truncate(TRIED);
         }
         longest.sort_unstable_by(order);
-        let mut largest = 0;
-        let mut size = f64::NEG_INFINITY;
-        for (i, &(duration, _, c)) in longest.iter().enumerate() {
-            if duration <= size {
-                break;
-            }
-            let (lo, hi) = self.range(&cells[c as usize], self.middle(&cells[c as usize]));
-            if duration.min(hi - lo) > size {
-                (size, largest) = (duration.min(hi - lo), i);
-            }
-        }
-        longest[..=largest].rotate_right(1);
-        longest.into_iter().map(|l| l.2).collect()
+        longest.into_iter().map(|l| (l.0, l.2)).collect()
     }
 
     fn middle(&self, cell: &Cell) -> f64 {
@@ -383,12 +387,22 @@ impl ShellFinder<'_> {
         (placing, lo + (hi - lo) * share)
     }
 
-    /// What a test beside the first of its largest cells says at which doubles tell.
+    /// What a test beside its largest cell says, or where doubles tell nothing there, beside others: in a slice all last as long, and
+    /// the first may be arcs of 1e-12.
     fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
-        let largest = self.largest(cells, ring);
-        largest
-            .iter()
-            .find_map(|&c| self.is_free(&cells[c as usize]))
+        let is_free = |c: u32| self.is_free(&cells[c as usize]);
+        let radius = |c: &Cell| {
+            let sheet = &self.geometry.contacts.sheets[c.sheet as usize];
+            if sheet.is_line() {
+                f64::INFINITY
+            } else {
+                sheet.locus.radius.abs()
+            }
+        };
+        is_free(self.largest(cells, ring)).or_else(|| {
+            let others = self.longest(cells, ring, radius);
+            others.iter().find_map(|&(_, c)| is_free(c))
+        })
     }
 
     /// An honest test beside a place of a cell; `None` if curves that face it are so near to all places that doubles do not tell.
