@@ -1,6 +1,6 @@
 //! One parameter: where a quantity crosses a value, touches it, or is it over a stretch, between places at which it is known.
 
-use super::{At, Problem};
+use super::problem::{At, Problem};
 
 /// What happens along one parameter.
 #[derive(Debug, Clone, Default)]

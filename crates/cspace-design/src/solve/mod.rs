@@ -8,83 +8,24 @@
 //! the quantity, linear by its derivatives, is as asked for.
 
 mod line;
+mod problem;
 mod several;
 
 use cspace::Progress;
-use cspace_io::model::{Requirement, Setting, Template};
-use cspace_io::{Host, Model};
+use cspace_io::model::{Setting, Template};
 use rayon::prelude::*;
 
-use crate::check::Spaces;
 use crate::measure::Value;
-use crate::sensitivity::derivative;
 
 use line::{Found, Line};
-
-/// A parameter and the values that it may take.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Span {
-    /// The parameter.
-    pub parameter: String,
-    /// The smallest value.
-    pub lo: f64,
-    /// The largest.
-    pub hi: f64,
-}
-
-/// How a quantity compares with a value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Relation {
-    /// It is the value.
-    Equal,
-    /// It is the value or less.
-    AtMost,
-    /// It is the value or more.
-    AtLeast,
-}
-
-/// What is asked of a requirement's quantity.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Goal {
-    /// The name of the requirement.
-    pub requirement: String,
-    /// How the quantity compares.
-    pub relation: Relation,
-    /// With what.
-    pub value: Value,
-}
-
-/// Values of parameters that meet a goal.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Solved {
-    /// The values, in the order of the spans. For an equation in one parameter all that were found; otherwise the one nearest to the
-    /// values that the model gives.
-    pub solutions: Vec<Vec<f64>>,
-    /// Of one parameter: ranges in which the goal is met.
-    pub ranges: Vec<(f64, f64)>,
-    /// Why there is no solution.
-    pub none: Option<String>,
-}
+use problem::{At, Problem};
+pub use problem::{Goal, Relation, Solved, Span};
 
 /// Values of one parameter between which nothing is resolved, relative to its range.
 const RESOLUTION: f64 = 1e-12;
 
 /// A quantity that is the value over less than this, relative to the range, is so at one place.
 const PLACE: f64 = 1e-6;
-
-/// A quantity nearer to the value than this is the value, relative to both and to how far off it is at other places.
-const ZERO: f64 = 1e-14;
-
-/// A quantity at some values of the parameters.
-#[derive(Debug, Clone, PartialEq)]
-enum At {
-    /// How much more it is than asked for, and the derivatives for smaller and larger values of each parameter.
-    Off(f64, Vec<[f64; 2]>),
-    /// Whether it is as asked for.
-    Is(bool),
-    /// It has no value.
-    None(String),
-}
 
 /// Finds values of parameters at which a requirement's quantity is as asked for.
 ///
@@ -115,111 +56,7 @@ pub fn solve(
     }
 }
 
-struct Problem<'a> {
-    template: &'a Template,
-    set: &'a [Setting],
-    spans: &'a [Span],
-    goal: &'a Goal,
-    progress: &'a dyn Progress,
-}
-
 impl Problem<'_> {
-    /// The model with values for what is varied.
-    fn model(&self, values: &[f64]) -> Result<(Model, Vec<Setting>), String> {
-        let mut set = self.set.to_vec();
-        set.extend(self.spans.iter().zip(values).map(|(span, value)| Setting {
-            name: span.parameter.clone(),
-            value: format!("{value:?}"),
-        }));
-        let host = Host {
-            set: &set,
-            ..Host::default()
-        };
-        match self.template.model(&host) {
-            Ok(model) => Ok((model, set)),
-            Err(error) => Err(error.message().to_owned()),
-        }
-    }
-
-    fn at(&self, values: &[f64]) -> At {
-        self.measured(values).unwrap_or_else(At::None)
-    }
-
-    fn measured(&self, values: &[f64]) -> Result<At, String> {
-        let (mut model, set) = self.model(values)?;
-        model
-            .requirements
-            .retain(|r| r.name == self.goal.requirement);
-        let spaces = Spaces::compute(&model, self.progress).map_err(|e| e.to_string())?;
-        let requirement: &Requirement =
-            (model.requirements.first()).ok_or("the model has no such requirement")?;
-        let measured = spaces
-            .check(requirement)
-            .measured
-            .map_err(|e| e.to_string())?;
-        let off = match (measured.value, self.goal.value) {
-            (Value::Truth(is), Value::Truth(wanted)) => return Ok(At::Is(is == wanted)),
-            (Value::Number(is), Value::Number(wanted)) => is - wanted,
-            _ => return Err("the requirement is of another kind than the value".to_owned()),
-        };
-        let space = spaces.of(requirement).map_err(|e| e.to_string())?;
-        let host = Host {
-            set: &set,
-            ..Host::default()
-        };
-        let slopes = self.spans.iter().map(|span| {
-            let slopes = self.template.slopes(&host, &model, &span.parameter);
-            let slopes = slopes.map_err(|e| e.message().to_owned());
-            // Without derivatives crossings are bracketed alone.
-            slopes
-                .and_then(|s| derivative(space, requirement, &measured, &s))
-                .unwrap_or([f64::NAN; 2])
-        });
-        Ok(At::Off(off, slopes.collect()))
-    }
-
-    /// The values that the model gives to what is varied, brought into their ranges.
-    fn given(&self) -> Vec<f64> {
-        let host = Host {
-            set: self.set,
-            ..Host::default()
-        };
-        let model = self.template.model(&host).ok();
-        let of = |span: &Span| {
-            let parameters = model.iter().flat_map(|m| &m.parameters);
-            let mut given = parameters.filter(|p| p.name == span.parameter);
-            let value = given.next().map_or(span.lo, |p| p.value);
-            value.clamp(span.lo, span.hi)
-        };
-        self.spans.iter().map(of).collect()
-    }
-
-    /// Whether the goal is met where the quantity is off by so much; `zero` is nothing.
-    fn is_met(&self, at: &At, zero: f64) -> bool {
-        match *at {
-            At::Is(is) => is,
-            At::Off(off, _) => match self.goal.relation {
-                Relation::Equal => off.abs() <= zero,
-                Relation::AtMost => off <= zero,
-                Relation::AtLeast => off >= -zero,
-            },
-            At::None(_) => false,
-        }
-    }
-
-    /// What is nothing beside the value and some quantities.
-    fn zero<'m>(&self, measured: impl Iterator<Item = &'m At>) -> f64 {
-        let value = match self.goal.value {
-            Value::Number(x) => x.abs(),
-            Value::Truth(_) => 0.0,
-        };
-        let off = measured.map(|at| match at {
-            At::Off(off, _) => off.abs(),
-            _ => 0.0,
-        });
-        ZERO * (value + off.fold(0.0, f64::max))
-    }
-
     fn in_one(&self, span: &Span, samples: usize) -> Solved {
         let n = samples.max(2);
         let step = (span.hi - span.lo) / (n - 1) as f64;

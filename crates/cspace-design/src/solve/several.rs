@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::{At, Problem, Solved, Span};
+use super::problem::{At, Problem, Solved, Span};
 
 impl Problem<'_> {
     /// The smallest change of several parameters that meets the goal.
