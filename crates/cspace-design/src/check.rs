@@ -1,6 +1,6 @@
 //! All requirements of a model.
 
-use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Stage};
+use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Silent};
 use cspace_io::Model;
 use cspace_io::model::{Requirement, Target};
 
@@ -43,15 +43,6 @@ impl Checked {
 /// What cannot be measured says so in [`Checked::measured`].
 pub fn check(model: &Model) -> Vec<Checked> {
     check_with(model, &Silent).unwrap_or_default()
-}
-
-/// Follows nothing.
-pub(crate) struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
 }
 
 /// The computation was ended.

@@ -2,11 +2,12 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use cspace::Silent;
 use cspace_io::model::{Coordinate, Quantity, Requirement, Setting, Template};
 use cspace_io::{Host, Model, ModelError};
 use rayon::prelude::*;
 
-use crate::check::{Silent, Spaces};
+use crate::check::Spaces;
 use crate::measure::Value;
 
 /// What is varied from row to row.

@@ -3,18 +3,10 @@
 
 use std::path::Path;
 
-use cspace::{ComputeError, Progress, Stage};
+use cspace::Silent;
 use cspace_design::{Checked, Sensitivity, Value, check, sensitivities};
 use cspace_io::model::{Setting, Template};
 use cspace_io::{Host, Model};
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 fn set(values: &[(&str, f64)]) -> Vec<Setting> {
     let of = |(name, value): &(&str, f64)| Setting {

@@ -3,18 +3,10 @@
 
 use core::f64::consts::PI;
 
-use cspace::{ComputeError, Progress, Stage};
+use cspace::Silent;
 use cspace_design::{Goal, Relation, Solved, Span, Value, check, solve};
 use cspace_io::Host;
 use cspace_io::model::{Setting, Template};
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 fn template(text: &str) -> Template {
     let folder = tempfile::tempdir().unwrap();

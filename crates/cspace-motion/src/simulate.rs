@@ -1,6 +1,6 @@
 //! From a mechanism to what becomes of it.
 
-use cspace::{ComputeError, Mechanism, Progress, Stage};
+use cspace::{Mechanism, Progress, Silent, Stage};
 
 use crate::assemble::assemble;
 use crate::error::SimulateError;
@@ -57,14 +57,6 @@ impl Freedom {
     /// How many equations follow from others: the mechanism is over-determined by that many.
     pub fn redundant(&self) -> usize {
         self.equations - self.independent
-    }
-}
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 use cspace::{
-    ComputeError, Coordinates, Location, PairError, PairSpace, Progress, QueryError, Stage,
+    ComputeError, Coordinates, Location, PairError, PairSpace, Progress, QueryError, Silent,
 };
 
 use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
@@ -73,15 +73,6 @@ impl Clearance {
             Self::AtLeast(least) => Some(Until::AtLeast(least)),
             Self::Widest => Some(Until::Widest),
         }
-    }
-}
-
-/// Computations are neither shown nor stopped.
-pub(crate) struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
     }
 }
 

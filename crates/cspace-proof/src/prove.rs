@@ -32,11 +32,7 @@ fn written(part: &Part) -> cspace_check::Part {
 /// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 1.0)?;
 /// let space = ContactSpace::compute(&frame, &block, &Options::default())?;
 /// let (inside, outside) = (Configuration::new(0.0, 0.0, 0.0), Configuration::new(9.0, 0.0, 0.0));
-/// struct Silent;
-/// impl cspace::Progress for Silent {
-///     fn stage(&self, _: cspace::Stage) -> Result<(), cspace::ComputeError> { Ok(()) }
-/// }
-/// let proof = cspace_proof::prove(&space, inside, outside, None, &Silent)?;
+/// let proof = cspace_proof::prove(&space, inside, outside, None, &cspace::Silent)?;
 /// assert_eq!(proof.check(), Ok(()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -4,16 +4,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::{ComputeError, Configuration, ContactSpace, Options, Part, Progress, Stage, Vertex};
+use cspace::{Configuration, ContactSpace, Options, Part, Silent, Vertex};
 use cspace_proof::prove;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 type Outline = Vec<Vertex>;
 

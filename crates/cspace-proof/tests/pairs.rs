@@ -4,17 +4,9 @@
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
-use cspace::{ComputeError, Configuration, ContactSpace, Options, Part, Progress, Stage, Vertex};
+use cspace::{Configuration, ContactSpace, Options, Part, Silent, Vertex};
 use cspace_check::Proof;
 use cspace_proof::{ProofError, prove};
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 fn at(x: f64, y: f64, theta: f64) -> Configuration {
     Configuration::new(x, y, theta)

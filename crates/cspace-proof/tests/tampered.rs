@@ -2,17 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
-use cspace::{ComputeError, Configuration, ContactSpace, Options, Part, Progress, Stage, Vertex};
+use cspace::{Configuration, ContactSpace, Options, Part, Silent, Vertex};
 use cspace_check::Proof;
 use cspace_proof::prove;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 fn square(half: f64) -> Vec<Vertex> {
     [(-half, -half), (half, -half), (half, half), (-half, half)]

@@ -140,7 +140,7 @@ pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, Decisions,
     FeatureCounts, FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress,
-    SideLink, Stage, StageSeconds, Statistics, Symmetry, VerticalLink, Window,
+    SideLink, Silent, Stage, StageSeconds, Statistics, Symmetry, VerticalLink, Window,
 };
 
 /// The library's example in the README.

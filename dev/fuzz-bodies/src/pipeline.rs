@@ -1,6 +1,6 @@
 //! Whole contact spaces of random pairs.
 
-use cspace::{ComputeError, Progress, Stage};
+use cspace::Silent;
 use cspace_load::{Effort, check};
 use cspace_oracle::Case;
 use rand::SeedableRng;
@@ -23,14 +23,6 @@ const THOROUGH: usize = 16;
 
 /// Of so many pairs one is put on fixed axes.
 const ON_AXES: usize = 4;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
     let mut bytes = Bytes::new(data);

@@ -9,15 +9,9 @@
 //! command `cspace-structure` prints it.
 //!
 //! ```
-//! use cspace::{ComputeError, Progress, Stage};
+//! use cspace::Silent;
 //! use cspace_load::{Effort, Source, check};
 //!
-//! struct Silent;
-//! impl Progress for Silent {
-//!     fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-//!         Ok(())
-//!     }
-//! }
 //! let source = Source::new(1, Some("corners rounded, radius")).ok_or("no such family")?;
 //! let mut drawn = source.draw(0);
 //! let effort = Effort { configurations: 40, bands: 3, thorough: false };

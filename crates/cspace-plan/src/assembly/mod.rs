@@ -16,12 +16,11 @@ mod search;
 mod straight;
 mod units;
 
-use cspace::{Mechanism, Part, Progress};
+use cspace::{Mechanism, Part, Progress, Silent};
 
 pub use answer::{Enclosure, Locked, Outcome, PartFeature, Step, TakenApart};
 pub use error::AssemblyError;
 
-use crate::planner::Silent;
 use search::Search;
 use units::Units;
 

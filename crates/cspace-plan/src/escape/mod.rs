@@ -20,14 +20,14 @@ pub use answer::{Escaped, Held, Pass};
 pub use energy::{Body, Field, Spring, Weight};
 pub use model::FieldError;
 
-use cspace::{Coordinates, PairSpace, Progress, QueryError, RegionId, Vector};
+use cspace::{Coordinates, PairSpace, Progress, QueryError, RegionId, Silent, Vector};
 
 use crate::answer::Verdict;
 use crate::apart::{blocked, enclosed};
 use crate::ends::{End, end, home};
 use crate::legs::{Coords, Scene};
 use crate::off_contact::off_near;
-use crate::planner::{Clearance, PlanError, Planner, Silent, Wishes};
+use crate::planner::{Clearance, PlanError, Planner, Wishes};
 
 use domain::Domain;
 use energy::Energy;

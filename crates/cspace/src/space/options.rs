@@ -142,8 +142,16 @@ pub trait Progress: Sync {
 }
 
 /// Follows nothing: computations are neither shown nor stopped.
+///
+/// ```
+/// use cspace::{ContactSpace, Options, Part, Silent};
+/// let square = |name: &str| Part::rectangle(name, (0.0, 0.0), 2.0, 2.0);
+/// let space = ContactSpace::compute_with(&square("a")?, &square("b")?, &Options::default(), &Silent)?;
+/// assert_eq!(space.free_regions().len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Silent;
+pub struct Silent;
 
 impl Progress for Silent {
     fn stage(&self, _: Stage) -> Result<(), ComputeError> {

@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use cspace::{ComputeError, PartError, Progress, Stage};
+use cspace::{PartError, Silent};
 use cspace_load::{Effort, Fault, Report, check};
 use cspace_oracle::families;
 use rand::SeedableRng;
@@ -13,14 +13,6 @@ use rayon::prelude::*;
 /// Configurations asked at each pair: enough to see a region or an arc that is missing, not to find a corner of 1e-8.
 const CONFIGURATIONS: usize = 60;
 const BANDS: usize = 6;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        Ok(())
-    }
-}
 
 /// One value of one family.
 struct Outcome {
