@@ -73,10 +73,9 @@ impl Spaces {
         Ok(Self(spaces))
     }
 
-    /// Measures a requirement of one of the pairs.
+    /// Measures a requirement of one of the pairs, and names what touches.
     pub(crate) fn check(&self, requirement: &Requirement) -> Checked {
-        let space = self.of(requirement);
-        let measured = space.and_then(|space| measure(space, &requirement.quantity));
+        let measured = self.measure(requirement);
         let touching = match (self.of(requirement), &measured) {
             (Ok(space), Ok(measured)) => measured.touching(space),
             _ => Vec::new(),
@@ -86,6 +85,11 @@ impl Spaces {
             measured,
             touching,
         }
+    }
+
+    /// Measures a requirement of one of the pairs.
+    pub(crate) fn measure(&self, requirement: &Requirement) -> Result<Measured, Unmeasured> {
+        measure(self.of(requirement)?, &requirement.quantity)
     }
 
     /// The space that a requirement is about.

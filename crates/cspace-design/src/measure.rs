@@ -183,21 +183,28 @@ fn position(
     along: Coordinates,
     of: Coordinate,
 ) -> Result<Measured, Unmeasured> {
+    let stop = first_stop(space, from, along)?;
+    let value = of.of(stop.at).ok_or_else(|| wrong_class(space, from))?;
+    Ok(Measured {
+        value: Value::Number(value),
+        range: None,
+        stops: vec![stop],
+    })
+}
+
+/// The first contact of a motion of constant rates.
+fn first_stop(
+    space: &PairSpace,
+    from: Coordinates,
+    along: Coordinates,
+) -> Result<Stop, Unmeasured> {
     match space.first_contact(from, along, 1.0)? {
         PairMotion::Free => Err(Unmeasured::NoContact),
         PairMotion::Leaves { .. } => Err(Unmeasured::Leaves),
-        PairMotion::Contact(contact) => {
-            let time = as_drawn(space, (from, along), &contact)?;
-            let at = moved(from, along, time);
-            Ok(Measured {
-                value: Value::Number(of.of(at).ok_or_else(|| wrong_class(space, from))?),
-                range: None,
-                stops: vec![Stop {
-                    at,
-                    features: touching(space, (from, along), &contact)?,
-                }],
-            })
-        }
+        PairMotion::Contact(contact) => Ok(Stop {
+            at: moved(from, along, as_drawn(space, (from, along), &contact)?),
+            features: touching(space, (from, along), &contact)?,
+        }),
     }
 }
 
@@ -214,14 +221,7 @@ fn angle(
             at,
             features: nearest(space, at)?,
         },
-        Some(along) => match space.first_contact(at, along, 1.0)? {
-            PairMotion::Free => return Err(Unmeasured::NoContact),
-            PairMotion::Leaves { .. } => return Err(Unmeasured::Leaves),
-            PairMotion::Contact(contact) => Stop {
-                at: moved(at, along, as_drawn(space, (at, along), &contact)?),
-                features: touching(space, (at, along), &contact)?,
-            },
-        },
+        Some(along) => first_stop(space, at, along)?,
     };
     let (fixed, moving) = *stop.features.first().ok_or(Unmeasured::NoContact)?;
     let contact = space.contact_of(fixed, moving)?;

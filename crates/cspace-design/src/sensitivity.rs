@@ -8,7 +8,9 @@ use cspace::{
     Axis, Configuration, Coordinates, Edge, FeatureContact, FeatureKind, FeatureName, PairSpace,
     Part, Point, Progress, QueryError,
 };
-use cspace_io::model::{PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Template};
+use cspace_io::model::{
+    Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Template,
+};
 use cspace_io::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
@@ -121,7 +123,7 @@ impl Varied<'_> {
                 let mut ends = [None; 2];
                 for ((end, stop), way) in ends.iter_mut().zip([below, above]).zip([-1.0, 1.0]) {
                     let range = match of {
-                        cspace_io::model::Coordinate::U => self.parts[0].range,
+                        Coordinate::U => self.parts[0].range,
                         _ => self.parts[1].range,
                     };
                     *end = if stop.features.is_empty() {

@@ -186,10 +186,7 @@ impl<'a> Sweep<'a> {
         let mut set = self.set.to_vec();
         for (varied, value) in self.varied.iter().zip(values) {
             if let Varied::Parameter(name) = varied {
-                set.push(Setting {
-                    name: name.clone(),
-                    value: format!("{value:?}"),
-                });
+                set.push(Setting::number(name, *value));
             }
         }
         let host = Host {
@@ -220,7 +217,7 @@ impl<'a> Sweep<'a> {
     fn row(&self, design: &Design, values: &[f64]) -> Row {
         let measure = |name: &String| {
             let (requirement, spaces) = self.measured(design, values, name)?;
-            let measured = spaces.check(&requirement).measured;
+            let measured = spaces.measure(&requirement);
             measured.map(|m| m.value).map_err(|e| e.to_string())
         };
         Row {

@@ -1,9 +1,13 @@
 //! Quantities whose values are known in closed form, and requirements of models.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod common;
+
 use cspace_design::{Checked, Sweep, Unmeasured, Value, Varied, check};
-use cspace_io::model::{Coordinate, Setting, Template};
+use cspace_io::model::{Coordinate, Setting};
 use cspace_io::{Document, Host, Model, read_from_hosted};
+
+use common::template;
 
 fn model(text: &str, set: &[(&str, String)]) -> Model {
     let set: Vec<Setting> = (set.iter())
@@ -240,10 +244,7 @@ fn what_cannot_be_measured_says_why() {
 /// The rows of a sweep are what single models give, in any number together.
 #[test]
 fn sweeps_are_rows_of_checks() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("m.toml");
-    std::fs::write(&file, PEG).unwrap();
-    let template = Template::read(&file, &Host::default()).unwrap();
+    let template = template(PEG);
     let varied = [
         Varied::Parameter("slot".into()),
         Varied::Coordinate(Coordinate::Y),
@@ -298,10 +299,7 @@ fn sweeps_are_rows_of_checks() {
 /// A peg that is higher than the slot is deep tilts about its lower corners alone; a slot narrower than it lets it not in.
 #[test]
 fn changes_along_a_sweep_are_located() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("m.toml");
-    std::fs::write(&file, PEG).unwrap();
-    let template = Template::read(&file, &Host::default()).unwrap();
+    let template = template(PEG);
     let line = |name: &str, values: [f64; 4], measure: &str| {
         let varied = [Varied::Parameter(name.into())];
         let measures = [measure.to_owned()];

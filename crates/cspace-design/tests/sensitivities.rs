@@ -1,6 +1,8 @@
 //! Derivatives of quantities by parameters, against differences of quantities.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod common;
+
 use std::path::Path;
 
 use cspace::Silent;
@@ -8,11 +10,10 @@ use cspace_design::{Checked, Sensitivity, Value, check, sensitivities};
 use cspace_io::model::{Setting, Template};
 use cspace_io::{Host, Model};
 
+use common::template;
+
 fn set(values: &[(&str, f64)]) -> Vec<Setting> {
-    let of = |(name, value): &(&str, f64)| Setting {
-        name: (*name).to_owned(),
-        value: format!("{value:?}"),
-    };
+    let of = |&(name, value): &(&str, f64)| Setting::number(name, value);
     values.iter().map(of).collect()
 }
 
@@ -29,8 +30,7 @@ struct Design {
     found: Vec<(Checked, Vec<Sensitivity>)>,
 }
 
-fn design(file: &Path, values: &[(&str, f64)]) -> Design {
-    let template = Template::read(file, &Host::default()).unwrap();
+fn design(template: Template, values: &[(&str, f64)]) -> Design {
     let given = set(values);
     let host = Host {
         set: &given,
@@ -46,10 +46,7 @@ fn design(file: &Path, values: &[(&str, f64)]) -> Design {
 }
 
 fn text(text: &str, values: &[(&str, f64)]) -> Design {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("m.toml");
-    std::fs::write(&file, text).unwrap();
-    design(&file, values)
+    design(template(text), values)
 }
 
 impl Design {
@@ -236,7 +233,7 @@ fn shipped_models_have_the_derivatives_of_differences() {
         let template = Template::read(&path, &Host::default()).unwrap();
         let model = template.model(&Host::default()).unwrap();
         if !model.requirements.is_empty() {
-            let (some, _) = design(&path, &[]).agrees(&[]);
+            let (some, _) = design(template, &[]).agrees(&[]);
             assert!(some > 0, "{}", path.display());
             parametric += 1;
         }

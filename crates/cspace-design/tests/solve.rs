@@ -1,19 +1,16 @@
 //! Values of parameters that are known in closed form, and goals of several parameters.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod common;
+
 use core::f64::consts::PI;
 
 use cspace::Silent;
 use cspace_design::{Goal, Relation, Solved, Span, Value, check, solve};
 use cspace_io::Host;
-use cspace_io::model::{Setting, Template};
+use cspace_io::model::Setting;
 
-fn template(text: &str) -> Template {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("m.toml");
-    std::fs::write(&file, text).unwrap();
-    Template::read(&file, &Host::default()).unwrap()
-}
+use common::template;
 
 fn span(parameter: &str, lo: f64, hi: f64) -> Span {
     Span {
@@ -233,10 +230,7 @@ fn several_parameters_change_as_little_as_they_can() {
         let values = found.solutions[0].clone();
         let measured = |values: &[f64]| {
             let set: Vec<Setting> = (spans.iter().zip(values))
-                .map(|(s, v)| Setting {
-                    name: s.parameter.clone(),
-                    value: format!("{v:?}"),
-                })
+                .map(|(s, v)| Setting::number(&s.parameter, *v))
                 .collect();
             let host = Host {
                 set: &set,

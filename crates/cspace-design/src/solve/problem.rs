@@ -79,10 +79,8 @@ impl Problem<'_> {
     /// The model with values for what is varied.
     fn model(&self, values: &[f64]) -> Result<(Model, Vec<Setting>), String> {
         let mut set = self.set.to_vec();
-        set.extend(self.spans.iter().zip(values).map(|(span, value)| Setting {
-            name: span.parameter.clone(),
-            value: format!("{value:?}"),
-        }));
+        let values = self.spans.iter().zip(values);
+        set.extend(values.map(|(span, value)| Setting::number(&span.parameter, *value)));
         let host = Host {
             set: &set,
             ..Host::default()
@@ -105,10 +103,7 @@ impl Problem<'_> {
         let spaces = Spaces::compute(&model, self.progress).map_err(|e| e.to_string())?;
         let requirement: &Requirement =
             (model.requirements.first()).ok_or("the model has no such requirement")?;
-        let measured = spaces
-            .check(requirement)
-            .measured
-            .map_err(|e| e.to_string())?;
+        let measured = spaces.measure(requirement).map_err(|e| e.to_string())?;
         let off = match (measured.value, self.goal.value) {
             (Value::Truth(is), Value::Truth(wanted)) => return Ok(At::Is(is == wanted)),
             (Value::Number(is), Value::Number(wanted)) => is - wanted,

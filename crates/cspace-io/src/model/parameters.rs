@@ -83,6 +83,16 @@ pub struct Setting {
     pub value: String,
 }
 
+impl Setting {
+    /// A number, all digits of it.
+    pub fn number(name: impl Into<String>, value: f64) -> Self {
+        Self {
+            name: name.into(),
+            value: format!("{value:?}"),
+        }
+    }
+}
+
 /// An expression that could not be evaluated, and where.
 pub(super) struct Failure {
     way: Vec<Step>,
